@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bake/bake.h"
+#include "base/progress.h"
+#include "device/device.h"
+#include "plan/plan.h"
+
+namespace prelight {
+
+/// What a bake did, for --report and for people.
+struct BakeReport {
+  std::vector<std::pair<std::string, double>> stageSeconds;  ///< in the order they ran
+  std::uint64_t rays = 0;             ///< in all
+  std::uint64_t receivers = 0;
+  double aoErrorRms = 0.0;            ///< estimated standard error of AO, RMS over the surface
+  double aoErrorMax = 0.0;            ///< the same at the worst vertex
+  double shErrorRms = 0.0;            ///< of the SH coefficient vector, relative to its RMS norm
+  double skippedRayFraction = 0.0;    ///< rays that the request allowed and the scene did not need
+  std::uint64_t bytesBvh = 0;
+  std::vector<std::string> notes;
+
+  nlohmann::ordered_json toJson() const;
+};
+
+/// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.
+/// Same scene, request and seed give the same bytes on the same device, whatever the thread count.
+/// Throws Error (a scene without triangles, device failure, out of memory) and Interrupted.
+Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
+               Progress& progress, BakeReport& report);
+
+}  // namespace prelight

@@ -1,0 +1,19 @@
+# Every dependency is a Debian 12 package; the comment names it.
+find_package(Threads REQUIRED)
+find_package(OpenCL REQUIRED)               # ocl-icd-opencl-dev
+find_path(OPENCL_HPP_DIR CL/opencl.hpp REQUIRED)  # opencl-clhpp-headers
+find_package(glm REQUIRED)                  # libglm-dev
+find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
+find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
+find_package(nlohmann_json REQUIRED)        # nlohmann-json3-dev
+find_package(Eigen3 REQUIRED)               # libeigen3-dev
+find_package(fmt REQUIRED)                  # libfmt-dev
+find_package(CLI11 REQUIRED)                # libcli11-dev
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # libssl-dev: SHA-256 of the kernel cache keys
+if(PRELIGHT_VIEWER)
+  find_package(PkgConfig REQUIRED)
+  find_package(glfw3 REQUIRED)              # libglfw3-dev
+  pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)  # libepoxy-dev
+  pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)      # libegl-dev
+  pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)  # libimgui-dev
+endif()

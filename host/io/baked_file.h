@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "bake/bake.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf_document.h"
+
+namespace prelight {
+
+/// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data.
+/// Nodes, meshes and materials keep their order; a node with instances stores [instance][vertex].
+void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake);
+
+/// Reads the PRELIGHT_transfer data of a document; nullopt when it carries none.
+/// Throws InputError when the data does not fit the scene (counts, order, ranges, NaN).
+std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene);
+
+}  // namespace prelight

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// A rendered picture of linear radiance, rows top to bottom.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec3> pixels;  ///< [row][column]
+};
+
+/// Writes by extension: .exr is linear radiance (R,G,B, 32-bit float), .png is tone-mapped (toneMap) 8-bit sRGB.
+/// Writes beside and renames. Throws UsageError for another extension, Error when it cannot be written.
+void writePicture(const std::filesystem::path& path, const Picture& picture);
+
+/// Reads .exr, .hdr as linear radiance and .png, .jpg as sRGB decoded to linear. Throws InputError.
+Picture readPicture(const std::filesystem::path& path);
+
+/// The display transform of .png files and of the viewer: exposure 1, then clamp to [0,1], then sRGB encoding.
+glm::vec3 toneMap(const glm::vec3& radiance);
+
+}  // namespace prelight

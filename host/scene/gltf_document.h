@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+
+namespace prelight {
+
+/// A glTF file made self-contained: one JSON tree and one binary chunk. Every buffer and image that the file named
+/// by URI (external file or data URI) is embedded, so that the document can be written as a .glb as it is.
+struct GltfDocument {
+  std::filesystem::path path;       ///< for messages
+  nlohmann::ordered_json json;      ///< buffers[0] is `bin`; images refer to buffer views
+  std::vector<std::uint8_t> bin;
+};
+
+/// Reads a .gltf or .glb, checks its structure (types, index ranges, accessors against buffers, node cycles, required
+/// extensions) and embeds what it refers to.
+/// Throws InputError naming the file and the JSON path. A missing or unreadable image is only a warning.
+GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings);
+
+/// Writes a binary glTF beside `path` and renames it into place, so that a half-written file is never seen.
+void writeGlb(const std::filesystem::path& path, const GltfDocument& document);
+
+/// Appends an accessor over `data` (little-endian, tightly packed) in a buffer view of its own.
+/// `type` is glTF's ("SCALAR", "VEC3", ...), `componentType` glTF's number (5126 float, 5125 uint32).
+/// Returns the accessor's index.
+int appendAccessor(GltfDocument& document, std::span<const std::byte> data, const std::string& type,
+                   int componentType, std::size_t count);
+
+}  // namespace prelight
