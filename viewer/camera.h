@@ -1,0 +1,36 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+namespace prelight::viewer {
+
+/// A camera for a scene that has none: three-quarter view from slightly above; the whole bounding sphere is
+/// in the picture at every aspect >= 1, and near and far enclose it. Works for an empty scene, too.
+Camera frameCamera(const CompiledScene& scene);
+
+/// The camera `index` of the scene; without an index the first one, or frameCamera when the scene has none.
+/// Throws UsageError when the index is out of range.
+Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index);
+
+/// Width in pixels that fits the camera's aspect at a height; 16:9 when the camera leaves it to the picture.
+int pictureWidth(const Camera& camera, int height);
+
+/// Camera matrices in the coordinates of a CompiledScene (world minus origin).
+struct CameraMatrices {
+  glm::dmat4 view{1.0};        ///< scene to camera
+  glm::dmat4 projection{1.0};  ///< camera to clip space, depth -1..1
+  glm::dvec3 position{0.0};    ///< scene coordinates
+  glm::dvec3 forward{0.0, 0.0, -1.0};
+  bool perspective = true;
+};
+
+/// Matrices for a picture of `aspect` (width / height; keeps the vertical field). Near and far are tightened
+/// to the scene's bounds, which clips nothing that the camera does not clip and keeps the depth buffer
+/// precise.
+CameraMatrices cameraMatrices(const Camera& camera, const CompiledScene& scene, double aspect);
+
+}  // namespace prelight::viewer

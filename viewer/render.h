@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bake/bake.h"
+#include "base/diagnostics.h"
+#include "io/environment.h"
+#include "io/picture.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+namespace prelight::viewer {
+
+/// How light reaches a surface in the picture.
+enum class Shading {
+  Phong,  ///< direct light without shadows, ambient from the open sky
+  Ao,  ///< Phong with the ambient light occluded by the baked accessibility; needs Bake::ao and bentNormals
+  Sh,  ///< light through the baked SH transfer; needs Bake::sh
+};
+
+/// Reads "phong", "ao" or "sh". Throws UsageError naming the known ones.
+Shading parseShading(std::string_view name);
+std::string_view shadingName(Shading shading);
+
+/// What is drawn. The referents outlive the call (or the window).
+struct RenderInputs {
+  const Scene& scene;
+  const CompiledScene& compiled;  ///< of `scene`
+  const Bake* bake = nullptr;     ///< of `compiled`; nullptr: none, enough for Phong
+  const Environment* environment =
+      nullptr;  ///< nullptr: no sky, or a neutral one when nothing else gives light
+};
+
+struct RenderOptions {
+  Shading shading = Shading::Phong;
+  int width = 0;              ///< pixels; 0: from the height and the camera's aspect (16:9 when it has none)
+  int height = 720;           ///< pixels, 1..32768
+  std::optional<int> camera;  ///< into Scene::cameras; none: the first, or frameCamera when there is none
+  double skyRotation = 0.0;   ///< radians, turns the sky counter-clockwise about +Y seen from above
+  std::optional<std::vector<Light>> lights;  ///< replaces the scene's punctual lights
+  bool emitters = true;                      ///< emissive triangles light the scene
+  bool windowLights = true;  ///< damps the SH bands of delta lights against ringing (see lighting.h)
+  int samplesPerAxis = 2;    ///< supersampling: this squared per pixel, box filtered; 1..8
+};
+
+/// Draws a picture of linear radiance, without a display or a window.
+/// `notes` receives, once each, what the picture approximates or what was chosen for want of an input.
+/// Throws UsageError (camera index, size), Error (no OpenGL, shading that the bake does not carry).
+Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes);
+
+}  // namespace prelight::viewer

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "viewer/render.h"
+
+namespace prelight::viewer {
+
+/// What the window shows; the same as for a picture.
+using ViewerInputs = RenderInputs;
+
+struct ViewerOptions {
+  RenderOptions render;  ///< first view; width and height are the window's, in pixels
+  std::string title = "prelight";
+  int frames = 0;  ///< closes after this many frames; 0: when the user closes the window
+  std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
+};
+
+/// Opens a window on the scene and returns 0 when it is closed. Press H in it for the keys and mouse.
+/// The bake may carry less than every shading needs: those shadings are then not offered.
+/// Throws Error without a display or OpenGL 4.1, and what renderPicture throws.
+int runViewer(const ViewerInputs& inputs, const ViewerOptions& options);
+
+}  // namespace prelight::viewer
