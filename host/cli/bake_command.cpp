@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/bake_options.h"
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "cli/report.h"
+#include "cli/session.h"
+#include "io/baked_file.h"
+#include "io/environment.h"
+
+namespace prelight::cli {
+namespace {
+
+struct BakeCommand {
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  std::filesystem::path report;
+  std::filesystem::path environment;
+  BakeOptions bake;
+};
+
+void checkOutputs(const BakeCommand& command) {
+  checkOutputFile("-o", command.output, {".glb"});
+  if (!command.report.empty()) checkOutputFile("--report", command.report, {".json"});
+  if (!command.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", command.bake.dumpKernels);
+}
+
+BakeRequest requestOf(const BakeCommand& command, Session& session) {
+  BakeRequest request = command.bake.request;
+  if (!command.bake.techniqueGiven()) {
+    useDefaultTechniques(request);
+    session.console().note(fmt::format("no technique named, baking {}", techniqueText(request)));
+  }
+  if (request.bounces > 0 && request.shOrder == 0) {
+    session.warn("--bounces: only SH transfer has bounces, add --sh N; ignored");
+    request.bounces = 0;
+  }
+  return request;
+}
+
+void runBake(const BakeCommand& command, const GlobalOptions& global) {
+  Session session(global);
+  LoadedScene loaded = session.load(command.scene);
+  requireTriangles(loaded);
+  if (!command.environment.empty()) {
+    readEnvironment(command.environment);
+    session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
+  }
+  checkOutputs(command);
+  const BakeRequest request = requestOf(command, session);
+
+  DeviceOptions deviceOptions = session.deviceOptions();
+  command.bake.addTo(deviceOptions);
+  session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
+  const BakeRun run = session.bake(loaded, request, deviceOptions);
+  session.times().measure("write", [&] {
+    embedBake(loaded.document, loaded.compiled, run.bake);
+    session.progress().check();
+    writeGlb(command.output, loaded.document);
+  });
+
+  printBakeSummary(session.console(), request, run, session.times());
+  session.console().line(
+      "wrote", fmt::format("{} in {}", command.output.string(), shortSeconds(session.times().total())));
+  if (command.report.empty() && !global.json) return;
+  const nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
+  if (!command.report.empty())
+    writeTextFile("--report", command.report,
+                  report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  session.console().json(report);
+}
+
+}  // namespace
+
+void addBakeCommand(CLI::App& program, const GlobalOptions& global) {
+  const auto command = std::make_shared<BakeCommand>();
+  CLI::App* app =
+      program.add_subcommand("bake", "Precompute a scene's light transport and store it in a .glb");
+  app->add_option("SCENE", command->scene, "glTF file (.gltf or .glb)")->required()->type_name("");
+  app->add_option("-o,--output", command->output, "baked file to write (.glb)")
+      ->required()
+      ->type_name("OUT.glb");
+  addTechniqueOptions(*app, command->bake);
+  addEffortOptions(*app, command->bake);
+  app->add_option("--env", command->environment,
+                  "accepted for scripts; the transfer does not depend on the sky")
+      ->type_name("MAP");
+  app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
+  addKernelOptions(*app, command->bake);
+  app->footer(
+      "Without --ao and --sh the bake is --ao --sh 3 --bounces 1.\n\n"
+      "Examples:\n"
+      "  prelight bake level.glb -o baked.glb --ao --sh 4 --bounces 2\n"
+      "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json");
+  app->callback([command, &global] { runBake(*command, global); });
+}
+
+}  // namespace prelight::cli

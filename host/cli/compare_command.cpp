@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+
+#include "cli/commands.h"
+#include "cli/session.h"
+#include "io/baked_file.h"
+#include "io/picture.h"
+
+namespace prelight::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CompareCommand {
+  std::filesystem::path first;
+  std::filesystem::path second;
+};
+
+/// Differences of two arrays of numbers. Pairs with a number that is not finite are counted and left out.
+struct Difference {
+  double rms = 0.0;
+  double relativeMse = 0.0;  ///< mean of (a - b)^2 / (b^2 + 0.01)
+  double max = 0.0;
+  double firstMean = 0.0;
+  double secondMean = 0.0;
+  std::size_t count = 0;
+  std::size_t notFinite = 0;
+};
+
+Difference difference(std::span<const float> first, std::span<const float> second) {
+  constexpr double relativeFloor = 0.01;
+  Difference result;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double a = first[i];
+    const double b = second[i];
+    if (!std::isfinite(a) || !std::isfinite(b)) {
+      ++result.notFinite;
+      continue;
+    }
+    const double square = (a - b) * (a - b);
+    squares += square;
+    result.relativeMse += square / (b * b + relativeFloor);
+    result.max = std::max(result.max, std::abs(a - b));
+    result.firstMean += a;
+    result.secondMean += b;
+    ++result.count;
+  }
+  const double scale = result.count > 0 ? 1.0 / static_cast<double>(result.count) : 0.0;
+  result.rms = std::sqrt(squares * scale);
+  result.relativeMse *= scale;
+  result.firstMean *= scale;
+  result.secondMean *= scale;
+  return result;
+}
+
+Json toJson(const Difference& d) {
+  return {{"rmse", d.rms},           {"relMSE", d.relativeMse}, {"max", d.max},
+          {"meanA", d.firstMean},    {"meanB", d.secondMean},   {"values", d.count},
+          {"notFinite", d.notFinite}};
+}
+
+void print(const Console& console, const std::string& label, const Difference& d) {
+  console.line(label, fmt::format("rmse {:.6g}, relMSE {:.6g}, max {:.6g}, mean {:.6g} and {:.6g}", d.rms,
+                                  d.relativeMse, d.max, d.firstMean, d.secondMean));
+}
+
+std::span<const float> floats(const std::vector<glm::vec3>& vectors) {
+  return {vectors.empty() ? nullptr : &vectors.front().x, vectors.size() * 3};
+}
+
+bool isScene(const std::filesystem::path& path) {
+  return path.extension() == ".glb" || path.extension() == ".gltf";
+}
+
+using Differences = std::vector<std::pair<std::string, Difference>>;
+
+Differences comparePictures(const CompareCommand& command) {
+  const Picture first = readPicture(command.first);
+  const Picture second = readPicture(command.second);
+  if (first.width != second.width || first.height != second.height)
+    throw InputError(command.second.string(),
+                     fmt::format("is {}x{}, expected {}x{} as {}", second.width, second.height, first.width,
+                                 first.height, command.first.string()),
+                     "compare pictures of one size");
+  return {{"picture", difference(floats(first.pixels), floats(second.pixels))}};
+}
+
+Bake requireBake(Session& session, const LoadedScene& loaded) {
+  std::optional<Bake> bake = readBake(loaded.document, loaded.compiled);
+  session.progress().check();
+  if (!bake) throw InputError(loaded.path.string(), "carries no bake", "make one with prelight bake");
+  return std::move(*bake);
+}
+
+Differences compareBakes(const CompareCommand& command, Session& session) {
+  const LoadedScene firstScene = session.load(command.first);
+  const LoadedScene secondScene = session.load(command.second);
+  const Bake first = requireBake(session, firstScene);
+  const Bake second = requireBake(session, secondScene);
+  const std::uint32_t vertices = firstScene.compiled.vertexCount();
+  if (secondScene.compiled.vertexCount() != vertices)
+    throw InputError(command.second.string(),
+                     fmt::format("has {} vertices, expected {} as {}", secondScene.compiled.vertexCount(),
+                                 vertices, command.first.string()),
+                     "compare bakes of one scene");
+  Differences result;
+  if (!first.ao.empty() && !second.ao.empty()) result.emplace_back("ao", difference(first.ao, second.ao));
+  if (!first.bentNormals.empty() && !second.bentNormals.empty())
+    result.emplace_back("bentNormal", difference(floats(first.bentNormals), floats(second.bentNormals)));
+  if (first.sh && second.sh) {
+    if (first.sh->order == second.sh->order && first.sh->channels == second.sh->channels)
+      result.emplace_back("sh", difference(first.sh->coefficients, second.sh->coefficients));
+    else
+      session.warn("the SH transfers differ in order or channels and are not compared");
+  }
+  if (result.empty())
+    throw InputError(command.second.string(),
+                     fmt::format("shares no technique with {}", command.first.string()),
+                     "bake both with the same options");
+  return result;
+}
+
+void runCompare(const CompareCommand& command, const GlobalOptions& global) {
+  Session session(global);
+  if (isScene(command.first) != isScene(command.second))
+    throw UsageError("compare", fmt::format("got {} and {}, expected two pictures or two baked files",
+                                            command.first.string(), command.second.string()));
+  const Differences differences =
+      isScene(command.first) ? compareBakes(command, session) : comparePictures(command);
+  Json json = {{"command", "compare"},
+               {"version", PRELIGHT_VERSION},
+               {"a", command.first.string()},
+               {"b", command.second.string()}};
+  for (const auto& [name, d] : differences) {
+    if (d.notFinite > 0)
+      session.warn(fmt::format("{}: {} values are not finite and were left out", name, d.notFinite));
+    print(session.console(), name, d);
+    json[name] = toJson(d);
+  }
+  json["warnings"] = session.warnings();
+  session.console().json(json);
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& program, const GlobalOptions& global) {
+  const auto command = std::make_shared<CompareCommand>();
+  CLI::App* app =
+      program.add_subcommand("compare", "Measure how far two pictures, or two baked files, are apart");
+  app->add_option("A", command->first, "picture (.exr, .hdr, .png) or baked .glb")->required()->type_name("");
+  app->add_option("B", command->second, "the same, taken as the truth in relative errors")
+      ->required()
+      ->type_name("");
+  app->footer(
+      "relMSE is the mean of (a - b)^2 / (b^2 + 0.01).\n\n"
+      "Examples:\n"
+      "  prelight compare picture.exr reference.exr\n"
+      "  prelight compare quick.glb exact.glb --json");
+  app->callback([command, &global] { runCompare(*command, global); });
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace prelight::cli {
+
+/// Options that every command takes, before or after its name.
+struct GlobalOptions {
+  std::optional<std::string> device;  ///< index or part of "platform name"
+  bool quiet = false;
+  bool verbose = false;
+  bool json = false;
+};
+
+}  // namespace prelight::cli

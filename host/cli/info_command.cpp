@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/bake_options.h"
+#include "cli/commands.h"
+#include "cli/report.h"
+#include "cli/session.h"
+#include "io/baked_file.h"
+
+namespace prelight::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoCommand {
+  std::filesystem::path scene;
+  BakeOptions bake;
+};
+
+const char* lightTypeName(LightType type) {
+  switch (type) {
+    case LightType::Directional:
+      return "directional";
+    case LightType::Spot:
+      return "spot";
+    case LightType::Point:
+      break;
+  }
+  return "point";
+}
+
+std::size_t countMaterials(const Scene& scene, bool (*is)(const Material&)) {
+  return static_cast<std::size_t>(std::count_if(scene.materials.begin(), scene.materials.end(), is));
+}
+
+Json contentsJson(const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  const CompiledScene& compiled = loaded.compiled;
+  Json lights = Json::array();
+  for (const Light& light : scene.lights)
+    lights.push_back({{"name", light.name},
+                      {"type", lightTypeName(light.type)},
+                      {"intensity", {light.intensity.x, light.intensity.y, light.intensity.z}}});
+  Json cameras = Json::array();
+  for (const Camera& camera : scene.cameras)
+    cameras.push_back({{"name", camera.name}, {"type", camera.perspective ? "perspective" : "orthographic"}});
+  Json json = {{"meshes", scene.meshes.size()},
+               {"meshNodes", scene.meshNodes.size()},
+               {"primitives", compiled.primitives.size()},
+               {"vertices", compiled.vertexCount()},
+               {"triangles", compiled.triangleCount()},
+               {"droppedTriangles", compiled.droppedTriangles},
+               {"materials", scene.materials.size()},
+               {"emissiveMaterials", countMaterials(scene, [](const Material& m) { return m.isEmissive(); })},
+               {"transmissiveMaterials",
+                countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; })},
+               {"images", scene.images.size()},
+               {"lights", lights},
+               {"cameras", cameras}};
+  if (compiled.vertexCount() > 0) {
+    const glm::dvec3 low = compiled.origin + glm::dvec3(compiled.boundsMin);
+    const glm::dvec3 high = compiled.origin + glm::dvec3(compiled.boundsMax);
+    json["bounds"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+  }
+  return json;
+}
+
+/// A file whose bake does not fit it is still a scene: that is worth a warning, no more.
+std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) {
+  try {
+    return readBake(loaded.document, loaded.compiled);
+  } catch (const InputError& error) {
+    session.warn(fmt::format("the bake in this file cannot be used: {}", error.what()));
+    return std::nullopt;
+  }
+}
+
+Json bakedJson(const Bake& bake) {
+  Json json = {{"ao", !bake.ao.empty()}, {"bentNormal", !bake.bentNormals.empty()}};
+  if (bake.sh)
+    json["sh"] = {{"order", bake.sh->order}, {"channels", bake.sh->channels}, {"bounces", bake.sh->bounces}};
+  json["generator"] = bake.info.generator;
+  json["seed"] = bake.info.seed;
+  json["rays"] = bake.info.rays;
+  json["error"] = bake.info.error;
+  return json;
+}
+
+std::string bakedText(const Bake& bake) {
+  std::string text;
+  const auto append = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (!bake.ao.empty()) append("AO");
+  if (!bake.bentNormals.empty()) append("bent normals");
+  if (bake.sh)
+    append(fmt::format("SH order {} ({} channel{}, {} bounce{})", bake.sh->order, bake.sh->channels,
+                       bake.sh->channels == 1 ? "" : "s", bake.sh->bounces,
+                       bake.sh->bounces == 1 ? "" : "s"));
+  if (text.empty()) text = "nothing that this version reads";
+  return fmt::format("{}; {} rays, seed {}, by {}", text, shortCount(static_cast<double>(bake.info.rays)),
+                     bake.info.seed, bake.info.generator);
+}
+
+void printContents(const Console& console, const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  console.line("scene", fmt::format("{}: {}", loaded.path.string(), sceneText(loaded)));
+  console.line("materials",
+               fmt::format("{}, {} emissive, {} transmissive, {} images", scene.materials.size(),
+                           countMaterials(scene, [](const Material& m) { return m.isEmissive(); }),
+                           countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; }),
+                           scene.images.size()));
+  if (loaded.compiled.droppedTriangles > 0)
+    console.line("dropped", fmt::format("{} triangles of zero area", loaded.compiled.droppedTriangles));
+  for (const Light& light : scene.lights)
+    console.line("light", fmt::format("{} '{}', {:g} {:g} {:g} {}", lightTypeName(light.type), light.name,
+                                      light.intensity.x, light.intensity.y, light.intensity.z,
+                                      light.type == LightType::Directional ? "W/m2" : "W/sr"));
+  for (const Camera& camera : scene.cameras)
+    console.line("camera",
+                 fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
+}
+
+void runInfo(const InfoCommand& command, const GlobalOptions& global) {
+  Session session(global);
+  const LoadedScene loaded = session.load(command.scene);
+  BakeRequest request = command.bake.request;
+  if (!command.bake.techniqueGiven()) useDefaultTechniques(request);
+  const std::optional<Bake> bake = readBakeOrWarn(session, loaded);
+  const Plan plan =
+      session.times().measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
+
+  const Console& console = session.console();
+  printContents(console, loaded);
+  console.line("baked", bake ? bakedText(*bake) : "nothing");
+  console.line("plan", fmt::format("of bake {}", techniqueText(request)));
+  printPlan(console, plan);
+  console.json({{"command", "info"},
+                {"version", PRELIGHT_VERSION},
+                {"scene", command.scene.string()},
+                {"contents", contentsJson(loaded)},
+                {"baked", bake ? bakedJson(*bake) : Json(nullptr)},
+                {"options", toJson(request)},
+                {"plan", plan.toJson()},
+                {"warnings", session.warnings()}});
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& program, const GlobalOptions& global) {
+  const auto command = std::make_shared<InfoCommand>();
+  CLI::App* app = program.add_subcommand("info", "Show what a file holds and what a bake of it would do");
+  app->add_option("SCENE", command->scene, "glTF file, baked or not (.gltf or .glb)")
+      ->required()
+      ->type_name("");
+  addTechniqueOptions(*app, command->bake);
+  addEffortOptions(*app, command->bake);
+  app->footer(
+      "Without --ao and --sh the plan is that of bake --ao --sh 3 --bounces 1.\n\n"
+      "Examples:\n"
+      "  prelight info level.glb\n"
+      "  prelight info level.glb --ao --sh 6 --json");
+  app->callback([command, &global] { runInfo(*command, global); });
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,88 @@
+#include "cli/output_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "base/error.h"
+
+namespace prelight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& option, const fs::path& path, const std::string& what,
+                         const std::string& fix) {
+  throw Error(ExitCode::RuntimeFailure, fmt::format("{} {}", option, path.string()), what, fix);
+}
+
+std::string lowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+fs::path folderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+void checkFolder(const std::string& option, const fs::path& path, const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    refuse(option, path, fmt::format("the folder {} does not exist", folder.string()),
+           "make it, or name another");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    refuse(option, path,
+           fmt::format("the folder {} cannot be written to: {}", folder.string(), std::strerror(errno)),
+           "name another folder");
+}
+
+}  // namespace
+
+void checkOutputFile(const std::string& option, const fs::path& path,
+                     std::initializer_list<std::string_view> extensions) {
+  const std::string extension = lowerExtension(path);
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+    throw UsageError(option, fmt::format("got '{}', expected a file name that ends in {}", path.string(),
+                                         fmt::join(extensions, " or ")));
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) refuse(option, path, "is a folder", "name a file");
+  // Renaming onto a device such as /dev/null would replace the device itself.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse(option, path, "is not a regular file", "name a file");
+  checkFolder(option, path, folderOf(path));
+}
+
+void checkOutputFolder(const std::string& option, const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    refuse(option, path, "is not a folder", "name a folder");
+  if (!fs::exists(path, error) && !fs::create_directory(path, error))
+    refuse(option, path, fmt::format("cannot be made: {}", error.message()), "name a folder that exists");
+  checkFolder(option, path, path);
+}
+
+void writeTextFile(const std::string& option, const fs::path& path, const std::string& text) {
+  const fs::path beside = path.string() + fmt::format(".{}.tmp", getpid());
+  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) fs::rename(beside, path, error);
+  if (!file || error) {
+    const std::string why = error ? error.message() : "the disk may be full";
+    fs::remove(beside, error);
+    refuse(option, path, fmt::format("cannot be written: {}", why), "free some space or name another folder");
+  }
+}
+
+}  // namespace prelight::cli

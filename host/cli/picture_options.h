@@ -1,0 +1,52 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "cli/bake_options.h"
+#include "cli/session.h"
+#include "cli/values.h"
+#include "io/environment.h"
+#include "viewer/render.h"
+
+namespace prelight::cli {
+
+/// What render and view take: a scene, how to light and shade it, and how to bake what the file does not
+/// carry.
+struct PictureOptions {
+  std::filesystem::path scene;
+  std::filesystem::path environment;
+  std::optional<viewer::Shading> shading;
+  std::optional<int> camera;
+  PictureSize size;
+  double skyRotationDegrees = 0.0;
+  std::optional<std::vector<Light>> lights;
+  BakeOptions bake;
+};
+
+void addPictureOptions(CLI::App& app, PictureOptions& options);
+
+/// A scene ready to be drawn.
+struct ShadedScene {
+  LoadedScene loaded;
+  Bake bake;  ///< what the file carries and what was baked for the shading
+  std::optional<Environment> environment;
+  viewer::RenderOptions render;
+  std::optional<BakeRun> run;  ///< when something was baked
+  BakeRequest request;         ///< of `run`
+
+  viewer::RenderInputs inputs() const;
+};
+
+/// Loads, checks the options against the scene and bakes what the shading needs and the file does not carry,
+/// saying so. `checkOutputs` runs after the input was read and before anything is baked. With `everyShading`
+/// a bake makes what all shadings need, so that they can be switched.
+ShadedScene prepareScene(Session& session, const PictureOptions& options, bool everyShading,
+                         const std::function<void()>& checkOutputs);
+
+/// Reads the bake that a file carries; an empty one when it carries none.
+Bake carriedBake(Session& session, const LoadedScene& loaded);
+
+}  // namespace prelight::cli

@@ -1,0 +1,156 @@
+#include "cli/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+
+namespace prelight::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string kindName(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::Cpu:
+      return "cpu";
+    case DeviceKind::Gpu:
+      return "gpu";
+    case DeviceKind::Other:
+      break;
+  }
+  return "other";
+}
+
+std::uint64_t peakResidentBytes() {
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+double castSeconds(const BakeReport& report) {
+  double seconds = 0.0;
+  for (const auto& [stage, time] : report.stageSeconds)
+    if (stage == "cast") seconds += time;
+  return seconds;
+}
+
+double raysPerSecond(const BakeReport& report) {
+  const double seconds = castSeconds(report);
+  return seconds > 0.0 ? static_cast<double>(report.rays) / seconds : 0.0;
+}
+
+}  // namespace
+
+Json toJson(const DeviceInfo& device) {
+  return {{"index", device.index},
+          {"name", device.name},
+          {"kind", kindName(device.kind)},
+          {"vendor", device.vendor},
+          {"platform", device.platform},
+          {"platformVersion", device.platformVersion},
+          {"driverVersion", device.driverVersion},
+          {"openclVersion", device.openclVersion},
+          {"computeUnits", device.computeUnits},
+          {"globalMemory", device.globalMemory},
+          {"maxAllocation", device.maxAllocation}};
+}
+
+Json toJson(const BakeRequest& request) {
+  Json json = {{"ao", request.ao}, {"sh", request.shOrder}, {"bounces", request.bounces}};
+  if (request.error) json["error"] = *request.error;
+  if (request.seconds) json["time"] = *request.seconds;
+  if (!request.error && !request.seconds) json["rays"] = request.rays;
+  json["maxMemory"] = request.maxMemory;
+  return json;
+}
+
+Json toJson(const StageTimes& times) {
+  Json json = Json::object();
+  for (const auto& [stage, seconds] : times.stages()) json[stage] = json.value(stage, 0.0) + seconds;
+  return json;
+}
+
+Json bakeReport(const std::string& command, const LoadedScene& loaded, const std::filesystem::path& output,
+                const BakeRequest& request, const BakeRun& run, Session& session) {
+  const BakeReport& report = run.report;
+  return {
+      {"command", command},
+      {"version", PRELIGHT_VERSION},
+      {"scene", loaded.path.string()},
+      {"output", output.string()},
+      {"options", toJson(request)},
+      {"seed", request.seed},
+      {"device", toJson(run.device)},
+      {"triangles", loaded.compiled.triangleCount()},
+      {"vertices", loaded.compiled.vertexCount()},
+      {"receivers", report.receivers},
+      {"rays", report.rays},
+      {"raysPerSecond", raysPerSecond(report)},
+      {"skippedRayFraction", report.skippedRayFraction},
+      {"estimatedError",
+       {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}, {"shRelativeRms", report.shErrorRms}}},
+      {"seconds", session.times().total()},
+      {"stages", toJson(session.times())},
+      {"memory",
+       {{"hostEstimate", run.plan.hostBytes},
+        {"deviceEstimate", run.plan.deviceBytes},
+        {"transport", run.plan.transportBytes},
+        {"bvh", report.bytesBvh},
+        {"peakResident", peakResidentBytes()}}},
+      {"plan", run.plan.toJson()},
+      {"notes", report.notes},
+      {"warnings", session.warnings()}};
+}
+
+void printBakeSummary(const Console& console, const BakeRequest& request, const BakeRun& run,
+                      const StageTimes& times) {
+  const BakeReport& report = run.report;
+  console.line("device", run.device.name);
+  console.line("baked", fmt::format("{}, seed {}", techniqueText(request), request.seed));
+  std::string rays = shortCount(static_cast<double>(report.rays));
+  if (const double speed = raysPerSecond(report); speed > 0.0)
+    rays += fmt::format(", {} a second", shortCount(speed));
+  if (report.skippedRayFraction > 0.005)
+    rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
+  console.line("rays", rays);
+  std::string error;
+  if (request.ao)
+    error = fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex", report.aoErrorRms, report.aoErrorMax);
+  if (request.shOrder > 0)
+    error += fmt::format("{}SH {:.4f} of its rms", error.empty() ? "" : "; ", report.shErrorRms);
+  console.line("error", error + " (estimated standard error)");
+  for (const std::string& note : report.notes) console.line("note", note);
+  if (console.detailsWanted()) {
+    for (const auto& [stage, seconds] : times.stages())
+      console.line("", fmt::format("{:<12}{:8.3f} s", stage, seconds));
+    printPlan(console, run.plan);
+  }
+}
+
+std::string sceneText(const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  const auto count = [](std::size_t n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  return fmt::format("{}, {}, {}, {}, {}", count(scene.meshNodes.size(), "mesh node", "mesh nodes"),
+                     count(loaded.compiled.triangleCount(), "triangle", "triangles"),
+                     count(loaded.compiled.vertexCount(), "vertex", "vertices"),
+                     count(scene.lights.size(), "light", "lights"),
+                     count(scene.cameras.size(), "camera", "cameras"));
+}
+
+void printPlan(const Console& console, const Plan& plan) {
+  for (const PlannedPass& pass : plan.passes)
+    console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
+  console.line(
+      "memory",
+      fmt::format("{} on the host, {} on the device{}", shortBytes(static_cast<double>(plan.hostBytes)),
+                  shortBytes(static_cast<double>(plan.deviceBytes)),
+                  plan.transportBytes == 0
+                      ? ""
+                      : fmt::format(", of which {} stored transport",
+                                    shortBytes(static_cast<double>(plan.transportBytes)))));
+}
+
+}  // namespace prelight::cli

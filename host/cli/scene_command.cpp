@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "cli/session.h"
+#include "scene/builtin.h"
+
+namespace prelight::cli {
+namespace {
+
+struct SceneCommand {
+  std::string name;
+  std::filesystem::path output;
+  bool list = false;
+};
+
+void listScenes(const Console& console) {
+  nlohmann::ordered_json scenes = nlohmann::ordered_json::array();
+  for (const BuiltinScene& scene : builtinScenes()) {
+    console.line(scene.name, scene.description);
+    scenes.push_back({{"name", scene.name}, {"description", scene.description}});
+  }
+  console.json({{"command", "scene"}, {"version", PRELIGHT_VERSION}, {"scenes", scenes}});
+}
+
+void runScene(const SceneCommand& command, const GlobalOptions& global) {
+  Session session(global);
+  if (command.list) {
+    listScenes(session.console());
+    return;
+  }
+  if (command.name.empty())
+    throw UsageError("NAME", "a name is required", "prelight scene --list shows the names");
+  if (command.output.empty()) throw UsageError("-o", "an output file is required", "add -o FILE.glb");
+  const GltfDocument document =
+      session.times().measure("make", [&] { return makeBuiltinScene(command.name); });
+  checkOutputFile("-o", command.output, {".glb"});
+  session.times().measure("write", [&] { writeGlb(command.output, document); });
+  session.console().line("wrote", command.output.string());
+  session.console().json({{"command", "scene"},
+                          {"version", PRELIGHT_VERSION},
+                          {"name", command.name},
+                          {"output", command.output.string()}});
+}
+
+}  // namespace
+
+void addSceneCommand(CLI::App& program, const GlobalOptions& global) {
+  const auto command = std::make_shared<SceneCommand>();
+  CLI::App* app = program.add_subcommand("scene", "Write a built-in scene");
+  app->add_option("NAME", command->name, "name of the scene")->type_name("");
+  CLI::Option* output =
+      app->add_option("-o,--output", command->output, "file to write (.glb)")->type_name("FILE.glb");
+  app->add_flag("--list", command->list, "list the built-in scenes")->excludes(output);
+  app->footer(
+      "Examples:\n"
+      "  prelight scene --list\n"
+      "  prelight scene cornell -o cornell.glb");
+  app->callback([command, &global] { runScene(*command, global); });
+}
+
+}  // namespace prelight::cli

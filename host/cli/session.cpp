@@ -1,0 +1,61 @@
+#include "cli/session.h"
+
+#include <fmt/format.h>
+
+#include "scene/loader.h"
+
+namespace prelight::cli {
+
+void Session::warn(const std::string& warning) {
+  warnings_.push_back(warning);
+  progress_.clear();
+  console_.warn({warning});
+}
+
+LoadedScene Session::load(const std::filesystem::path& path) {
+  LoadedScene loaded;
+  loaded.path = path;
+  Warnings found;
+  times_.measure("load", [&] {
+    loaded.document = readGltf(path, found);
+    progress_.check();
+    loaded.scene = loadScene(loaded.document, found);
+  });
+  progress_.check();
+  times_.measure("compile", [&] { loaded.compiled = compileScene(loaded.scene, found); });
+  progress_.check();
+  console_.warn(found);
+  warnings_.insert(warnings_.end(), found.begin(), found.end());
+  return loaded;
+}
+
+BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
+                      const DeviceOptions& deviceOptions) {
+  requireTriangles(loaded);
+  BakeRun run;
+  run.plan = times_.measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
+  const Device device = times_.measure("device", [&] { return Device::open(deviceOptions); });
+  run.device = device.info();
+  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report);
+  progress_.clear();
+  for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
+  return run;
+}
+
+DeviceOptions Session::deviceOptions() const {
+  DeviceOptions deviceOptions;
+  deviceOptions.selector = options_.device;
+  return deviceOptions;
+}
+
+void requireTriangles(const LoadedScene& loaded) {
+  if (loaded.compiled.triangleCount() > 0) return;
+  const std::string dropped = loaded.compiled.droppedTriangles == 0
+                                  ? ""
+                                  : fmt::format(", only {} of zero area", loaded.compiled.droppedTriangles);
+  throw InputError(loaded.path.string(),
+                   fmt::format("the scene has no triangles{}; there is nothing to bake", dropped),
+                   "export meshes along with it, or look at it with prelight info");
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "bake/baker.h"
+#include "cli/console.h"
+#include "cli/global_options.h"
+#include "cli/stage_times.h"
+#include "cli/terminal_progress.h"
+#include "device/device.h"
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf_document.h"
+#include "scene/scene.h"
+
+namespace prelight::cli {
+
+/// A file taken through the steps that every command shares.
+struct LoadedScene {
+  std::filesystem::path path;
+  GltfDocument document;
+  Scene scene;
+  CompiledScene compiled;
+};
+
+/// A bake with all that is known of how it was made.
+struct BakeRun {
+  Plan plan;
+  Bake bake;
+  BakeReport report;
+  DeviceInfo device;
+};
+
+/// The core of a command's run: console, progress, times and warnings, and the pipeline
+/// readGltf -> loadScene -> compileScene -> makePlan -> Device::open -> bakeScene, each stage timed and
+/// interruptible.
+class Session {
+ public:
+  explicit Session(const GlobalOptions& options) : options_(options), console_(options), progress_(options) {}
+
+  const GlobalOptions& options() const { return options_; }
+  const Console& console() const { return console_; }
+  TerminalProgress& progress() { return progress_; }
+  StageTimes& times() { return times_; }
+  const Warnings& warnings() const { return warnings_; }
+
+  void warn(const std::string& warning);
+
+  /// Reads and flattens a glTF file and shows what was odd about it.
+  LoadedScene load(const std::filesystem::path& path);
+
+  /// Plans and bakes. Throws InputError for a scene without triangles.
+  BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions);
+
+  /// The options of the device layer, with what --device says.
+  DeviceOptions deviceOptions() const;
+
+ private:
+  GlobalOptions options_;
+  Console console_;
+  TerminalProgress progress_;
+  StageTimes times_;
+  Warnings warnings_;
+};
+
+/// Throws InputError for a scene that has nothing to bake.
+void requireTriangles(const LoadedScene& loaded);
+
+}  // namespace prelight::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+/// Options with values that are checked as they are read. Each message names the option, what was got and
+/// what was expected. CLI11's own conversions are not used: they take "010" for eight and let NaN through.
+namespace prelight::cli {
+
+template <typename T>
+struct Range {
+  T min;
+  T max;
+};
+
+CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
+                            std::function<void(std::uint64_t)> store, const std::string& help);
+
+CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
+                           std::function<void(double)> store, const std::string& help);
+
+/// A number of bytes with an optional suffix K, M or G (powers of 1024).
+CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
+                          std::function<void(std::uint64_t)> store, const std::string& help);
+
+/// Size of a picture; without a width it follows from the camera's aspect.
+struct PictureSize {
+  std::optional<int> width;
+  int height = 0;
+};
+
+/// "WIDTHxHEIGHT" or "HEIGHT".
+CLI::Option* addPictureSize(CLI::App& app, const std::string& name, std::function<void(PictureSize)> store,
+                            const std::string& help);
+
+}  // namespace prelight::cli

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "cli/picture_options.h"
+#include "cli/report.h"
+#include "viewer/window.h"
+
+namespace prelight::cli {
+namespace {
+
+constexpr std::uint64_t maxFrames = 1'000'000;
+
+struct ViewCommand {
+  PictureOptions picture;
+  std::filesystem::path screenshot;
+  int frames = 0;
+};
+
+void runView(const ViewCommand& command, const GlobalOptions& global) {
+  if (!command.screenshot.empty() && command.frames == 0)
+    throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
+                     "add --frames 1");
+  Session session(global);
+  const ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
+    if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
+  });
+  session.progress().check();
+  if (shaded.run) printBakeSummary(session.console(), shaded.request, *shaded.run, session.times());
+
+  viewer::ViewerOptions options;
+  options.render = shaded.render;
+  options.title = "prelight: " + command.picture.scene.filename().string();
+  options.frames = command.frames;
+  options.screenshotPath = command.screenshot;
+  restoreSignalHandlers();  // nothing is left to finish: Ctrl-C closes the window
+  session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
+  if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
+  session.console().json({{"command", "view"},
+                          {"version", PRELIGHT_VERSION},
+                          {"scene", command.picture.scene.string()},
+                          {"screenshot", command.screenshot.string()},
+                          {"stages", toJson(session.times())},
+                          {"warnings", session.warnings()}});
+}
+
+}  // namespace
+
+void addViewCommand(CLI::App& program, const GlobalOptions& global) {
+  const auto command = std::make_shared<ViewCommand>();
+  CLI::App* app = program.add_subcommand("view", "Open a window on a scene");
+  addPictureOptions(*app, command->picture);
+  app->add_option("--screenshot", command->screenshot, "write the last frame (.exr or .png); needs --frames")
+      ->type_name("FILE");
+  addWholeNumber(
+      *app, "--frames", {1, maxFrames},
+      [target = command.get()](std::uint64_t n) { target->frames = static_cast<int>(n); },
+      "close after this many frames");
+  app->footer(
+      "Press H in the window for its keys.\n\n"
+      "Examples:\n"
+      "  prelight view baked.glb --env sky.hdr\n"
+      "  prelight view baked.glb --screenshot shot.png --frames 2 --size 640x360");
+  app->callback([command, &global] { runView(*command, global); });
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,22 @@
+#include "base/error.h"
+#include "cli/commands.h"
+
+/// Takes the place of render and view in a build with PRELIGHT_VIEWER=OFF.
+namespace prelight::cli {
+namespace {
+
+void addMissingCommand(CLI::App& program, const std::string& name) {
+  CLI::App* app = program.add_subcommand(name, "Not in this build (PRELIGHT_VIEWER=OFF)");
+  app->allow_extras();
+  app->callback([name] {
+    throw UsageError(name, "this build has no viewer", "configure it with -DPRELIGHT_VIEWER=ON");
+  });
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, const GlobalOptions&) { addMissingCommand(program, "render"); }
+
+void addViewCommand(CLI::App& program, const GlobalOptions&) { addMissingCommand(program, "view"); }
+
+}  // namespace prelight::cli
