@@ -67,7 +67,7 @@ void runBake(const BakeCommand& command, const GlobalOptions& global) {
   if (command.report.empty() && !global.json) return;
   const nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
   if (!command.report.empty())
-    writeTextFile("--report", command.report,
+    writeTextFile(command.report,
                   report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   session.console().json(report);
 }

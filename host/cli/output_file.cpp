@@ -8,10 +8,11 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <span>
 #include <system_error>
 
 #include "base/error.h"
+#include "io/atomic_file.h"
 
 namespace prelight::cli {
 namespace {
@@ -54,11 +55,7 @@ void checkOutputFile(const std::string& option, const fs::path& path,
     throw UsageError(option, fmt::format("got '{}', expected a file name that ends in {}", path.string(),
                                          fmt::join(extensions, " or ")));
   std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::is_directory(status)) refuse(option, path, "is a folder", "name a file");
-  // Renaming onto a device such as /dev/null would replace the device itself.
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    refuse(option, path, "is not a regular file", "name a file");
+  if (fs::is_directory(path, ignored)) refuse(option, path, "is a folder", "name a file");
   checkFolder(option, path, folderOf(path));
 }
 
@@ -71,18 +68,9 @@ void checkOutputFolder(const std::string& option, const fs::path& path) {
   checkFolder(option, path, path);
 }
 
-void writeTextFile(const std::string& option, const fs::path& path, const std::string& text) {
-  const fs::path beside = path.string() + fmt::format(".{}.tmp", getpid());
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) fs::rename(beside, path, error);
-  if (!file || error) {
-    const std::string why = error ? error.message() : "the disk may be full";
-    fs::remove(beside, error);
-    refuse(option, path, fmt::format("cannot be written: {}", why), "free some space or name another folder");
-  }
+void writeTextFile(const fs::path& path, const std::string& text) {
+  const std::span<const std::byte> bytes = std::as_bytes(std::span(text));
+  writeFileAtomically(path, std::span(&bytes, 1));
 }
 
 }  // namespace prelight::cli

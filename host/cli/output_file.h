@@ -17,6 +17,6 @@ void checkOutputFile(const std::string& option, const std::filesystem::path& pat
 void checkOutputFolder(const std::string& option, const std::filesystem::path& path);
 
 /// Writes beside `path` and renames into place.
-void writeTextFile(const std::string& option, const std::filesystem::path& path, const std::string& text);
+void writeTextFile(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace prelight::cli

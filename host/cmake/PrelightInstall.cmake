@@ -1,0 +1,26 @@
+# cmake --install: the program, the library with its headers, and the files by which find_package(prelight CONFIG)
+# finds them.
+include(CMakePackageConfigHelpers)
+set(PRELIGHT_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/prelight)
+
+file(RELATIVE_PATH library_from_program /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+set_target_properties(prelight_cli PROPERTIES INSTALL_RPATH $ORIGIN/${library_from_program})
+install(TARGETS prelight_cli RUNTIME)
+install(TARGETS prelight EXPORT prelight-targets)
+
+# The public headers are those that the umbrella header names.
+install(FILES host/prelight.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prelight)
+file(STRINGS host/prelight.h public_headers REGEX "^#include \"")
+foreach(line ${public_headers})
+  string(REGEX REPLACE "^#include \"(.*)/(.*)\"$" "\\1;\\2" parts ${line})
+  list(POP_FRONT parts room header)
+  install(FILES host/${room}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/prelight/${room})
+endforeach()
+
+install(EXPORT prelight-targets NAMESPACE prelight:: DESTINATION ${PRELIGHT_CONFIG_DIR})
+
+configure_package_config_file(host/cmake/PrelightConfig.cmake.in ${CMAKE_BINARY_DIR}/prelight-config.cmake
+  INSTALL_DESTINATION ${PRELIGHT_CONFIG_DIR})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/prelight-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/prelight-config.cmake ${CMAKE_BINARY_DIR}/prelight-config-version.cmake
+  DESTINATION ${PRELIGHT_CONFIG_DIR})

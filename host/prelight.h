@@ -1,0 +1,32 @@
+#pragma once
+
+/// Everything of the library that a program needs to load, plan, bake, store and read back a scene:
+///
+///     Warnings warnings;
+///     GltfDocument document = readGltf("level.glb", warnings);
+///     const Scene scene = loadScene(document, warnings);
+///     const CompiledScene compiled = compileScene(scene, warnings);
+///     const BakeRequest request{.ao = true, .shOrder = 3};
+///     const Plan plan = makePlan(scene, compiled, request);
+///     Progress progress;
+///     BakeReport report;
+///     const Bake bake = bakeScene(compiled, request, plan, Device::open({}), progress, report);
+///     embedBake(document, compiled, bake);
+///     writeGlb("baked.glb", document);
+
+#include "bake/bake.h"
+#include "bake/baker.h"
+#include "base/diagnostics.h"
+#include "base/error.h"
+#include "base/progress.h"
+#include "basis/sh.h"
+#include "device/device.h"
+#include "io/baked_file.h"
+#include "io/environment.h"
+#include "io/picture.h"
+#include "plan/plan.h"
+#include "scene/builtin.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf_document.h"
+#include "scene/loader.h"
+#include "scene/scene.h"
