@@ -4,6 +4,10 @@ find_package(OpenCL REQUIRED)               # ocl-icd-opencl-dev
 find_path(OPENCL_HPP_DIR CL/opencl.hpp REQUIRED)  # opencl-clhpp-headers
 find_package(glm REQUIRED)                  # libglm-dev
 find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
+# Debian's OpenImageIO exports an OpenCV include folder that its own package does not depend on.
+get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
 find_package(nlohmann_json REQUIRED)        # nlohmann-json3-dev
 find_package(Eigen3 REQUIRED)               # libeigen3-dev

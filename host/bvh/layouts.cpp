@@ -1,0 +1,200 @@
+#include "bvh/layouts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace prelight {
+
+namespace {
+
+using device::NarrowNode;
+using device::NarrowTriangle;
+using device::TriangleBlock;
+using device::WideNode;
+
+/// Grows boxes by about an ulp of their own coordinates and of the scene's: a ray in the plane of a box face, or
+/// along an axis, must not slip past it by rounding.
+class Padding {
+ public:
+  explicit Padding(const CompiledScene& scene) {
+    const glm::vec3 most = glm::max(glm::abs(scene.boundsMin), glm::abs(scene.boundsMax));
+    scenePad_ = 0x1p-24f * std::max({most.x, most.y, most.z, std::numeric_limits<float>::min()});
+  }
+
+  Box apply(const Box& box) const {
+    const glm::vec3 pad = 0x1p-23f * glm::max(glm::abs(box.lower), glm::abs(box.upper)) + scenePad_;
+    return {box.lower - pad, box.upper + pad};
+  }
+
+ private:
+  float scenePad_;
+};
+
+constexpr std::uint32_t absent = 0xffffffffu;
+
+class WideCollapse {
+ public:
+  WideCollapse(const BinaryBvh& bvh, const CompiledScene& scene) : bvh_(bvh), scene_(scene), padding_(scene) {}
+
+  WideBvh run() {
+    out_.nodes.emplace_back();
+    fillNode(0, gatherChildren(0), 1);
+    out_.stackSize = 7 * depth_ + 8;
+    return std::move(out_);
+  }
+
+ private:
+  struct Children {
+    std::array<std::uint32_t, PRELIGHT_WIDTH> node{};
+    std::uint32_t count = 0;
+  };
+
+  Children gatherChildren(std::uint32_t root) const {
+    Children children;
+    children.node[children.count++] = root;
+    while (children.count < PRELIGHT_WIDTH) {
+      std::uint32_t widest = absent;
+      float area = -1.0f;
+      for (std::uint32_t i = 0; i < children.count; ++i) {
+        const auto& node = bvh_.nodes[children.node[i]];
+        if (node.count == 0 && node.bounds.halfArea() > area) {
+          widest = i;
+          area = node.bounds.halfArea();
+        }
+      }
+      if (widest == absent) break;
+      const auto& opened = bvh_.nodes[children.node[widest]];
+      children.node[widest] = opened.left;
+      children.node[children.count++] = opened.right;
+    }
+    return children;
+  }
+
+  void fillNode(std::uint32_t slot, const Children& children, std::uint32_t level) {
+    depth_ = std::max(depth_, level);
+    WideNode wide{};
+    for (std::uint32_t i = 0; i < PRELIGHT_WIDTH; ++i) {
+      if (i >= children.count) {
+        for (int axis = 0; axis < 3; ++axis) {
+          wide.lower[axis][i] = std::numeric_limits<float>::infinity();
+          wide.upper[axis][i] = -std::numeric_limits<float>::infinity();
+        }
+        wide.child[i] = PRELIGHT_LEAF_BIT;
+        continue;
+      }
+      const auto& node = bvh_.nodes[children.node[i]];
+      const Box box = padding_.apply(node.bounds);
+      for (int axis = 0; axis < 3; ++axis) {
+        wide.lower[axis][i] = box.lower[axis];
+        wide.upper[axis][i] = box.upper[axis];
+      }
+      if (node.count > 0) {
+        wide.child[i] = PRELIGHT_LEAF_BIT | addBlock(node);
+      } else {
+        const auto child = static_cast<std::uint32_t>(out_.nodes.size());
+        out_.nodes.emplace_back();
+        wide.child[i] = child;
+        fillNode(child, gatherChildren(children.node[i]), level + 1);
+      }
+    }
+    out_.nodes[slot] = wide;
+  }
+
+  std::uint32_t addBlock(const BinaryBvh::Node& leaf) {
+    TriangleBlock block{};
+    for (std::uint32_t lane = 0; lane < PRELIGHT_WIDTH; ++lane) {
+      block.triangle[lane] = lane < leaf.count ? bvh_.triangleOrder[leaf.first + lane] : absent;
+      if (lane >= leaf.count) continue;
+      for (int corner = 0; corner < 3; ++corner)
+        for (int axis = 0; axis < 3; ++axis)
+          block.vertex[corner][axis][lane] = scene_.positions[scene_.triangles[block.triangle[lane]][corner]][axis];
+    }
+    out_.blocks.push_back(block);
+    return static_cast<std::uint32_t>(out_.blocks.size() - 1);
+  }
+
+  const BinaryBvh& bvh_;
+  const CompiledScene& scene_;
+  Padding padding_;
+  WideBvh out_;
+  std::uint32_t depth_ = 0;
+};
+
+class NarrowCollapse {
+ public:
+  NarrowCollapse(const BinaryBvh& bvh, const CompiledScene& scene) : bvh_(bvh), scene_(scene), padding_(scene) {}
+
+  NarrowBvh run() {
+    const auto& root = bvh_.nodes[0];
+    out_.nodes.emplace_back();
+    if (root.count > 0) {
+      // A single leaf becomes both children: the second one's box is inverted.
+      NarrowNode node{};
+      setChild(node, 0, 0, reference(0));
+      for (int axis = 0; axis < 3; ++axis) {
+        node.lower[1][axis] = std::numeric_limits<float>::max();
+        node.upper[1][axis] = std::numeric_limits<float>::max();
+      }
+      node.child[1] = PRELIGHT_LEAF_BIT;
+      out_.nodes[0] = node;
+    } else {
+      fillNode(0, 0);
+    }
+    out_.stackSize = bvh_.depth + 2;
+    return std::move(out_);
+  }
+
+ private:
+  void setChild(NarrowNode& node, int side, std::uint32_t source, std::uint32_t child) const {
+    const Box box = padding_.apply(bvh_.nodes[source].bounds);
+    for (int axis = 0; axis < 3; ++axis) {
+      node.lower[side][axis] = box.lower[axis];
+      node.upper[side][axis] = box.upper[axis];
+    }
+    node.child[side] = child;
+  }
+
+  std::uint32_t reference(std::uint32_t source) {
+    const auto& node = bvh_.nodes[source];
+    if (node.count > 0) {
+      const auto first = static_cast<std::uint32_t>(out_.triangles.size());
+      for (std::uint32_t i = 0; i < node.count; ++i) addTriangle(bvh_.triangleOrder[node.first + i]);
+      return PRELIGHT_LEAF_BIT | node.count << PRELIGHT_LEAF_COUNT_SHIFT | first;
+    }
+    const auto slot = static_cast<std::uint32_t>(out_.nodes.size());
+    out_.nodes.emplace_back();
+    fillNode(slot, source);
+    return slot;
+  }
+
+  void fillNode(std::uint32_t slot, std::uint32_t source) {
+    NarrowNode node{};
+    setChild(node, 0, bvh_.nodes[source].left, reference(bvh_.nodes[source].left));
+    setChild(node, 1, bvh_.nodes[source].right, reference(bvh_.nodes[source].right));
+    out_.nodes[slot] = node;
+  }
+
+  void addTriangle(std::uint32_t triangle) {
+    NarrowTriangle t{};
+    for (int corner = 0; corner < 3; ++corner)
+      for (int axis = 0; axis < 3; ++axis)
+        t.vertex[corner][axis] = scene_.positions[scene_.triangles[triangle][corner]][axis];
+    t.triangle = triangle;
+    out_.triangles.push_back(t);
+  }
+
+  const BinaryBvh& bvh_;
+  const CompiledScene& scene_;
+  Padding padding_;
+  NarrowBvh out_;
+};
+
+}  // namespace
+
+WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene) { return WideCollapse(bvh, scene).run(); }
+
+NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene) { return NarrowCollapse(bvh, scene).run(); }
+
+}  // namespace prelight

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bvh/builder.h"
+#include "shared/bvh_types.h"
+
+namespace prelight {
+
+/// Eight-wide tree for CPUs; see kernels/shared/bvh_types.h.
+struct WideBvh {
+  std::vector<device::WideNode> nodes;        ///< root is node 0
+  std::vector<device::TriangleBlock> blocks;
+  std::uint32_t stackSize = 0;                ///< entries that a traversal needs at most
+};
+
+/// Two-wide tree for GPUs.
+struct NarrowBvh {
+  std::vector<device::NarrowNode> nodes;      ///< root is node 0
+  std::vector<device::NarrowTriangle> triangles;
+  std::uint32_t stackSize = 0;
+};
+
+/// Collapses the binary tree: the child of the largest surface is opened until there are eight.
+WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene);
+
+NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene);
+
+}  // namespace prelight

@@ -1,0 +1,169 @@
+#include "bvh/tracer.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "bvh/builder.h"
+#include "bvh/layouts.h"
+
+namespace prelight {
+
+namespace {
+
+using device::DeviceMaterial;
+using device::DeviceTriangle;
+using device::Hit;
+using device::Ray;
+
+constexpr std::size_t groupSize = 64;
+constexpr std::size_t raysPerLaunch = std::size_t{1} << 20;  // keeps a launch well below a second on a CPU
+
+/// Few sizes, so that few variants of the kernels are built.
+std::uint32_t stackBucket(std::uint32_t needed) {
+  std::uint32_t size = 64;
+  while (size < needed) size *= 2;
+  return size;
+}
+
+template <typename T>
+cl::Buffer upload(DeviceContext& device, const std::vector<T>& data) {
+  const std::size_t bytes = std::max<std::size_t>(1, data.size()) * sizeof(T);
+  cl::Buffer buffer = device.allocate(bytes, CL_MEM_READ_ONLY);
+  if (!data.empty()) device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, data.size() * sizeof(T), data.data());
+  return buffer;
+}
+
+std::uint32_t deviceWrap(WrapMode mode) {
+  switch (mode) {
+    case WrapMode::ClampToEdge: return PRELIGHT_WRAP_CLAMP;
+    case WrapMode::MirroredRepeat: return PRELIGHT_WRAP_MIRROR;
+    case WrapMode::Repeat: break;
+  }
+  return PRELIGHT_WRAP_REPEAT;
+}
+
+DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image>& images,
+                              const std::vector<std::uint32_t>& offsets) {
+  DeviceMaterial d{};
+  for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
+  d.alphaCutoff = m.alphaCutoff;
+  d.alphaFactor = m.alphaFactor;
+  d.texelOffset = PRELIGHT_NO_TEXTURE;
+  d.wrapS = deviceWrap(m.wrapS);
+  d.wrapT = deviceWrap(m.wrapT);
+  if (m.albedoImage >= 0) {
+    const auto image = static_cast<std::size_t>(m.albedoImage);
+    d.texelOffset = offsets[image];
+    d.width = static_cast<std::uint32_t>(images[image].width);
+    d.height = static_cast<std::uint32_t>(images[image].height);
+  }
+  return d;
+}
+
+}  // namespace
+
+Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout)
+    : context_(&device.context()),
+      layout_(layout != BvhLayout::Automatic           ? layout
+              : device.info().kind == DeviceKind::Cpu ? BvhLayout::Wide
+                                                      : BvhLayout::Narrow),
+      alphaTest_(scene.hasAlphaMask()),
+      vertexColors_(scene.hasVertexColors()) {
+  uploadTree(scene);
+  uploadSurface(scene);
+  const cl::Program& program = context_->program(
+      "bvh/trace_kernels.cl", surfaceOptions()
+                                  .defineIf(layout_ == BvhLayout::Wide, "PRELIGHT_WIDE_BVH")
+                                  .define("PRELIGHT_STACK_SIZE", static_cast<int>(stackBucket(stackSize_))));
+  closest_ = cl::Kernel(program, "traceClosestHits");
+  any_ = cl::Kernel(program, "traceAnyHits");
+}
+
+BuildOptions Tracer::surfaceOptions() const {
+  return BuildOptions()
+      .defineIf(alphaTest_, "PRELIGHT_ALPHA_TEST")
+      .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS");
+}
+
+void Tracer::uploadTree(const CompiledScene& scene) {
+  const BinaryBvh tree = buildBvh(scene);
+  const auto keep = [this](const auto& bvh, const auto& triangles) {
+    nodes_ = upload(*context_, bvh.nodes);
+    triangles_ = upload(*context_, triangles);
+    nodeBytes_ = bvh.nodes.size() * sizeof(bvh.nodes[0]);
+    triangleBytes_ = triangles.size() * sizeof(triangles[0]);
+    stackSize_ = bvh.stackSize;
+  };
+  if (layout_ == BvhLayout::Wide) {
+    const WideBvh wide = makeWideBvh(tree, scene);
+    keep(wide, wide.blocks);
+  } else {
+    const NarrowBvh narrow = makeNarrowBvh(tree, scene);
+    keep(narrow, narrow.triangles);
+  }
+}
+
+void Tracer::uploadSurface(const CompiledScene& scene) {
+  std::vector<DeviceTriangle> triangles(scene.triangleCount());
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+    triangles[t] = {{scene.triangles[t].x, scene.triangles[t].y, scene.triangles[t].z}, scene.triangleMaterials[t]};
+  surfaceTriangles_ = Buffer<DeviceTriangle>(*context_, triangles);
+
+  std::vector<std::uint32_t> texels;
+  std::vector<std::uint32_t> offsets;
+  for (const Image& image : scene.albedoImages) {
+    offsets.push_back(static_cast<std::uint32_t>(texels.size()));
+    const std::size_t first = texels.size();
+    texels.resize(first + image.rgba.size() / 4);
+    std::memcpy(texels.data() + first, image.rgba.data(), image.rgba.size() / 4 * 4);
+  }
+  std::vector<DeviceMaterial> materials;
+  for (const auto& material : scene.materials) materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
+  materials_ = Buffer<DeviceMaterial>(*context_, materials);
+  texels_ = Buffer<std::uint32_t>(*context_, texels);
+  texCoords_ = Buffer<glm::vec2>(*context_, texels.empty() ? std::vector<glm::vec2>() : scene.texCoords);
+  colors_ = Buffer<glm::vec4>(*context_, scene.colors);
+}
+
+void Tracer::setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const {
+  kernel.setArg(index, surfaceTriangles_.get());
+  kernel.setArg(index + 1, materials_.get());
+  kernel.setArg(index + 2, texCoords_.get());
+  kernel.setArg(index + 3, colors_.get());
+  kernel.setArg(index + 4, texels_.get());
+}
+
+void Tracer::trace(cl::Kernel& kernel, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+  kernel.setArg(0, nodes_);
+  kernel.setArg(1, triangles_);
+  setSurfaceArguments(kernel, 2);
+  kernel.setArg(7, rays.get());
+  kernel.setArg(8, hits.get());
+  kernel.setArg(9, static_cast<cl_uint>(count));
+  context_->launch(kernel, count, groupSize);
+}
+
+void Tracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+  trace(closest_, rays, hits, count);
+}
+
+void Tracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) { trace(any_, rays, hits, count); }
+
+std::vector<Hit> Tracer::traceFromHost(cl::Kernel& kernel, std::span<const Ray> rays) {
+  std::vector<Hit> all(rays.size());
+  const std::size_t block = std::min(rays.size(), raysPerLaunch);
+  Buffer<Ray> rayBuffer(*context_, block);
+  Buffer<Hit> hitBuffer(*context_, block);
+  for (std::size_t first = 0; first < rays.size(); first += block) {
+    const std::size_t count = std::min(block, rays.size() - first);
+    rayBuffer.write(rays.subspan(first, count));
+    trace(kernel, rayBuffer, hitBuffer, count);
+    hitBuffer.read(std::span(all).subspan(first, count));
+  }
+  return all;
+}
+
+std::vector<Hit> Tracer::traceClosest(std::span<const Ray> rays) { return traceFromHost(closest_, rays); }
+std::vector<Hit> Tracer::traceAny(std::span<const Ray> rays) { return traceFromHost(any_, rays); }
+
+}  // namespace prelight

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "device/buffer.h"
+#include "device/device.h"
+#include "scene/compiled_scene.h"
+#include "shared/bvh_types.h"
+#include "shared/ray_types.h"
+#include "shared/scene_types.h"
+
+namespace prelight {
+
+/// Which tree a device traverses. Automatic: wide on CPUs, narrow elsewhere.
+enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
+
+/// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
+/// This is the one header outside device/ that shows OpenCL types.
+class Tracer {
+ public:
+  /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
+  Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic);
+
+  /// Closest hit of each of the first `count` rays.
+  void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+
+  /// As traceClosest, but a hit carries no more than that there is one (triangle 0).
+  void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+
+  /// For tests and tools: uploads, traces, downloads.
+  std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
+  std::vector<device::Hit> traceAny(std::span<const device::Ray> rays);
+
+  /// Sets the surface's buffers (triangles, materials, texture coordinates, colours, texels) as five kernel
+  /// arguments from `index` on.
+  void setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const;
+
+  /// Options that programs which look at the surface are built with.
+  BuildOptions surfaceOptions() const;
+
+  std::size_t bvhBytes() const { return nodeBytes_ + triangleBytes_; }
+  BvhLayout layout() const { return layout_; }
+  DeviceContext& context() const { return *context_; }
+
+ private:
+  void uploadTree(const CompiledScene& scene);
+  void uploadSurface(const CompiledScene& scene);
+  void trace(cl::Kernel& kernel, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  std::vector<device::Hit> traceFromHost(cl::Kernel& kernel, std::span<const device::Ray> rays);
+
+  DeviceContext* context_;
+  BvhLayout layout_;
+  bool alphaTest_ = false;
+  bool vertexColors_ = false;
+  std::uint32_t stackSize_ = 0;
+  std::size_t nodeBytes_ = 0;
+  std::size_t triangleBytes_ = 0;
+  cl::Buffer nodes_;
+  cl::Buffer triangles_;
+  Buffer<device::DeviceTriangle> surfaceTriangles_;
+  Buffer<device::DeviceMaterial> materials_;
+  Buffer<glm::vec2> texCoords_;
+  Buffer<glm::vec4> colors_;
+  Buffer<std::uint32_t> texels_;
+  cl::Kernel closest_;
+  cl::Kernel any_;
+};
+
+}  // namespace prelight

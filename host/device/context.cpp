@@ -1,0 +1,110 @@
+#include "device/context.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+
+#include "base/error.h"
+#include "device/kernel_source.h"
+#include "device/kernel_sources.h"
+
+namespace prelight {
+
+namespace {
+
+std::filesystem::path cacheFolder(const DeviceInfo& info, const DeviceOptions& options) {
+  // PoCL keeps its own cache, so a second one would only cost disk.
+  return options.cacheKernels.value_or(!info.isPocl) ? ProgramCache::defaultFolder() : std::filesystem::path();
+}
+
+void dump(const std::filesystem::path& folder, const std::string& file, const std::string& source,
+          const std::string& options) {
+  std::string name = file;
+  std::replace(name.begin(), name.end(), '/', '_');
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  std::ofstream out(folder / fmt::format("{}_{}", sha256(options).substr(0, 8), name));
+  out << "// " << options << '\n' << source;
+  if (!out.flush())
+    throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(), "cannot write the kernel sources");
+}
+
+}  // namespace
+
+DeviceContext::DeviceContext(const cl::Device& device, DeviceInfo info, const DeviceOptions& options)
+    : device_(device),
+      info_(std::move(info)),
+      context_(device_),
+      queue_(context_, device_),
+      cache_(cacheFolder(info_, options)),
+      dumpFolder_(options.dumpKernels) {}
+
+const cl::Program& DeviceContext::program(const std::string& file, const BuildOptions& options) {
+  const auto key = std::make_pair(file, options.text());
+  if (const auto found = programs_.find(key); found != programs_.end()) return found->second;
+  const auto start = std::chrono::steady_clock::now();
+  const std::string source = expandKernelSource(file, kernelSources());
+  if (!dumpFolder_.empty()) dump(dumpFolder_, file, source, options.text());
+  const auto& built = programs_.emplace(key, build(file, source, options.text())).first->second;
+  buildSeconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return built;
+}
+
+cl::Program DeviceContext::build(const std::string& file, const std::string& source, const std::string& options) {
+  const std::string key = sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", source, options, info_.name, info_.vendor,
+                                             info_.driverVersion, info_.platformVersion));
+  if (const auto binary = cache_.load(key)) {
+    try {
+      cl::Program program(context_, {device_}, cl::Program::Binaries{*binary});
+      program.build({device_}, options.c_str());
+      return program;
+    } catch (const cl::Error&) {
+      cache_.remove(key);  // a driver may refuse what it wrote earlier: rebuild from source
+    }
+  }
+  cl::Program program(context_, source);
+  try {
+    program.build({device_}, options.c_str());
+  } catch (const cl::Error&) {
+    const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
+    throw Error(ExitCode::RuntimeFailure, file,
+                fmt::format("the kernel does not build on {} with {}:\n{}", info_.name, options, log));
+  }
+  const auto binaries = program.getInfo<CL_PROGRAM_BINARIES>();
+  if (!binaries.empty() && !binaries.front().empty()) cache_.store(key, binaries.front());
+  return program;
+}
+
+cl::Buffer DeviceContext::allocate(std::size_t bytes, cl_mem_flags flags) {
+  const auto fail = [&] {
+    return Error(ExitCode::OutOfMemory, info_.name,
+                 fmt::format("cannot hold a buffer of {:.1f} MiB, at most {:.1f} MiB", double(bytes) / (1 << 20),
+                             double(info_.maxAllocation) / (1 << 20)),
+                 "choose another --device, fewer --rays or a smaller --max-memory");
+  };
+  if (bytes > info_.maxAllocation) throw fail();
+  try {
+    return cl::Buffer(context_, flags, bytes);
+  } catch (const cl::Error& error) {
+    if (error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_RESOURCES ||
+        error.err() == CL_OUT_OF_HOST_MEMORY || error.err() == CL_INVALID_BUFFER_SIZE)
+      throw fail();
+    throw;
+  }
+}
+
+void DeviceContext::launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize) {
+  if (items == 0) return;
+  const std::size_t rounded = (items + groupSize - 1) / groupSize * groupSize;
+  try {
+    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rounded), cl::NDRange(groupSize));
+  } catch (const cl::Error& error) {
+    throw Error(ExitCode::RuntimeFailure, info_.name,
+                fmt::format("kernel {} failed to launch: {} ({})", kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(),
+                            error.what(), error.err()));
+  }
+}
+
+}  // namespace prelight

@@ -1,0 +1,68 @@
+#include "device/layout.h"
+
+#include <cstddef>
+#include <type_traits>
+
+#include "device/buffer.h"
+#include "shared/bvh_types.h"
+#include "shared/cast_types.h"
+#include "shared/ray_types.h"
+#include "shared/scene_types.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+template <typename T, std::size_t size>
+constexpr bool isShared = std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T> && sizeof(T) == size;
+
+static_assert(isShared<Ray, 32> && offsetof(Ray, tMax) == 28);
+static_assert(isShared<Hit, 16>);
+static_assert(isShared<WideNode, 224> && offsetof(WideNode, child) == 192);
+static_assert(isShared<TriangleBlock, 320> && offsetof(TriangleBlock, triangle) == 288);
+static_assert(isShared<NarrowNode, 64>);
+static_assert(isShared<NarrowTriangle, 40>);
+static_assert(isShared<DeviceMaterial, 48>);
+static_assert(isShared<DeviceTriangle, 16>);
+static_assert(isShared<Receiver, 48>);
+static_assert(isShared<CastParameters, 32>);
+static_assert(isShared<Sender, 8>);
+
+template <typename T>
+StructLayout layoutOf(const char* name, std::size_t offset) {
+  return {name, static_cast<std::uint32_t>(sizeof(T)), static_cast<std::uint32_t>(offset)};
+}
+
+}  // namespace
+
+std::vector<StructLayout> hostLayouts() {
+  return {layoutOf<Ray>("Ray", offsetof(Ray, tMax)),
+          layoutOf<Hit>("Hit", offsetof(Hit, v)),
+          layoutOf<WideNode>("WideNode", offsetof(WideNode, child)),
+          layoutOf<TriangleBlock>("TriangleBlock", offsetof(TriangleBlock, triangle)),
+          layoutOf<NarrowNode>("NarrowNode", offsetof(NarrowNode, child)),
+          layoutOf<NarrowTriangle>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
+          layoutOf<DeviceMaterial>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
+          layoutOf<DeviceTriangle>("DeviceTriangle", offsetof(DeviceTriangle, material)),
+          layoutOf<Receiver>("Receiver", offsetof(Receiver, firstSample)),
+          layoutOf<CastParameters>("CastParameters", offsetof(CastParameters, seed)),
+          layoutOf<Sender>("Sender", offsetof(Sender, albedo))};
+}
+
+std::vector<StructLayout> deviceLayouts(DeviceContext& device) {
+  std::vector<StructLayout> layouts = hostLayouts();
+  Buffer<cl_uint> out(device, 2 * layouts.size());
+  cl::Kernel kernel(device.program("core/layout_probe_kernels.cl", {}), "probeLayout");
+  setArguments(kernel, out.get());
+  device.launch(kernel, 1, 1);
+  const auto values = out.read();
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    layouts[i].size = values[2 * i];
+    layouts[i].offset = values[2 * i + 1];
+  }
+  return layouts;
+}
+
+}  // namespace prelight

@@ -1,0 +1,79 @@
+#include "device/program_cache.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace prelight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* magic = "PRELIGHT-KERNEL-1";
+
+/// First line of an entry: what the payload must be.
+std::string headerOf(const std::string& key, const std::string& payload) {
+  return fmt::format("{} {} {} {}\n", magic, key, payload.size(), sha256(payload));
+}
+
+}  // namespace
+
+std::string sha256(const std::string& text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int length = 0;
+  EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr);
+  std::string hex;
+  for (unsigned int i = 0; i < length; ++i) hex += fmt::format("{:02x}", digest[i]);
+  return hex;
+}
+
+fs::path ProgramCache::defaultFolder() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
+    return fs::path(cache) / "prelight" / "kernels";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return fs::path(home) / ".cache" / "prelight" / "kernels";
+  return {};
+}
+
+std::optional<std::vector<unsigned char>> ProgramCache::load(const std::string& key) const {
+  if (folder_.empty()) return std::nullopt;
+  std::ifstream in(folder_ / key, std::ios::binary);
+  std::string header;
+  if (!std::getline(in, header)) return std::nullopt;
+  const std::string payload{std::istreambuf_iterator<char>(in), {}};
+  if (header + '\n' != headerOf(key, payload)) return std::nullopt;
+  return std::vector<unsigned char>(payload.begin(), payload.end());
+}
+
+void ProgramCache::store(const std::string& key, const std::vector<unsigned char>& binary) const {
+  if (folder_.empty()) return;
+  std::error_code ignored;
+  fs::create_directories(folder_, ignored);
+  const std::string payload(binary.begin(), binary.end());
+  const fs::path temporary = folder_ / fmt::format("{}.{}", key, getpid());
+  bool written = false;
+  {
+    std::ofstream out(temporary, std::ios::binary);
+    out << headerOf(key, payload) << payload;
+    out.flush();
+    written = out.good();
+  }
+  if (written) {
+    fs::rename(temporary, folder_ / key, ignored);
+  } else {
+    fs::remove(temporary, ignored);
+  }
+}
+
+void ProgramCache::remove(const std::string& key) const {
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove(folder_ / key, ignored);
+}
+
+}  // namespace prelight

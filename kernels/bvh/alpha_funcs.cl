@@ -1,0 +1,72 @@
+// What a hit finds on the surface: coverage (alpha mask) and diffuse albedo.
+#ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
+#define PRELIGHT_BVH_ALPHA_FUNCS_CL
+
+#include "shared/scene_types.h"
+
+typedef struct Surface {
+  __global const DeviceTriangle* triangles;   // [triangle]
+  __global const DeviceMaterial* materials;   // [material]
+  __global const float2* texCoords;           // [vertex]
+  __global const float4* colors;              // [vertex], linear; read only with PRELIGHT_VERTEX_COLORS
+  __global const uchar4* texels;              // sRGB and linear alpha
+} Surface;
+
+// Texel coordinate of u in [0, size): IEC-free integer wrapping as in glTF samplers.
+uint wrapTexel(int i, uint size, uint mode) {
+  const int n = (int)size;
+  if (mode == PRELIGHT_WRAP_CLAMP) return (uint)clamp(i, 0, n - 1);
+  if (mode == PRELIGHT_WRAP_MIRROR) {
+    const int period = 2 * n;
+    const int j = ((i % period) + period) % period;
+    return (uint)(j < n ? j : period - 1 - j);
+  }
+  return (uint)(((i % n) + n) % n);
+}
+
+float4 fetchTexel(Surface s, __global const DeviceMaterial* m, int x, int y) {
+  const uint at = m->texelOffset + wrapTexel(y, m->height, m->wrapT) * m->width + wrapTexel(x, m->width, m->wrapS);
+  const float4 c = convert_float4(s.texels[at]) * (1.0f / 255.0f);
+  // IEC 61966-2-1 decoding.
+  const float3 low = c.xyz / 12.92f;
+  const float3 high = pow((c.xyz + 0.055f) / 1.055f, (float3)(2.4f));
+  return (float4)(select(high, low, c.xyz <= 0.04045f), c.w);
+}
+
+// Bilinear, linear RGB and alpha. Coordinates beyond 2^20 texels are folded, so that hostile ones stay integers.
+float4 sampleTexture(Surface s, __global const DeviceMaterial* m, float2 uv) {
+  float2 at = uv * (float2)((float)m->width, (float)m->height) - 0.5f;
+  at = fmod(at, 1048576.0f);
+  at = select(at, (float2)(0.0f), isnan(at));
+  const float2 base = floor(at);
+  const float2 f = at - base;
+  const int x = (int)base.x, y = (int)base.y;
+  return mix(mix(fetchTexel(s, m, x, y), fetchTexel(s, m, x + 1, y), f.x),
+             mix(fetchTexel(s, m, x, y + 1), fetchTexel(s, m, x + 1, y + 1), f.x), f.y);
+}
+
+// Factor, texture and vertex colour of a point of a triangle: linear albedo and alpha.
+float4 surfaceColor(Surface s, uint triangle, float u, float v) {
+  const DeviceTriangle t = s.triangles[triangle];
+  __global const DeviceMaterial* m = s.materials + t.material;
+  const float w = 1.0f - u - v;
+  float4 color = (float4)(vload3(0, m->albedo), m->alphaFactor);
+  if (m->texelOffset != PRELIGHT_NO_TEXTURE)
+    color *= sampleTexture(s, m, w * s.texCoords[t.vertex[0]] + u * s.texCoords[t.vertex[1]] + v * s.texCoords[t.vertex[2]]);
+#ifdef PRELIGHT_VERTEX_COLORS
+  color *= w * s.colors[t.vertex[0]] + u * s.colors[t.vertex[1]] + v * s.colors[t.vertex[2]];
+#endif
+  return color;
+}
+
+// False where an alpha mask has a hole. Programs of scenes without masks are built without the test.
+bool surfaceIsThere(Surface s, uint triangle, float u, float v) {
+#ifdef PRELIGHT_ALPHA_TEST
+  const float cutoff = s.materials[s.triangles[triangle].material].alphaCutoff;
+  return cutoff < 0.0f || surfaceColor(s, triangle, u, v).w >= cutoff;
+#else
+  return true;
+#endif
+}
+
+#endif

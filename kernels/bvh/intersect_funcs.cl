@@ -1,0 +1,42 @@
+// Watertight ray-triangle test: Woop, Benthin and Wald 2013, JCGT 2(1). Triangles are moved to the ray's origin and
+// sheared so that the ray becomes the z axis; the signs of three edge functions then decide. An edge function of two
+// triangles that share the edge is exactly antisymmetric as long as its products are rounded one by one, so
+// contraction is off here. Zeros count as inside on both sides: a ray through an edge or vertex hits, never leaks.
+#ifndef PRELIGHT_BVH_INTERSECT_FUNCS_CL
+#define PRELIGHT_BVH_INTERSECT_FUNCS_CL
+
+#include "shared/ray_types.h"
+
+// A ray prepared for the triangle and box tests.
+typedef struct PreparedRay {
+  float3 origin;
+  float3 inverseDirection;  // finite: components of the direction below 1e-20 count as 1e-20
+  int kx, ky, kz;           // axes, kz the dominant one
+  float sx, sy, sz;         // shear
+  float tMax;
+  uint sourceTriangle;
+} PreparedRay;
+
+float axisOf(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+
+float safeInverse(float d) { return 1.0f / copysign(fmax(fabs(d), 1e-20f), d); }
+
+PreparedRay prepareRay(Ray ray) {
+  PreparedRay r;
+  const float3 d = (float3)(ray.direction[0], ray.direction[1], ray.direction[2]);
+  const float3 size = fabs(d);
+  r.origin = (float3)(ray.origin[0], ray.origin[1], ray.origin[2]);
+  r.inverseDirection = (float3)(safeInverse(d.x), safeInverse(d.y), safeInverse(d.z));
+  r.kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  r.kx = r.kz == 2 ? 0 : r.kz + 1;
+  r.ky = r.kx == 2 ? 0 : r.kx + 1;
+  const float dz = axisOf(d, r.kz);
+  r.sx = axisOf(d, r.kx) / dz;
+  r.sy = axisOf(d, r.ky) / dz;
+  r.sz = 1.0f / dz;
+  r.tMax = fmin(ray.tMax, MAXFLOAT);  // infinite t, from a determinant near 0, is no hit
+  r.sourceTriangle = ray.sourceTriangle;
+  return r;
+}
+
+#endif

@@ -1,0 +1,130 @@
+// Traversal of the narrow layout: one ray a work-item, two boxes a node (Aila and Laine 2009), scalar triangles.
+#ifndef PRELIGHT_BVH_NARROW_FUNCS_CL
+#define PRELIGHT_BVH_NARROW_FUNCS_CL
+
+#include "bvh/alpha_funcs.cl"
+#include "bvh/intersect_funcs.cl"
+#include "shared/bvh_types.h"
+
+typedef struct Bvh {
+  __global const NarrowNode* nodes;
+  __global const NarrowTriangle* triangles;
+} Bvh;
+
+// True when the ray meets the box in [0, tMax]; *tNear is where. tFar grows by a few ulp (Ize 2013).
+bool intersectBox(__global const float* lower, __global const float* upper, const PreparedRay* r, float tMax, float* tNear) {
+  const float3 a = (vload3(0, lower) - r->origin) * r->inverseDirection;
+  const float3 b = (vload3(0, upper) - r->origin) * r->inverseDirection;
+  const float3 near = fmin(a, b);
+  const float3 far = fmax(a, b);
+  *tNear = fmax(fmax(near.x, near.y), fmax(near.z, 0.0f));
+  const float tFar = fmin(fmin(far.x, far.y), fmin(far.z, tMax)) * 1.0000004f;
+  return *tNear <= tFar;
+}
+
+bool intersectTriangle(__global const NarrowTriangle* triangle, const PreparedRay* r, float tMax, float* t, float* u, float* v) {
+#pragma OPENCL FP_CONTRACT OFF
+  const float ox = axisOf(r->origin, r->kx), oy = axisOf(r->origin, r->ky), oz = axisOf(r->origin, r->kz);
+  const float az = triangle->vertex[0][r->kz] - oz;
+  const float bz = triangle->vertex[1][r->kz] - oz;
+  const float cz = triangle->vertex[2][r->kz] - oz;
+  const float ax = triangle->vertex[0][r->kx] - ox - r->sx * az;
+  const float ay = triangle->vertex[0][r->ky] - oy - r->sy * az;
+  const float bx = triangle->vertex[1][r->kx] - ox - r->sx * bz;
+  const float by = triangle->vertex[1][r->ky] - oy - r->sy * bz;
+  const float cx = triangle->vertex[2][r->kx] - ox - r->sx * cz;
+  const float cy = triangle->vertex[2][r->ky] - oy - r->sy * cz;
+  const float eu = cx * by - cy * bx;
+  const float ev = ax * cy - ay * cx;
+  const float ew = bx * ay - by * ax;
+  const bool inside = (eu >= 0.0f && ev >= 0.0f && ew >= 0.0f) || (eu <= 0.0f && ev <= 0.0f && ew <= 0.0f);
+  const float determinant = eu + ev + ew;
+  if (!inside || determinant == 0.0f || triangle->triangle == r->sourceTriangle) return false;
+  const float inverse = 1.0f / determinant;
+  *u = ev * inverse;
+  *v = ew * inverse;
+  *t = (eu * az + ev * bz + ew * cz) * r->sz * inverse;
+  return *t >= 0.0f && *t <= tMax;
+}
+
+// Nearest hit of a ray with the scene. `surface` decides whether an alpha-masked hit counts.
+Hit traceClosest(Bvh bvh, Surface surface, Ray ray) {
+  PreparedRay r = prepareRay(ray);
+  Hit best = {r.tMax, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f};
+  uint stack[PRELIGHT_STACK_SIZE];
+  uint depth = 0;
+  uint current = 0;
+  for (;;) {
+    if (current & PRELIGHT_LEAF_BIT) {
+      const uint first = current & PRELIGHT_LEAF_FIRST_MASK;
+      const uint count = (current & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
+      for (uint i = first; i < first + count; ++i) {
+        float t, u, v;
+        if (!intersectTriangle(bvh.triangles + i, &r, best.t, &t, &u, &v)) continue;
+        const uint triangle = bvh.triangles[i].triangle;
+        // Equal distances go to the lower index, whatever the order of visits.
+        const bool nearer = t < best.t || triangle < best.triangle;
+        if (nearer && surfaceIsThere(surface, triangle, u, v)) {
+          best.t = t;
+          best.triangle = triangle;
+          best.u = u;
+          best.v = v;
+        }
+      }
+    } else {
+      __global const NarrowNode* node = bvh.nodes + current;
+      float near0, near1;
+      const bool hit0 = intersectBox(node->lower[0], node->upper[0], &r, best.t, &near0);
+      const bool hit1 = intersectBox(node->lower[1], node->upper[1], &r, best.t, &near1);
+      if (hit0 && hit1) {
+        const uint nearer = near1 < near0 ? 1u : 0u;
+        stack[depth++] = node->child[1u - nearer];
+        current = node->child[nearer];
+        continue;
+      }
+      if (hit0 || hit1) {
+        current = node->child[hit1 ? 1 : 0];
+        continue;
+      }
+    }
+    if (depth == 0) {
+      if (best.triangle == PRELIGHT_NO_TRIANGLE) best.t = 0.0f;
+      return best;
+    }
+    current = stack[--depth];
+  }
+}
+
+// True when anything is hit. No order is kept: any hit ends the search.
+bool traceAny(Bvh bvh, Surface surface, Ray ray) {
+  PreparedRay r = prepareRay(ray);
+  uint stack[PRELIGHT_STACK_SIZE];
+  uint depth = 0;
+  uint current = 0;
+  for (;;) {
+    if (current & PRELIGHT_LEAF_BIT) {
+      const uint first = current & PRELIGHT_LEAF_FIRST_MASK;
+      const uint count = (current & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
+      for (uint i = first; i < first + count; ++i) {
+        float t, u, v;
+        if (intersectTriangle(bvh.triangles + i, &r, r.tMax, &t, &u, &v) &&
+            surfaceIsThere(surface, bvh.triangles[i].triangle, u, v))
+          return true;
+      }
+    } else {
+      __global const NarrowNode* node = bvh.nodes + current;
+      float near0, near1;
+      const bool hit0 = intersectBox(node->lower[0], node->upper[0], &r, r.tMax, &near0);
+      const bool hit1 = intersectBox(node->lower[1], node->upper[1], &r, r.tMax, &near1);
+      if (hit0 && hit1) stack[depth++] = node->child[1];
+      if (hit0 || hit1) {
+        current = node->child[hit0 ? 0 : 1];
+        continue;
+      }
+    }
+    if (depth == 0) return false;
+    current = stack[--depth];
+  }
+}
+
+#endif

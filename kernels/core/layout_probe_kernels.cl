@@ -1,0 +1,27 @@
+// Asks the device for the layout of every shared struct; the host compares it with its own.
+// Output: [struct] sizeof, then the offset of a late field, in the order of host/device/layout.cpp.
+
+#include "shared/bvh_types.h"
+#include "shared/cast_types.h"
+#include "shared/ray_types.h"
+#include "shared/scene_types.h"
+
+#define PROBE(index, Type, field)                         \
+  out[2 * (index)] = (uint)sizeof(Type);                  \
+  out[2 * (index) + 1] = (uint)(size_t)(&((Type*)0)->field)
+
+// One work-item. out: [struct][size, offset].
+__kernel void probeLayout(__global uint* out) {
+  if (get_global_id(0) != 0) return;
+  PROBE(0, Ray, tMax);
+  PROBE(1, Hit, v);
+  PROBE(2, WideNode, child);
+  PROBE(3, TriangleBlock, triangle);
+  PROBE(4, NarrowNode, child);
+  PROBE(5, NarrowTriangle, triangle);
+  PROBE(6, DeviceMaterial, wrapT);
+  PROBE(7, DeviceTriangle, material);
+  PROBE(8, Receiver, firstSample);
+  PROBE(9, CastParameters, seed);
+  PROBE(10, Sender, albedo);
+}

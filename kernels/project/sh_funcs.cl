@@ -1,0 +1,36 @@
+// Spherical harmonics of eight directions at once: orthonormal, no Condon-Shortley phase, index l(l+1)+m.
+// Recurrence in l over Cartesian sectoral terms, so that no trigonometry and no division by sin(theta) arises
+// (Sloan 2013, JCGT 2(2)). `table` holds, from the host in double precision and rounded once:
+//   [2 m]                          K_m, so that Y_mm = K_m sin^m(theta) cos(m phi)
+//   [2 (n + l n + m)] and [.. + 1] a_lm and c_lm of P_l = a_lm z P_(l-1) - c_lm P_(l-2), l > m; n the order
+#ifndef PRELIGHT_PROJECT_SH_FUNCS_CL
+#define PRELIGHT_PROJECT_SH_FUNCS_CL
+
+// sum[i] += weight x Y_i(x, y, z) for all PRELIGHT_SH_ORDER^2 functions. table: see host/basis/sh_table.h.
+void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, float8 weight, float8* sum) {
+  float8 cosine = weight;  // weight x sin^m(theta) cos(m phi)
+  float8 sine = (float8)(0.0f);
+#pragma unroll
+  for (int m = 0; m < PRELIGHT_SH_ORDER; ++m) {
+    if (m > 0) {
+      const float8 c = cosine * x - sine * y;
+      sine = sine * x + cosine * y;
+      cosine = c;
+    }
+    float8 before = (float8)(0.0f);
+    float8 value = (float8)(table[2 * m]);
+#pragma unroll
+    for (int l = m; l < PRELIGHT_SH_ORDER; ++l) {
+      if (l > m) {
+        const int at = 2 * (PRELIGHT_SH_ORDER + l * PRELIGHT_SH_ORDER + m);
+        const float8 next = table[at] * z * value - table[at + 1] * before;
+        before = value;
+        value = next;
+      }
+      sum[l * (l + 1) + m] += value * cosine;
+      if (m > 0) sum[l * (l + 1) - m] += value * sine;
+    }
+  }
+}
+
+#endif

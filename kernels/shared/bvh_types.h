@@ -1,0 +1,47 @@
+// The two layouts of the bounding volume hierarchy. Both come from one binary tree built on the host.
+#ifndef PRELIGHT_SHARED_BVH_TYPES_H
+#define PRELIGHT_SHARED_BVH_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+/// Child references: bit 31 set is a leaf. An absent child of a wide node has an inverted box, which nothing hits.
+#define PRELIGHT_LEAF_BIT 0x80000000u
+
+#define PRELIGHT_WIDTH 8
+
+/// Eight children side by side, a row an axis, for devices with vector registers (CPUs).
+/// A leaf reference is PRELIGHT_LEAF_BIT | index of a TriangleBlock.
+typedef struct WideNode {
+  float lower[3][PRELIGHT_WIDTH];
+  float upper[3][PRELIGHT_WIDTH];
+  uint child[PRELIGHT_WIDTH];
+} WideNode;
+
+/// Up to eight triangles tested at once; unused lanes are degenerate and carry PRELIGHT_NO_TRIANGLE.
+typedef struct TriangleBlock {
+  float vertex[3][3][PRELIGHT_WIDTH];  ///< [corner][axis][lane]
+  uint triangle[PRELIGHT_WIDTH];
+} TriangleBlock;
+
+#define PRELIGHT_LEAF_COUNT_SHIFT 27
+#define PRELIGHT_LEAF_FIRST_MASK 0x07ffffffu
+
+/// Two children with both boxes in the parent (Aila and Laine 2009), for devices that run a ray a lane (GPUs).
+/// A leaf reference is PRELIGHT_LEAF_BIT | count << 27 | index of its first NarrowTriangle; count 1..8.
+typedef struct NarrowNode {
+  float lower[2][3];
+  float upper[2][3];
+  uint child[2];
+  uint pad[2];
+} NarrowNode;
+
+typedef struct NarrowTriangle {
+  float vertex[3][3];  ///< [corner][axis]
+  uint triangle;
+} NarrowTriangle;
+
+PRELIGHT_SHARED_END
+
+#endif

@@ -1,0 +1,36 @@
+// Receivers, the cast's parameters, and the rows of stored transport that feed the bounces.
+#ifndef PRELIGHT_SHARED_CAST_TYPES_H
+#define PRELIGHT_SHARED_CAST_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+/// A point of the surface that looks at its hemisphere.
+typedef struct Receiver {
+  float position[3];         ///< on the triangle, lifted off it towards the front by the rounding error
+  uint triangle;
+  float normal[3];           ///< unit shading normal: axis of the cosine-weighted hemisphere
+  uint seed;                 ///< scrambles the low-discrepancy sequence
+  float geometricNormal[3];  ///< unit, on the side of `normal` that is looked from
+  uint firstSample;          ///< index of the receiver's first direction in its sequence
+} Receiver;
+
+typedef struct CastParameters {
+  uint receiverCount;
+  uint raysPerReceiver;  ///< a multiple of 8
+  uint valueCount;       ///< floats a receiver that a projector writes
+  uint vertexCount;      ///< of the scene; sender slots of back faces start here
+  uint seed;
+  uint pad[3];
+} CastParameters;
+
+/// A sender: the vertex (chosen by the barycentric weights) of the triangle that a ray hit, and its albedo there.
+typedef struct Sender {
+  uint slot;    ///< vertex, + vertexCount when the back was hit; PRELIGHT_NO_TRIANGLE: the ray escaped
+  uint albedo;  ///< 10 bits each: red in bits 0..9, green, blue
+} Sender;
+
+PRELIGHT_SHARED_END
+
+#endif

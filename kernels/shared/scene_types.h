@@ -1,0 +1,34 @@
+// Scene data that kernels read besides the BVH.
+#ifndef PRELIGHT_SHARED_SCENE_TYPES_H
+#define PRELIGHT_SHARED_SCENE_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+#define PRELIGHT_WRAP_REPEAT 0u
+#define PRELIGHT_WRAP_CLAMP 1u
+#define PRELIGHT_WRAP_MIRROR 2u
+
+#define PRELIGHT_NO_TEXTURE 0xffffffffu
+
+typedef struct DeviceMaterial {
+  float albedo[3];    ///< linear; multiplies texture and vertex colour
+  float alphaCutoff;  ///< < 0: opaque
+  float alphaFactor;
+  uint texelOffset;   ///< first texel in the texel buffer (uchar4 sRGB + linear alpha); PRELIGHT_NO_TEXTURE: none
+  uint width;
+  uint height;
+  uint wrapS;         ///< PRELIGHT_WRAP_*
+  uint wrapT;
+  uint pad[2];
+} DeviceMaterial;
+
+typedef struct DeviceTriangle {
+  uint vertex[3];
+  uint material;
+} DeviceTriangle;
+
+PRELIGHT_SHARED_END
+
+#endif
