@@ -8,10 +8,6 @@ find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
 get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
-# Its target names OpenCV's headers, which nothing here uses: CMake would insist that their folder exists.
-get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
-list(FILTER OIIO_INCLUDES EXCLUDE REGEX "/opencv4$")
-set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
 find_package(nlohmann_json REQUIRED)        # nlohmann-json3-dev
 find_package(Eigen3 REQUIRED)               # libeigen3-dev
