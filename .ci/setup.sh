@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Installs what is missing of packages.txt, then configures and builds. Arguments: targets to build (default: all).
+# Does only what is still to be done.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+missing_packages() {
+  local wanted
+  mapfile -t wanted < <(sed 's/#.*//' .ci/packages.txt | tr -s '[:space:]' '\n' | sed '/^$/d' | sort)
+  comm -23 <(printf '%s\n' "${wanted[@]}") \
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null | sed -n 's/^installed //p' | sort)
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || [ -t 0 ]; }; then
+    sudo "$@"
+  else
+    return 77
+  fi
+}
+
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "setup: this is not Debian; trying with what is installed (.ci/packages.txt lists what is needed)" >&2
+    return
+  fi
+  local packages
+  mapfile -t packages < <(missing_packages)
+  if [ ${#packages[@]} -eq 0 ]; then return; fi
+  echo "setup: installing ${packages[*]}" >&2
+  if ! as_root true; then
+    echo "setup: packages are missing, and neither root nor sudo is at hand to install them. As root, run:" >&2
+    echo "  apt-get update && apt-get install --no-install-recommends ${packages[*]}" >&2
+    exit 1
+  fi
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q </dev/null >&2
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${packages[@]}" </dev/null >&2
+}
+
+build() {
+  # Ninja configures again by itself when a CMake file has changed.
+  if [ ! -f build/build.ninja ]; then
+    cmake --preset release >&2
+  fi
+  cmake --build build --target "${@:-all}" >&2
+}
+
+install_packages
+build "$@"
