@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
@@ -37,41 +39,60 @@ void addCommands(CLI::App& program, const GlobalOptions& global) {
   addCompareCommand(program, global);
 }
 
-/// The names of a command's own options, or of all commands: what was possible where something else was got.
-std::string choices(const CLI::App& app, bool commands) {
-  std::string list;
-  const auto append = [&](const std::string& name) { list += (list.empty() ? "" : ", ") + name; };
-  if (commands) {
-    for (const CLI::App* sub : app.get_subcommands({})) append(sub->get_name());
-  } else {
-    for (const CLI::Option* option : app.get_options({}))
-      if (option->nonpositional() && !option->get_lnames().empty())
-        append("--" + option->get_lnames().front());
+/// Help without CLI11's "Excludes:", which drowns what an option does.
+class HelpFormatter final : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string type = option->get_type_name();
+    return (type.empty() ? "" : " " + type) + (option->get_required() ? " (required)" : "");
   }
-  return list;
+};
+
+std::string commandNames(const CLI::App& program) {
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  return names;
+}
+
+std::string optionNames(const CLI::App& app) {
+  std::string names;
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_lnames().empty())
+      names += (names.empty() ? "--" : ", --") + option->get_lnames().front();
+  return names;
 }
 
 /// Says what the first argument that nobody took should have been.
 std::string unexpectedArgument(const CLI::App& program, const CLI::App* command,
                                const std::vector<std::string>& arguments) {
-  for (const std::string& argument : arguments)
-    if (argument.size() > 1 && argument.front() == '-') {
-      const CLI::App& app = command != nullptr ? *command : program;
-      return fmt::format("{}: unknown option; {} takes {}", argument, app.get_name(), choices(app, false));
-    }
-  if (command == nullptr)
-    return fmt::format("{}: unknown command; this version has {}", arguments.front(), choices(program, true));
-  return fmt::format("{}: one argument too many", arguments.front());
+  const auto isOption = [](const std::string& argument) {
+    return argument.size() > 1 && argument.front() == '-';
+  };
+  const auto option = std::find_if(arguments.begin(), arguments.end(), isOption);
+  const auto word = std::find_if_not(arguments.begin(), arguments.end(), isOption);
+  if (command == nullptr && word != arguments.end())
+    return fmt::format("{}: unknown command; this version has {}", *word, commandNames(program));
+  if (option == arguments.end()) return fmt::format("{}: one argument too many", *word);
+  const CLI::App& app = command != nullptr ? *command : program;
+  const bool bakes = app.get_option_no_throw("--sh") != nullptr;
+  return fmt::format("{}: unknown option; {}{} takes {}", *option,
+                     bakes ? "the techniques of this version are --ao and --sh (with --bounces), and " : "",
+                     app.get_name(), optionNames(app));
 }
 
 int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   const CLI::App* command = chosen.empty() ? nullptr : chosen.front();
   const std::vector<std::string> unexpected = program.remaining(true);
-  std::string text =
-      unexpected.empty() ? std::string(error.what()) : unexpectedArgument(program, command, unexpected);
-  if (unexpected.empty() && command == nullptr && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
-    text = fmt::format("a command is required, one of {}", choices(program, true));
+  std::string text = error.what();
+  if (!unexpected.empty()) {
+    text = unexpectedArgument(program, command, unexpected);
+  } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    text = text.substr(0, text.find(':')) + ": expected exactly one value";
+  } else if (command == nullptr && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    text = "a command is required, one of " + commandNames(program);
+  }
   printError(
       fmt::format("{} (see prelight {}--help)", text, command == nullptr ? "" : command->get_name() + " "));
   return static_cast<int>(ExitCode::BadUsage);
@@ -85,7 +106,9 @@ int run(int argumentCount, const char* const* arguments) {
   program.set_version_flag("--version", std::string("prelight ") + PRELIGHT_VERSION);
   program.require_subcommand(1);
   program.fallthrough();
-  program.get_formatter()->column_width(34);
+  const auto formatter = std::make_shared<HelpFormatter>();
+  formatter->column_width(34);
+  program.formatter(formatter);
   program.footer("Example:\n  prelight scene shapes -o shapes.glb && prelight bake shapes.glb -o baked.glb");
   addGlobalOptions(program, global);
   addCommands(program, global);
