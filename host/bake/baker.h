@@ -18,7 +18,6 @@ struct BakeReport {
   std::uint64_t receivers = 0;
   double aoErrorRms = 0.0;            ///< estimated standard error of AO, RMS over the surface
   double aoErrorMax = 0.0;            ///< the same at the worst vertex
-  double shErrorRms = 0.0;            ///< of the SH coefficient vector, relative to its RMS norm
   double skippedRayFraction = 0.0;    ///< rays that the request allowed and the scene did not need
   std::uint64_t bytesBvh = 0;
   std::vector<std::string> notes;

@@ -47,7 +47,7 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<DeviceMaterial>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
           layoutOf<DeviceTriangle>("DeviceTriangle", offsetof(DeviceTriangle, material)),
           layoutOf<Receiver>("Receiver", offsetof(Receiver, firstSample)),
-          layoutOf<CastParameters>("CastParameters", offsetof(CastParameters, seed)),
+          layoutOf<CastParameters>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender>("Sender", offsetof(Sender, albedo))};
 }
 

@@ -4,7 +4,8 @@
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape; marks [triangle] is set to 1
+// A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows
+// from firstStored on; marks [triangle] is set to 1
 // where a back was hit. The hit's value will be interpolated from three vertices: taking one of them with its
 // barycentric weight as probability has the same mean and a third of the reads.
 // Next: gatherBounce.
@@ -34,10 +35,10 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __global
       sender.albedo = bits;
     }
   }
-  senders[i] = sender;
+  senders[(size_t)parameters->firstStored * parameters->raysPerReceiver + i] = sender;
 }
 
-// A receiver a work-item. senders [receiver][raysPerReceiver], transfer [slot][3][coefficients] of the previous
+// A receiver a work-item. senders [firstStored + receiver][raysPerReceiver], transfer [slot][3][coefficients] of the previous
 // bounce -> values [receiver][3][coefficients], the mean over the receiver's rays of albedo x transfer.
 // Option: PRELIGHT_SH_ORDER.
 __kernel void gatherBounce(__constant const CastParameters* parameters, __global const Sender* senders,
@@ -48,7 +49,7 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, __global
   float sum[3 * PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER];
   for (uint i = 0; i < 3 * n; ++i) sum[i] = 0.0f;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
-    const Sender s = senders[receiver * parameters->raysPerReceiver + j];
+    const Sender s = senders[((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver + j];
     if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
     __global const float* t = transfer + (size_t)s.slot * 3 * n;
     for (uint c = 0; c < 3; ++c) {

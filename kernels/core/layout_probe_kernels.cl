@@ -22,6 +22,6 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(6, DeviceMaterial, wrapT);
   PROBE(7, DeviceTriangle, material);
   PROBE(8, Receiver, firstSample);
-  PROBE(9, CastParameters, seed);
+  PROBE(9, CastParameters, firstStored);
   PROBE(10, Sender, albedo);
 }

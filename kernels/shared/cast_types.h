@@ -21,7 +21,7 @@ typedef struct CastParameters {
   uint raysPerReceiver;  ///< a multiple of 8
   uint valueCount;       ///< floats a receiver that a projector writes
   uint vertexCount;      ///< of the scene; sender slots of back faces start here
-  uint seed;
+  uint firstStored;      ///< of the rows of senders, in receivers
   uint pad[3];
 } CastParameters;
 

@@ -1,0 +1,185 @@
+#include "bake/baker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bake/bounce.h"
+#include "bake/side_cast.h"
+#include "bvh/tracer.h"
+
+namespace prelight {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time since the last mark to the report under a name.
+class StageClock {
+ public:
+  explicit StageClock(BakeReport& report) : report_(report), last_(Clock::now()) {}
+
+  void mark(const std::string& stage) {
+    const auto now = Clock::now();
+    report_.stageSeconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  BakeReport& report_;
+  Clock::time_point last_;
+};
+
+bool bounces(const BakeRequest& request, const Plan& plan) { return request.shOrder > 0 && request.bounces > 0 && plan.runs("bounces"); }
+
+/// Rows of senders that the plan's memory and the device have room for.
+std::uint32_t storedCapacity(const Plan& plan, const Device& device, std::uint32_t raysPerReceiver) {
+  const std::uint64_t bytes = std::min(plan.transportBytes, device.info().maxAllocation);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(bytes / (sizeof(device::Sender) * raysPerReceiver), 0xffffffffu / raysPerReceiver));
+}
+
+/// [slot][3][n], the transfer that leaves direct occlusion for the first bounce: the same in every channel.
+std::vector<double> directTransfer(const SideCast& cast, const std::vector<double>& fitted, std::size_t slots) {
+  const std::size_t columns = cast.baseline().columns(), n = columns - 4;
+  std::vector<double> transfer(slots * 3 * n);
+  for (std::size_t s = 0; s < slots; ++s)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < n; ++i)
+        transfer[(s * 3 + c) * n + i] = cast.baseline().row(s)[4 + i] + fitted[s * columns + 4 + i];
+  return transfer;
+}
+
+/// Casts from the backs that the front's rays have seen. nullptr when there are none.
+std::unique_ptr<SideCast> castBacks(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
+                                    const SideCast& front, std::uint32_t capacity, Progress& progress, BakeReport& report) {
+  const std::vector<std::uint8_t> marks = caster.backMarks();
+  const auto seen = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
+  if (seen == 0) {
+    report.notes.push_back("back faces: skipped, no ray meets one that reflects");
+    return nullptr;
+  }
+  report.notes.push_back(fmt::format("back faces: {} triangles are seen from behind and reflect there too", seen));
+  auto back = std::make_unique<SideCast>(scene, mesh, caster, schedule, Side::Back);
+  back->active() = marks;
+  back->run(progress, front.storedCount(), capacity - front.storedCount());
+  return back;
+}
+
+/// Sum of direct transfer and all bounces of the front, [slot][3][n].
+std::vector<double> bounceAll(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder, int count,
+                              const SideCast& front, const SideCast* back, Progress& progress, BakeReport& report) {
+  BounceSide frontSide{&front, directTransfer(front, front.solve(), mesh.slotCount())};
+  BounceSide backSide{back, {}};
+  if (back != nullptr) backSide.transfer = directTransfer(*back, back->solve(), mesh.slotCount());
+  std::vector<double> total = frontSide.transfer;
+  for (int b = 0; b < count; ++b) {
+    bounceOnce(scene, mesh, caster, shOrder, frontSide, back != nullptr ? &backSide : nullptr, progress);
+    double most = 0.0;
+    for (std::size_t i = 0; i < total.size(); ++i) {
+      total[i] += frontSide.transfer[i];
+      most = std::max(most, std::abs(frontSide.transfer[i]));
+    }
+    progress.report("bounce", double(b + 1) / count);
+    if (most < 1e-6 && b + 1 < count) {
+      report.notes.push_back(fmt::format("bounces after {}: skipped, nothing is left to reflect", b + 1));
+      break;
+    }
+  }
+  return total;
+}
+
+float finiteOr(double value, float fallback) {
+  const auto f = static_cast<float>(value);
+  return std::isfinite(f) ? f : fallback;
+}
+
+void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted, const CompiledScene& scene, Bake& bake) {
+  const std::size_t columns = front.baseline().columns();
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const std::size_t slot = mesh.slotOfVertex[v];
+    const double* base = front.baseline().row(slot);
+    const double* fit = &fitted[slot * columns];
+    bake.ao.push_back(finiteOr(std::clamp(1.0 + fit[0], 0.0, 1.0), 1.0f));
+    const glm::dvec3 mean(base[1] + fit[1], base[2] + fit[2], base[3] + fit[3]);
+    const double length = glm::length(mean);
+    // Where nothing is open there is no mean direction; the normal is as good as any.
+    bake.bentNormals.push_back(length > 1e-5 ? glm::vec3(mean / length) : glm::normalize(scene.normals[v]));
+  }
+}
+
+void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const CompiledScene& scene, int channels, int shOrder, Bake& bake) {
+  const auto n = static_cast<std::size_t>(shOrder * shOrder);
+  bake.sh = ShTransfer{shOrder, channels, 0, {}};
+  bake.sh->coefficients.reserve(scene.vertexCount() * static_cast<std::size_t>(channels) * n);
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const std::size_t row = mesh.slotOfVertex[v] * 3 * n;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(channels) * n; ++i)
+      bake.sh->coefficients.push_back(finiteOr(transfer[row + i], 0.0f));
+  }
+}
+
+}  // namespace
+
+nlohmann::ordered_json BakeReport::toJson() const {
+  nlohmann::ordered_json json;
+  for (const auto& [stage, seconds] : stageSeconds) json["seconds"][stage] = seconds;
+  json["rays"] = rays;
+  json["receivers"] = receivers;
+  json["aoErrorRms"] = aoErrorRms;
+  json["aoErrorMax"] = aoErrorMax;
+  json["skippedRayFraction"] = skippedRayFraction;
+  json["bvhBytes"] = bytesBvh;
+  json["notes"] = notes;
+  return json;
+}
+
+Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
+               Progress& progress, BakeReport& report) {
+  if (scene.triangleCount() == 0)
+    throw InputError("scene", "there is no triangle to bake", "bake needs a mesh with at least one triangle of non-zero area");
+  const auto start = Clock::now();
+  StageClock clock(report);
+  const bool withBounces = bounces(request, plan);
+  const FitMesh mesh = makeFitMesh(scene);
+  const Schedule schedule = makeSchedule(request, mesh.slotCount(), start);
+  Tracer tracer(scene, device);
+  const std::uint32_t capacity = withBounces ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
+  Caster caster(scene, tracer, {request.shOrder, schedule.raysPerReceiver, capacity});
+  report.bytesBvh = tracer.bvhBytes();
+  clock.mark("prepare");
+
+  SideCast front(scene, mesh, caster, schedule, Side::Front);
+  front.run(progress, 0, capacity);
+  std::unique_ptr<SideCast> back;
+  if (withBounces) back = castBacks(scene, mesh, caster, schedule, front, capacity, progress, report);
+  clock.mark("cast");
+
+  const std::vector<double> fitted = front.solve();
+  const ErrorEstimate error = front.estimateError();
+  clock.mark("fit");
+
+  Bake bake;
+  if (request.ao) packAo(mesh, front, fitted, scene, bake);
+  if (request.shOrder > 0) {
+    const auto transfer = withBounces ? bounceAll(scene, mesh, caster, request.shOrder, request.bounces, front, back.get(), progress, report)
+                                      : directTransfer(front, fitted, mesh.slotCount());
+    packSh(mesh, transfer, scene, withBounces ? 3 : 1, request.shOrder, bake);
+    bake.sh->bounces = withBounces ? request.bounces : 0;
+    clock.mark("bounce");
+  }
+
+  report.rays = front.rays() + (back ? back->rays() : 0);
+  report.receivers = front.receivers() + (back ? back->receivers() : 0);
+  report.aoErrorRms = error.rms;
+  report.aoErrorMax = error.max;
+  if (!request.error && !request.seconds)
+    report.skippedRayFraction = std::max(0.0, 1.0 - double(front.receivers()) / (schedule.receiversPerPass * schedule.passes));
+  bake.info = {std::string("Prelight ") + PRELIGHT_VERSION, request.seed, report.rays, error.rms,
+               withBounces ? request.bounces : 0, plan.toJson(), device.info().name,
+               std::chrono::duration<double>(Clock::now() - start).count()};
+  return bake;
+}
+
+}  // namespace prelight

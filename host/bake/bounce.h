@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "bake/caster.h"
+#include "bake/fit_mesh.h"
+#include "bake/side_cast.h"
+#include "base/progress.h"
+
+namespace prelight {
+
+/// One cast side of the surface and its transfer of the current bounce, [slot][3][order^2].
+struct BounceSide {
+  const SideCast* cast = nullptr;
+  std::vector<double> transfer;
+};
+
+/// Replaces each side's transfer by that of the next bounce: every stored row gathers albedo x transfer of what its
+/// rays hit, and the vertices are fitted to the rows. No ray is cast. `back` may be null: nothing sees a back.
+void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder, BounceSide& front,
+                BounceSide* back, Progress& progress);
+
+}  // namespace prelight

@@ -1,0 +1,113 @@
+#include "bake/caster.h"
+
+#include <algorithm>
+
+#include "bake/sh_table.h"
+#include "bake/surface_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+
+/// Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and that a
+/// launch stays far below a second anywhere.
+std::uint32_t raysPerBlock(const DeviceInfo& info) { return info.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16; }
+
+std::vector<float> orientedNormals(const CompiledScene& scene) {
+  const SurfaceSampler front(scene, 0, Side::Front);
+  std::vector<float> normals;
+  normals.reserve(3 * std::size_t{scene.triangleCount()});
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const glm::vec3 n(front.orientedNormal(t));
+    normals.insert(normals.end(), {n.x, n.y, n.z});
+  }
+  return normals;
+}
+
+}  // namespace
+
+Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options)
+    : tracer_(tracer),
+      device_(tracer.context()),
+      options_(options),
+      vertexCount_(scene.vertexCount()),
+      valueCount_(4 + static_cast<std::uint32_t>(options.shOrder * options.shOrder)),
+      blockSize_(std::max(1u, raysPerBlock(device_.info()) / options.raysPerReceiver)),
+      parameters_(device_, 1),
+      shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))),
+      receivers_(device_, blockSize_),
+      rays_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
+      hits_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
+      values_(device_, std::size_t{blockSize_} * std::max(valueCount_, 3 * (valueCount_ - 4))) {
+  const auto shOrder = [&] { return BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder); };
+  generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
+  project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder()), "projectHits");
+  if (options_.storedReceivers == 0) return;
+  const auto& transport = device_.program(
+      "cast/transport_kernels.cl", tracer_.surfaceOptions().define("PRELIGHT_SH_ORDER", options_.shOrder));
+  store_ = cl::Kernel(transport, "storeSenders");
+  gather_ = cl::Kernel(transport, "gatherBounce");
+  geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
+  senders_ = Buffer<Sender>(device_, std::size_t{options_.storedReceivers} * options_.raysPerReceiver);
+  marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
+  marks_.fill(0);
+}
+
+void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
+  const CastParameters parameters{receivers, options_.raysPerReceiver, valueCount_, vertexCount_, firstStored, {}};
+  parameters_.write(std::span(&parameters, 1));
+}
+
+void Caster::cast(std::span<const Receiver> receivers, std::vector<float>& values, const std::uint32_t* storedRow) {
+  const auto count = static_cast<std::uint32_t>(receivers.size());
+  setParameters(count, storedRow != nullptr ? *storedRow : 0);
+  receivers_.write(receivers);
+  const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
+  setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
+  device_.launch(generate_, rayCount, groupSize);
+  if (storedRow != nullptr) {
+    tracer_.traceClosest(rays_, hits_, rayCount);
+    store(count);
+  } else {
+    tracer_.traceAny(rays_, hits_, rayCount);
+  }
+  project(count);
+  values.resize(std::size_t{count} * valueCount_);
+  values_.read(std::span(values));
+}
+
+void Caster::project(std::uint32_t receivers) {
+  setArguments(project_, parameters_.get(), shTable_.get(), rays_.get(), hits_.get(), values_.get());
+  device_.launch(project_, receivers, groupSize);
+}
+
+void Caster::store(std::uint32_t receivers) {
+  store_.setArg(0, parameters_.get());
+  store_.setArg(1, rays_.get());
+  store_.setArg(2, hits_.get());
+  tracer_.setSurfaceArguments(store_, 3);
+  store_.setArg(8, geometricNormals_.get());
+  store_.setArg(9, receivers_.get());
+  store_.setArg(10, senders_.get());
+  store_.setArg(11, marks_.get());
+  device_.launch(store_, std::size_t{receivers} * options_.raysPerReceiver, groupSize);
+}
+
+void Caster::setTransfer(const std::vector<float>& transfer) {
+  if (transfer_.size() != transfer.size()) transfer_ = Buffer<float>(device_, transfer.size());
+  transfer_.write(std::span<const float>(transfer));
+}
+
+void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
+  setParameters(count, first);
+  setArguments(gather_, parameters_.get(), senders_.get(), transfer_.get(), values_.get());
+  device_.launch(gather_, count, groupSize);
+  values.resize(std::size_t{count} * 3 * (valueCount_ - 4));
+  values_.read(std::span(values));
+}
+
+}  // namespace prelight

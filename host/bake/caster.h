@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bvh/tracer.h"
+#include "shared/cast_types.h"
+
+namespace prelight {
+
+struct CastOptions {
+  int shOrder = 0;                    ///< 0: no SH
+  std::uint32_t raysPerReceiver = 64; ///< a multiple of 8
+  std::uint32_t storedReceivers = 0;  ///< rows of senders to keep room for; 0: no bounces follow
+};
+
+/// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored rows of
+/// senders that bounces read instead of casting again.
+class Caster {
+ public:
+  /// The tracer must outlive the caster.
+  Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options);
+
+  /// Receivers a block at most: what one round of launches takes.
+  std::uint32_t blockSize() const { return blockSize_; }
+
+  /// Floats a receiver that cast() yields: open fraction, 3 of the bent normal, order^2 of SH; see
+  /// kernels/project/project_kernels.cl.
+  std::uint32_t valueCount() const { return valueCount_; }
+
+  /// Casts a block. `values` gets [receiver][valueCount]. With `storedRow`, its rows of senders are kept from that
+  /// row on.
+  void cast(std::span<const device::Receiver> receivers, std::vector<float>& values, const std::uint32_t* storedRow);
+
+  /// [triangle], 1 where a stored ray hit a back.
+  std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
+
+  /// Transfer that gather() reads: [slot][3][order^2], slots are vertices, then vertices' backs.
+  void setTransfer(const std::vector<float>& transfer);
+
+  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count): [row][3][order^2].
+  void gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values);
+
+ private:
+  void setParameters(std::uint32_t receivers, std::uint32_t firstStored);
+  void project(std::uint32_t receivers);
+  void store(std::uint32_t receivers);
+
+  Tracer& tracer_;
+  DeviceContext& device_;
+  CastOptions options_;
+  std::uint32_t vertexCount_;
+  std::uint32_t valueCount_;
+  std::uint32_t blockSize_;
+  Buffer<device::CastParameters> parameters_;
+  Buffer<float> shTable_;
+  Buffer<device::Receiver> receivers_;
+  Buffer<device::Ray> rays_;
+  Buffer<device::Hit> hits_;
+  Buffer<float> values_;
+  Buffer<float> geometricNormals_;
+  Buffer<device::Sender> senders_;
+  Buffer<std::uint8_t> marks_;
+  Buffer<float> transfer_;
+  cl::Kernel generate_, project_, store_, gather_;
+};
+
+}  // namespace prelight

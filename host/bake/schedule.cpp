@@ -1,0 +1,48 @@
+#include "bake/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bake/error_estimate.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double castShareOfTime = 0.75;  // the rest is for fits and bounces
+constexpr double timedPassRays = 1 << 18; // about a tenth of a second on two cores
+
+std::uint32_t powerOfTwoBelow(std::uint64_t value) {
+  std::uint32_t power = 8;
+  while (power < 64 && 2ull * power <= value) power *= 2;
+  return power;
+}
+
+}  // namespace
+
+Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices, std::chrono::steady_clock::time_point start) {
+  Schedule schedule;
+  schedule.seed = request.seed;
+  schedule.shOrder = request.shOrder;
+  schedule.passes = errorGroups;
+  if (request.error) {
+    // Small receivers and a small first round: what is easy costs little.
+    schedule.raysPerReceiver = 16;
+    schedule.receiversPerPass = vertices;
+    schedule.error = request.error;
+    schedule.maxReceivers = BakeRequest::maxRays / schedule.raysPerReceiver * std::uint64_t{vertices};
+  } else if (request.seconds) {
+    schedule.raysPerReceiver = 64;
+    schedule.receiversPerPass = std::min<double>(vertices, timedPassRays / schedule.raysPerReceiver);
+    schedule.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                    std::chrono::duration<double>(castShareOfTime * *request.seconds));
+  } else {
+    // Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to show.
+    schedule.raysPerReceiver = powerOfTwoBelow(request.rays / 16);
+    schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.rays) /
+                                (schedule.raysPerReceiver * static_cast<double>(schedule.passes));
+  }
+  return schedule;
+}
+
+}  // namespace prelight

@@ -1,0 +1,122 @@
+#include "bake/side_cast.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t pilotPasses = 2;               // after which entirely open neighbourhoods stop
+constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; the error estimate then rests on the first ones
+
+}  // namespace
+
+SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule, Side side)
+    : scene_(scene),
+      mesh_(mesh),
+      caster_(caster),
+      schedule_(schedule),
+      sampler_(scene, schedule.seed, side),
+      baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
+      fit_(mesh, baseline_.columns()),
+      blocked_(mesh.slotCount(), 0),
+      residual_(baseline_.columns()) {}
+
+void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {
+  storedFirst_ = storedFirst;
+  storedCapacity_ = storedCapacity;
+  std::uint32_t round = schedule_.passes;
+  for (;;) {
+    for (std::uint32_t i = 0; i < round; ++i) {
+      if (schedule_.deadline && pass_ >= errorGroups && std::chrono::steady_clock::now() >= *schedule_.deadline) return;
+      castPass(schedule_.receiversPerPass, progress);
+      if (pass_ == pilotPasses) dropOpenTriangles();
+    }
+    if (schedule_.error) {
+      if (dropAccurateTriangles() == 0 || receivers_ >= schedule_.maxReceivers) return;
+      round = pass_;  // doubles the passes of what is left
+    } else if (!schedule_.deadline) {
+      return;
+    }
+  }
+}
+
+void SideCast::castPass(double receivers, Progress& progress) {
+  const auto flushAndReport = [&] {
+    flush();
+    progress.check();
+  };
+  sampler_.pass(receivers, schedule_.raysPerReceiver, [&](const SurfaceSample& sample, const device::Receiver& receiver) {
+    pendingSamples_.push_back(sample);
+    pendingReceivers_.push_back(receiver);
+    if (pendingReceivers_.size() == caster_.blockSize()) flushAndReport();
+  });
+  flushAndReport();
+  ++pass_;
+  if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
+}
+
+void SideCast::flush() {
+  const auto count = static_cast<std::uint32_t>(pendingReceivers_.size());
+  if (count == 0) return;
+  const std::uint32_t row = storedFirst_ + storedCount_;
+  const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_;
+  caster_.cast(pendingReceivers_, values_, stores ? &row : nullptr);
+  if (stores) storedCount_ += count;
+  for (std::size_t i = 0; i < count; ++i) addReceiver(i);
+  receivers_ += count;
+  pendingSamples_.clear();
+  pendingReceivers_.clear();
+}
+
+// The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form, then the
+// interpolated baseline is taken off, so that the fit sees only what occlusion changes.
+void SideCast::addReceiver(std::size_t i) {
+  const SurfaceSample& sample = pendingSamples_[i];
+  const device::Receiver& receiver = pendingReceivers_[i];
+  const float* values = &values_[i * caster_.valueCount()];
+  const double open = values[0];
+  baseline_.evaluate({receiver.normal[0], receiver.normal[1], receiver.normal[2]}, residual_.data());
+  const auto& slots = mesh_.triangles[sample.triangle];
+  const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
+  const double *r0 = baseline_.row(slots[0]), *r1 = baseline_.row(slots[1]), *r2 = baseline_.row(slots[2]);
+  residual_[0] = open - 1.0;
+  for (std::size_t c = 1; c < residual_.size(); ++c)
+    residual_[c] = double(values[c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
+  fit_.add(sample, residual_);
+  if (open < 1.0)
+    for (const std::uint32_t slot : slots) blocked_[slot] = 1;
+  if (records_.size() < maxRecords) records_.push_back({sample, values[0], pass_ % errorGroups});
+}
+
+// Where every ray of every receiver around escaped, the closed form is the answer: no further rays.
+void SideCast::dropOpenTriangles() {
+  auto& active = sampler_.active();
+  for (std::size_t t = 0; t < active.size(); ++t) {
+    const auto& slots = mesh_.triangles[t];
+    if (!blocked_[slots[0]] && !blocked_[slots[1]] && !blocked_[slots[2]]) active[t] = 0;
+  }
+}
+
+std::size_t SideCast::dropAccurateTriangles() {
+  const ErrorEstimate estimate = estimateError();
+  auto& active = sampler_.active();
+  std::size_t left = 0;
+  for (std::size_t t = 0; t < active.size(); ++t) {
+    if (!active[t]) continue;
+    const auto& slots = mesh_.triangles[t];
+    const double worst = std::max({estimate.slots[slots[0]], estimate.slots[slots[1]], estimate.slots[slots[2]]});
+    active[t] = worst > *schedule_.error;
+    left += active[t];
+  }
+  return left;
+}
+
+ErrorEstimate SideCast::estimateError() const {
+  const std::vector<double> all = fit_.solve(defaultSmoothing);
+  std::vector<double> open(mesh_.slotCount());
+  for (std::size_t i = 0; i < open.size(); ++i) open[i] = all[i * fit_.columns()];
+  return estimateAoError(mesh_, fit_, open, records_);
+}
+
+}  // namespace prelight

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bake/baseline.h"
+#include "bake/caster.h"
+#include "bake/error_estimate.h"
+#include "bake/schedule.h"
+#include "bake/surface_sampler.h"
+#include "bake/vertex_fit.h"
+#include "base/progress.h"
+
+namespace prelight {
+
+/// Casts from one side of the surface until its schedule is fulfilled, and fits the vertices.
+class SideCast {
+ public:
+  SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule, Side side);
+
+  /// Triangles that receivers are placed on; all unless changed before run().
+  std::vector<std::uint8_t>& active() { return sampler_.active(); }
+
+  /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill.
+  void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
+
+  /// Fitted values relative to the baseline, [slot][column].
+  std::vector<double> solve() const { return fit_.solve(defaultSmoothing); }
+
+  ErrorEstimate estimateError() const;
+
+  const Baseline& baseline() const { return baseline_; }
+  const std::vector<SampleRecord>& records() const { return records_; }
+  std::uint32_t storedFirst() const { return storedFirst_; }
+  std::uint32_t storedCount() const { return storedCount_; }
+  std::uint64_t receivers() const { return receivers_; }
+  std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }
+
+ private:
+  void castPass(double receivers, Progress& progress);
+  void flush();
+  void addReceiver(std::size_t i);
+  void dropOpenTriangles();
+  std::size_t dropAccurateTriangles();
+
+  const CompiledScene& scene_;
+  const FitMesh& mesh_;
+  Caster& caster_;
+  const Schedule& schedule_;
+  SurfaceSampler sampler_;
+  Baseline baseline_;
+  VertexFit fit_;
+  std::vector<SampleRecord> records_;
+  std::vector<std::uint8_t> blocked_;  ///< [slot], 1 once a receiver near it was not entirely open
+  std::vector<SurfaceSample> pendingSamples_;
+  std::vector<device::Receiver> pendingReceivers_;
+  std::vector<float> values_;
+  std::vector<double> residual_;
+  std::uint32_t storedFirst_ = 0;
+  std::uint32_t storedCapacity_ = 0;
+  std::uint32_t storedCount_ = 0;
+  std::uint64_t receivers_ = 0;
+  std::uint32_t pass_ = 0;
+};
+
+}  // namespace prelight

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "shared/cast_types.h"
+
+namespace prelight {
+
+/// Where a receiver sits and what it stands for.
+struct SurfaceSample {
+  std::uint32_t triangle = 0;
+  float b1 = 0.0f;      ///< barycentric weight of vertex 1
+  float b2 = 0.0f;
+  float weight = 0.0f;  ///< surface area that it stands for, m2
+};
+
+enum class Side : std::uint8_t { Front, Back };
+
+/// Places receivers on the surface, pass by pass. Half of them go to triangles by area and half to every triangle
+/// alike, so that large triangles are covered and small ones are not starved. Positions within a triangle are
+/// low-discrepancy over all passes. What a pass yields depends on the passes before it, the seed and the set of
+/// active triangles alone.
+class SurfaceSampler {
+ public:
+  SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side);
+
+  /// Triangles that further passes place receivers on; all at first.
+  std::vector<std::uint8_t>& active() { return active_; }
+  const std::vector<std::uint8_t>& active() const { return active_; }
+
+  using Sink = std::function<void(const SurfaceSample&, const device::Receiver&)>;
+
+  /// Yields about `receivers` receivers, fewer by the share of inactive triangles, in the order of triangles.
+  /// Each looks along `raysPerReceiver` directions of its triangle's sequence.
+  void pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink);
+
+  /// Unit normal, turned to the side of the shading normals: the front as the file means it.
+  glm::dvec3 orientedNormal(std::uint32_t triangle) const;
+
+ private:
+  device::Receiver place(const SurfaceSample& sample, std::uint32_t sequenceIndex, std::uint32_t raysPerReceiver) const;
+
+  const CompiledScene& scene_;
+  std::uint32_t seed_;
+  Side side_;
+  std::vector<double> areas_;
+  double totalArea_ = 0.0;
+  std::vector<std::uint8_t> active_;
+  std::vector<std::uint32_t> taken_;  ///< [triangle], receivers so far
+  std::uint32_t passes_ = 0;
+};
+
+}  // namespace prelight

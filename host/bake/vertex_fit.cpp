@@ -1,0 +1,197 @@
+#include "bake/vertex_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t rowGrain = 1024;
+constexpr int maxIterations = 400;
+constexpr double tolerance = 1e-7;  // of the residual's norm, far below float and noise
+
+/// The normal equations as a sparse matrix over the mesh's edges, applied to many columns at once.
+class NormalEquations {
+ public:
+  NormalEquations(const FitMesh& mesh, const std::vector<std::array<double, 6>>& mass, double lambda)
+      : mesh_(mesh), diagonal_(mesh.slotCount(), 0.0), offDiagonal_(mesh.columns.size(), 0.0), lambda_(lambda) {
+    for (std::size_t t = 0; t < mass.size(); ++t) {
+      const auto& s = mesh.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        diagonal_[s[k]] += mass[t][k];
+        addEdge(s[k], s[(k + 1) % 3], mass[t][3 + k]);
+      }
+    }
+    scaleRegularizer();
+  }
+
+  std::size_t rows() const { return diagonal_.size(); }
+
+  /// Diagonal of the whole operator, for preconditioning; positive.
+  double preconditioner(std::size_t row) const { return total_[row]; }
+
+  /// y = (A + lambda L^T S L + floor) x, [slot][column]. `scratch` has the size of x.
+  void apply(const std::vector<double>& x, std::vector<double>& y, std::vector<double>& scratch, std::size_t columns) const {
+    laplacian(x, scratch, columns);
+    parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double* out = &y[i * columns];
+        const double degree = degreeOf(i);
+        const double own = degree > 0.0 ? lambda_ * scale_[i] : 0.0;
+        for (std::size_t c = 0; c < columns; ++c)
+          out[c] = (diagonal_[i] + floor_) * x[i * columns + c] + own * scratch[i * columns + c];
+        for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
+          const std::size_t j = mesh_.columns[e];
+          const double transposed = -lambda_ * scale_[j] / degreeOf(j);
+          for (std::size_t c = 0; c < columns; ++c)
+            out[c] += offDiagonal_[e] * x[j * columns + c] + transposed * scratch[j * columns + c];
+        }
+      }
+    });
+  }
+
+ private:
+  double degreeOf(std::size_t i) const { return static_cast<double>(mesh_.rowStart[i + 1] - mesh_.rowStart[i]); }
+
+  void addEdge(std::uint32_t a, std::uint32_t b, double value) {
+    if (a == b) {
+      diagonal_[a] += 2.0 * value;
+      return;
+    }
+    offDiagonal_[find(a, b)] += value;
+    offDiagonal_[find(b, a)] += value;
+  }
+
+  std::size_t find(std::uint32_t row, std::uint32_t column) const {
+    const auto begin = mesh_.columns.begin() + mesh_.rowStart[row];
+    const auto end = mesh_.columns.begin() + mesh_.rowStart[row + 1];
+    return static_cast<std::size_t>(std::lower_bound(begin, end, column) - mesh_.columns.begin());
+  }
+
+  // S follows the local weight of samples, so that small and large triangles are smoothed alike; slots without any
+  // get the mean weight, which makes them follow their neighbours.
+  void scaleRegularizer() {
+    double mean = 0.0;
+    for (const double d : diagonal_) mean += d;
+    mean = rows() > 0 ? std::max(mean / static_cast<double>(rows()), 1e-300) : 1.0;
+    floor_ = 1e-9 * mean;
+    scale_.resize(rows());
+    for (std::size_t i = 0; i < rows(); ++i) scale_[i] = diagonal_[i] > 0.0 ? diagonal_[i] : mean;
+    total_.resize(rows());
+    for (std::size_t i = 0; i < rows(); ++i) {
+      double regularizer = degreeOf(i) > 0.0 ? scale_[i] : 0.0;
+      for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
+        const std::size_t j = mesh_.columns[e];
+        regularizer += scale_[j] / (degreeOf(j) * degreeOf(j));
+      }
+      total_[i] = diagonal_[i] + floor_ + lambda_ * regularizer;
+    }
+  }
+
+  // y = x - mean of x over the neighbours; 0 for a slot without neighbours.
+  void laplacian(const std::vector<double>& x, std::vector<double>& y, std::size_t columns) const {
+    parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double* out = &y[i * columns];
+        const double degree = degreeOf(i);
+        for (std::size_t c = 0; c < columns; ++c) out[c] = degree > 0.0 ? x[i * columns + c] : 0.0;
+        for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e)
+          for (std::size_t c = 0; c < columns; ++c) out[c] -= x[mesh_.columns[e] * columns + c] / degree;
+      }
+    });
+  }
+
+  const FitMesh& mesh_;
+  std::vector<double> diagonal_;
+  std::vector<double> offDiagonal_;  ///< parallel to mesh_.columns
+  std::vector<double> scale_;
+  std::vector<double> total_;
+  double lambda_;
+  double floor_ = 0.0;
+};
+
+/// Sum over slots of a[slot][c] b[slot][c] for every column, in an order that no thread count changes.
+std::vector<double> columnDots(const std::vector<double>& a, const std::vector<double>& b, std::size_t columns) {
+  const std::size_t rows = a.size() / columns;
+  const std::size_t ranges = (rows + rowGrain - 1) / rowGrain;
+  std::vector<double> partial(ranges * columns, 0.0);
+  parallelRanges(rows, rowGrain, [&](std::size_t begin, std::size_t end) {
+    double* out = &partial[begin / rowGrain * columns];
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t c = 0; c < columns; ++c) out[c] += a[i * columns + c] * b[i * columns + c];
+  });
+  std::vector<double> sums(columns, 0.0);
+  for (std::size_t r = 0; r < ranges; ++r)
+    for (std::size_t c = 0; c < columns; ++c) sums[c] += partial[r * columns + c];
+  return sums;
+}
+
+/// Preconditioned conjugate gradients with Jacobi's preconditioner, each column on its own step sizes.
+std::vector<double> conjugateGradients(const NormalEquations& equations, const std::vector<double>& right, std::size_t columns) {
+  std::vector<double> x(right.size(), 0.0), residual = right, direction(right.size()), image(right.size()), z(right.size()), scratch(right.size());
+  const auto precondition = [&] {
+    parallelRanges(equations.rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t c = 0; c < columns; ++c) z[i * columns + c] = residual[i * columns + c] / equations.preconditioner(i);
+    });
+  };
+  precondition();
+  direction = z;
+  std::vector<double> rho = columnDots(residual, z, columns);
+  const std::vector<double> start = rho;
+  for (int iteration = 0; iteration < maxIterations; ++iteration) {
+    bool done = true;
+    for (std::size_t c = 0; c < columns; ++c) done = done && rho[c] <= tolerance * tolerance * start[c];
+    if (done) break;
+    equations.apply(direction, image, scratch, columns);
+    const std::vector<double> curvature = columnDots(direction, image, columns);
+    std::vector<double> step(columns);
+    for (std::size_t c = 0; c < columns; ++c) step[c] = curvature[c] > 0.0 ? rho[c] / curvature[c] : 0.0;
+    parallelRanges(equations.rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t c = 0; c < columns; ++c) {
+          x[i * columns + c] += step[c] * direction[i * columns + c];
+          residual[i * columns + c] -= step[c] * image[i * columns + c];
+        }
+    });
+    precondition();
+    const std::vector<double> next = columnDots(residual, z, columns);
+    parallelRanges(equations.rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t c = 0; c < columns; ++c) {
+          const double beta = rho[c] > 0.0 ? next[c] / rho[c] : 0.0;
+          direction[i * columns + c] = z[i * columns + c] + beta * direction[i * columns + c];
+        }
+    });
+    rho = next;
+  }
+  return x;
+}
+
+}  // namespace
+
+VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns)
+    : mesh_(mesh), columns_(columns), mass_(mesh.triangles.size()), right_(mesh.slotCount() * columns, 0.0) {}
+
+void VertexFit::add(const SurfaceSample& sample, std::span<const double> values) {
+  empty_ = false;
+  const std::array<double, 3> b{1.0 - double(sample.b1) - double(sample.b2), sample.b1, sample.b2};
+  auto& mass = mass_[sample.triangle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    mass[k] += sample.weight * b[k] * b[k];
+    mass[3 + k] += sample.weight * b[k] * b[(k + 1) % 3];
+    double* right = &right_[mesh_.triangles[sample.triangle][k] * columns_];
+    for (std::size_t c = 0; c < columns_; ++c) right[c] += sample.weight * b[k] * values[c];
+  }
+}
+
+std::vector<double> VertexFit::solve(double lambda) const { return solve(lambda, right_, columns_); }
+
+std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const {
+  return conjugateGradients(NormalEquations(mesh_, mass_, lambda), rightSide, columns);
+}
+
+}  // namespace prelight

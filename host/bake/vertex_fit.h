@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bake/fit_mesh.h"
+#include "bake/surface_sampler.h"
+
+namespace prelight {
+
+/// Weighted least squares of per-vertex values to samples inside the triangles: minimises
+///   sum_s w_s |sum_i b_i(s) x_i - f_s|^2 + lambda |L x|^2,
+/// L the graph Laplacian scaled by each slot's weight. What is fitted is what a rasteriser will interpolate (Kavan et
+/// al. 2011, "Least Squares Vertex Baking").
+class VertexFit {
+ public:
+  /// `columns` values a sample.
+  VertexFit(const FitMesh& mesh, std::size_t columns);
+
+  void add(const SurfaceSample& sample, std::span<const double> values);
+
+  std::size_t columns() const { return columns_; }
+
+  /// True when no sample was added.
+  bool empty() const { return empty_; }
+
+  /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
+  std::vector<double> solve(double lambda) const;
+
+  /// Solves for another right-hand side [slot][column] with this fit's samples.
+  std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
+
+ private:
+  const FitMesh& mesh_;
+  std::size_t columns_;
+  bool empty_ = true;
+  std::vector<std::array<double, 6>> mass_;  ///< [triangle]: sum w b_i b_j of 00 11 22 01 12 20
+  std::vector<double> right_;                ///< [slot][column]: sum w b f
+};
+
+/// The strength that served best on held-out samples over built-in scenes; see docs/accuracy.md.
+constexpr double defaultSmoothing = 0.1;
+
+}  // namespace prelight

@@ -1,0 +1,98 @@
+#include "plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint64_t bvhBytesPerTriangle = 100;  // nodes and blocks, measured 70 to 95 on built-in scenes
+constexpr std::uint64_t senderBytes = 8;
+constexpr std::uint64_t blockBytes = std::uint64_t{16} << 20;
+
+bool reflects(const CompiledScene& scene) {
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(), [&](std::uint32_t m) {
+    const glm::vec3 a = scene.materials[m].albedo;
+    return a.x > 0.0f || a.y > 0.0f || a.z > 0.0f;
+  });
+}
+
+std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {
+  return static_cast<std::size_t>(std::count_if(scene.materials.begin(), scene.materials.end(), test));
+}
+
+PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) {
+  if (request.shOrder == 0) return {"bounces", false, "no SH transfer is asked for"};
+  if (request.bounces == 0) return {"bounces", false, "none are asked for"};
+  if (!reflects(scene)) return {"bounces", false, "no surface has a diffuse albedo above 0, so nothing is reflected"};
+  return {"bounces", true, fmt::format("{} from stored transport, without new rays", request.bounces)};
+}
+
+PlannedPass planSh(const BakeRequest& request, bool bounces) {
+  if (request.shOrder == 0) return {"sh transfer", false, "not asked for"};
+  return {"sh transfer", true,
+          fmt::format("order {}, {} coefficients, {}", request.shOrder, request.shOrder * request.shOrder,
+                      bounces ? "3 channels" : "1 channel because nothing colours the light")};
+}
+
+std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
+  // With a target instead of a count the rows are bounded by memory alone.
+  return request.error || request.seconds ? ~std::uint64_t{0} / senderBytes : request.rays * scene.vertexCount() * 5 / 4 + 65536;
+}
+
+void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool bounces, Plan& plan) {
+  const std::uint64_t vertices = scene.vertexCount(), triangles = scene.triangleCount();
+  const std::uint64_t coefficients = static_cast<std::uint64_t>(request.shOrder * request.shOrder);
+  std::uint64_t texels = 0;
+  for (const Image& image : scene.albedoImages) texels += image.rgba.size();
+  plan.transportBytes = bounces ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2) : 0;
+  plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes + plan.transportBytes +
+                     (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
+  const std::uint64_t fitColumns = std::max<std::uint64_t>(4 + coefficients, bounces ? 3 * coefficients : 0);
+  plan.hostBytes = triangles * (48 + 16 + 120) + vertices * (60 + fitColumns * 8 * 8) +
+                   std::min<std::uint64_t>(castRays(scene, request) / 64, std::uint64_t{1} << 24) * 24;
+}
+
+}  // namespace
+
+bool Plan::runs(const std::string& pass) const {
+  return std::any_of(passes.begin(), passes.end(), [&](const PlannedPass& p) { return p.name == pass && p.runs; });
+}
+
+nlohmann::ordered_json Plan::toJson() const {
+  nlohmann::ordered_json json;
+  json["passes"] = nlohmann::ordered_json::array();
+  for (const auto& pass : passes) json["passes"].push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
+  json["memory"] = {{"hostBytes", hostBytes}, {"deviceBytes", deviceBytes}, {"transportBytes", transportBytes}};
+  return json;
+}
+
+Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
+  Plan plan;
+  const bool anything = compiled.triangleCount() > 0 && (request.ao || request.shOrder > 0);
+  const std::string nothing = compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
+  const PlannedPass bounces = anything ? planBounces(compiled, request) : PlannedPass{"bounces", false, nothing};
+  const auto add = [&](const PlannedPass& pass) {
+    plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.name, false, nothing});
+  };
+  add({"cast", true, bounces.runs ? "closest hits, because bounces need to know what was hit" : "any hit is enough, because nothing bounces"});
+  add({"ambient occlusion", request.ao, request.ao ? "with bent normal, from the same cast" : "not asked for"});
+  add(planSh(request, bounces.runs));
+  add(bounces);
+  add({"back faces", bounces.runs, bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
+  add({"alpha test", compiled.hasAlphaMask(), compiled.hasAlphaMask() ? "a material is alpha-masked" : "no material is alpha-masked"});
+  const bool textured = !compiled.albedoImages.empty();
+  add({"albedo textures", textured && bounces.runs,
+       !textured ? "no material has a base-colour texture" : bounces.runs ? "senders reflect their texture's colour" : "albedo matters to bounces alone"});
+  const std::size_t transmissive = countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; });
+  const std::size_t mirrors = countMaterials(scene, [](const Material& m) { return m.metallic > 0.0f && m.roughness < 0.1f; });
+  add({"specular transport", false,
+       transmissive + mirrors == 0 ? "no material is transmissive or mirror-like"
+                                   : fmt::format("{} transmissive and {} mirror-like materials count as occluders: no technique asked for carries specular light", transmissive, mirrors)});
+  if (anything) estimateMemory(compiled, request, bounces.runs, plan);
+  return plan;
+}
+
+}  // namespace prelight

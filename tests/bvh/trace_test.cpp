@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "bvh/builder.h"
+#include "bvh/layouts.h"
+#include "bvh/tracer.h"
+#include "reference/brute_force.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+using device::Hit;
+using device::Ray;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+Ray rayOf(const glm::vec3& o, const glm::vec3& d, float tMax = infinity, std::uint32_t source = PRELIGHT_NO_TRIANGLE) {
+  return {{o.x, o.y, o.z}, source, {d.x, d.y, d.z}, tMax};
+}
+
+std::vector<Ray> randomRays(std::size_t count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(-0.5f, 1.5f);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < count; ++i)
+    rays.push_back(rayOf({unit(random), unit(random), unit(random)}, test::randomDirection(random)));
+  return rays;
+}
+
+const Device& sharedDevice() {
+  static const Device device = Device::open({});
+  return device;
+}
+
+class TracerTest : public ::testing::TestWithParam<BvhLayout> {
+ protected:
+  Tracer tracerOf(const CompiledScene& scene) { return Tracer(scene, sharedDevice(), GetParam()); }
+};
+
+// Hits near an edge may be decided either way by rounding; everything else must be the same triangle.
+void expectSameHit(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
+  const glm::dvec3 o(ray.origin[0], ray.origin[1], ray.origin[2]), d(ray.direction[0], ray.direction[1], ray.direction[2]);
+  const auto exact = reference::closestHit(scene, o, d, ray.tMax, ray.sourceTriangle);
+  SCOPED_TRACE(::testing::Message() << "origin " << o.x << ' ' << o.y << ' ' << o.z << " direction " << d.x << ' ' << d.y << ' ' << d.z);
+  const auto nearEdge = [](double u, double v) { return std::min({u, v, 1.0 - u - v}) < 1e-4; };
+  if (exact && !nearEdge(exact->u, exact->v)) {
+    ASSERT_NE(hit.triangle, PRELIGHT_NO_TRIANGLE);
+    if (hit.triangle == exact->triangle) {
+      EXPECT_NEAR(hit.t, exact->t, 2e-5 * (1.0 + exact->t));
+      EXPECT_NEAR(hit.u, exact->u, 2e-3);
+      EXPECT_NEAR(hit.v, exact->v, 2e-3);
+    } else {
+      EXPECT_TRUE(nearEdge(hit.u, hit.v) || std::abs(hit.t - exact->t) < 1e-4) << hit.triangle << " for " << exact->triangle;
+    }
+  } else if (!exact && hit.triangle != PRELIGHT_NO_TRIANGLE) {
+    EXPECT_TRUE(nearEdge(hit.u, hit.v)) << "hits what is not there";
+  }
+}
+
+TEST_P(TracerTest, ClosestHit_RandomSoup_AgreesWithDoubleBruteForce) {
+  for (const float size : {0.02f, 0.3f}) {
+    const CompiledScene scene = test::randomSoup(700, size, 3);
+    Tracer tracer = tracerOf(scene);
+    const auto rays = randomRays(3000, 5);
+    const auto hits = tracer.traceClosest(rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) expectSameHit(scene, rays[i], hits[i]);
+  }
+}
+
+TEST_P(TracerTest, AnyHit_RandomSoup_IsThereWhenClosestIs) {
+  const CompiledScene scene = test::randomSoup(2000, 0.15f, 9);
+  Tracer tracer = tracerOf(scene);
+  const auto rays = randomRays(20000, 6);
+  const auto closest = tracer.traceClosest(rays);
+  const auto any = tracer.traceAny(rays);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(any[i].triangle == PRELIGHT_NO_TRIANGLE, closest[i].triangle == PRELIGHT_NO_TRIANGLE) << "ray " << i;
+    found += closest[i].triangle != PRELIGHT_NO_TRIANGLE;
+  }
+  EXPECT_GT(found, rays.size() / 10);
+  EXPECT_LT(found, rays.size());
+}
+
+TEST_P(TracerTest, AnyHit_LimitedDistance_IgnoresWhatIsBeyond) {
+  Tracer tracer = tracerOf(test::ground(4, 1.0f));
+  const std::vector<Ray> rays{rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 0.999f), rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 1.001f)};
+  const auto hits = tracer.traceAny(rays);
+  EXPECT_EQ(hits[0].triangle, PRELIGHT_NO_TRIANGLE);
+  EXPECT_NE(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
+}
+
+TEST_P(TracerTest, ClosestHit_SourceTriangle_IsSkipped) {
+  Tracer tracer = tracerOf(test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {{0, 1, 2}, {3, 4, 5}}));
+  const std::vector<Ray> rays{rayOf({0.2f, 0.2f, 1}, {0, 0, -1}), rayOf({0.2f, 0.2f, 1}, {0, 0, -1}, infinity, 0u)};
+  const auto hits = tracer.traceClosest(rays);
+  EXPECT_EQ(hits[0].triangle, 0u);
+  EXPECT_EQ(hits[1].triangle, 1u);
+}
+
+// From inside a closed mesh every ray must hit, also those aimed exactly at vertices and along edges.
+TEST_P(TracerTest, ClosedMesh_RaysAtVerticesAndEdges_NeverLeak) {
+  for (const float scale : {1e-3f, 1.0f, 1e4f}) {
+    const CompiledScene scene = test::sphere(24, scale, glm::vec3(0.25f, -0.5f, 0.125f) * scale);
+    Tracer tracer = tracerOf(scene);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    std::vector<Ray> rays;
+    for (int repeat = 0; repeat < 20; ++repeat)
+      for (const auto& t : scene.triangles) {
+        const glm::vec3 from = scale * (glm::vec3(0.25f, -0.5f, 0.125f) + 0.5f * unit(random) * test::randomDirection(random));
+        const glm::vec3 a = scene.positions[t.x], b = scene.positions[t.y];
+        rays.push_back(rayOf(from, a - from));
+        rays.push_back(rayOf(from, a + unit(random) * (b - a) - from));
+      }
+    const auto closest = tracer.traceClosest(rays);
+    const auto any = tracer.traceAny(rays);
+    std::size_t leaks = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      leaks += closest[i].triangle == PRELIGHT_NO_TRIANGLE || any[i].triangle == PRELIGHT_NO_TRIANGLE;
+    EXPECT_EQ(leaks, 0u) << "of " << rays.size() << " rays at scale " << scale;
+  }
+}
+
+// Axis-parallel rays run in the planes of boxes and of the mesh itself.
+TEST_P(TracerTest, ClosedBox_AxisParallelRaysInFacePlanes_NeverLeak) {
+  const CompiledScene scene = test::box(8, {-1, -1, -1}, {1, 1, 1}, true);
+  Tracer tracer = tracerOf(scene);
+  std::vector<Ray> rays;
+  for (int i = -7; i <= 7; ++i)
+    for (int j = -7; j <= 7; ++j)
+      for (int axis = 0; axis < 3; ++axis)
+        for (const float sign : {-1.0f, 1.0f}) {
+          glm::vec3 from(0), direction(0);
+          from[(axis + 1) % 3] = static_cast<float>(i) / 8.0f;
+          from[(axis + 2) % 3] = static_cast<float>(j) / 8.0f;
+          direction[axis] = sign;
+          rays.push_back(rayOf(from, direction));
+        }
+  const auto hits = tracer.traceClosest(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_NE(hits[i].triangle, PRELIGHT_NO_TRIANGLE) << "ray " << i;
+    EXPECT_FLOAT_EQ(hits[i].t, 1.0f);
+  }
+}
+
+TEST_P(TracerTest, ClosestHit_OddGeometry_StaysFinite) {
+  CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {1e-20f, 1e-20f, 1}, {0, 1e-20f, 1}, {1e18f, 0, -2}, {-1e18f, 1e18f, -2}, {-1e18f, -1e18f, -2}},
+                                      {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  Tracer tracer = tracerOf(scene);
+  auto rays = randomRays(2000, 8);
+  rays.push_back(rayOf({0, 0, 0}, {0, 0, -1}));
+  rays.push_back(rayOf({0, 0, 0}, {1, 0, 0}));
+  rays.push_back(rayOf({0, 0, 5}, {1e-30f, 0, -1}));
+  for (const Hit& hit : tracer.traceClosest(rays)) {
+    EXPECT_TRUE(std::isfinite(hit.t) && std::isfinite(hit.u) && std::isfinite(hit.v));
+  }
+}
+
+TEST_P(TracerTest, AlphaMask_TransparentTexels_LetRaysThrough) {
+  CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  scene.texCoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  scene.albedoImages = {{"half", 2, 1, {255, 255, 255, 0, 255, 255, 255, 255}}};
+  scene.materials[0].albedoImage = 0;
+  scene.materials[0].alphaCutoff = 0.5f;
+  scene.materials[0].wrapS = scene.materials[0].wrapT = WrapMode::ClampToEdge;
+  Tracer tracer = tracerOf(scene);
+  const std::vector<Ray> rays{rayOf({0.2f, 0.3f, 1}, {0, 0, -1}), rayOf({0.8f, 0.3f, 1}, {0, 0, -1})};
+  for (const auto& hits : {tracer.traceClosest(rays), tracer.traceAny(rays)}) {
+    EXPECT_EQ(hits[0].triangle, PRELIGHT_NO_TRIANGLE);
+    EXPECT_NE(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
+  }
+}
+
+TEST_P(TracerTest, SingleTriangle_IsHit) {
+  Tracer tracer = tracerOf(test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  const std::vector<Ray> rays{rayOf({0.25f, 0.25f, 1}, {0, 0, -2}), rayOf({0.75f, 0.75f, 1}, {0, 0, -1})};
+  const auto hits = tracer.traceClosest(rays);
+  EXPECT_EQ(hits[0].triangle, 0u);
+  EXPECT_FLOAT_EQ(hits[0].t, 0.5f);
+  EXPECT_EQ(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, TracerTest, ::testing::Values(BvhLayout::Wide, BvhLayout::Narrow),
+                         [](const auto& test) { return test.param == BvhLayout::Wide ? "Wide" : "Narrow"; });
+
+TEST(Bvh, EveryTriangle_IsInOneLeafWithinItsBounds) {
+  const CompiledScene scene = test::randomSoup(5000, 0.1f, 2);
+  const BinaryBvh bvh = buildBvh(scene);
+  std::vector<int> seen(scene.triangleCount(), 0);
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const auto node = bvh.nodes[open.back()];
+    open.pop_back();
+    if (node.count == 0) {
+      open.push_back(node.left);
+      open.push_back(node.right);
+      continue;
+    }
+    ASSERT_LE(node.count, BinaryBvh::maxLeafSize);
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      ++seen[bvh.triangleOrder[i]];
+      for (int k = 0; k < 3; ++k) {
+        const glm::vec3 p = scene.positions[scene.triangles[bvh.triangleOrder[i]][k]];
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.bounds.lower, p)) && glm::all(glm::lessThanEqual(p, node.bounds.upper)));
+      }
+    }
+  }
+  for (const int count : seen) EXPECT_EQ(count, 1);
+}
+
+TEST(Bvh, CoincidentTriangles_DepthStaysBounded) {
+  std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const CompiledScene scene = test::sceneOf(positions, std::vector<glm::uvec3>(20000, {0, 1, 2}));
+  const BinaryBvh bvh = buildBvh(scene);
+  EXPECT_LE(bvh.depth, BinaryBvh::maxDepth);
+  EXPECT_LE(makeWideBvh(bvh, scene).stackSize, 256u);
+}
+
+}  // namespace
+}  // namespace prelight
