@@ -6,16 +6,16 @@
 
 #include "io/environment.h"
 
-/// Real spherical harmonics in double precision: orthonormal, no Condon-Shortley phase, index l(l+1)+m, functions of
-/// world (x, y, z) with polar axis z: Y_1 = sqrt(3/4pi) (y, z, x). Order n means bands 0..n-1.
+/// Real spherical harmonics in double precision: orthonormal, no Condon-Shortley phase, index l(l+1)+m,
+/// functions of world (x, y, z) with polar axis z: Y_1 = sqrt(3/4pi) (y, z, x). Order n means bands 0..n-1.
 namespace prelight::sh {
 
 constexpr int maxOrder = 32;
 
 constexpr int coefficientCount(int order) { return order * order; }
 
-/// Values of all n^2 functions in a unit direction, by recurrence in l and Cartesian sectoral terms (no trigonometry).
-/// `values` has order^2 entries.
+/// Values of all n^2 functions in a unit direction, by recurrence in l and Cartesian sectoral terms (no
+/// trigonometry). `values` has order^2 entries.
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values);
 
 /// Zonal coefficients of max(cos,0)/pi by band: the transfer of an unoccluded receiver with normal n is
@@ -25,8 +25,12 @@ double clampedCosine(int band);
 /// Transfer of an unoccluded receiver: T_i = clampedCosine(l) Y_i(normal).
 void openTransfer(const glm::dvec3& normal, int order, std::span<double> values);
 
-/// Projection of a sky by exact texel solid angle: L_i = sum L(texel) Y_i(texel centre) dw(texel), a row a channel.
-/// Returns [channel][i], 3 x order^2.
+/// Projection of a sky by exact texel solid angle: L_i = sum L(texel) Y_i(texel centre) dw(texel), a row a
+/// channel. Returns [channel][i], 3 x order^2.
 std::vector<double> projectEnvironment(const Environment& environment, int order);
+
+/// Coefficients of the rotated function f'(w) = f(R^-1 w), for one channel of order^2 entries. Exact up to
+/// rounding: a product quadrature integrates every product of two functions of that order without error.
+std::vector<double> rotate(std::span<const double> coefficients, int order, const glm::dmat3& rotation);
 
 }  // namespace prelight::sh

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "basis/sh.h"
+
+namespace prelight {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+template <typename Radiance>
+Environment makeSky(int width, int height, Radiance radiance) {
+  Environment sky{width, height, {}};
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      sky.radiance.push_back(radiance(Environment::direction((column + 0.5) / width, (row + 0.5) / height)));
+    }
+  }
+  return sky;
+}
+
+/// The definition, texel by texel: the oracle of the separable projection.
+std::vector<double> projectByDefinition(const Environment& sky, int order) {
+  const int count = sh::coefficientCount(order);
+  std::vector<double> result(3 * static_cast<std::size_t>(count), 0.0);
+  std::vector<double> values(count);
+  for (int row = 0; row < sky.height; ++row) {
+    const double solidAngle =
+        2.0 * pi / sky.width * (std::cos(pi * row / sky.height) - std::cos(pi * (row + 1.0) / sky.height));
+    for (int column = 0; column < sky.width; ++column) {
+      sh::evaluate(Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height), order,
+                   values);
+      const glm::dvec3 radiance(sky.radiance[row * sky.width + column]);
+      for (int c = 0; c < 3; ++c) {
+        for (int i = 0; i < count; ++i) result[c * count + i] += radiance[c] * solidAngle * values[i];
+      }
+    }
+  }
+  return result;
+}
+
+TEST(ShEnvironment, Project_ConstantSky_IsOnlyTheFirstCoefficient) {
+  const Environment sky = makeSky(64, 32, [](const glm::dvec3&) { return glm::vec3(1.0f, 2.0f, 0.5f); });
+  const auto c = sh::projectEnvironment(sky, 4);
+  EXPECT_NEAR(c[0], std::sqrt(4.0 * pi), 1e-12);
+  EXPECT_NEAR(c[16], 2.0 * std::sqrt(4.0 * pi), 1e-12);
+  EXPECT_NEAR(c[32], 0.5 * std::sqrt(4.0 * pi), 1e-12);
+  for (int i = 1; i < 4; ++i) EXPECT_NEAR(c[i], 0.0, 1e-12) << i;
+}
+
+TEST(ShEnvironment, Project_OneTexelSky_IsOnlyTheFirstCoefficientOfOrderOne) {
+  EXPECT_NEAR(sh::projectEnvironment(constantEnvironment(glm::vec3(3.0f)), 1)[1], 3.0 * std::sqrt(4.0 * pi),
+              1e-12);
+}
+
+TEST(ShEnvironment, Project_LinearSky_HasItsClosedForm) {
+  // L = 2 + y + z/2 - x/4 projects to 2 sqrt(4 pi) and sqrt(4 pi / 3) (1, 1/2, -1/4) on (y, z, x).
+  const Environment sky = makeSky(256, 128, [](const glm::dvec3& w) {
+    return glm::vec3(static_cast<float>(2.0 + w.y + 0.5 * w.z - 0.25 * w.x));
+  });
+  const auto c = sh::projectEnvironment(sky, 3);
+  const double linear = std::sqrt(4.0 * pi / 3.0);
+  EXPECT_NEAR(c[0], 2.0 * std::sqrt(4.0 * pi), 1e-3);
+  EXPECT_NEAR(c[1], linear, 1e-3);
+  EXPECT_NEAR(c[2], 0.5 * linear, 1e-3);
+  EXPECT_NEAR(c[3], -0.25 * linear, 1e-3);
+  for (int i = 4; i < 9; ++i) EXPECT_NEAR(c[i], 0.0, 1e-3) << i;
+}
+
+TEST(ShEnvironment, Project_BrightTexel_PointsWhereTheTexelLooks) {
+  // A quarter of the width right of the centre, on the equator, is +X; the top row is +Y; the centre is -Z.
+  const auto peak = [](int row, int column) {
+    Environment sky{64, 33, std::vector<glm::vec3>(64 * 33, glm::vec3(0.0f))};
+    sky.radiance[row * 64 + column] = glm::vec3(1.0f);
+    const auto c = sh::projectEnvironment(sky, 2);
+    return glm::normalize(glm::dvec3(c[3], c[1], c[2]));
+  };
+  EXPECT_GT(peak(16, 48).x, 0.99);
+  EXPECT_GT(peak(0, 5).y, 0.99);
+  EXPECT_LT(peak(32, 5).y, -0.99);
+  EXPECT_LT(peak(16, 32).z, -0.99);
+  EXPECT_LT(peak(16, 16).x, -0.99);
+}
+
+TEST(ShEnvironment, Project_AnySky_MatchesTheDefinition) {
+  const Environment sky = makeSky(37, 18, [](const glm::dvec3& w) {
+    return glm::vec3(std::exp(3.0 * w.x), 1.0 + w.y * w.z, std::abs(w.z));
+  });
+  for (const int order : {1, 3, 8}) {
+    const auto fast = sh::projectEnvironment(sky, order);
+    const auto slow = projectByDefinition(sky, order);
+    ASSERT_EQ(fast.size(), slow.size());
+    for (std::size_t i = 0; i < fast.size(); ++i) EXPECT_NEAR(fast[i], slow[i], 1e-11) << order << " " << i;
+  }
+}
+
+}  // namespace
+}  // namespace prelight
