@@ -13,14 +13,16 @@ struct Picture {
   std::vector<glm::vec3> pixels;  ///< [row][column]
 };
 
-/// Writes by extension: .exr is linear radiance (R,G,B, 32-bit float), .png is tone-mapped (toneMap) 8-bit sRGB.
-/// Writes beside and renames. Throws UsageError for another extension, Error when it cannot be written.
+/// Writes by extension: .exr is linear radiance (R,G,B, 32-bit float), .png is tone-mapped (toneMap) 8-bit
+/// sRGB. Writes beside and renames. Throws UsageError for another extension, Error when it cannot be written.
 void writePicture(const std::filesystem::path& path, const Picture& picture);
 
 /// Reads .exr, .hdr as linear radiance and .png, .jpg as sRGB decoded to linear. Throws InputError.
 Picture readPicture(const std::filesystem::path& path);
 
-/// The display transform of .png files and of the viewer: exposure 1, then clamp to [0,1], then sRGB encoding.
+/// The display transform of .png files and of the viewer: exposure 1, Khronos PBR Neutral tone mapping
+/// (colours below about 0.8 keep hue and saturation, highlights are compressed into [0,1]), then sRGB
+/// encoding. Negative and NaN channels count as 0.
 glm::vec3 toneMap(const glm::vec3& radiance);
 
 }  // namespace prelight

@@ -1,0 +1,41 @@
+#include "io/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "io/pixels.h"
+
+namespace prelight {
+
+glm::dvec3 Environment::direction(double u, double v) {
+  const double azimuth = 2.0 * std::numbers::pi * (u - 0.5);  // from -Z towards +X
+  const double polar = std::numbers::pi * v;                  // from +Y
+  return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
+}
+
+glm::dvec2 Environment::coordinates(const glm::dvec3& direction) {
+  const double azimuth = std::atan2(direction.x, -direction.z);
+  // atan2 keeps the digits near the poles that acos(y) would lose.
+  const double polar = std::atan2(std::hypot(direction.x, direction.z), direction.y);
+  return {azimuth / (2.0 * std::numbers::pi) + 0.5, polar * std::numbers::inv_pi};
+}
+
+Environment readEnvironment(const std::filesystem::path& path) {
+  const std::string extension = lowerExtension(path);
+  if (extension != ".hdr" && extension != ".exr") {
+    throw InputError(path.string(), "an environment map is an .hdr or .exr file, got '" + extension + "'");
+  }
+  Pixels pixels = readPixels(path);
+  for (glm::vec3& texel : pixels.rgb) {
+    for (int c = 0; c < 3; ++c) {
+      if (!std::isfinite(texel[c]) || texel[c] < 0.0f) texel[c] = 0.0f;
+    }
+  }
+  return {pixels.width, pixels.height, std::move(pixels.rgb)};
+}
+
+Environment constantEnvironment(const glm::vec3& radiance) { return {1, 1, {radiance}}; }
+
+}  // namespace prelight

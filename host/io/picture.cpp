@@ -1,0 +1,114 @@
+#include "io/picture.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/error.h"
+#include "io/atomic_file.h"
+#include "io/pixels.h"
+
+namespace prelight {
+namespace {
+
+// [1] Khronos, "PBR Neutral tone mapper", specification 1.0, 2024.
+// [2] IEC 61966-2-1 (sRGB).
+
+/// [1]: leaves colours below 0.8 - 0.04 as they are but for the offset, compresses and desaturates
+/// highlights.
+glm::dvec3 pbrNeutral(glm::dvec3 color) {
+  constexpr double f90 = 0.04;
+  constexpr double startCompression = 0.8 - f90;
+  constexpr double desaturation = 0.15;
+  const double least = std::min({color.r, color.g, color.b});
+  color -= least < 2.0 * f90 ? least - least * least / (4.0 * f90) : f90;
+  const double peak = std::max({color.r, color.g, color.b});
+  if (peak < startCompression) return color;
+  constexpr double headroom = 1.0 - startCompression;
+  const double newPeak = 1.0 - headroom * headroom / (peak + headroom - startCompression);
+  const double grey = 1.0 - 1.0 / (desaturation * (peak - newPeak) + 1.0);
+  return glm::mix(color * (newPeak / peak), glm::dvec3(newPeak), grey);
+}
+
+/// [2] from linear to encoded, both in [0,1].
+double encodeSrgb(double value) {
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+double decodeSrgb(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+/// Largest radiance that the display transform tells apart from infinity; keeps inf / inf out of it.
+constexpr float brightest = 1e6f;
+
+void writePixels(const std::filesystem::path& shown, const std::filesystem::path& path,
+                 const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+  const auto fail = [&](const std::string& reason) {
+    throw Error(ExitCode::RuntimeFailure, shown.string(), "cannot be written: " + reason);
+  };
+  const auto output = OIIO::ImageOutput::create(path.string());
+  if (!output) fail(OIIO::geterror());
+  if (!output->open(path.string(), spec)) fail(output->geterror());
+  if (!output->write_image(type, pixels)) fail(output->geterror());
+  if (!output->close()) fail(output->geterror());
+}
+
+std::vector<std::uint8_t> encode(const Picture& picture) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.pixels.size() * 3);
+  for (const glm::vec3& pixel : picture.pixels) {
+    const glm::vec3 shown = toneMap(pixel);
+    for (int c = 0; c < 3; ++c) bytes.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void writePicture(const std::filesystem::path& path, const Picture& picture) {
+  const std::string extension = lowerExtension(path);
+  if (extension != ".exr" && extension != ".png") {
+    throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
+  }
+  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
+    if (extension == ".exr") {
+      OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
+      spec.attribute("compression", "zip");
+      writePixels(path, temporary, spec, OIIO::TypeDesc::FLOAT, picture.pixels.data());
+    } else {
+      OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+      spec.attribute("oiio:ColorSpace", "sRGB");
+      writePixels(path, temporary, spec, OIIO::TypeDesc::UINT8, encode(picture).data());
+    }
+  });
+}
+
+Picture readPicture(const std::filesystem::path& path) {
+  const std::string extension = lowerExtension(path);
+  const bool linear = extension == ".exr" || extension == ".hdr";
+  if (!linear && extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
+    throw InputError(path.string(), "a picture is an .exr, .hdr, .png or .jpg file, got '" + extension + "'");
+  }
+  Pixels pixels = readPixels(path);
+  if (!linear) {
+    for (glm::vec3& pixel : pixels.rgb) {
+      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(decodeSrgb(pixel[c]));
+    }
+  }
+  return {pixels.width, pixels.height, std::move(pixels.rgb)};
+}
+
+glm::vec3 toneMap(const glm::vec3& radiance) {
+  glm::dvec3 color(0.0);
+  for (int c = 0; c < 3; ++c) {
+    if (radiance[c] > 0.0f) color[c] = std::min(radiance[c], brightest);  // false for NaN
+  }
+  color = pbrNeutral(color);
+  return {encodeSrgb(std::clamp(color.r, 0.0, 1.0)), encodeSrgb(std::clamp(color.g, 0.0, 1.0)),
+          encodeSrgb(std::clamp(color.b, 0.0, 1.0))};
+}
+
+}  // namespace prelight
