@@ -33,7 +33,9 @@ std::string scaled(double value, double base, const std::array<const char*, 5>& 
 }  // namespace
 
 void Console::line(std::string_view name, std::string_view text) const {
-  if (textWanted()) fmt::print("{:<11}{}\n", name, text);
+  if (!textWanted()) return;
+  fmt::print("{:<11}{}\n", name, text);
+  std::fflush(stdout);  // whoever reads a pipe sees it before the work that follows
 }
 
 void Console::json(const nlohmann::ordered_json& result) const {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/subprocess.h"
+
+namespace prelight::test {
+
+/// Runs the built program in an empty folder of its own.
+class CliTest : public ::testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  /// Runs `prelight ARGUMENTS...`.
+  ProcessResult prelight(const std::vector<std::string>& arguments, ProcessOptions options = {}) const;
+
+  /// Runs it and expects exit code 0, showing its messages when that fails.
+  ProcessResult prelightDone(const std::vector<std::string>& arguments, ProcessOptions options = {}) const;
+
+  /// Expects failure with `exitCode`, one error line that holds each of `parts`, and no file made or changed.
+  void expectFailure(int exitCode, const std::vector<std::string>& arguments,
+                     const std::vector<std::string>& parts, ProcessOptions options = {}) const;
+
+  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  void writeFile(const std::string& name, const std::string& bytes) const;
+  std::string readFile(const std::string& name) const;
+  std::set<std::string> files() const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace prelight::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace prelight::test {
+
+/// A .glb to be spoiled: JSON and binary chunk of a floor with a smaller roof above it, two nodes of one
+/// mesh, and a camera and a light.
+struct GlbScene {
+  nlohmann::ordered_json json;
+  std::string bin;
+
+  /// The file's bytes.
+  std::string bytes() const;
+};
+
+GlbScene floorAndRoof();
+
+/// A valid .glb whose scene holds nothing.
+GlbScene emptyScene();
+
+/// JSON and binary chunk of a .glb's bytes.
+GlbScene parseGlb(const std::string& bytes);
+
+/// Values of a tightly packed float accessor.
+std::vector<float> floatAccessor(const GlbScene& scene, std::size_t accessor);
+
+}  // namespace prelight::test

@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+
+#include "cli/cli_test.h"
+#include "cli/glb_scene.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class CliPicture : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    writeFile("scene.glb", floorAndRoof().bytes());
+  }
+
+  nlohmann::json compare(const std::string& a, const std::string& b) const {
+    return nlohmann::json::parse(prelightDone({"compare", a, b, "--json"}).output);
+  }
+};
+
+TEST_F(CliPicture, Render_OfAPlainScene_NeedsNoBake) {
+  const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.png", "--size", "48x32"});
+  EXPECT_THAT(result.errors, Not(HasSubstr("baking")));
+  EXPECT_EQ(readFile("a.png").substr(1, 3), "PNG");
+}
+
+TEST_F(CliPicture, Render_OfWhatTheFileLacks_BakesItAndSaysSo) {
+  const ProcessResult result = prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "48x32",
+                                             "--shading", "sh", "--sh", "2", "--rays", "16"});
+  EXPECT_THAT(result.errors, HasSubstr("baking --sh 2 now"));
+  prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--sh", "2", "--rays", "16"});
+  prelightDone({"render", "baked.glb", "-o", "b.exr", "--size", "48x32", "--shading", "sh"});
+  EXPECT_LT(compare("a.exr", "b.exr")["picture"]["max"], 1e-6);
+}
+
+TEST_F(CliPicture, Render_OfABuiltinScene_IsNeitherBlackNorUniform) {
+  prelightDone({"scene", "shapes", "-o", "shapes.glb"});
+  prelightDone({"render", "shapes.glb", "-o", "a.exr", "--size", "96x64"});
+  prelightDone({"render", "shapes.glb", "-o", "b.exr", "--size", "96x64", "--light", "none"});
+  const nlohmann::json difference = compare("a.exr", "b.exr");
+  EXPECT_GT(difference["picture"]["meanA"], 0.01);
+  EXPECT_GT(difference["picture"]["rmse"], 0.001) << "the light makes no difference";
+  EXPECT_EQ(difference["picture"]["notFinite"], 0);
+}
+
+TEST_F(CliPicture, Size_WithOneNumber_TakesTheWidthFromTheCamera) {
+  const nlohmann::json render = nlohmann::json::parse(
+      prelightDone({"render", "scene.glb", "-o", "a.png", "--size", "40", "--json"}).output);
+  EXPECT_EQ(render["width"], 60);
+  EXPECT_EQ(render["height"], 40);
+}
+
+TEST_F(CliPicture, Compare_OfAPictureWithItself_IsZero) {
+  prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "48x32"});
+  const nlohmann::json same = compare("a.exr", "a.exr");
+  EXPECT_EQ(same["picture"]["rmse"], 0.0);
+  EXPECT_EQ(same["picture"]["max"], 0.0);
+}
+
+TEST_F(CliPicture, Compare_OfBrightAndBlack_GivesTheMean) {
+  prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "48x32", "--light", "point:0,3,0:20,20,20"});
+  prelightDone({"render", "scene.glb", "-o", "b.exr", "--size", "48x32", "--light", "point:0,3,0:40,40,40"});
+  const nlohmann::json twice = compare("b.exr", "a.exr");
+  EXPECT_NEAR(twice["picture"]["meanA"].get<double>() / twice["picture"]["meanB"].get<double>(), 2.0, 0.01);
+}
+
+TEST_F(CliPicture, Compare_OfUnequalThings_IsRefused) {
+  prelightDone({"render", "scene.glb", "-o", "a.exr", "--size", "48x32"});
+  prelightDone({"render", "scene.glb", "-o", "b.exr", "--size", "32x32"});
+  expectFailure(3, {"compare", "a.exr", "b.exr"}, {"32x32", "48x32"});
+  expectFailure(2, {"compare", "a.exr", "scene.glb"}, {"a.exr", "scene.glb"});
+  expectFailure(3, {"compare", "scene.glb", "scene.glb"}, {"scene.glb", "no bake"});
+}
+
+TEST_F(CliPicture, Compare_OfBakes_MeasuresEachTechnique) {
+  prelightDone({"bake", "scene.glb", "-o", "a.glb", "--ao", "--sh", "2", "--rays", "64"});
+  prelightDone({"bake", "scene.glb", "-o", "b.glb", "--ao", "--sh", "2", "--rays", "64", "--seed", "1"});
+  const nlohmann::json difference = compare("a.glb", "b.glb");
+  for (const char* technique : {"ao", "bentNormal", "sh"})
+    EXPECT_TRUE(difference.contains(technique)) << technique;
+  EXPECT_LT(difference["sh"]["rmse"], 0.1);
+}
+
+TEST_F(CliPicture, Screenshot_OfTheWindow_IsWhatRenderDraws) {
+  prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--ao", "--sh", "3", "--rays", "64"});
+  prelightDone({"render", "baked.glb", "-o", "render.exr", "--size", "160x120"});
+  const ProcessResult view =
+      runProcess({"xvfb-run", "-a", "-s", "-screen 0 640x480x24", PRELIGHT_PROGRAM, "view", "baked.glb",
+                  "--screenshot", "view.exr", "--frames", "3", "--size", "160x120"},
+                 {.directory = path("")});
+  ASSERT_EQ(view.exitCode, 0) << view.errors;
+  EXPECT_LT(compare("view.exr", "render.exr")["picture"]["rmse"], 0.01);
+}
+
+TEST_F(CliPicture, View_WithoutADisplay_SaysSo) {
+  const ProcessOptions bare{.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}};
+  expectFailure(1, {"view", "scene.glb", "--frames", "1"}, {"display"}, bare);
+}
+
+}  // namespace
+}  // namespace prelight::test
