@@ -117,11 +117,11 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
   std::string error;
   if (request.ao)
     error = fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex", report.aoErrorRms, report.aoErrorMax);
-  if (request.shOrder > 0)
+  if (report.shErrorRms > 0.0)
     error += fmt::format("{}SH {:.4f} of its rms", error.empty() ? "" : "; ", report.shErrorRms);
-  console.line("error", error + " (estimated standard error)");
-  for (const std::string& note : report.notes) console.line("note", note);
+  if (!error.empty()) console.line("error", error + " (estimated standard error)");
   if (console.detailsWanted()) {
+    for (const std::string& note : report.notes) console.line("note", note);
     for (const auto& [stage, seconds] : times.stages())
       console.line("", fmt::format("{:<12}{:8.3f} s", stage, seconds));
     printPlan(console, run.plan);
