@@ -74,33 +74,31 @@ Json toJson(const StageTimes& times) {
 Json bakeReport(const std::string& command, const LoadedScene& loaded, const std::filesystem::path& output,
                 const BakeRequest& request, const BakeRun& run, Session& session) {
   const BakeReport& report = run.report;
-  return {
-      {"command", command},
-      {"version", PRELIGHT_VERSION},
-      {"scene", loaded.path.string()},
-      {"output", output.string()},
-      {"options", toJson(request)},
-      {"seed", request.seed},
-      {"device", toJson(run.device)},
-      {"triangles", loaded.compiled.triangleCount()},
-      {"vertices", loaded.compiled.vertexCount()},
-      {"receivers", report.receivers},
-      {"rays", report.rays},
-      {"raysPerSecond", raysPerSecond(report)},
-      {"skippedRayFraction", report.skippedRayFraction},
-      {"estimatedError",
-       {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}, {"shRelativeRms", report.shErrorRms}}},
-      {"seconds", session.times().total()},
-      {"stages", toJson(session.times())},
-      {"memory",
-       {{"hostEstimate", run.plan.hostBytes},
-        {"deviceEstimate", run.plan.deviceBytes},
-        {"transport", run.plan.transportBytes},
-        {"bvh", report.bytesBvh},
-        {"peakResident", peakResidentBytes()}}},
-      {"plan", run.plan.toJson()},
-      {"notes", report.notes},
-      {"warnings", session.warnings()}};
+  return {{"command", command},
+          {"version", PRELIGHT_VERSION},
+          {"scene", loaded.path.string()},
+          {"output", output.string()},
+          {"options", toJson(request)},
+          {"seed", request.seed},
+          {"device", toJson(run.device)},
+          {"triangles", loaded.compiled.triangleCount()},
+          {"vertices", loaded.compiled.vertexCount()},
+          {"receivers", report.receivers},
+          {"rays", report.rays},
+          {"raysPerSecond", raysPerSecond(report)},
+          {"skippedRayFraction", report.skippedRayFraction},
+          {"estimatedError", {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}}},
+          {"seconds", session.times().total()},
+          {"stages", toJson(session.times())},
+          {"memory",
+           {{"hostEstimate", run.plan.hostBytes},
+            {"deviceEstimate", run.plan.deviceBytes},
+            {"transport", run.plan.transportBytes},
+            {"bvh", report.bytesBvh},
+            {"peakResident", peakResidentBytes()}}},
+          {"plan", run.plan.toJson()},
+          {"notes", report.notes},
+          {"warnings", session.warnings()}};
 }
 
 void printBakeSummary(const Console& console, const BakeRequest& request, const BakeRun& run,
@@ -114,12 +112,8 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
   if (report.skippedRayFraction > 0.005)
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);
-  std::string error;
-  if (request.ao)
-    error = fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex", report.aoErrorRms, report.aoErrorMax);
-  if (report.shErrorRms > 0.0)
-    error += fmt::format("{}SH {:.4f} of its rms", error.empty() ? "" : "; ", report.shErrorRms);
-  if (!error.empty()) console.line("error", error + " (estimated standard error)");
+  console.line("error", fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex (estimated standard error)",
+                                    report.aoErrorRms, report.aoErrorMax));
   if (console.detailsWanted()) {
     for (const std::string& note : report.notes) console.line("note", note);
     for (const auto& [stage, seconds] : times.stages())
