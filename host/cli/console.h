@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/diagnostics.h"
 #include "cli/global_options.h"
@@ -12,7 +13,7 @@ namespace prelight::cli {
 /// What people and programs read: results on stdout (text, or JSON with --json), everything else on stderr.
 class Console {
  public:
-  explicit Console(const GlobalOptions& options) : options_(options) {}
+  explicit Console(GlobalOptions options) : options_(std::move(options)) {}
 
   bool textWanted() const { return !options_.quiet && !options_.json; }
   bool detailsWanted() const { return textWanted() && options_.verbose; }

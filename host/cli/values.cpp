@@ -75,7 +75,7 @@ std::optional<PictureSize> parseSize(std::string_view text) {
 }  // namespace
 
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
-                            std::function<void(std::uint64_t)> store, const std::string& help) {
+                            const std::function<void(std::uint64_t)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) {
     const auto value = parse<std::uint64_t>(text);
     if (!value || !contains(range, *value))
@@ -86,7 +86,7 @@ CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::u
 }
 
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
-                           std::function<void(double)> store, const std::string& help) {
+                           const std::function<void(double)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) {
     const auto value = parse<double>(text);
     if (!value || !contains(range, *value))
@@ -97,7 +97,7 @@ CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double>
 }
 
 CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
-                          std::function<void(std::uint64_t)> store, const std::string& help) {
+                          const std::function<void(std::uint64_t)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) {
     const auto value = parseBytes(text);
     if (!value || !contains(range, *value))
@@ -109,8 +109,8 @@ CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uin
   return app.add_option_function<std::string>(name, read, help)->type_name("BYTES");
 }
 
-CLI::Option* addPictureSize(CLI::App& app, const std::string& name, std::function<void(PictureSize)> store,
-                            const std::string& help) {
+CLI::Option* addPictureSize(CLI::App& app, const std::string& name,
+                            const std::function<void(PictureSize)>& store, const std::string& help) {
   const auto read = [=](const std::string& text) {
     const auto size = parseSize(text);
     if (!size)

@@ -17,14 +17,14 @@ struct Range {
 };
 
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
-                            std::function<void(std::uint64_t)> store, const std::string& help);
+                            const std::function<void(std::uint64_t)>& store, const std::string& help);
 
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
-                           std::function<void(double)> store, const std::string& help);
+                           const std::function<void(double)>& store, const std::string& help);
 
 /// A number of bytes with an optional suffix K, M or G (powers of 1024).
 CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
-                          std::function<void(std::uint64_t)> store, const std::string& help);
+                          const std::function<void(std::uint64_t)>& store, const std::string& help);
 
 /// Size of a picture; without a width it follows from the camera's aspect.
 struct PictureSize {
@@ -33,7 +33,7 @@ struct PictureSize {
 };
 
 /// "WIDTHxHEIGHT" or "HEIGHT".
-CLI::Option* addPictureSize(CLI::App& app, const std::string& name, std::function<void(PictureSize)> store,
-                            const std::string& help);
+CLI::Option* addPictureSize(CLI::App& app, const std::string& name,
+                            const std::function<void(PictureSize)>& store, const std::string& help);
 
 }  // namespace prelight::cli
