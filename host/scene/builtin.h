@@ -15,7 +15,8 @@ struct BuiltinScene {
 
 const std::vector<BuiltinScene>& builtinScenes();
 
-/// Makes a built-in scene with a camera and a light. Throws UsageError for an unknown name, listing the known ones.
+/// Makes a built-in scene with a camera and a light. Throws UsageError for an unknown name, listing the known
+/// ones.
 GltfDocument makeBuiltinScene(const std::string& name);
 
 }  // namespace prelight

@@ -13,9 +13,9 @@ namespace prelight {
 
 /// A primitive's place in the flat arrays of CompiledScene. Vertices keep the file's order.
 struct PrimitiveRange {
-  int node = 0;               ///< glTF node
-  int primitive = 0;          ///< index within the node's mesh
-  int instance = 0;           ///< of EXT_mesh_gpu_instancing; 0 otherwise
+  int node = 0;       ///< glTF node
+  int primitive = 0;  ///< index within the node's mesh
+  int instance = 0;   ///< of EXT_mesh_gpu_instancing; 0 otherwise
   std::uint32_t firstVertex = 0;
   std::uint32_t vertexCount = 0;
   std::uint32_t firstTriangle = 0;
@@ -24,34 +24,37 @@ struct PrimitiveRange {
 
 /// What light transport needs to know of a material: Lambertian albedo, emission and coverage.
 struct CompiledMaterial {
-  glm::vec3 albedo{0.0f};      ///< baseColor (1 - metallic)(1 - transmission); multiplies the texture and vertex colour
-  int albedoImage = -1;        ///< into CompiledScene::albedoImages
+  glm::vec3 albedo{
+      0.0f};  ///< baseColor (1 - metallic)(1 - transmission); multiplies the texture and vertex colour
+  int albedoImage = -1;  ///< into CompiledScene::albedoImages
   WrapMode wrapS = WrapMode::Repeat;
   WrapMode wrapT = WrapMode::Repeat;
-  glm::vec3 emission{0.0f};    ///< mean emitted radiance (texture averaged), W/(m2 sr)
-  float alphaCutoff = -1.0f;   ///< < 0: opaque; otherwise texels with alpha below it are holes
-  float alphaFactor = 1.0f;    ///< multiplies the texture's alpha
+  glm::vec3 emission{0.0f};   ///< mean emitted radiance (texture averaged), W/(m2 sr)
+  float alphaCutoff = -1.0f;  ///< < 0: opaque; otherwise texels with alpha below it are holes
+  float alphaFactor = 1.0f;   ///< multiplies the texture's alpha
   bool doubleSided = false;
 };
 
-/// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area are
-/// dropped and counted; winding is flipped where a transform mirrors, so that geometric normals point to the front.
-/// Positions are relative to `origin` (the centre of the bounds), which keeps float32 precise far from zero.
+/// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area
+/// are dropped and counted; winding is flipped where a transform mirrors, so that geometric normals point to
+/// the front. Positions are relative to `origin` (the centre of the bounds), which keeps float32 precise far
+/// from zero.
 struct CompiledScene {
   glm::dvec3 origin{0.0};
-  std::vector<glm::vec3> positions;        ///< [vertex], world minus origin
-  std::vector<glm::vec3> normals;          ///< [vertex], unit shading normals (area-weighted mean where flat)
-  std::vector<glm::vec2> texCoords;        ///< [vertex], of the albedo texture, transformed; (0,0) where none
-  std::vector<glm::vec4> colors;           ///< [vertex], linear; empty when no primitive has vertex colours
-  std::vector<glm::uvec3> triangles;       ///< [triangle], vertex indices
+  std::vector<glm::vec3> positions;   ///< [vertex], world minus origin
+  std::vector<glm::vec3> normals;     ///< [vertex], unit shading normals (area-weighted mean where flat)
+  std::vector<glm::vec2> texCoords;   ///< [vertex], of the albedo texture, transformed; (0,0) where none
+  std::vector<glm::vec4> colors;      ///< [vertex], linear; empty when no primitive has vertex colours
+  std::vector<glm::uvec3> triangles;  ///< [triangle], vertex indices
   std::vector<std::uint32_t> triangleMaterials;  ///< [triangle], into materials
-  std::vector<std::uint8_t> triangleFlat;  ///< [triangle], 1: shade with the geometric normal (file has no normals)
-  std::vector<CompiledMaterial> materials; ///< Scene::materials, then glTF's default material last
-  std::vector<Image> albedoImages;         ///< sRGB RGB albedo (metalness applied), linear alpha
+  std::vector<std::uint8_t>
+      triangleFlat;  ///< [triangle], 1: shade with the geometric normal (file has no normals)
+  std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
+  std::vector<Image> albedoImages;          ///< sRGB RGB albedo (metalness applied), linear alpha
   std::vector<PrimitiveRange> primitives;
-  glm::vec3 boundsMin{0.0f};               ///< relative to origin
+  glm::vec3 boundsMin{0.0f};  ///< relative to origin
   glm::vec3 boundsMax{0.0f};
-  std::uint64_t droppedTriangles = 0;      ///< zero area
+  std::uint64_t droppedTriangles = 0;  ///< zero area
 
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }

@@ -12,17 +12,18 @@
 
 namespace prelight {
 
-/// A glTF file made self-contained: one JSON tree and one binary chunk. Every buffer and image that the file named
-/// by URI (external file or data URI) is embedded, so that the document can be written as a .glb as it is.
+/// A glTF file made self-contained: one JSON tree and one binary chunk. Every buffer and image that the file
+/// named by URI (external file or data URI) is embedded, so that the document can be written as a .glb as it
+/// is.
 struct GltfDocument {
-  std::filesystem::path path;       ///< for messages
-  nlohmann::ordered_json json;      ///< buffers[0] is `bin`; images refer to buffer views
+  std::filesystem::path path;   ///< for messages
+  nlohmann::ordered_json json;  ///< buffers[0] is `bin`; images refer to buffer views
   std::vector<std::uint8_t> bin;
 };
 
-/// Reads a .gltf or .glb, checks its structure (types, index ranges, accessors against buffers, node cycles, required
-/// extensions) and embeds what it refers to.
-/// Throws InputError naming the file and the JSON path. A missing or unreadable image is only a warning.
+/// Reads a .gltf or .glb, checks its structure (types, index ranges, accessors against buffers, node cycles,
+/// required extensions) and embeds what it refers to. Throws InputError naming the file and the JSON path. A
+/// missing or unreadable image is only a warning.
 GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings);
 
 /// Writes a binary glTF beside `path` and renames it into place, so that a half-written file is never seen.

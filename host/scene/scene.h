@@ -22,8 +22,8 @@ enum class WrapMode : std::uint8_t { Repeat, ClampToEdge, MirroredRepeat };
 /// Use of an image by a material; `image` < 0 means none.
 struct TextureRef {
   int image = -1;
-  int texCoord = 0;                 ///< TEXCOORD_0 or TEXCOORD_1
-  glm::mat3 transform{1.0f};        ///< KHR_texture_transform, applied to (u, v, 1)
+  int texCoord = 0;           ///< TEXCOORD_0 or TEXCOORD_1
+  glm::mat3 transform{1.0f};  ///< KHR_texture_transform, applied to (u, v, 1)
   WrapMode wrapS = WrapMode::Repeat;
   WrapMode wrapT = WrapMode::Repeat;
 };
@@ -33,23 +33,23 @@ enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 /// Metallic-roughness material with the extensions that change light transport. Defaults are glTF's.
 struct Material {
   std::string name;
-  glm::vec4 baseColor{1.0f};        ///< linear RGB, alpha
-  TextureRef baseColorTexture;      ///< sRGB RGB, linear alpha
+  glm::vec4 baseColor{1.0f};    ///< linear RGB, alpha
+  TextureRef baseColorTexture;  ///< sRGB RGB, linear alpha
   float metallic = 1.0f;
   float roughness = 1.0f;
   TextureRef metallicRoughnessTexture;  ///< linear: G roughness, B metallic
-  glm::vec3 emission{0.0f};         ///< emissiveFactor x emissiveStrength, W/(m2 sr)
-  TextureRef emissiveTexture;       ///< sRGB
+  glm::vec3 emission{0.0f};             ///< emissiveFactor x emissiveStrength, W/(m2 sr)
+  TextureRef emissiveTexture;           ///< sRGB
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
   bool unlit = false;
-  float transmission = 0.0f;        ///< KHR_materials_transmission, [0,1]
-  float thickness = 0.0f;           ///< KHR_materials_volume, > 0 means solid
+  float transmission = 0.0f;  ///< KHR_materials_transmission, [0,1]
+  float thickness = 0.0f;     ///< KHR_materials_volume, > 0 means solid
   glm::vec3 attenuationColor{1.0f};
   float attenuationDistance = std::numeric_limits<float>::infinity();  ///< world-space metres
-  float ior = 1.5f;                 ///< 0 means infinite
-  float specular = 1.0f;            ///< KHR_materials_specular
+  float ior = 1.5f;                                                    ///< 0 means infinite
+  float specular = 1.0f;                                               ///< KHR_materials_specular
   glm::vec3 specularColor{1.0f};
 
   /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission).
@@ -57,16 +57,17 @@ struct Material {
   bool isEmissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
 
-/// One glTF primitive in object space. Vertices keep the file's order, so that baked values can be written back
-/// vertex by vertex. Strips and fans are already triangles. A primitive of points or lines has no triangles.
+/// One glTF primitive in object space. Vertices keep the file's order, so that baked values can be written
+/// back vertex by vertex. Strips and fans are already triangles. A primitive of points or lines has no
+/// triangles.
 struct Primitive {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;    ///< unit; empty when the file has none (flat shading, as glTF demands)
+  std::vector<glm::vec3> normals;  ///< unit; empty when the file has none (flat shading, as glTF demands)
   std::vector<glm::vec2> texCoords0;
   std::vector<glm::vec2> texCoords1;
-  std::vector<glm::vec4> colors;     ///< linear RGBA of COLOR_0; empty means white
-  std::vector<glm::uvec3> triangles; ///< vertex indices, every one in range
-  int material = -1;                 ///< index into Scene::materials; -1 means glTF's default material
+  std::vector<glm::vec4> colors;      ///< linear RGBA of COLOR_0; empty means white
+  std::vector<glm::uvec3> triangles;  ///< vertex indices, every one in range
+  int material = -1;                  ///< index into Scene::materials; -1 means glTF's default material
 };
 
 struct Mesh {
@@ -77,10 +78,10 @@ struct Mesh {
 /// A node that draws a mesh, once for each transform (more than one with EXT_mesh_gpu_instancing, whose base
 /// mesh is not drawn).
 struct MeshNode {
-  int node = 0;                            ///< index in the glTF file
+  int node = 0;  ///< index in the glTF file
   std::string name;
   int mesh = 0;
-  std::vector<glm::dmat4> transforms;      ///< object to world, column vectors
+  std::vector<glm::dmat4> transforms;  ///< object to world, column vectors
 };
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };
@@ -89,31 +90,32 @@ enum class LightType : std::uint8_t { Directional, Point, Spot };
 struct Light {
   LightType type = LightType::Point;
   std::string name;
-  glm::vec3 intensity{1.0f};       ///< colour x intensity: W/sr (point, spot) or W/m2 (directional)
+  glm::vec3 intensity{1.0f};  ///< colour x intensity: W/sr (point, spot) or W/m2 (directional)
   glm::dvec3 position{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit, the way the light travels
-  float range = 0.0f;              ///< metres; 0 means infinite
-  float innerConeAngle = 0.0f;     ///< radians, spot only
+  float range = 0.0f;                    ///< metres; 0 means infinite
+  float innerConeAngle = 0.0f;           ///< radians, spot only
   float outerConeAngle = 0.785398163f;
 };
 
 struct Camera {
   std::string name;
-  glm::dmat4 world{1.0};           ///< camera to world; looks along its -Z, +Y up
+  glm::dmat4 world{1.0};  ///< camera to world; looks along its -Z, +Y up
   bool perspective = true;
-  double yFov = 0.785398163;       ///< radians
-  double aspect = 0.0;             ///< width / height; 0 means that the picture decides
+  double yFov = 0.785398163;  ///< radians
+  double aspect = 0.0;        ///< width / height; 0 means that the picture decides
   double zNear = 0.01;
-  double zFar = 0.0;               ///< 0 means infinite
-  double xMag = 1.0;               ///< orthographic half width and half height
+  double zFar = 0.0;  ///< 0 means infinite
+  double xMag = 1.0;  ///< orthographic half width and half height
   double yMag = 1.0;
 };
 
-/// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world space.
+/// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world
+/// space.
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
-  std::vector<MeshNode> meshNodes;   ///< in depth-first order of the scene's nodes
+  std::vector<MeshNode> meshNodes;  ///< in depth-first order of the scene's nodes
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Light> lights;

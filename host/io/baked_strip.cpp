@@ -1,0 +1,123 @@
+#include "io/baked_strip.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "scene/gltf_embed.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr const char* extensionName = "PRELIGHT_transfer";
+
+/// The members of the extension whose values are accessors, at whatever depth.
+constexpr std::array<std::string_view, 11> accessorMembers = {
+    "ao",      "bentNormal", "coefficients", "offsets",  "indices", "values",
+    "vectors", "occluders",  "irradiance",   "texCoord", "accessor"};
+
+void collectBaked(const Json& json, std::set<std::size_t>& accessors) {
+  for (const auto& member : json.items()) {
+    const bool named =
+        std::find(accessorMembers.begin(), accessorMembers.end(), member.key()) != accessorMembers.end();
+    if (json.is_object() && named && member.value().is_number_unsigned()) {
+      accessors.insert(member.value().get<std::size_t>());
+    } else if (member.value().is_structured()) {
+      collectBaked(member.value(), accessors);
+    }
+  }
+}
+
+enum class Reference : std::uint8_t { Accessor, BufferView };
+
+/// Collects the accessors or buffer views that anything refers to. glTF and its extensions name such members
+/// alike everywhere; attributes and morph targets are objects whose every member is an accessor.
+void collectReferences(const Json& json, Reference kind, std::set<std::size_t>& references) {
+  constexpr std::array<std::string_view, 5> members = {"indices", "input", "output", "inverseBindMatrices",
+                                                       "accessor"};
+  for (const auto& member : json.items()) {
+    const Json& value = member.value();
+    const bool named = kind == Reference::BufferView
+                           ? member.key() == "bufferView"
+                           : std::find(members.begin(), members.end(), member.key()) != members.end();
+    if (value.is_number_unsigned() && json.is_object() && named) references.insert(value.get<std::size_t>());
+    if (!value.is_structured() || member.key() == "extras") continue;
+    collectReferences(value, kind, references);
+    const bool attributes = member.key() == "attributes";
+    if (kind == Reference::BufferView || !(attributes || member.key() == "targets")) continue;
+    for (const Json& set : attributes ? Json::array({value}) : value) {
+      for (const Json& item : set) {
+        if (item.is_number_unsigned()) references.insert(item.get<std::size_t>());
+      }
+    }
+  }
+}
+
+std::set<std::size_t> referencesIn(const Json& json, Reference kind) {
+  std::set<std::size_t> references;
+  collectReferences(json, kind, references);
+  return references;
+}
+
+/// Takes PRELIGHT_transfer off an object and adds the accessors it refers to.
+void takeExtension(Json& object, std::set<std::size_t>& accessors) {
+  if (!object.is_object() || !object.contains("extensions") || !object["extensions"].is_object()) return;
+  Json& extensions = object["extensions"];
+  if (!extensions.contains(extensionName)) return;
+  collectBaked(extensions[extensionName], accessors);
+  extensions.erase(extensionName);
+  if (extensions.empty()) object.erase("extensions");
+}
+
+/// Bytes that the buffer views reach.
+std::size_t reachedBytes(const Json& json) {
+  std::size_t end = 0;
+  if (!json.contains("bufferViews")) return end;
+  for (const Json& view : json["bufferViews"]) {
+    end = std::max(end, view.value("byteOffset", std::size_t{0}) + view.value("byteLength", std::size_t{0}));
+  }
+  return end;
+}
+
+}  // namespace
+
+void stripBake(GltfDocument& document) {
+  Json& json = document.json;
+  std::set<std::size_t> baked;
+  if (json.contains("nodes")) {
+    for (Json& node : json["nodes"]) takeExtension(node, baked);
+  }
+  std::set<std::size_t> unused;
+  takeExtension(json, unused);
+  if (baked.empty()) return;
+
+  const std::set<std::size_t> keptAccessors = referencesIn(json, Reference::Accessor);
+  std::set<std::size_t> views;
+  Json& accessors = json["accessors"];
+  while (!accessors.empty() && baked.contains(accessors.size() - 1) &&
+         !keptAccessors.contains(accessors.size() - 1)) {
+    if (accessors.back().contains("bufferView"))
+      views.insert(accessors.back()["bufferView"].get<std::size_t>());
+    accessors.erase(accessors.size() - 1);
+  }
+  const std::set<std::size_t> keptViews = referencesIn(json, Reference::BufferView);
+  Json& bufferViews = json["bufferViews"];
+  std::size_t start = document.bin.size();
+  while (!bufferViews.empty() && views.contains(bufferViews.size() - 1) &&
+         !keptViews.contains(bufferViews.size() - 1)) {
+    start = std::min(start, bufferViews.back().value("byteOffset", std::size_t{0}));
+    bufferViews.erase(bufferViews.size() - 1);
+  }
+  document.bin.resize(std::max(start, std::min(reachedBytes(json), document.bin.size())));
+  if (accessors.empty()) json.erase("accessors");
+  if (json["bufferViews"].empty()) json.erase("bufferViews");
+  updateBufferLength(document);
+}
+
+}  // namespace prelight

@@ -1,0 +1,48 @@
+#include "scene/builtin.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "scene/builtin_scenes.h"
+
+namespace prelight {
+
+namespace {
+
+struct Recipe {
+  BuiltinScene scene;
+  GltfDocument (*make)();
+};
+
+const std::vector<Recipe>& recipes() {
+  static const std::vector<Recipe> list = {
+      {{"shapes", "a ground and five smooth objects under a point light (9.8 k triangles)"}, makeShapesScene},
+      {{"cornell", "a Cornell box with two boxes under an emissive ceiling light"}, makeCornellScene},
+      {{"caustics", "a Cornell box with a solid glass sphere and a mirror box"}, makeCausticsScene},
+      {{"rooms", "two closed rooms joined by a door, a light in one and the camera in the other"},
+       makeRoomsScene},
+  };
+  return list;
+}
+
+}  // namespace
+
+const std::vector<BuiltinScene>& builtinScenes() {
+  static const std::vector<BuiltinScene> scenes = [] {
+    std::vector<BuiltinScene> list;
+    for (const Recipe& recipe : recipes()) list.push_back(recipe.scene);
+    return list;
+  }();
+  return scenes;
+}
+
+GltfDocument makeBuiltinScene(const std::string& name) {
+  std::string known;
+  for (const Recipe& recipe : recipes()) {
+    if (recipe.scene.name == name) return recipe.make();
+    known += (known.empty() ? "" : ", ") + recipe.scene.name;
+  }
+  throw UsageError("scene", "no built-in scene \"" + name + "\"", "known scenes: " + known);
+}
+
+}  // namespace prelight

@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "scene/compile_parts.h"
+
+namespace prelight {
+
+namespace {
+
+struct SrgbTable {
+  std::array<float, 256> linear{};
+  SrgbTable() {
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+      const double s = static_cast<double>(i) / 255.0;
+      linear[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+    }
+  }
+};
+
+int wrapTexel(int i, int size, WrapMode mode) {
+  if (mode == WrapMode::ClampToEdge) return std::clamp(i, 0, size - 1);
+  const int period = mode == WrapMode::MirroredRepeat ? 2 * size : size;
+  const int wrapped = ((i % period) + period) % period;
+  return wrapped < size ? wrapped : period - 1 - wrapped;
+}
+
+/// Metalness (blue, linear) of an image between its texels at the centre of texel (x, y) of a width x height
+/// grid.
+float metalnessAt(const Image& image, const TextureRef& ref, int x, int y, int width, int height) {
+  constexpr std::size_t blue = 2;
+  const auto texel = [&](int column, int row) {
+    const auto i = static_cast<std::size_t>(wrapTexel(row, image.height, ref.wrapT)) *
+                       static_cast<std::size_t>(image.width) +
+                   static_cast<std::size_t>(wrapTexel(column, image.width, ref.wrapS));
+    return static_cast<float>(image.rgba[4 * i + blue]) / 255.0f;
+  };
+  if (image.width == width && image.height == height) return texel(x, y);
+  const float u =
+      (static_cast<float>(x) + 0.5f) / static_cast<float>(width) * static_cast<float>(image.width) - 0.5f;
+  const float v =
+      (static_cast<float>(y) + 0.5f) / static_cast<float>(height) * static_cast<float>(image.height) - 0.5f;
+  const int column = static_cast<int>(std::floor(u));
+  const int row = static_cast<int>(std::floor(v));
+  const float fu = u - static_cast<float>(column);
+  const float fv = v - static_cast<float>(row);
+  const float top = std::lerp(texel(column, row), texel(column + 1, row), fu);
+  const float bottom = std::lerp(texel(column, row + 1), texel(column + 1, row + 1), fu);
+  return std::lerp(top, bottom, fv);
+}
+
+float meanMetalness(const Image& image) {
+  double sum = 0.0;
+  for (std::size_t i = 2; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+  return static_cast<float>(sum / (255.0 * static_cast<double>(image.rgba.size() / 4)));
+}
+
+glm::vec3 meanEmission(const Image& image) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) sum[static_cast<int>(c)] += linearFromSrgb(image.rgba[i + c]);
+  }
+  return glm::vec3(sum / static_cast<double>(image.rgba.size() / 4));
+}
+
+Image whiteImageLike(const Image& image) {
+  return {image.name, image.width, image.height, std::vector<std::uint8_t>(image.rgba.size(), 255)};
+}
+
+/// Base colour x (1 - metallic x metalness). `base` may be null (white), not both.
+Image combineAlbedo(const Image* base, const Image* metal, const TextureRef& metalRef, float metallic) {
+  Image image = base != nullptr ? *base : whiteImageLike(*metal);
+  if (metal == nullptr) return image;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const float dielectric =
+          1.0f - metallic * metalnessAt(*metal, metalRef, x, y, image.width, image.height);
+      std::uint8_t* texel =
+          &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x))];
+      for (int c = 0; c < 3; ++c) texel[c] = srgbFromLinear(linearFromSrgb(texel[c]) * dielectric);
+    }
+  }
+  return image;
+}
+
+bool sameCoordinates(const TextureRef& a, const TextureRef& b) {
+  return a.texCoord == b.texCoord && a.transform == b.transform && a.wrapS == b.wrapS && a.wrapT == b.wrapT;
+}
+
+/// What an albedo image is made of; equal keys share one.
+using AlbedoKey = std::tuple<int, int, float, WrapMode, WrapMode>;
+
+class MaterialCompiler {
+ public:
+  MaterialCompiler(const Scene& scene, Warnings& warnings) : scene_(scene), warnings_(warnings) {}
+
+  void add(const Material& material) {
+    CompiledMaterial compiled;
+    compiled.doubleSided = material.doubleSided;
+    TextureRef coordinates;
+    if (!material.unlit) {
+      setAlbedo(material, compiled, coordinates);
+      setEmission(material, compiled);
+    }
+    setCoverage(material, compiled, coordinates);
+    result_.materials.push_back(compiled);
+    result_.coordinates.push_back(coordinates);
+  }
+
+  CompiledMaterials take() { return std::move(result_); }
+
+ private:
+  const Image& image(const TextureRef& ref) const {
+    return scene_.images[static_cast<std::size_t>(ref.image)];
+  }
+
+  void setAlbedo(const Material& material, CompiledMaterial& compiled, TextureRef& coordinates) {
+    const TextureRef& base = material.baseColorTexture;
+    TextureRef metal = material.metallicRoughnessTexture;
+    float metallic = material.metallic;
+    if (metal.image >= 0 && metallic > 0.0f && base.image >= 0 && !sameCoordinates(base, metal)) {
+      warnings_.push_back(
+          fmt::format("material \"{}\": metalness uses other texture coordinates than the base "
+                      "colour; its mean is taken for light transport",
+                      material.name));
+      metallic *= meanMetalness(image(metal));
+      metal.image = -1;
+    }
+    if (metallic == 0.0f) metal.image = -1;
+    const bool textured = metal.image >= 0;  // metalness then sits in the image
+    compiled.albedo =
+        glm::vec3(material.baseColor) * (1.0f - material.transmission) * (textured ? 1.0f : 1.0f - metallic);
+    coordinates = base.image >= 0 ? base : metal;
+    addImage(base, metal, metallic, compiled, coordinates);
+  }
+
+  void addImage(const TextureRef& base, const TextureRef& metal, float metallic, CompiledMaterial& compiled,
+                const TextureRef& coordinates) {
+    if (coordinates.image < 0) return;
+    const AlbedoKey key = metal.image >= 0
+                              ? AlbedoKey{base.image, metal.image, metallic, metal.wrapS, metal.wrapT}
+                              : AlbedoKey{base.image, -1, 0.0f, WrapMode::Repeat, WrapMode::Repeat};
+    const auto [found, isNew] = imageOf_.try_emplace(key, static_cast<int>(result_.albedoImages.size()));
+    if (isNew) {
+      const Image* baseImage = base.image >= 0 ? &image(base) : nullptr;
+      const Image* metalImage = metal.image >= 0 ? &image(metal) : nullptr;
+      result_.albedoImages.push_back(combineAlbedo(baseImage, metalImage, metal, metallic));
+    }
+    compiled.albedoImage = found->second;
+    compiled.wrapS = coordinates.wrapS;
+    compiled.wrapT = coordinates.wrapT;
+  }
+
+  void setEmission(const Material& material, CompiledMaterial& compiled) {
+    compiled.emission = material.emission;
+    if (!material.isEmissive() || material.emissiveTexture.image < 0) return;
+    const int index = material.emissiveTexture.image;
+    auto [found, isNew] = meanEmissionOf_.try_emplace(index, 0.0f);
+    if (isNew) found->second = meanEmission(image(material.emissiveTexture));
+    compiled.emission *= found->second;
+  }
+
+  /// MASK is cut at its cutoff. BLEND, which light transport cannot blend, at one half. A material that is
+  /// unlit still covers: its holes need the image of its base colour.
+  void setCoverage(const Material& material, CompiledMaterial& compiled, TextureRef& coordinates) {
+    if (material.alphaMode == AlphaMode::Opaque) return;
+    compiled.alphaCutoff = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+    compiled.alphaFactor = material.baseColor.a;
+    if (material.unlit && material.baseColorTexture.image >= 0) {
+      coordinates = material.baseColorTexture;
+      addImage(material.baseColorTexture, TextureRef{}, 0.0f, compiled, coordinates);
+    }
+  }
+
+  const Scene& scene_;
+  Warnings& warnings_;
+  CompiledMaterials result_;
+  std::map<AlbedoKey, int> imageOf_;
+  std::map<int, glm::vec3> meanEmissionOf_;
+};
+
+}  // namespace
+
+float linearFromSrgb(std::uint8_t value) {
+  static const SrgbTable table;
+  return table.linear[value];
+}
+
+std::uint8_t srgbFromLinear(float value) {
+  const float clamped = std::clamp(value, 0.0f, 1.0f);
+  const float encoded =
+      clamped <= 0.0031308f ? 12.92f * clamped : 1.055f * std::pow(clamped, 1.0f / 2.4f) - 0.055f;
+  return static_cast<std::uint8_t>(std::lround(encoded * 255.0f));
+}
+
+CompiledMaterials compileMaterials(const Scene& scene, Warnings& warnings) {
+  MaterialCompiler compiler(scene, warnings);
+  for (const Material& material : scene.materials) compiler.add(material);
+  compiler.add(Material{});
+  return compiler.take();
+}
+
+}  // namespace prelight

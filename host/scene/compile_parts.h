@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+namespace prelight {
+
+/// Materials of the flat scene and, for each, where its texture coordinates come from.
+struct CompiledMaterials {
+  std::vector<CompiledMaterial> materials;  ///< Scene::materials, then the default one
+  std::vector<TextureRef> coordinates;      ///< [material], `image` < 0 when it has no albedo image
+  std::vector<Image> albedoImages;
+};
+
+CompiledMaterials compileMaterials(const Scene& scene, Warnings& warnings);
+
+/// sRGB byte to linear [0,1] and back.
+float linearFromSrgb(std::uint8_t value);
+std::uint8_t srgbFromLinear(float value);
+
+}  // namespace prelight

@@ -1,0 +1,170 @@
+#include "scene/gltf_embed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "base/error.h"
+#include "scene/image_decode.h"
+#include "scene/json_cursor.h"
+#include "scene/uri.h"
+
+namespace prelight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The file that a relative URI names. Some exporters forget to percent-encode, so the raw name is tried as
+/// well.
+fs::path resolveUri(const GltfDocument& document, const std::string& uri) {
+  const fs::path folder = document.path.parent_path();
+  std::error_code ignored;
+  fs::path decoded = folder / percentDecode(uri);
+  if (!fs::exists(decoded, ignored) && fs::exists(folder / uri, ignored)) return folder / uri;
+  return decoded;
+}
+
+/// Bytes behind a URI, at most `limit` of a file. Throws InputError.
+std::vector<std::uint8_t> readUri(const GltfDocument& document, const JsonCursor& uri, std::uint64_t limit) {
+  const std::string& text = uri.asString();
+  if (isDataUri(text)) {
+    std::optional<DataUri> data = parseDataUri(text);
+    if (!data) uri.fail("malformed data URI, expected data:[MIME][;base64],DATA");
+    return std::move(data->bytes);
+  }
+  // One letter before the colon is a drive of the file system, not a scheme.
+  if (const std::string scheme = uriScheme(text); scheme.size() > 1) {
+    uri.fail(fmt::format("URI scheme \"{}\" is not supported", scheme), "put the file beside the scene");
+  }
+  return readFileBytes(resolveUri(document, text), uri.where(), limit);
+}
+
+void alignTo4(std::vector<std::uint8_t>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
+
+/// The bytes of buffer `index`, exactly as many as it says.
+std::vector<std::uint8_t> readBuffer(const GltfDocument& document, const JsonCursor& buffer,
+                                     std::size_t index, std::optional<std::span<const std::uint8_t>> glbBin) {
+  const std::uint64_t length = buffer.at("byteLength").asUnsigned();
+  std::vector<std::uint8_t> bytes;
+  if (const auto uri = buffer.find("uri")) {
+    bytes = readUri(document, *uri, length);
+  } else if (index == 0 && glbBin) {
+    bytes.assign(glbBin->begin(), glbBin->begin() + std::min<std::uint64_t>(length, glbBin->size()));
+  } else if (length > 0) {
+    buffer.fail("the buffer has neither a URI nor the file's binary chunk");
+  }
+  if (bytes.size() < length) {
+    buffer.at("byteLength")
+        .fail(fmt::format("expected {} bytes, got {}", length, bytes.size()),
+              "the buffer is truncated; copy or export it again");
+  }
+  bytes.resize(length);
+  return bytes;
+}
+
+void moveBuffer(nlohmann::ordered_json& holder, const std::vector<std::size_t>& offsets) {
+  const auto buffer = holder.at("buffer").get<std::size_t>();
+  holder["buffer"] = 0;
+  if (offsets[buffer] > 0)
+    holder["byteOffset"] = offsets[buffer] + holder.value("byteOffset", std::size_t{0});
+}
+
+/// The buffer view of an image by URI; the same URI is embedded once.
+int embedImage(GltfDocument& document, const JsonCursor& image, std::string& mimeType) {
+  const JsonCursor uri = image.at("uri");
+  std::vector<std::uint8_t> bytes = readUri(document, uri, UINT64_MAX);
+  if (bytes.empty()) uri.fail("the image is empty");
+  mimeType = imageMimeType(bytes);
+  if (mimeType.empty() && isDataUri(uri.asString())) mimeType = parseDataUri(uri.asString())->mimeType;
+  if (mimeType.empty()) mimeType = "application/octet-stream";
+  return appendBufferView(document, bytes);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> readFileBytes(const fs::path& path, const std::string& where, std::uint64_t limit) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw InputError(where, fmt::format("no such file: {}", path.string()));
+  if (!fs::is_regular_file(status))
+    throw InputError(where, fmt::format("not a regular file: {}", path.string()));
+  const std::uint64_t size = std::min<std::uint64_t>(fs::file_size(path, error), limit);
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file)
+    throw InputError(where, fmt::format("cannot read {}", path.string()), "check its permissions");
+  std::vector<std::uint8_t> bytes(size);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uint8_t>> glbBin) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  std::vector<std::size_t> offsets;
+  root.forEachObject("buffers", [&](const JsonCursor& buffer, std::size_t index) {
+    alignTo4(document.bin);
+    offsets.push_back(document.bin.size());
+    const std::vector<std::uint8_t> bytes = readBuffer(document, buffer, index, glbBin);
+    document.bin.insert(document.bin.end(), bytes.begin(), bytes.end());
+  });
+  if (document.json.contains("bufferViews")) {
+    for (auto& view : document.json["bufferViews"]) moveBuffer(view, offsets);
+  }
+  updateBufferLength(document);
+}
+
+void embedImages(GltfDocument& document, Warnings& warnings) {
+  if (!document.json.contains("images")) return;
+  const std::string file = document.path.string();
+  struct Embedded {
+    int bufferView;
+    std::string mimeType;
+  };
+  std::map<std::string, Embedded> embedded;
+  const std::size_t count = document.json["images"].size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonCursor image = JsonCursor(file, document.json).at("images").at(i);
+    if (!image.find("uri")) continue;
+    const std::string uri = image.at("uri").asString();
+    auto known = embedded.find(uri);
+    if (known == embedded.end()) {
+      try {
+        Embedded fresh{};
+        fresh.bufferView = embedImage(document, image, fresh.mimeType);
+        known = embedded.emplace(uri, fresh).first;
+      } catch (const InputError& error) {
+        warnings.push_back(fmt::format("{}; a white texel stands in for the image", error.what()));
+        continue;
+      }
+    }
+    auto& json = document.json["images"][i];
+    json.erase("uri");
+    json["mimeType"] = known->second.mimeType;
+    json["bufferView"] = known->second.bufferView;
+  }
+}
+
+void updateBufferLength(GltfDocument& document) {
+  if (document.bin.empty()) {
+    document.json.erase("buffers");
+  } else {
+    document.json["buffers"] = {{{"byteLength", document.bin.size()}}};
+  }
+}
+
+int appendBufferView(GltfDocument& document, std::span<const std::uint8_t> bytes) {
+  alignTo4(document.bin);
+  const std::size_t offset = document.bin.size();
+  document.bin.insert(document.bin.end(), bytes.begin(), bytes.end());
+  updateBufferLength(document);
+  auto& views = document.json["bufferViews"];
+  nlohmann::ordered_json view = {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes.size()}};
+  views.push_back(std::move(view));
+  return static_cast<int>(views.size()) - 1;
+}
+
+}  // namespace prelight

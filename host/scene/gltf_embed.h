@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "base/diagnostics.h"
+#include "scene/gltf_document.h"
+
+namespace prelight {
+
+/// Merges every buffer of a checked document (the binary chunk of its .glb, external files, data URIs) into
+/// `bin`. Throws InputError when a buffer cannot be read or is shorter than it says.
+void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uint8_t>> glbBin);
+
+/// Moves images named by URI into buffer views. One that cannot be read stays as it is, with a warning.
+void embedImages(GltfDocument& document, Warnings& warnings);
+
+/// Makes buffers[0] tell the size of `bin`; no buffers at all when that is empty.
+void updateBufferLength(GltfDocument& document);
+
+/// Appends bytes to `bin` in a buffer view of their own, aligned to 4 bytes. Returns its index.
+int appendBufferView(GltfDocument& document, std::span<const std::uint8_t> bytes);
+
+/// Reads at most `limit` bytes of a regular file. Throws InputError when there is none or it cannot be read.
+std::vector<std::uint8_t> readFileBytes(const std::filesystem::path& path, const std::string& where,
+                                        std::uint64_t limit = UINT64_MAX);
+
+}  // namespace prelight

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace prelight {
+
+/// A place in a JSON tree that knows its path, so that every complaint about it names file and path.
+/// The tree and the file name must outlive the cursor. All accessors throw InputError when the value is not
+/// as asked.
+class JsonCursor {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  JsonCursor(const std::string& file, const Json& root) : file_(&file), value_(&root) {}
+
+  const Json& value() const { return *value_; }
+
+  /// "FILE: /json/path".
+  std::string where() const { return *file_ + ": " + (path_.empty() ? "/" : path_); }
+  [[noreturn]] void fail(const std::string& what, const std::string& fix = {}) const;
+
+  /// The member `key`; this value must be an object that has it.
+  JsonCursor at(std::string_view key) const;
+  /// The member `key`, if this object has it.
+  std::optional<JsonCursor> find(std::string_view key) const;
+  /// Element `index` of this array, which must be in range.
+  JsonCursor at(std::size_t index) const;
+
+  void expectObject() const;
+  /// Its length; fails when this is no array.
+  std::size_t arraySize() const;
+
+  std::uint64_t asUnsigned() const;
+  /// An index into `count` things called `kind`.
+  std::size_t asIndex(std::size_t count, std::string_view kind) const;
+  double asNumber() const;
+  bool asBool() const;
+  const std::string& asString() const;
+  void expectNumbers(std::size_t count) const;
+
+  std::uint64_t unsignedOr(std::string_view key, std::uint64_t fallback) const;
+  double numberOr(std::string_view key, double fallback) const;
+  bool boolOr(std::string_view key, bool fallback) const;
+  std::string stringOr(std::string_view key, const std::string& fallback) const;
+
+  /// Number of elements of the array member `key`; 0 when there is none.
+  std::size_t countOf(std::string_view key) const;
+
+  /// Calls visit(cursor, index) for every element of the array member `key`, each of which must be an object.
+  template <class Visit>
+  void forEachObject(std::string_view key, Visit visit) const {
+    const std::optional<JsonCursor> array = find(key);
+    if (!array) return;
+    const std::size_t count = array->arraySize();
+    for (std::size_t i = 0; i < count; ++i) {
+      const JsonCursor item = array->at(i);
+      item.expectObject();
+      visit(item, i);
+    }
+  }
+
+ private:
+  JsonCursor(const std::string* file, const Json* value, std::string path)
+      : file_(file), value_(value), path_(std::move(path)) {}
+
+  const std::string* file_;
+  const Json* value_;
+  std::string path_;
+};
+
+/// Parses JSON text. Throws InputError naming line and column; also when it nests or repeats members absurdly
+/// deep, which the parser could survive only by luck.
+nlohmann::ordered_json parseJson(std::string_view text, const std::string& file);
+
+}  // namespace prelight

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/load_parts.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double halfPi = 1.57079632679489662;
+
+float nonNegativeOr(const LoadContext& context, const JsonCursor& object, const char* name, float fallback) {
+  const auto number = object.find(name);
+  if (!number) return fallback;
+  const float value = finiteFloat(*number);
+  if (value >= 0.0f) return value;
+  context.warnings.push_back(fmt::format("{}: {} is negative; taken as 0", number->where(), value));
+  return 0.0f;
+}
+
+/// A direction as the node turns it; its length, which scale changes, does not matter.
+glm::dvec3 turned(const LoadContext& context, const WorldNode& node, const glm::dvec3& column,
+                  const glm::dvec3& fallback) {
+  // Divided by the largest component first: the squares of tiny scales would vanish.
+  const double largest = std::max({std::abs(column.x), std::abs(column.y), std::abs(column.z)});
+  if (largest > 0.0) return glm::normalize(column / largest);
+  context.warn(fmt::format("/nodes/{}", node.node),
+               "a scale of 0 leaves no direction; the world's axis is taken");
+  return fallback;
+}
+
+void loadCone(const LoadContext& context, const JsonCursor& spot, Light& light) {
+  light.innerConeAngle = nonNegativeOr(context, spot, "innerConeAngle", 0.0f);
+  light.outerConeAngle = nonNegativeOr(context, spot, "outerConeAngle", light.outerConeAngle);
+  if (light.outerConeAngle > halfPi) {
+    context.warnings.push_back(spot.where() + "/outerConeAngle: beyond pi/2; clamped");
+    light.outerConeAngle = static_cast<float>(halfPi);
+  }
+  if (light.innerConeAngle > light.outerConeAngle) {
+    context.warnings.push_back(spot.where() + "/innerConeAngle: beyond outerConeAngle; clamped");
+    light.innerConeAngle = light.outerConeAngle;
+  }
+}
+
+}  // namespace
+
+std::optional<Light> loadLight(const LoadContext& context, const WorldNode& node) {
+  const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(node.node));
+  const auto reference = LoadContext::extension(json, "KHR_lights_punctual");
+  if (!reference) return std::nullopt;
+  const JsonCursor lights = LoadContext::extension(context.root, "KHR_lights_punctual")->at("lights");
+  const JsonCursor source = lights.at(reference->at("light").asUnsigned());
+
+  Light light;
+  const std::string& type = source.at("type").asString();
+  light.type = type == "directional" ? LightType::Directional
+               : type == "spot"      ? LightType::Spot
+                                     : LightType::Point;
+  light.name = source.stringOr("name", json.stringOr("name", ""));
+  light.intensity = glm::vec3(nonNegativeOr(context, source, "intensity", 1.0f));
+  if (const auto color = source.find("color")) {
+    for (int i = 0; i < 3; ++i) {
+      const JsonCursor component = color->at(static_cast<std::size_t>(i));
+      light.intensity[i] *= std::max(finiteFloat(component), 0.0f);
+      if (component.asNumber() < 0.0)
+        context.warnings.push_back(component.where() + ": negative; taken as 0");
+      if (!std::isfinite(light.intensity[i])) source.fail("colour x intensity does not fit a 32-bit float");
+    }
+  }
+  light.range = nonNegativeOr(context, source, "range", 0.0f);
+  light.position = glm::dvec3(node.world[3]);
+  if (light.type != LightType::Point) {
+    light.direction = turned(context, node, -glm::dvec3(node.world[2]), {0.0, 0.0, -1.0});
+  }
+  if (light.type == LightType::Spot) loadCone(context, source.at("spot"), light);
+  return light;
+}
+
+Camera loadCamera(const LoadContext& context, const WorldNode& node) {
+  const tinygltf::Node& source = context.model.nodes[static_cast<std::size_t>(node.node)];
+  const JsonCursor json = context.root.at("cameras").at(static_cast<std::size_t>(source.camera));
+  Camera camera;
+  camera.name = json.stringOr("name", source.name);
+  const glm::dvec3 back = turned(context, node, glm::dvec3(node.world[2]), {0.0, 0.0, 1.0});
+  const glm::dvec3 up = turned(context, node, glm::dvec3(node.world[1]), {0.0, 1.0, 0.0});
+  glm::dvec3 right = glm::cross(up, back);
+  // Shear may lay up along the view; any perpendicular will do then.
+  if (glm::length(right) < 1e-9)
+    right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
+  right = glm::normalize(right);
+  camera.world = {glm::dvec4(right, 0.0), glm::dvec4(glm::cross(back, right), 0.0), glm::dvec4(back, 0.0),
+                  glm::dvec4(glm::dvec3(node.world[3]), 1.0)};
+  camera.perspective = json.at("type").asString() == "perspective";
+  if (camera.perspective) {
+    const JsonCursor lens = json.at("perspective");
+    camera.yFov = lens.at("yfov").asNumber();
+    camera.aspect = lens.numberOr("aspectRatio", 0.0);
+    camera.zNear = lens.at("znear").asNumber();
+    camera.zFar = lens.numberOr("zfar", 0.0);
+  } else {
+    const JsonCursor lens = json.at("orthographic");
+    camera.xMag = std::abs(lens.at("xmag").asNumber());
+    camera.yMag = std::abs(lens.at("ymag").asNumber());
+    camera.zNear = lens.at("znear").asNumber();
+    camera.zFar = lens.at("zfar").asNumber();
+  }
+  return camera;
+}
+
+}  // namespace prelight

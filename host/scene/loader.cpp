@@ -1,0 +1,104 @@
+#include "scene/loader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "scene/load_parts.h"
+
+namespace prelight {
+
+namespace {
+
+/// tinygltf parses a tree without the parts it would open, copy or judge by itself: their bytes are embedded
+/// in the document already, and animations are not used.
+tinygltf::Model parseModel(const GltfDocument& document, const std::string& file) {
+  nlohmann::ordered_json tree = document.json;
+  for (const char* part : {"buffers", "images", "animations", "skins", "extensions", "extras"})
+    tree.erase(part);
+  const std::string text = tree.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  tinygltf::TinyGLTF parser;
+  tinygltf::Model model;
+  std::string error;
+  std::string ignoredWarning;
+  bool parsed = false;
+  try {
+    parsed = parser.LoadASCIIFromString(&model, &error, &ignoredWarning, text.c_str(),
+                                        static_cast<unsigned int>(text.size()), "");
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  if (!parsed) throw InputError(file, "tinygltf cannot read it: " + error);
+  return model;
+}
+
+void warnAboutUnused(const LoadContext& context) {
+  if (context.root.countOf("animations") > 0) {
+    context.warn("/animations", "animations are not played; the rest pose is used");
+  }
+}
+
+}  // namespace
+
+LoadContext::LoadContext(const GltfDocument& source, Warnings& out)
+    : document(source),
+      warnings(out),
+      file(source.path.string()),
+      root(file, source.json),
+      model(parseModel(source, file)) {}
+
+std::optional<JsonCursor> LoadContext::extension(const JsonCursor& object, std::string_view name) {
+  const auto extensions = object.find("extensions");
+  return extensions ? extensions->find(name) : std::nullopt;
+}
+
+float finiteFloat(const JsonCursor& number) {
+  const auto value = static_cast<float>(number.asNumber());
+  if (!std::isfinite(value)) number.fail(fmt::format("{} does not fit a 32-bit float", number.asNumber()));
+  return value;
+}
+
+const Material& Scene::materialOf(const Primitive& primitive) const {
+  static const Material defaultMaterial;
+  return primitive.material < 0 ? defaultMaterial : materials[static_cast<std::size_t>(primitive.material)];
+}
+
+Scene loadScene(const GltfDocument& document, Warnings& warnings) {
+  const LoadContext context(document, warnings);
+  const tinygltf::Model& model = context.model;
+  warnAboutUnused(context);
+  Scene scene;
+  scene.materials = loadMaterials(context);
+  scene.images = loadImages(context, scene.materials);
+  scene.meshes.resize(model.meshes.size());
+  std::vector<bool> loaded(model.meshes.size(), false);
+
+  for (const WorldNode& worldNode : collectWorldNodes(context)) {
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(worldNode.node)];
+    if (node.mesh >= 0) {
+      const auto mesh = static_cast<std::size_t>(node.mesh);
+      if (!loaded[mesh]) scene.meshes[mesh] = loadMesh(context, mesh);
+      loaded[mesh] = true;
+      if (node.skin >= 0) {
+        context.warn(fmt::format("/nodes/{}/skin", worldNode.node),
+                     "the skin is not applied; the bind pose is used");
+      }
+      scene.meshNodes.push_back(
+          {worldNode.node, node.name, node.mesh, instanceTransforms(context, worldNode)});
+    }
+    if (node.camera >= 0) scene.cameras.push_back(loadCamera(context, worldNode));
+    if (auto light = loadLight(context, worldNode)) scene.lights.push_back(*std::move(light));
+  }
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!loaded[i]) {
+      scene.meshes[i].name = model.meshes[i].name;
+      scene.meshes[i].primitives.resize(model.meshes[i].primitives.size());
+    }
+  }
+  const std::size_t chosen = model.defaultScene >= 0 ? static_cast<std::size_t>(model.defaultScene) : 0;
+  if (chosen < model.scenes.size()) scene.name = model.scenes[chosen].name;
+  return scene;
+}
+
+}  // namespace prelight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// An indexed triangle mesh with unit normals; front faces counter-clockwise.
+struct MeshShape {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::uvec3> triangles;
+
+  /// Appends another shape, its vertices kept apart.
+  void add(const MeshShape& other);
+};
+
+/// A rectangle from `corner` along two edges, cut into columns x rows quads; its front faces along
+/// cross(edgeU, edgeV).
+MeshShape makeGrid(const glm::vec3& corner, const glm::vec3& edgeU, const glm::vec3& edgeV, int columns,
+                   int rows);
+
+/// A box of a face each of cells x cells quads, hard edges, facing outwards, standing on y = 0 around the y
+/// axis.
+MeshShape makeBox(const glm::vec3& size, int cells, bool withBottom);
+
+/// A point of the outline of a surface of revolution around the y axis, and the outline's normal there.
+struct OutlinePoint {
+  float radius;
+  float height;
+  glm::vec2 normal;  ///< (radial, y), unit
+};
+
+/// Sweeps an outline around the y axis. The outline runs so that its outside lies to the right when it goes
+/// up
+/// (+y); a point on the axis becomes one vertex if its normal lies along the axis, else one a segment.
+MeshShape makeLathe(const std::vector<OutlinePoint>& outline, int segments);
+
+/// All of these stand on y = 0 around the y axis and are closed.
+MeshShape makeSphere(float radius, int segments, int rings);
+MeshShape makeTorus(float ringRadius, float tubeRadius, int segments, int tubeSegments);
+MeshShape makeCone(float radius, float height, int segments, int rows, int discRings);
+MeshShape makeCylinder(float radius, float height, int segments, int rows, int discRings);
+
+}  // namespace prelight
