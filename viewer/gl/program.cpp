@@ -1,0 +1,101 @@
+#include "viewer/gl/program.h"
+
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "base/error.h"
+#include "viewer/shader_sources.h"
+
+namespace prelight::viewer::gl {
+namespace {
+
+struct ShaderTraits {
+  static void destroy(GLuint name) { glDeleteShader(name); }
+};
+using Shader = Object<ShaderTraits>;
+
+/// A shader's text with its includes in place. GLSL knows files by number only: `files` gives their names.
+struct Expanded {
+  std::string text;
+  std::vector<std::string> files;
+};
+
+void expand(const std::string& file, Expanded& out) {
+  const auto found = shaderSources().find(file);
+  if (found == shaderSources().end()) throw Error(ExitCode::RuntimeFailure, "shader " + file, "no such file");
+  const std::size_t number = out.files.size();
+  out.files.push_back(file);
+  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
+  std::istringstream lines(found->second);
+  std::string line;
+  if (number > 0) out.text += "#line 1 " + std::to_string(number) + "\n";
+  for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
+    std::smatch match;
+    if (std::regex_match(line, match, include)) {
+      expand(match[1], out);
+      out.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
+    } else {
+      out.text += line + "\n";
+    }
+  }
+}
+
+/// Puts file names where a driver's log has "NUMBER:LINE" (Mesa, Intel) or "NUMBER(LINE)" (NVIDIA).
+std::string nameFiles(const std::string& log, const std::vector<std::string>& files) {
+  static const std::regex place(R"re(^(ERROR: )?(\d+)([:(])(\d+)\)?)re");
+  std::istringstream lines(log);
+  std::string result;
+  std::string line;
+  while (std::getline(lines, line)) {
+    std::smatch match;
+    if (std::regex_search(line, match, place)) {
+      const std::size_t number = std::stoul(match[2]);
+      if (number < files.size()) line = files[number] + ":" + match[4].str() + match.suffix().str();
+    }
+    result += "\n  " + line;
+  }
+  return result;
+}
+
+Shader compile(GLenum stage, const std::string& file) {
+  Expanded source;
+  expand(file, source);
+  Shader shader(glCreateShader(stage));
+  const char* text = source.text.c_str();
+  glShaderSource(shader.name(), 1, &text, nullptr);
+  glCompileShader(shader.name());
+  GLint compiled = 0;
+  glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+  if (compiled == GL_TRUE) return shader;
+  GLint length = 0;
+  glGetShaderiv(shader.name(), GL_INFO_LOG_LENGTH, &length);
+  std::string log(std::max(length, 1), '\0');
+  glGetShaderInfoLog(shader.name(), length, nullptr, log.data());
+  throw Error(ExitCode::RuntimeFailure, "shader " + file,
+              "does not compile:" + nameFiles(log.c_str(), source.files));
+}
+
+}  // namespace
+
+Program::Program(const std::string& vertexFile, const std::string& fragmentFile) {
+  const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile);
+  const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentFile);
+  glAttachShader(program_.name(), vertex.name());
+  glAttachShader(program_.name(), fragment.name());
+  glLinkProgram(program_.name());
+  GLint linked = 0;
+  glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);
+  if (linked == GL_TRUE) return;
+  std::string log(4096, '\0');
+  glGetProgramInfoLog(program_.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+  throw Error(ExitCode::RuntimeFailure, "shaders " + vertexFile + " and " + fragmentFile,
+              std::string("do not link:\n  ") + log.c_str());
+}
+
+void Program::bindBlock(const char* name, GLuint binding) const {
+  const GLuint index = glGetUniformBlockIndex(program_.name(), name);
+  if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_.name(), index, binding);
+}
+
+}  // namespace prelight::viewer::gl

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "viewer/gl/object.h"
+
+namespace prelight::viewer::gl {
+
+/// A linked vertex and fragment shader of viewer/shaders.
+class Program {
+ public:
+  /// Compiles two embedded files. `#include "FILE"` lines (whole line) are resolved among them.
+  /// Throws Error with the file and line that the compiler complains about.
+  Program(const std::string& vertexFile, const std::string& fragmentFile);
+
+  void use() const { glUseProgram(program_.name()); }
+
+  /// Setters act on the program in use; a name that the compiler has removed is ignored.
+  void set(const char* name, int value) const { glUniform1i(location(name), value); }
+  void set(const char* name, float value) const { glUniform1f(location(name), value); }
+  void set(const char* name, const glm::vec3& value) const { glUniform3fv(location(name), 1, &value.x); }
+  void set(const char* name, const glm::vec4& value) const { glUniform4fv(location(name), 1, &value.x); }
+
+  /// Ties a uniform block to a binding point.
+  void bindBlock(const char* name, GLuint binding) const;
+
+ private:
+  GLint location(const char* name) const { return glGetUniformLocation(program_.name(), name); }
+
+  Object<ProgramTraits> program_;
+};
+
+}  // namespace prelight::viewer::gl

@@ -1,0 +1,97 @@
+#include "viewer/gl/texture.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.h"
+
+namespace prelight::viewer::gl {
+namespace {
+
+constexpr GLfloat wantedAnisotropy = 8.0f;
+
+GLint limit(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+GLint wrap(WrapMode mode) {
+  switch (mode) {
+    case WrapMode::ClampToEdge:
+      return GL_CLAMP_TO_EDGE;
+    case WrapMode::MirroredRepeat:
+      return GL_MIRRORED_REPEAT;
+    case WrapMode::Repeat:
+      break;
+  }
+  return GL_REPEAT;
+}
+
+void checkSize(const std::string& name, int width, int height) {
+  const int largest = limit(GL_MAX_TEXTURE_SIZE);
+  if (width <= largest && height <= largest) return;
+  throw Error(ExitCode::RuntimeFailure, name.empty() ? "image" : "image " + name,
+              std::to_string(width) + "x" + std::to_string(height) + " texels; OpenGL here takes up to " +
+                  std::to_string(largest) + " a side",
+              "scale the image down");
+}
+
+void setMipmapped(GLint wrapS, GLint wrapT) {
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapS);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapT);
+}
+
+}  // namespace
+
+Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode wrapT) {
+  checkSize(image.name, image.width, image.height);
+  Texture texture;
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, image.rgba.data());
+  setMipmapped(wrap(wrapS), wrap(wrapT));
+  if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
+    GLfloat largest = 1.0f;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &largest);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(largest, wantedAnisotropy));
+  }
+  check("uploading the image " + image.name);
+  return texture;
+}
+
+Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texels) {
+  checkSize("environment", width, height);
+  Texture texture;
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, texels.data());
+  setMipmapped(GL_REPEAT, GL_CLAMP_TO_EDGE);
+  check("uploading a float texture");
+  return texture;
+}
+
+BufferTexture makeBufferTexture(std::span<const glm::vec4> texels, const char* what) {
+  const auto largest = static_cast<std::size_t>(limit(GL_MAX_TEXTURE_BUFFER_SIZE));
+  if (texels.size() > largest) {
+    throw Error(ExitCode::RuntimeFailure, what,
+                std::to_string(texels.size()) + " texels; OpenGL here takes up to " + std::to_string(largest),
+                "use a lower order or a smaller scene");
+  }
+  BufferTexture result{Buffer(GL_TEXTURE_BUFFER, texels), Texture()};
+  glBindTexture(GL_TEXTURE_BUFFER, result.texture.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, result.buffer.name());
+  check(std::string("uploading ") + what);
+  return result;
+}
+
+void bind(GLuint unit, GLenum target, const Texture& texture) {
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(target, texture.name());
+}
+
+}  // namespace prelight::viewer::gl

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "scene/scene.h"
+#include "viewer/gl/buffer.h"
+
+namespace prelight::viewer::gl {
+
+using Texture = Object<TextureTraits>;
+
+/// A mipmapped texture of an image; `srgb` decodes RGB when it is sampled. Rows top to bottom lie at v =
+/// 0..1, as glTF has it. Throws Error when the image is larger than OpenGL allows.
+Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode wrapT);
+
+/// A mipmapped RGB float texture, repeating in u.
+Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texels);
+
+/// Texels of a buffer as vec4, addressed by number. The buffer belongs to the texture.
+struct BufferTexture {
+  Buffer buffer;
+  Texture texture;
+};
+
+/// Throws Error when OpenGL does not allow as many texels; `what` names the data.
+BufferTexture makeBufferTexture(std::span<const glm::vec4> texels, const char* what);
+
+/// Binds a texture to a unit.
+void bind(GLuint unit, GLenum target, const Texture& texture);
+
+}  // namespace prelight::viewer::gl

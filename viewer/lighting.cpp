@@ -1,0 +1,156 @@
+#include "viewer/lighting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "basis/sh.h"
+
+namespace prelight::viewer {
+namespace {
+
+bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (position[axis] < scene.boundsMin[axis] || position[axis] > scene.boundsMax[axis]) return true;
+  }
+  return false;
+}
+
+double luminance(const glm::vec3& color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
+
+struct Emitter {
+  std::uint32_t triangle = 0;
+  double area = 0.0;
+  double power = 0.0;  ///< area x luminance, what decides how many samples it gets
+};
+
+std::vector<Emitter> findEmitters(const CompiledScene& scene) {
+  std::vector<Emitter> emitters;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
+    const double shine = luminance(material.emission);
+    if (!(shine > 0.0)) continue;
+    const double area = 0.5 * glm::length(geometricNormal(scene, t));
+    if (area > 0.0) emitters.push_back({t, area, area * shine});
+  }
+  return emitters;
+}
+
+/// A point of a triangle that follows (u, v) in [0,1)^2 uniformly by area.
+glm::dvec3 pointIn(const CompiledScene& scene, std::uint32_t triangle, double u, double v) {
+  if (u + v > 1.0) {
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  const glm::uvec3 corners = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[corners.x]);
+  return a + u * (glm::dvec3(scene.positions[corners.y]) - a) +
+         v * (glm::dvec3(scene.positions[corners.z]) - a);
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+}  // namespace
+
+ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
+  ShadedLight result;
+  result.intensity = light.intensity;
+  result.position = light.position - scene.origin;
+  result.direction = light.direction;
+  result.range = std::max(light.range, 0.0f);
+  switch (light.type) {
+    case LightType::Directional:
+      result.kind = LightKind::Directional;
+      break;
+    case LightType::Point:
+      result.kind = LightKind::Point;
+      break;
+    case LightType::Spot:
+      result.kind = LightKind::Spot;
+      // KHR_lights_punctual, "Inner and outer cone angles".
+      const double inner = std::cos(light.innerConeAngle);
+      const double outer = std::cos(light.outerConeAngle);
+      const double scale = 1.0 / std::max(1e-3, inner - outer);
+      result.coneScale = static_cast<float>(scale);
+      result.coneOffset = static_cast<float>(-outer * scale);
+      break;
+  }
+  result.throughTransfer = result.kind == LightKind::Directional || outsideBounds(result.position, scene);
+  return result;
+}
+
+std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {
+  const std::vector<Emitter> emitters = findEmitters(scene);
+  double total = 0.0;
+  for (const Emitter& emitter : emitters) total += emitter.power;
+  std::vector<ShadedLight> samples;
+  std::size_t current = 0;
+  double passed = 0.0;  // power of the emitters before the current one
+  for (int i = 0; i < count && !emitters.empty(); ++i) {
+    const double target = (i + 0.5) / count * total;
+    while (current + 1 < emitters.size() && passed + emitters[current].power < target) {
+      passed += emitters[current++].power;
+    }
+    const Emitter& emitter = emitters[current];
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[emitter.triangle]];
+    // Roberts' R2 sequence: low-discrepancy however many samples fall on one triangle.
+    const glm::dvec3 point = pointIn(scene, emitter.triangle, fraction(0.5 + 0.7548776662466927 * i),
+                                     fraction(0.5 + 0.5698402909980532 * i));
+    ShadedLight sample;
+    sample.kind = LightKind::Emitter;
+    sample.intensity = material.emission;
+    sample.position = point;
+    sample.direction = glm::normalize(geometricNormal(scene, emitter.triangle));
+    sample.area = static_cast<float>(total / count * emitter.area / emitter.power);
+    sample.twoSided = material.doubleSided;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+double deltaWindow(int band, int order) {
+  return 0.5 * (1.0 + std::cos(std::numbers::pi * band / (2.0 * order)));
+}
+
+std::vector<glm::dvec3> directionalCoefficients(std::span<const ShadedLight> lights, int order,
+                                                bool windowed) {
+  std::vector<glm::dvec3> result(sh::coefficientCount(order), glm::dvec3(0.0));
+  std::vector<double> basis(result.size());
+  for (const ShadedLight& light : lights) {
+    if (light.kind != LightKind::Directional) continue;
+    sh::evaluate(-glm::normalize(glm::dvec3(light.direction)), order, basis);
+    for (int l = 0; l < order; ++l) {
+      const double window = windowed ? deltaWindow(l, order) : 1.0;
+      for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+        result[i] += window * basis[i] * glm::dvec3(light.intensity);
+      }
+    }
+  }
+  return result;
+}
+
+SkyCoefficients::SkyCoefficients(const Environment& sky, int order)
+    : order_(order), coefficients_(sh::projectEnvironment(sky, order)) {}
+
+std::vector<glm::dvec3> SkyCoefficients::turned(double angle, int order) const {
+  std::vector<glm::dvec3> result(sh::coefficientCount(order), glm::dvec3(0.0));
+  if (order_ == 0) return result;
+  const int stored = sh::coefficientCount(order_);
+  const auto used = std::min(result.size(), static_cast<std::size_t>(stored));
+  for (int c = 0; c < 3; ++c) {
+    const auto channel =
+        std::span<const double>(coefficients_).subspan(static_cast<std::size_t>(c) * stored, stored);
+    const auto rotated = angle == 0.0 ? std::vector<double>(channel.begin(), channel.end())
+                                      : sh::rotate(channel, order_, skyTurn(angle));
+    for (std::size_t i = 0; i < used; ++i) result[i][c] = rotated[i];
+  }
+  return result;
+}
+
+glm::dmat3 skyTurn(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {{c, 0.0, -s}, {0.0, 1.0, 0.0}, {s, 0.0, c}};
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "io/environment.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+/// What lights a picture, ready for the shaders. Conventions of the lights' maths:
+/// - a point light of intensity I gives E = I cos / r^2, cut off smoothly at its range as KHR_lights_punctual
+/// has it;
+/// - emissive triangles become samples: discs of area A with radiance L, which give E = L A cos cos' / (r^2 +
+/// A / pi).
+///   The second term is exact above a disc's centre, and bounds the light next to a sample;
+/// - through an SH transfer a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l are
+/// multiplied by
+///   (1 + cos(pi l / (2 n))) / 2 for order n: a Hann window of twice the order. It halves the ringing behind
+///   shadow edges and keeps an open surface within 1 % of the cosine law from order 4 on. The sky is not
+///   windowed.
+namespace prelight::viewer {
+
+/// As the shaders number them.
+enum class LightKind : std::uint8_t { Directional = 0, Point = 1, Spot = 2, Emitter = 3 };
+
+/// A light in scene coordinates (world minus CompiledScene::origin).
+struct ShadedLight {
+  LightKind kind = LightKind::Point;
+  glm::vec3 intensity{0.0f};  ///< W/sr, W/m2 (directional), W/(m2 sr) (emitter)
+  glm::vec3 position{0.0f};
+  glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit: the way the light travels; an emitter's normal
+  float range = 0.0f;                      ///< metres; 0: infinite
+  float coneScale = 0.0f;                  ///< spot: clamp(cos * scale + offset, 0, 1)^2
+  float coneOffset = 1.0f;
+  float area = 0.0f;      ///< emitter: m2
+  bool twoSided = false;  ///< emitter
+  /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
+  /// light's. True for directional lights and those outside the scene's bounds.
+  bool throughTransfer = false;
+};
+
+/// Most lights that a picture is shaded with; a uniform block of the smallest guaranteed size holds them.
+constexpr int maxLights = 240;
+
+/// Samples that stand for all emissive triangles together.
+constexpr int emitterSamples = 32;
+
+/// Largest SH order of transfers and skies that the shaders evaluate.
+constexpr int maxShOrder = 8;
+
+ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
+
+/// At most `count` samples of the emissive triangles by emitted power, spread evenly over them: the same for
+/// the same scene. Empty when nothing emits.
+std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count);
+
+/// Factor of a band of a delta light's coefficients (see above).
+double deltaWindow(int band, int order);
+
+/// Coefficients of the directional lights among `lights`, E Y_i(-direction), windowed or not.
+/// Returns [i] RGB, order^2.
+std::vector<glm::dvec3> directionalCoefficients(std::span<const ShadedLight> lights, int order,
+                                                bool windowed);
+
+/// A sky's coefficients, projected once and turned for every picture.
+class SkyCoefficients {
+ public:
+  SkyCoefficients() = default;  ///< black
+  SkyCoefficients(const Environment& sky, int order);
+
+  /// Of the sky turned by `angle` radians about +Y; [i] RGB of the first `order` bands.
+  std::vector<glm::dvec3> turned(double angle, int order) const;
+
+ private:
+  int order_ = 0;
+  std::vector<double> coefficients_;  ///< [channel][i]
+};
+
+/// World from sky: the sky turned counter-clockwise about +Y, seen from above.
+glm::dmat3 skyTurn(double angle);
+
+}  // namespace prelight::viewer

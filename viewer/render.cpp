@@ -1,0 +1,89 @@
+#include "viewer/render.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/error.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/renderer.h"
+#include "viewer/resolve.h"
+#include "viewer/view.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr int maxSize = 32768;        ///< pixels a side
+constexpr int maxTileSamples = 2048;  ///< samples a side of what is drawn at once
+
+struct NamedShading {
+  std::string_view name;
+  Shading shading;
+};
+constexpr std::array<NamedShading, 3> shadings = {
+    {{"phong", Shading::Phong}, {"ao", Shading::Ao}, {"sh", Shading::Sh}}};
+
+void checkOptions(const RenderOptions& options) {
+  if (options.width < 0 || options.width > maxSize || options.height < 1 || options.height > maxSize) {
+    throw UsageError("--size " + std::to_string(options.width) + "x" + std::to_string(options.height),
+                     "a picture is 1 to " + std::to_string(maxSize) + " pixels wide and high");
+  }
+  if (options.samplesPerAxis < 1 || options.samplesPerAxis > 8) {
+    throw UsageError("samples per axis", "1 to 8, got " + std::to_string(options.samplesPerAxis));
+  }
+}
+
+}  // namespace
+
+Shading parseShading(std::string_view name) {
+  for (const NamedShading& known : shadings) {
+    if (known.name == name) return known.shading;
+  }
+  throw UsageError("--shading " + std::string(name), "unknown shading, expected phong, ao or sh");
+}
+
+std::string_view shadingName(Shading shading) {
+  return std::find_if(shadings.begin(), shadings.end(),
+                      [&](const NamedShading& s) { return s.shading == shading; })
+      ->name;
+}
+
+View makeView(const RenderInputs& inputs, const RenderOptions& options) {
+  checkOptions(options);
+  View view;
+  view.camera = chooseCamera(inputs.scene, inputs.compiled, options.camera);
+  view.height = options.height;
+  view.width =
+      options.width > 0 ? options.width : std::min(pictureWidth(view.camera, options.height), maxSize);
+  view.shading = options.shading;
+  view.skyRotation = options.skyRotation;
+  view.lights = options.lights.value_or(inputs.scene.lights);
+  view.emitters = options.emitters;
+  view.windowLights = options.windowLights;
+  return view;
+}
+
+Picture renderView(const Renderer& renderer, const View& view, int samplesPerAxis) {
+  Picture picture{view.width, view.height,
+                  std::vector<glm::vec3>(static_cast<std::size_t>(view.width) * view.height)};
+  const int step = maxTileSamples / samplesPerAxis;
+  for (int y = 0; y < view.height; y += step) {
+    for (int x = 0; x < view.width; x += step) {
+      const Tile tile{x, y, std::min(step, view.width - x), std::min(step, view.height - y)};
+      const gl::Framebuffer target(tile.width * samplesPerAxis, tile.height * samplesPerAxis);
+      renderer.draw(view, tile, target);
+      resolve(target, samplesPerAxis, tile, picture);
+    }
+  }
+  return picture;
+}
+
+Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes) {
+  const View view = makeView(inputs, options);
+  const gl::EglContext context;
+  const Renderer renderer(inputs);
+  renderer.describe(view, notes);
+  return renderView(renderer, view, options.samplesPerAxis);
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,170 @@
+#include "viewer/render_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "base/error.h"
+#include "viewer/lighting.h"
+#include "viewer/tex_coords.h"
+
+namespace prelight::viewer {
+namespace {
+
+bool sameTexture(const TextureRef& a, const TextureRef& b) {
+  return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT;
+}
+
+/// Coefficients in the layout that RenderScene documents.
+std::vector<glm::vec4> packTransfer(const ShTransfer& sh, std::uint32_t vertices) {
+  const int count = sh.order * sh.order;
+  const int texels = (count + 3) / 4;
+  std::vector<glm::vec4> packed(static_cast<std::size_t>(vertices) * sh.channels * texels, glm::vec4(0.0f));
+  const std::size_t rows = static_cast<std::size_t>(vertices) * sh.channels;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (int i = 0; i < count; ++i) packed[row * texels + i / 4][i % 4] = sh.coefficients[row * count + i];
+  }
+  return packed;
+}
+
+/// The first triangle of every primitive, in order: blended batches end where a primitive does.
+std::vector<std::uint32_t> primitiveStarts(const CompiledScene& compiled) {
+  std::vector<std::uint32_t> starts;
+  for (const PrimitiveRange& range : compiled.primitives) starts.push_back(range.firstTriangle);
+  std::sort(starts.begin(), starts.end());
+  return starts;
+}
+
+glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
+  glm::vec3 lower(std::numeric_limits<float>::max());
+  glm::vec3 upper(std::numeric_limits<float>::lowest());
+  for (std::uint32_t t = 0; t < batch.triangleCount; ++t) {
+    const glm::uvec3 corners = compiled.triangles[batch.firstTriangle + t];
+    for (int k = 0; k < 3; ++k) {
+      lower = glm::min(lower, compiled.positions[corners[k]]);
+      upper = glm::max(upper, compiled.positions[corners[k]]);
+    }
+  }
+  return 0.5f * (lower + upper);
+}
+
+std::vector<glm::vec4> geometricNormals(const CompiledScene& compiled) {
+  std::vector<glm::vec4> normals;
+  normals.reserve(compiled.triangles.size());
+  for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t) {
+    const glm::dvec3 normal = geometricNormal(compiled, t);
+    const double length = glm::length(normal);
+    const glm::dvec3 unit = length > 0.0 ? normal / length : glm::dvec3(0.0, 1.0, 0.0);
+    const bool flat = t < compiled.triangleFlat.size() && compiled.triangleFlat[t] != 0;
+    normals.emplace_back(glm::vec3(unit), flat ? 1.0f : 0.0f);
+  }
+  return normals;
+}
+
+void expectSize(const char* what, std::size_t got, std::size_t expected) {
+  if (got == expected) return;
+  throw Error(ExitCode::RuntimeFailure, what,
+              "the bake has " + std::to_string(got) + " values, this scene needs " + std::to_string(expected),
+              "bake this scene again");
+}
+
+}  // namespace
+
+RenderScene::RenderScene(const RenderInputs& inputs) {
+  Image white{"white", 1, 1, {255, 255, 255, 255}};
+  white_ = gl::makeImageTexture(white, false, WrapMode::Repeat, WrapMode::Repeat);
+  makeSurfaces(inputs);
+  makeBatches(inputs.compiled);
+  makeVertices(inputs);
+  if (inputs.bake != nullptr) makeBaked(*inputs.bake, inputs.compiled.vertexCount());
+  glBindVertexArray(0);
+  gl::check("uploading the scene");
+}
+
+void RenderScene::makeSurfaces(const RenderInputs& inputs) {
+  for (std::size_t i = 0; i < inputs.compiled.materials.size(); ++i) {
+    Surface surface;
+    surface.material = materialAt(inputs.scene, inputs.compiled, i);
+    surface.baseColor = texture(inputs.scene, surface.material.baseColorTexture, true);
+    surface.metallicRoughness = texture(inputs.scene, surface.material.metallicRoughnessTexture, false);
+    surface.emissive = texture(inputs.scene, surface.material.emissiveTexture, true);
+    surfaces_.push_back(std::move(surface));
+  }
+}
+
+TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {
+  if (use.image < 0 || static_cast<std::size_t>(use.image) >= scene.images.size()) return nullptr;
+  for (const LoadedTexture& loaded : textures_) {
+    if (loaded.srgb == srgb && sameTexture(loaded.use, use)) return loaded.texture.get();
+  }
+  textures_.push_back({use, srgb,
+                       std::make_unique<gl::Texture>(
+                           gl::makeImageTexture(scene.images[use.image], srgb, use.wrapS, use.wrapT))});
+  return textures_.back().texture.get();
+}
+
+void RenderScene::makeBatches(const CompiledScene& compiled) {
+  const std::vector<std::uint32_t> starts = primitiveStarts(compiled);
+  for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t) {
+    const std::uint32_t surface = compiled.triangleMaterials[t];
+    const bool goesOn =
+        !batches_.empty() && batches_.back().surface == surface &&
+        !(surfaces_[surface].isBlended() && std::binary_search(starts.begin(), starts.end(), t));
+    if (goesOn) {
+      ++batches_.back().triangleCount;
+    } else {
+      batches_.push_back({surface, t, 1, {}});
+    }
+  }
+  for (Batch& batch : batches_) batch.center = centerOf(compiled, batch);
+}
+
+template <typename T>
+void RenderScene::addAttribute(Attribute attribute, std::span<const T> values) {
+  constexpr GLint components = sizeof(T) / sizeof(float);
+  const auto location = static_cast<GLuint>(attribute);
+  buffers_.emplace_back(GL_ARRAY_BUFFER, values);
+  glEnableVertexAttribArray(location);
+  glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+void RenderScene::makeVertices(const RenderInputs& inputs) {
+  const CompiledScene& compiled = inputs.compiled;
+  const TexCoords coords = texCoords(inputs.scene, compiled);
+  glBindVertexArray(vertexArray_.name());
+  addAttribute(Attribute::Position, std::span(compiled.positions));
+  addAttribute(Attribute::Normal, std::span(compiled.normals));
+  addAttribute(Attribute::TexCoords, std::span(coords.baseColorAndMetallicRoughness));
+  addAttribute(Attribute::EmissiveTexCoord, std::span(coords.emissive));
+  if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
+  buffers_.emplace_back(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles));
+  triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
+}
+
+void RenderScene::makeBaked(const Bake& bake, std::uint32_t vertices) {
+  if (!bake.ao.empty()) {
+    expectSize("ambient occlusion", bake.ao.size(), vertices);
+    addAttribute(Attribute::Accessibility, std::span(bake.ao));
+    if (!bake.bentNormals.empty()) {
+      expectSize("bent normals", bake.bentNormals.size(), vertices);
+      addAttribute(Attribute::BentNormal, std::span(bake.bentNormals));
+    }
+    hasAo_ = true;
+  }
+  if (bake.sh) {
+    const ShTransfer& sh = *bake.sh;
+    if (sh.order < 1 || sh.order > maxShOrder || (sh.channels != 1 && sh.channels != 3)) {
+      throw Error(ExitCode::RuntimeFailure, "SH transfer",
+                  "order " + std::to_string(sh.order) + " in " + std::to_string(sh.channels) +
+                      " channels; orders 1 to " + std::to_string(maxShOrder) +
+                      " in 1 or 3 channels can be drawn");
+    }
+    expectSize("SH transfer", sh.coefficients.size(),
+               static_cast<std::size_t>(vertices) * sh.channels * sh.order * sh.order);
+    transfer_ = gl::makeBufferTexture(packTransfer(sh, vertices), "SH transfer");
+    shOrder_ = sh.order;
+    shChannels_ = sh.channels;
+  }
+}
+
+}  // namespace prelight::viewer

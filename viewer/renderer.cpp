@@ -1,0 +1,292 @@
+#include "viewer/renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/error.h"
+#include "basis/sh.h"
+#include "viewer/uniform_blocks.h"
+
+namespace prelight::viewer {
+namespace {
+
+enum Binding : GLuint { frameBinding = 0, lightBinding = 1 };
+
+enum Unit : GLuint {
+  baseColorUnit = 0,
+  metallicRoughnessUnit = 1,
+  emissiveUnit = 2,
+  triangleNormalsUnit = 3,
+  transferUnit = 4,
+  skyUnit = 5,
+};
+
+constexpr int ambientOrder = 3;
+
+void prepare(const gl::Program& program) {
+  program.bindBlock("Frame", frameBinding);
+  program.bindBlock("Lights", lightBinding);
+  program.use();
+  program.set("baseColorTexture", static_cast<int>(baseColorUnit));
+  program.set("metallicRoughnessTexture", static_cast<int>(metallicRoughnessUnit));
+  program.set("emissiveTexture", static_cast<int>(emissiveUnit));
+  program.set("triangleNormals", static_cast<int>(triangleNormalsUnit));
+  program.set("transfer", static_cast<int>(transferUnit));
+  program.set("skyMap", static_cast<int>(skyUnit));
+}
+
+gl::Texture constantSky(float radiance) {
+  const glm::vec3 texel(radiance);
+  return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
+}
+
+LightBlock pack(const ShadedLight& light) {
+  return {glm::vec4(light.position, static_cast<float>(light.kind)), glm::vec4(light.direction, light.area),
+          glm::vec4(light.intensity, light.range),
+          glm::vec4(light.coneScale, light.coneOffset, light.throughTransfer ? 1.0f : 0.0f,
+                    light.twoSided ? 1.0f : 0.0f)};
+}
+
+/// Clip space of a tile from that of its picture.
+glm::dmat4 cropTo(const View& view, const Tile& tile, glm::dvec4& pictureFromTile) {
+  const double scaleX = static_cast<double>(tile.width) / view.width;
+  const double scaleY = static_cast<double>(tile.height) / view.height;
+  const double centerX = (2.0 * tile.x + tile.width) / view.width - 1.0;
+  const double centerY = 1.0 - (2.0 * tile.y + tile.height) / view.height;
+  pictureFromTile = {scaleX, scaleY, centerX, centerY};
+  glm::dmat4 crop(1.0);
+  crop[0][0] = 1.0 / scaleX;
+  crop[1][1] = 1.0 / scaleY;
+  crop[3][0] = -centerX / scaleX;
+  crop[3][1] = -centerY / scaleY;
+  return crop;
+}
+
+void setCamera(const View& view, const Tile& tile, const CompiledScene& compiled, FrameBlock& frame) {
+  const double aspect = static_cast<double>(view.width) / view.height;
+  const CameraMatrices camera = cameraMatrices(view.camera, compiled, aspect);
+  glm::dvec4 pictureFromTile(0.0);
+  const glm::dmat4 crop = cropTo(view, tile, pictureFromTile);
+  frame.clipFromScene = crop * camera.projection * camera.view;
+  frame.eye = glm::vec4(glm::vec3(camera.position), camera.perspective ? 1.0f : 0.0f);
+  frame.forward = glm::vec4(glm::vec3(camera.forward), 0.0f);
+  frame.tile = pictureFromTile;
+  const glm::dmat3 axes(glm::transpose(glm::dmat3(camera.view)));
+  const double halfHeight = std::tan(0.5 * view.camera.yFov);
+  frame.pixelRight = glm::vec4(glm::vec3(axes[0] * halfHeight * aspect), 0.0f);
+  frame.pixelUp = glm::vec4(glm::vec3(axes[1] * halfHeight), 0.0f);
+}
+
+void setSky(const View& view, const SkyCoefficients& sky, int skyWidth, FrameBlock& frame) {
+  frame.skyFromWorld = glm::mat4(glm::dmat4(glm::transpose(skyTurn(view.skyRotation))));
+  const auto coefficients = sky.turned(view.skyRotation, ambientOrder);
+  for (int l = 0; l < ambientOrder; ++l) {
+    const double cosine = sh::clampedCosine(l);
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i)
+      frame.ambient[i] = glm::vec4(cosine * coefficients[i], 0.0);
+  }
+  const double texel = 2.0 * std::numbers::pi / skyWidth;
+  const double pixel = view.camera.perspective ? 2.0 * std::tan(0.5 * view.camera.yFov) / view.height : texel;
+  frame.skyLevels = glm::vec4(std::log2(texel), std::max(0.0, std::log2(pixel / texel)), 0.0, 0.0);
+}
+
+void setTransfer(const View& view, const SkyCoefficients& sky, std::span<const ShadedLight> lights, int order,
+                 FrameBlock& frame) {
+  const auto fromSky = sky.turned(view.skyRotation, order);
+  const auto fromLights = directionalCoefficients(lights, order, view.windowLights);
+  for (std::size_t i = 0; i < fromSky.size(); ++i) {
+    frame.transferLight[i] = glm::vec4(fromSky[i] + fromLights[i], 0.0);
+  }
+  for (int l = 0; l < order; ++l) {
+    frame.window[l] = view.windowLights ? static_cast<float>(deltaWindow(l, order)) : 1.0f;
+  }
+}
+
+}  // namespace
+
+Renderer::Renderer(const RenderInputs& inputs)
+    : compiled_(inputs.compiled),
+      scene_(inputs),
+      emitters_(sampleEmitters(inputs.compiled, emitterSamples)),
+      neutralSky_(constantEnvironment(glm::vec3(1.0f)), 1),
+      hasEnvironment_(inputs.environment != nullptr),
+      surfaceProgram_("surface.vert", "surface.frag"),
+      backgroundProgram_("fullscreen.vert", "background.frag"),
+      neutralSkyMap_(constantSky(1.0f)),
+      blackSkyMap_(constantSky(0.0f)) {
+  if (hasEnvironment_) {
+    const Environment& sky = *inputs.environment;
+    sky_ = SkyCoefficients(sky, std::max(ambientOrder, scene_.shOrder()));
+    skyMap_ = gl::makeFloatTexture(sky.width, sky.height, sky.radiance);
+    skyWidth_ = sky.width;
+  }
+  prepare(surfaceProgram_);
+  prepare(backgroundProgram_);
+  gl::check("preparing the renderer");
+}
+
+bool Renderer::canShade(Shading shading) const {
+  switch (shading) {
+    case Shading::Ao:
+      return scene_.hasAo();
+    case Shading::Sh:
+      return scene_.shOrder() > 0;
+    case Shading::Phong:
+      break;
+  }
+  return true;
+}
+
+bool Renderer::usesNeutralSky(const View& view) const {
+  return !hasEnvironment_ && view.lights.empty() && emitters_.empty();
+}
+
+std::vector<ShadedLight> Renderer::lightsOf(const View& view) const {
+  std::vector<ShadedLight> lights;
+  for (const Light& light : view.lights) lights.push_back(shadedLight(light, compiled_));
+  const std::size_t room = maxLights - (view.emitters ? emitters_.size() : 0);
+  if (lights.size() > room) {
+    const auto strength = [](const ShadedLight& l) { return l.intensity.r + l.intensity.g + l.intensity.b; };
+    std::stable_sort(lights.begin(), lights.end(),
+                     [&](const ShadedLight& a, const ShadedLight& b) { return strength(a) > strength(b); });
+    lights.resize(room);
+  }
+  if (view.emitters) lights.insert(lights.end(), emitters_.begin(), emitters_.end());
+  return lights;
+}
+
+void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const {
+  FrameBlock frame{};
+  const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
+  setCamera(view, tile, compiled_, frame);
+  setSky(view, sky, skyWidth_, frame);
+  if (view.shading == Shading::Sh) setTransfer(view, sky, lights, scene_.shOrder(), frame);
+  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(view.shading), scene_.shOrder(),
+                  scene_.shChannels()};
+  frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
+
+  std::vector<LightBlock> block(maxLights);
+  std::transform(lights.begin(), lights.end(), block.begin(), pack);
+  lightBlock_.fill(GL_UNIFORM_BUFFER, std::span<const LightBlock>(block), GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, frameBinding, frameBlock_.name());
+  glBindBufferBase(GL_UNIFORM_BUFFER, lightBinding, lightBlock_.name());
+}
+
+void Renderer::bindTextures(const View& view) const {
+  gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
+  gl::bind(transferUnit, GL_TEXTURE_BUFFER, scene_.transfer());
+  const gl::Texture& sky = hasEnvironment_ ? skyMap_ : usesNeutralSky(view) ? neutralSkyMap_ : blackSkyMap_;
+  gl::bind(skyUnit, GL_TEXTURE_2D, sky);
+}
+
+void Renderer::setSurface(const Surface& surface) const {
+  const Material& m = surface.material;
+  const auto bindOrWhite = [&](GLuint unit, TextureHandle texture) {
+    gl::bind(unit, GL_TEXTURE_2D, texture != nullptr ? *texture : scene_.white());
+  };
+  bindOrWhite(baseColorUnit, surface.baseColor);
+  bindOrWhite(metallicRoughnessUnit, surface.metallicRoughness);
+  bindOrWhite(emissiveUnit, surface.emissive);
+  // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
+  const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
+  const float cutoff = m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f;
+  const gl::Program& p = surfaceProgram_;
+  p.set("baseColorFactor", m.baseColor);
+  p.set("surfaceFactors", glm::vec4(m.metallic, m.roughness, m.transmission, cutoff));
+  p.set("emissionFactor", m.emission);
+  p.set("dielectricF0", glm::min(ratio * ratio * m.specularColor, glm::vec3(1.0f)));
+  p.set("dielectricWeight", m.specular);
+  p.set("alphaBlend", m.alphaMode == AlphaMode::Blend ? 1 : 0);
+  p.set("unlit", m.unlit ? 1 : 0);
+  if (m.doubleSided) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+  }
+}
+
+void Renderer::drawBatches(const std::vector<const Batch*>& batches) const {
+  surfaceProgram_.use();
+  glBindVertexArray(scene_.vertexArray().name());
+  // Attributes without an array read these: a white colour, an open sky.
+  glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
+  glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 1.0f);
+  glVertexAttrib3f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f);
+  for (const Batch* batch : batches) {
+    setSurface(scene_.surfaces()[batch->surface]);
+    surfaceProgram_.set("firstTriangle", static_cast<int>(batch->firstTriangle));
+    const std::size_t offset = std::size_t{batch->firstTriangle} * sizeof(glm::uvec3);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch->triangleCount * 3), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+  }
+  glBindVertexArray(0);
+}
+
+void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) const {
+  if (!canShade(view.shading)) {
+    const std::string name(shadingName(view.shading));
+    throw Error(ExitCode::RuntimeFailure, "--shading " + name, "the bake does not carry what it needs",
+                view.shading == Shading::Ao ? "bake with --ao" : "bake with --sh 4");
+  }
+  uploadFrame(view, tile, lightsOf(view));
+  bindTextures(view);
+  std::vector<const Batch*> opaque;
+  std::vector<const Batch*> blended;
+  for (const Batch& batch : scene_.batches()) {
+    (scene_.surfaces()[batch.surface].isBlended() ? blended : opaque).push_back(&batch);
+  }
+  const glm::dvec3 eye = glm::dvec3(view.camera.world[3]) - compiled_.origin;
+  std::stable_sort(blended.begin(), blended.end(), [&](const Batch* a, const Batch* b) {
+    return glm::distance(glm::dvec3(a->center), eye) > glm::distance(glm::dvec3(b->center), eye);
+  });
+
+  target.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glFrontFace(GL_CCW);
+  glCullFace(GL_BACK);
+  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  drawBatches(opaque);
+
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_FALSE);
+  backgroundProgram_.use();
+  glBindVertexArray(noVertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+  drawBatches(blended);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  gl::check("drawing");
+}
+
+void Renderer::describe(const View& view, Warnings& notes) const {
+  if (usesNeutralSky(view)) {
+    notes.emplace_back(
+        "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
+  }
+  const std::size_t room = maxLights - emitters_.size();
+  if (view.lights.size() > room) {
+    notes.push_back("the scene has " + std::to_string(view.lights.size()) + " lights: the strongest " +
+                    std::to_string(room) + " are drawn");
+  }
+  const bool inside = std::any_of(view.lights.begin(), view.lights.end(), [&](const Light& light) {
+    return !shadedLight(light, compiled_).throughTransfer;
+  });
+  if (view.shading == Shading::Sh && (inside || (view.emitters && !emitters_.empty()))) {
+    notes.emplace_back(
+        "emissive surfaces and lights within the scene's bounds shine without shadows in sh shading: the "
+        "transfer "
+        "cannot tell what is in front of them from what is behind");
+  }
+}
+
+}  // namespace prelight::viewer

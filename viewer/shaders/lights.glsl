@@ -1,0 +1,46 @@
+// The lights; mirrored by LightBlock of renderer.cpp. Their maths is documented in viewer/lighting.h.
+struct Light {
+  vec4 positionKind;    // w: LightKind
+  vec4 directionArea;   // xyz: way of the light or emitter's normal; w: emitter's area
+  vec4 intensityRange;  // w: range, 0 infinite
+  vec4 cone;            // x, y: scale and offset of the spot; z: 1 through the transfer; w: 1 two-sided emitter
+};
+
+layout(std140) uniform Lights { Light lights[240]; };
+
+const int kindDirectional = 0;
+const int kindPoint = 1;
+const int kindSpot = 2;
+const int kindEmitter = 3;
+
+int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
+bool isThroughTransfer(Light light) { return light.cone.z > 0.5; }
+
+// Irradiance on a surface at `point` that faces the light, and the unit direction to the light.
+vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
+  int kind = kindOf(light);
+  if (kind == kindDirectional) {
+    toLight = -light.directionArea.xyz;
+    return light.intensityRange.rgb;
+  }
+  vec3 path = light.positionKind.xyz - point;
+  float distance2 = max(dot(path, path), 1e-12);
+  toLight = path * inversesqrt(distance2);
+  float cosine = -dot(light.directionArea.xyz, toLight);
+  if (kind == kindEmitter) {
+    float area = light.directionArea.w;
+    float lobe = light.cone.w > 0.5 ? abs(cosine) : max(cosine, 0.0);
+    return light.intensityRange.rgb * lobe * area / (distance2 + area / pi);
+  }
+  float falloff = 1.0 / distance2;
+  float range = light.intensityRange.w;
+  if (range > 0.0) {
+    float ratio2 = distance2 / (range * range);
+    falloff *= clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
+  }
+  if (kind == kindSpot) {
+    float angular = clamp(cosine * light.cone.x + light.cone.y, 0.0, 1.0);
+    falloff *= angular * angular;
+  }
+  return light.intensityRange.rgb * falloff;
+}

@@ -1,0 +1,40 @@
+// Material of a fragment from the uniforms of Surface, its textures and vertex colours.
+uniform vec4 baseColorFactor;
+uniform vec4 surfaceFactors;     // metallic, roughness, transmission, alpha cutoff (< 0: none)
+uniform vec3 emissionFactor;
+uniform vec3 dielectricF0;       // reflectance at normal incidence of the non-metallic part
+uniform float dielectricWeight;  // KHR_materials_specular.specularFactor
+uniform int alphaBlend;
+uniform int unlit;
+uniform int doubleSided;
+uniform int firstTriangle;
+uniform sampler2D baseColorTexture;
+uniform sampler2D metallicRoughnessTexture;
+uniform sampler2D emissiveTexture;
+uniform samplerBuffer triangleNormals;  // see RenderScene
+
+struct FragmentMaterial {
+  vec3 base;
+  float alpha;
+  float metallic;
+  float roughness;
+  float transmission;
+  vec3 albedo;  // Lambertian
+  vec3 f0;
+  vec3 emission;
+};
+
+FragmentMaterial readMaterial(vec4 texCoords, vec2 emissiveTexCoord, vec4 vertexColor) {
+  vec4 base = baseColorFactor * texture(baseColorTexture, texCoords.xy) * vertexColor;
+  vec4 factors = texture(metallicRoughnessTexture, texCoords.zw);
+  FragmentMaterial m;
+  m.base = base.rgb;
+  m.alpha = base.a;
+  m.metallic = surfaceFactors.x * factors.b;
+  m.roughness = surfaceFactors.y * factors.g;
+  m.transmission = surfaceFactors.z * (1.0 - m.metallic);
+  m.albedo = m.base * (1.0 - m.metallic) * (1.0 - surfaceFactors.z);
+  m.f0 = mix(dielectricF0 * dielectricWeight, m.base, m.metallic);
+  m.emission = emissionFactor * texture(emissiveTexture, emissiveTexCoord).rgb;
+  return m;
+}

@@ -1,0 +1,25 @@
+// The sky's radiance; needs frame.glsl.
+uniform sampler2D skyMap;  // equirectangular: centre looks along -Z, u grows towards +X, row 0 is +Y
+
+vec3 skyRadiance(vec3 world, float level) {
+  vec3 w = mat3(skyFromWorld) * world;
+  float u = atan(w.x, -w.z) / (2.0 * pi) + 0.5;
+  float v = atan(length(w.xz), w.y) / pi;
+  return textureLod(skyMap, vec2(u, v), level).rgb;
+}
+
+// About the mip level whose texels are as wide as the lobe of a rough reflection.
+float levelOfRoughness(float roughness) {
+  float lobe = max(roughness * roughness * 1.2, 1e-4);  // radians
+  return max(log2(lobe) - skyLevels.x, 0.0);
+}
+
+// Sky radiance over pi times the cosine, gathered around a normal; RGB of ambient[] are premultiplied.
+vec3 ambientAround(vec3 n) {
+  vec3 e = ambient[0].rgb * 0.282094792;
+  e += (ambient[1].rgb * n.y + ambient[2].rgb * n.z + ambient[3].rgb * n.x) * 0.488602512;
+  e += (ambient[4].rgb * n.x * n.y + ambient[5].rgb * n.y * n.z + ambient[7].rgb * n.x * n.z) * 1.092548431;
+  e += ambient[6].rgb * (0.946174696 * n.z * n.z - 0.315391565);
+  e += ambient[8].rgb * 0.546274215 * (n.x * n.x - n.y * n.y);
+  return max(e, vec3(0.0));
+}

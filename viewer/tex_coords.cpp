@@ -1,0 +1,64 @@
+#include "viewer/tex_coords.h"
+
+#include <map>
+
+namespace prelight::viewer {
+namespace {
+
+const Primitive* findPrimitive(const Scene& scene, const std::map<int, int>& meshOfNode,
+                               const PrimitiveRange& range) {
+  const auto mesh = meshOfNode.find(range.node);
+  if (mesh == meshOfNode.end()) return nullptr;
+  const auto& primitives = scene.meshes[mesh->second].primitives;
+  if (range.primitive < 0 || static_cast<std::size_t>(range.primitive) >= primitives.size()) return nullptr;
+  const Primitive& primitive = primitives[range.primitive];
+  return primitive.positions.size() == range.vertexCount ? &primitive : nullptr;
+}
+
+glm::vec2 lookUp(const Primitive& primitive, const TextureRef& use, std::size_t vertex) {
+  const auto& coords = use.texCoord == 1 ? primitive.texCoords1 : primitive.texCoords0;
+  return vertex < coords.size() ? glm::vec2(use.transform * glm::vec3(coords[vertex], 1.0f))
+                                : glm::vec2(0.0f);
+}
+
+}  // namespace
+
+TexCoords texCoords(const Scene& scene, const CompiledScene& compiled) {
+  TexCoords result;
+  for (const glm::vec2& uv : compiled.texCoords) {
+    result.baseColorAndMetallicRoughness.emplace_back(uv, uv);
+    result.emissive.push_back(uv);
+  }
+  result.baseColorAndMetallicRoughness.resize(compiled.vertexCount(), glm::vec4(0.0f));
+  result.emissive.resize(compiled.vertexCount(), glm::vec2(0.0f));
+
+  std::map<int, int> meshOfNode;
+  for (const MeshNode& node : scene.meshNodes) meshOfNode[node.node] = node.mesh;
+  for (const PrimitiveRange& range : compiled.primitives) {
+    const Primitive* primitive = findPrimitive(scene, meshOfNode, range);
+    if (primitive == nullptr) continue;
+    const Material& material = scene.materialOf(*primitive);
+    for (std::uint32_t i = 0; i < range.vertexCount; ++i) {
+      result.baseColorAndMetallicRoughness[range.firstVertex + i] =
+          glm::vec4(lookUp(*primitive, material.baseColorTexture, i),
+                    lookUp(*primitive, material.metallicRoughnessTexture, i));
+      result.emissive[range.firstVertex + i] = lookUp(*primitive, material.emissiveTexture, i);
+    }
+  }
+  return result;
+}
+
+Material materialAt(const Scene& scene, const CompiledScene& compiled, std::size_t index) {
+  if (index < scene.materials.size()) return scene.materials[index];
+  const CompiledMaterial& lambert = compiled.materials[index];
+  Material material;
+  if (lambert.albedo == glm::vec3(0.0f) && lambert.emission == glm::vec3(0.0f)) return material;
+  material.baseColor = glm::vec4(lambert.albedo, 1.0f);
+  material.metallic = 0.0f;
+  material.specular = 0.0f;
+  material.emission = lambert.emission;
+  material.doubleSided = lambert.doubleSided;
+  return material;
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+namespace prelight::viewer {
+
+/// Texture coordinates of every vertex of a CompiledScene for each texture of its material, transformed.
+struct TexCoords {
+  std::vector<glm::vec4> baseColorAndMetallicRoughness;  ///< [vertex], xy and zw
+  std::vector<glm::vec2> emissive;                       ///< [vertex]
+};
+
+/// A primitive that the scene does not hold (a CompiledScene made without one) gets CompiledScene::texCoords.
+TexCoords texCoords(const Scene& scene, const CompiledScene& compiled);
+
+/// The material `index` of a CompiledScene: the scene's, or glTF's default. Without a scene behind it, a
+/// Lambertian one of the compiled albedo.
+Material materialAt(const Scene& scene, const CompiledScene& compiled, std::size_t index);
+
+}  // namespace prelight::viewer

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <type_traits>
+
+#include "viewer/lighting.h"
+
+/// The uniform blocks of the shaders as C++ (std140: everything is of vec4s).
+namespace prelight::viewer {
+
+/// `Frame` of shaders/frame.glsl.
+struct FrameBlock {
+  glm::mat4 clipFromScene;
+  glm::mat4 skyFromWorld;
+  glm::vec4 eye;
+  glm::vec4 forward;
+  glm::vec4 pixelRight;
+  glm::vec4 pixelUp;
+  glm::vec4 tile;
+  std::array<glm::vec4, 9> ambient;
+  std::array<glm::vec4, maxShOrder * maxShOrder> transferLight;
+  glm::vec4 skyLevels;
+  glm::ivec4 counts;
+  std::array<float, maxShOrder> window;
+};
+static_assert(std::is_trivially_copyable_v<FrameBlock>);
+static_assert(sizeof(FrameBlock) == 16 * (4 + 4 + 5 + 9 + 64 + 2 + 2));
+
+/// One of `Lights` of shaders/lights.glsl.
+struct LightBlock {
+  glm::vec4 positionKind;
+  glm::vec4 directionArea;
+  glm::vec4 intensityRange;
+  glm::vec4 cone;
+};
+static_assert(sizeof(LightBlock) == 64);
+
+}  // namespace prelight::viewer

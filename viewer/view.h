@@ -1,0 +1,14 @@
+#pragma once
+
+#include "viewer/render.h"
+#include "viewer/renderer.h"
+
+namespace prelight::viewer {
+
+/// The view that options ask for. Throws UsageError (camera index, size, samples).
+View makeView(const RenderInputs& inputs, const RenderOptions& options);
+
+/// Draws a view tile by tile, so that its size is not bound by what OpenGL draws at once.
+Picture renderView(const Renderer& renderer, const View& view, int samplesPerAxis);
+
+}  // namespace prelight::viewer
