@@ -247,9 +247,9 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
     auto& extension = document.json["nodes"][node]["extensions"][extensionName];
     extension["primitives"].push_back(std::move(primitive));
   }
-  document.json["extensions"][extensionName] = infoToJson(bake.info);
   auto& used = document.json["extensionsUsed"];
   if (std::find(used.begin(), used.end(), extensionName) == used.end()) used.push_back(extensionName);
+  document.json["extensions"][extensionName] = infoToJson(bake.info);
 }
 
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,12 +23,18 @@ constexpr std::array<std::string_view, 11> accessorMembers = {
     "ao",      "bentNormal", "coefficients", "offsets",  "indices", "values",
     "vectors", "occluders",  "irradiance",   "texCoord", "accessor"};
 
+/// An index: non-negative, however the tree's maker stored it.
+std::optional<std::size_t> asIndex(const Json& json) {
+  if (!json.is_number_integer() || (!json.is_number_unsigned() && json < 0)) return std::nullopt;
+  return json.get<std::size_t>();
+}
+
 void collectBaked(const Json& json, std::set<std::size_t>& accessors) {
   for (const auto& member : json.items()) {
     const bool named =
         std::find(accessorMembers.begin(), accessorMembers.end(), member.key()) != accessorMembers.end();
-    if (json.is_object() && named && member.value().is_number_unsigned()) {
-      accessors.insert(member.value().get<std::size_t>());
+    if (json.is_object() && named && asIndex(member.value())) {
+      accessors.insert(*asIndex(member.value()));
     } else if (member.value().is_structured()) {
       collectBaked(member.value(), accessors);
     }
@@ -46,14 +53,14 @@ void collectReferences(const Json& json, Reference kind, std::set<std::size_t>& 
     const bool named = kind == Reference::BufferView
                            ? member.key() == "bufferView"
                            : std::find(members.begin(), members.end(), member.key()) != members.end();
-    if (value.is_number_unsigned() && json.is_object() && named) references.insert(value.get<std::size_t>());
+    if (json.is_object() && named && asIndex(value)) references.insert(*asIndex(value));
     if (!value.is_structured() || member.key() == "extras") continue;
     collectReferences(value, kind, references);
     const bool attributes = member.key() == "attributes";
     if (kind == Reference::BufferView || !(attributes || member.key() == "targets")) continue;
     for (const Json& set : attributes ? Json::array({value}) : value) {
       for (const Json& item : set) {
-        if (item.is_number_unsigned()) references.insert(item.get<std::size_t>());
+        if (asIndex(item)) references.insert(*asIndex(item));
       }
     }
   }

@@ -7,13 +7,13 @@ GltfDocument makeShapesScene() {
   GltfBuilder builder("shapes");
   // Objects hover by a centimetre: no face lies in the ground's plane.
   constexpr float lift = 0.01f;
-  builder.addObject("Ground", makeGrid({-4.0f, 0.0f, 4.0f}, {8.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -8.0f}, 32, 32),
+  builder.addObject("Ground", makeGrid({-4.0, 0.0, 4.0}, {8.0, 0.0, 0.0}, {0.0, 0.0, -8.0}, 32, 32),
                     builder.addDiffuse("Ground", {0.7f, 0.7f, 0.7f}));
   builder.addObject("Sphere", makeSphere(0.8f, 36, 26), builder.addDiffuse("Red", {0.75f, 0.15f, 0.12f}),
                     {-1.9f, lift, 0.9f});
   builder.addObject("Torus", makeTorus(0.7f, 0.3f, 48, 24),
                     builder.addDiffuse("Yellow", {0.8f, 0.65f, 0.12f}), {0.1f, lift, 1.6f});
-  builder.addObject("Box", makeBox({1.2f, 1.2f, 1.2f}, 8, true),
+  builder.addObject("Box", makeBox({1.2, 1.2, 1.2}, 8, true),
                     builder.addDiffuse("Blue", {0.15f, 0.25f, 0.75f}), {1.9f, lift, 0.6f}, 0.4);
   builder.addObject("Cone", makeCone(0.7f, 1.7f, 40, 12, 4), builder.addDiffuse("Green", {0.2f, 0.65f, 0.2f}),
                     {-0.9f, lift, -1.3f});

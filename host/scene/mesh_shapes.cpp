@@ -11,6 +11,12 @@ constexpr double pi = std::numbers::pi;
 
 float fraction(int i, int n) { return static_cast<float>(i) / static_cast<float>(n); }
 
+/// Rounds away what double arithmetic leaves of a difference between two ways to the same point.
+glm::vec3 snap(const glm::dvec3& p) {
+  constexpr double steps = 16777216.0;  // 2^24 a metre
+  return glm::vec3(glm::round(p * steps) / steps);
+}
+
 /// A disc as an outline: from the axis to the rim when it faces down, back to the axis when it faces up.
 MeshShape makeDisc(float radius, float height, bool facesUp, int segments, int rings) {
   std::vector<OutlinePoint> outline;
@@ -30,13 +36,14 @@ void MeshShape::add(const MeshShape& other) {
   for (const glm::uvec3& triangle : other.triangles) triangles.push_back(triangle + first);
 }
 
-MeshShape makeGrid(const glm::vec3& corner, const glm::vec3& edgeU, const glm::vec3& edgeV, int columns,
+MeshShape makeGrid(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV, int columns,
                    int rows) {
   MeshShape grid;
-  const glm::vec3 normal = glm::normalize(glm::cross(edgeU, edgeV));
+  const glm::vec3 normal(glm::normalize(glm::cross(edgeU, edgeV)));
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
-      grid.positions.push_back(corner + edgeU * fraction(column, columns) + edgeV * fraction(row, rows));
+      grid.positions.push_back(snap(corner + edgeU * (static_cast<double>(column) / columns) +
+                                    edgeV * (static_cast<double>(row) / rows)));
       grid.normals.push_back(normal);
     }
   }
@@ -56,11 +63,11 @@ MeshShape makeGrid(const glm::vec3& corner, const glm::vec3& edgeU, const glm::v
   return grid;
 }
 
-MeshShape makeBox(const glm::vec3& size, int cells, bool withBottom) {
-  const glm::vec3 x(size.x, 0.0f, 0.0f);
-  const glm::vec3 y(0.0f, size.y, 0.0f);
-  const glm::vec3 z(0.0f, 0.0f, size.z);
-  const glm::vec3 low(-0.5f * size.x, 0.0f, -0.5f * size.z);
+MeshShape makeBox(const glm::dvec3& size, int cells, bool withBottom) {
+  const glm::dvec3 x(size.x, 0.0, 0.0);
+  const glm::dvec3 y(0.0, size.y, 0.0);
+  const glm::dvec3 z(0.0, 0.0, size.z);
+  const glm::dvec3 low(-0.5 * size.x, 0.0, -0.5 * size.z);
   MeshShape box = makeGrid(low + z, x, y, cells, cells);  // +z
   box.add(makeGrid(low + x, -x, y, cells, cells));        // -z
   box.add(makeGrid(low + x + z, -z, y, cells, cells));    // +x

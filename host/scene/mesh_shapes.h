@@ -17,13 +17,13 @@ struct MeshShape {
 };
 
 /// A rectangle from `corner` along two edges, cut into columns x rows quads; its front faces along
-/// cross(edgeU, edgeV).
-MeshShape makeGrid(const glm::vec3& corner, const glm::vec3& edgeU, const glm::vec3& edgeV, int columns,
+/// cross(edgeU, edgeV). Grids that meet get exactly the same vertices where theirs coincide.
+MeshShape makeGrid(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm::dvec3& edgeV, int columns,
                    int rows);
 
-/// A box of a face each of cells x cells quads, hard edges, facing outwards, standing on y = 0 around the y
-/// axis.
-MeshShape makeBox(const glm::vec3& size, int cells, bool withBottom);
+/// A box of a face each of cells x cells quads, hard edges, facing outwards, standing on y = 0 around the
+/// y axis.
+MeshShape makeBox(const glm::dvec3& size, int cells, bool withBottom);
 
 /// A point of the outline of a surface of revolution around the y axis, and the outline's normal there.
 struct OutlinePoint {

@@ -1,0 +1,197 @@
+#include "io/baked_file.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scene/builtin.h"
+#include "scene/loader.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+CompiledScene compileDocument(const GltfDocument& document) {
+  Warnings warnings;
+  return compileScene(loadScene(document, warnings), warnings);
+}
+
+Bake makeBake(const CompiledScene& scene) {
+  Bake bake;
+  bake.sh = ShTransfer{2, 3, 1, {}};
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    bake.ao.push_back(static_cast<float>(v) / static_cast<float>(scene.vertexCount()));
+    bake.bentNormals.push_back(scene.normals[v]);
+    for (int i = 0; i < 12; ++i)
+      bake.sh->coefficients.push_back(static_cast<float>(v) + 0.01f * static_cast<float>(i));
+  }
+  bake.info = {"Prelight test", 7, 1000, 0.25, 1, Json{{"passes", 3}}, "no device", 1.5};
+  return bake;
+}
+
+/// Two nodes of one mesh of two primitives, the second of points.
+GltfDocument sharedMeshDocument() {
+  GltfDocument document = test::triangleDocument();
+  auto& json = document.json;
+  auto& primitives = json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[1]["mode"] = 0;
+  json["nodes"].push_back({{"mesh", 0}, {"translation", {0, 0, 5}}});
+  json["scenes"][0]["nodes"] = {1, 0};
+  return document;
+}
+
+TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
+  const test::TemporaryFolder folder;
+  GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = compileDocument(document);
+  const Bake bake = makeBake(scene);
+  embedBake(document, scene, bake);
+  writeGlb(folder / "baked.glb", document);
+  Warnings warnings;
+  const std::optional<Bake> copy = readBake(readGltf(folder / "baked.glb", warnings), scene);
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->ao, bake.ao);
+  EXPECT_EQ(copy->bentNormals, bake.bentNormals);
+  ASSERT_TRUE(copy->sh);
+  EXPECT_EQ(copy->sh->order, 2);
+  EXPECT_EQ(copy->sh->channels, 3);
+  EXPECT_EQ(copy->sh->bounces, 1);
+  EXPECT_EQ(copy->sh->coefficients, bake.sh->coefficients);
+  EXPECT_EQ(copy->info.seed, 7u);
+  EXPECT_EQ(copy->info.rays, 1000u);
+  EXPECT_EQ(copy->info.plan, bake.info.plan);
+  EXPECT_EQ(copy->info.device, "no device");
+  EXPECT_TRUE(warnings.empty()) << "a baked file needs no complaint: " << warnings.front();
+}
+
+TEST(BakedFile, Extension_IsUsedButNotRequired) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = compileDocument(document);
+  embedBake(document, scene, makeBake(scene));
+  EXPECT_EQ(document.json["extensionsUsed"], Json::array({"PRELIGHT_transfer"}));
+  EXPECT_FALSE(document.json.contains("extensionsRequired"));
+  EXPECT_EQ(document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"].size(), 1u);
+  EXPECT_EQ(document.json["extensions"]["PRELIGHT_transfer"]["generator"], "Prelight test");
+}
+
+TEST(BakedFile, SharedMesh_HasValuesOnEachNodeAndNoneForPoints) {
+  GltfDocument document = sharedMeshDocument();
+  const CompiledScene scene = compileDocument(document);
+  ASSERT_EQ(scene.vertexCount(), 6u);
+  const Bake bake = makeBake(scene);
+  embedBake(document, scene, bake);
+  for (int node = 0; node < 2; ++node) {
+    const Json& primitives =
+        document
+            .json["nodes"][static_cast<std::size_t>(node)]["extensions"]["PRELIGHT_transfer"]["primitives"];
+    ASSERT_EQ(primitives.size(), 2u);
+    EXPECT_TRUE(primitives[0].contains("ao"));
+    EXPECT_EQ(primitives[1], Json::object());
+  }
+  EXPECT_EQ(readBake(document, scene)->ao, bake.ao);
+}
+
+TEST(BakedFile, Instances_AreStoredOneAfterTheOther) {
+  GltfDocument document = test::triangleDocument();
+  const int offsets = test::appendFloats(document, {0, 0, 0, 0, 0, 4}, "VEC3");
+  document.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = offsets;
+  const CompiledScene scene = compileDocument(document);
+  const Bake bake = makeBake(scene);
+  embedBake(document, scene, bake);
+  const auto& primitive = document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0];
+  EXPECT_EQ(document.json["accessors"][primitive["ao"].get<std::size_t>()]["count"], 6);
+  EXPECT_EQ(readBake(document, scene)->ao, bake.ao);
+  embedBake(document, scene, Bake{});
+  EXPECT_TRUE(document.json["nodes"][0]["extensions"].contains("EXT_mesh_gpu_instancing"));
+}
+
+TEST(BakedFile, BakingAgain_DoesNotGrowTheFile) {
+  for (GltfDocument document : {makeBuiltinScene("shapes"), sharedMeshDocument()}) {
+    const CompiledScene scene = compileDocument(document);
+    const Json original = document.json;
+    const auto originalBin = document.bin;
+    const Bake bake = makeBake(scene);
+    embedBake(document, scene, bake);
+    const GltfDocument once = document;
+    embedBake(document, scene, bake);
+    EXPECT_TRUE(document.json == once.json);
+    EXPECT_TRUE(document.bin == once.bin);
+    embedBake(document, scene, Bake{});
+    EXPECT_TRUE(document.json["accessors"] == original["accessors"]);
+    EXPECT_TRUE(document.json["bufferViews"] == original["bufferViews"]);
+    EXPECT_EQ(document.bin.size(), (originalBin.size() + 3) / 4 * 4) << "nothing but the padding may stay";
+  }
+}
+
+TEST(BakedFile, BakingAgain_KeepsWhatSomethingElseRefersTo) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = compileDocument(document);
+  embedBake(document, scene, makeBake(scene));
+  const std::size_t last = document.json["accessors"].size() - 1;
+  document.json["meshes"][0]["primitives"][0]["attributes"]["_BORROWED"] = last;
+  embedBake(document, scene, makeBake(scene));
+  EXPECT_EQ(document.json["meshes"][0]["primitives"][0]["attributes"]["_BORROWED"], last);
+  EXPECT_EQ(document.json["accessors"][last]["count"], 36);
+}
+
+TEST(BakedFile, NoExtension_IsNoBake) {
+  const GltfDocument document = test::triangleDocument();
+  EXPECT_FALSE(readBake(document, compileDocument(document)));
+}
+
+struct Misfit {
+  const char* name;
+  const char* pointer;
+  const char* value;
+  const char* expected;
+};
+
+std::ostream& operator<<(std::ostream& out, const Misfit& m) { return out << m.name; }
+
+class MisfitBake : public testing::TestWithParam<Misfit> {};
+
+TEST_P(MisfitBake, Read_ThrowsNamingThePlace) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = compileDocument(document);
+  embedBake(document, scene, makeBake(scene));
+  document.json[Json::json_pointer(GetParam().pointer)] = Json::parse(GetParam().value);
+  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
+  EXPECT_NE(message.find(GetParam().expected), std::string::npos) << message;
+}
+
+const Misfit misfits[] = {
+    {"Count", "/accessors/3/count", "2", "primitives/0/ao: expected 3 values, got 2"},
+    {"Type", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/ao", "4",
+     "ao: expected an accessor of type SCALAR"},
+    {"Index", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/ao", "99", "ao: accessor index 99"},
+    {"Order", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/sh/order", "3",
+     "sh/coefficients: expected 81"},
+    {"OrderZero", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/sh/order", "0",
+     "sh/order: expected 1.."},
+    {"Channels", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/sh/channels", "2",
+     "sh/channels: expected 1 or 3"},
+    {"Primitives", "/nodes/0/extensions/PRELIGHT_transfer/primitives", "[]", "primitives: 0 primitives"},
+    {"NotObject", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0", "[]",
+     "primitives/0: expected an object"},
+    {"NoNode", "/nodes/0/extensions", "{}", "/nodes/0: no PRELIGHT_transfer"},
+    {"RootType", "/extensions/PRELIGHT_transfer/rays", "-1", "PRELIGHT_transfer/rays"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Table, MisfitBake, testing::ValuesIn(misfits),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+TEST(BakedFile, NanValue_IsRefused) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = compileDocument(document);
+  Bake bake = makeBake(scene);
+  bake.ao[1] = std::numeric_limits<float>::quiet_NaN();
+  embedBake(document, scene, bake);
+  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
+  EXPECT_NE(message.find("ao: value 1 is nan"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,156 @@
+#include "scene/builtin.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "base/error.h"
+#include "scene/loader.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+CompiledScene compileBuiltin(const std::string& name) {
+  Warnings warnings;
+  const CompiledScene scene = compileScene(loadScene(makeBuiltinScene(name), warnings), warnings);
+  EXPECT_TRUE(warnings.empty()) << name << ": " << warnings.front();
+  return scene;
+}
+
+/// Six times the signed volume that the triangles of a primitive enclose around its own centre; positive when
+/// they face outwards.
+double signedVolume(const CompiledScene& scene, const PrimitiveRange& range) {
+  double volume = 0.0;
+  const glm::dvec3 centre(scene.positions[range.firstVertex]);
+  for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+    volume += glm::dot(geometricNormal(scene, t), glm::dvec3(scene.positions[scene.triangles[t].x]) - centre);
+  }
+  return volume;
+}
+
+/// Edges, by position, that no triangle runs through the other way.
+std::size_t openEdges(const CompiledScene& scene, const PrimitiveRange& range) {
+  using Point = std::tuple<float, float, float>;
+  std::map<std::pair<Point, Point>, int> balance;
+  const auto point = [&](std::uint32_t v) {
+    const glm::vec3& p = scene.positions[v];
+    return Point{p.x, p.y, p.z};
+  };
+  for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const Point a = point(scene.triangles[t][corner]);
+      const Point b = point(scene.triangles[t][(corner + 1) % 3]);
+      if (a < b) {
+        ++balance[{a, b}];
+      } else {
+        --balance[{b, a}];
+      }
+    }
+  }
+  std::size_t open = 0;
+  for (const auto& [edge, count] : balance) open += count != 0 ? 1 : 0;
+  return open;
+}
+
+TEST(BuiltinScenes, All_SurviveWritingAndReading) {
+  const test::TemporaryFolder folder;
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    const GltfDocument document = makeBuiltinScene(builtin.name);
+    writeGlb(folder / "scene.glb", document);
+    Warnings warnings;
+    const GltfDocument copy = readGltf(folder / "scene.glb", warnings);
+    EXPECT_EQ(copy.json, document.json) << builtin.name;
+    EXPECT_TRUE(warnings.empty());
+    for (const auto& node : copy.json["nodes"]) EXPECT_FALSE(node.value("name", "").empty());
+  }
+}
+
+TEST(BuiltinScenes, All_HaveOneCameraAndOneLight) {
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    Warnings warnings;
+    const Scene scene = loadScene(makeBuiltinScene(builtin.name), warnings);
+    EXPECT_EQ(scene.cameras.size(), 1u);
+    EXPECT_GT(scene.cameras[0].aspect, 0.0);
+    std::size_t lights = scene.lights.size();
+    for (const Material& material : scene.materials) lights += material.isEmissive() ? 1 : 0;
+    EXPECT_EQ(lights, 1u) << builtin.name;
+  }
+}
+
+TEST(BuiltinScenes, Counts_AreAsDocumented) {
+  const CompiledScene shapes = compileBuiltin("shapes");
+  EXPECT_EQ(shapes.triangleCount(), 9800u);
+  EXPECT_EQ(shapes.vertexCount(), 5232u);
+  EXPECT_EQ(shapes.primitives.size(), 6u);
+  EXPECT_EQ(compileBuiltin("cornell").triangleCount(), 13122u);
+  EXPECT_EQ(compileBuiltin("caustics").triangleCount(), 13378u);
+  EXPECT_EQ(compileBuiltin("rooms").triangleCount(), 8536u);
+}
+
+TEST(BuiltinScenes, ShapesAndGlass_AreClosedAndFaceOutwards) {
+  const CompiledScene shapes = compileBuiltin("shapes");
+  for (std::size_t i = 1; i < shapes.primitives.size(); ++i) {
+    EXPECT_GT(signedVolume(shapes, shapes.primitives[i]), 0.0) << i;
+    EXPECT_EQ(openEdges(shapes, shapes.primitives[i]), 0u) << i;
+  }
+  const CompiledScene caustics = compileBuiltin("caustics");
+  EXPECT_GT(signedVolume(caustics, caustics.primitives[6]), 0.0);
+  EXPECT_EQ(openEdges(caustics, caustics.primitives[6]), 0u);
+}
+
+TEST(BuiltinScenes, ShadingAndGeometricNormals_Agree) {
+  for (const BuiltinScene& builtin : builtinScenes()) {
+    const CompiledScene scene = compileBuiltin(builtin.name);
+    for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+      for (int corner = 0; corner < 3; ++corner) {
+        ASSERT_GT(glm::dot(geometricNormal(scene, t), glm::dvec3(scene.normals[scene.triangles[t][corner]])),
+                  0.0)
+            << builtin.name << " triangle " << t;
+      }
+    }
+  }
+}
+
+/// From a point inside, every wall shows its front.
+TEST(BuiltinScenes, RoomWalls_FaceTheInside) {
+  const CompiledScene cornell = compileBuiltin("cornell");
+  for (std::size_t i = 0; i < 6; ++i) {
+    const PrimitiveRange& range = cornell.primitives[i];
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+      ASSERT_LT(glm::dot(geometricNormal(cornell, t), glm::dvec3(cornell.positions[cornell.triangles[t].x])),
+                0.0);
+    }
+  }
+  const CompiledScene rooms = compileBuiltin("rooms");
+  for (std::size_t i = 0; i < 6; ++i) {
+    const glm::dvec3 inside(i < 3 ? -2.1 : 2.1, 0.0, 0.0);
+    const PrimitiveRange& range = rooms.primitives[i];
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+      const glm::dvec3 corner(rooms.positions[rooms.triangles[t].x]);
+      ASSERT_LT(glm::dot(geometricNormal(rooms, t), corner - inside), 0.0)
+          << "node " << i << " triangle " << t;
+    }
+  }
+}
+
+/// The two rooms and the doorway form one closed surface: no light can come in.
+TEST(BuiltinScenes, RoomsWithTheirDoorway_AreClosed) {
+  const CompiledScene rooms = compileBuiltin("rooms");
+  PrimitiveRange shell = rooms.primitives[0];
+  for (std::size_t i = 1; i < 7; ++i) shell.triangleCount += rooms.primitives[i].triangleCount;
+  EXPECT_EQ(openEdges(rooms, shell), 0u);
+}
+
+TEST(BuiltinScenes, UnknownName_ListsTheKnownOnes) {
+  try {
+    makeBuiltinScene("sponza");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("shapes, cornell, caustics, rooms"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,188 @@
+#include "scene/compiled_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "scene/compile_parts.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+/// One triangle in the plane z = 0, facing +Z, with one mesh node.
+Scene triangleScene(const glm::dmat4& transform) {
+  Scene scene;
+  Primitive primitive;
+  primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  primitive.normals.assign(3, glm::vec3(0, 0, 1));
+  primitive.triangles = {{0, 1, 2}};
+  scene.meshes.push_back({"mesh", {primitive}});
+  scene.meshNodes.push_back({0, "node", 0, {transform}});
+  return scene;
+}
+
+glm::dmat4 scaling(double x, double y, double z) {
+  glm::dmat4 m(1.0);
+  m[0][0] = x;
+  m[1][1] = y;
+  m[2][2] = z;
+  return m;
+}
+
+CompiledScene compile(const Scene& scene) {
+  Warnings warnings;
+  return compileScene(scene, warnings);
+}
+
+Image solidImage(int width, int height, std::array<std::uint8_t, 4> texel) {
+  Image image{"image", width, height, {}};
+  for (int i = 0; i < width * height; ++i) {
+    for (const std::uint8_t channel : texel) image.rgba.push_back(channel);
+  }
+  return image;
+}
+
+TEST(CompileScene, FarFromTheOrigin_KeepsShapeExactly) {
+  glm::dmat4 transform(1.0);
+  transform[3] = glm::dvec4(1e7, -2e7, 3e7, 1.0);
+  const CompiledScene scene = compile(triangleScene(transform));
+  EXPECT_EQ(scene.origin, glm::dvec3(1e7 + 0.5, -2e7 + 0.5, 3e7));
+  EXPECT_EQ(scene.positions[1], glm::vec3(0.5f, -0.5f, 0.0f));
+  EXPECT_EQ(scene.boundsMin, glm::vec3(-0.5f, -0.5f, 0.0f));
+  EXPECT_EQ(scene.boundsMax, glm::vec3(0.5f, 0.5f, 0.0f));
+}
+
+TEST(CompileScene, MirroringTransform_FlipsWindingNotNormals) {
+  const CompiledScene scene = compile(triangleScene(scaling(-1.0, 1.0, 1.0)));
+  EXPECT_EQ(scene.normals[0], glm::vec3(0, 0, 1));
+  EXPECT_GT(geometricNormal(scene, 0).z, 0.0);
+}
+
+TEST(CompileScene, NonUniformScale_UsesTheInverseTranspose) {
+  Scene scene = triangleScene(scaling(1.0, 4.0, 1.0));
+  scene.meshes[0].primitives[0].normals.assign(3, glm::normalize(glm::vec3(1, 1, 0)));
+  const glm::vec3 normal = compile(scene).normals[0];
+  EXPECT_NEAR(normal.y / normal.x, 0.25f, 1e-6f);
+}
+
+TEST(CompileScene, FlatteningScale_StillHasANormal) {
+  EXPECT_EQ(compile(triangleScene(scaling(1.0, 1.0, 0.0))).normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST(CompileScene, NoNormals_AreFlatWithAreaWeightedMeans) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  Primitive& primitive = scene.meshes[0].primitives[0];
+  primitive.normals.clear();
+  primitive.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -3}, {9, 9, 9}};
+  primitive.triangles = {{0, 1, 2}, {0, 3, 1}};  // +Z of area 1/2, -Y of area 3/2
+  const CompiledScene compiled = compile(scene);
+  EXPECT_EQ(compiled.triangleFlat, (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(compiled.normals[2], glm::vec3(0, 0, 1));
+  EXPECT_NEAR(compiled.normals[0].y, -3.0f / std::sqrt(10.0f), 1e-6f);
+  EXPECT_NEAR(compiled.normals[0].z, 1.0f / std::sqrt(10.0f), 1e-6f);
+  EXPECT_EQ(compiled.normals[4], glm::vec3(0, 1, 0)) << "an unused vertex";
+}
+
+TEST(CompileScene, DegenerateTriangles_AreCountedAndDropped) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  scene.meshes[0].primitives[0].triangles = {{0, 0, 1}, {0, 1, 2}, {2, 2, 2}};
+  Warnings warnings;
+  const CompiledScene compiled = compileScene(scene, warnings);
+  EXPECT_EQ(compiled.droppedTriangles, 2u);
+  EXPECT_EQ(compiled.triangleCount(), 1u);
+  EXPECT_EQ(compiled.primitives[0].triangleCount, 1u);
+  EXPECT_EQ(compiled.triangleMaterials.size(), 1u);
+  EXPECT_EQ(warnings.size(), 1u);
+}
+
+TEST(CompileScene, BeyondFloat_ThrowsNamingTheNode) {
+  Scene scene = triangleScene(scaling(1e300, 1.0, 1.0));
+  const std::string message = test::inputErrorOf([&] { compile(scene); });
+  EXPECT_NE(message.find("/nodes/0"), std::string::npos) << message;
+}
+
+TEST(CompileScene, PointsPrimitive_HasARangeWithoutVertices) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  Primitive points;
+  points.positions = {{0, 0, 0}};
+  scene.meshes[0].primitives.insert(scene.meshes[0].primitives.begin(), points);
+  const CompiledScene compiled = compile(scene);
+  ASSERT_EQ(compiled.primitives.size(), 2u);
+  EXPECT_EQ(compiled.primitives[0].vertexCount, 0u);
+  EXPECT_EQ(compiled.primitives[1].primitive, 1);
+  EXPECT_EQ(compiled.vertexCount(), 3u);
+}
+
+TEST(CompileScene, SomeColors_FillTheOthersWithWhite) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  EXPECT_FALSE(compile(scene).hasVertexColors());
+  scene.meshes[0].primitives.push_back(scene.meshes[0].primitives[0]);
+  scene.meshes[0].primitives[1].colors.assign(3, glm::vec4(0.5f));
+  const CompiledScene compiled = compile(scene);
+  ASSERT_EQ(compiled.colors.size(), 6u);
+  EXPECT_EQ(compiled.colors[0], glm::vec4(1.0f));
+  EXPECT_EQ(compiled.colors[5], glm::vec4(0.5f));
+}
+
+TEST(CompileScene, DefaultMaterial_IsLastAndBlackMetal) {
+  const CompiledScene compiled = compile(triangleScene(glm::dmat4(1.0)));
+  ASSERT_EQ(compiled.materials.size(), 1u);
+  EXPECT_EQ(compiled.triangleMaterials[0], 0u);
+  EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.0f));  // glTF's default is a metal
+}
+
+TEST(CompileMaterials, Metalness_MultipliesIntoTheAlbedoImage) {
+  Scene scene;
+  scene.images = {solidImage(2, 2, {255, 128, 0, 77}), solidImage(1, 1, {0, 0, 255, 255})};
+  scene.images[1].rgba = {0, 0, 128, 255};
+  Material material;
+  material.baseColorTexture.image = 0;
+  material.metallicRoughnessTexture.image = 1;
+  material.transmission = 0.5f;
+  scene.materials = {material, material};
+  scene.materials[1].name = "same content";
+  Warnings warnings;
+  const CompiledMaterials compiled = compileMaterials(scene, warnings);
+  ASSERT_EQ(compiled.albedoImages.size(), 1u) << "equal contents share an image";
+  EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.5f));
+  const float dielectric = 1.0f - 128.0f / 255.0f;
+  const auto& texel = compiled.albedoImages[0].rgba;
+  EXPECT_EQ(texel[0], srgbFromLinear(dielectric));
+  EXPECT_EQ(texel[1], srgbFromLinear(dielectric * linearFromSrgb(128)));
+  EXPECT_EQ(texel[3], 77);
+}
+
+TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {
+  Scene scene;
+  Image image = solidImage(2, 1, {255, 255, 255, 255});
+  image.rgba[4] = image.rgba[5] = image.rgba[6] = 0;
+  scene.images = {image};
+  Material material;
+  material.emission = glm::vec3(4.0f);
+  material.emissiveTexture.image = 0;
+  scene.materials = {material};
+  Warnings warnings;
+  EXPECT_EQ(compileMaterials(scene, warnings).materials[0].emission, glm::vec3(2.0f));
+}
+
+TEST(CompileMaterials, AlphaModes_BecomeCutoffs) {
+  Scene scene;
+  scene.materials.resize(3);
+  scene.materials[1].alphaMode = AlphaMode::Mask;
+  scene.materials[1].alphaCutoff = 0.25f;
+  scene.materials[2].alphaMode = AlphaMode::Blend;
+  Warnings warnings;
+  const auto materials = compileMaterials(scene, warnings).materials;
+  EXPECT_LT(materials[0].alphaCutoff, 0.0f);
+  EXPECT_EQ(materials[1].alphaCutoff, 0.25f);
+  EXPECT_EQ(materials[2].alphaCutoff, 0.5f);
+}
+
+TEST(Srgb, EveryByte_SurvivesTheRoundTrip) {
+  for (int i = 0; i < 256; ++i) EXPECT_EQ(srgbFromLinear(linearFromSrgb(static_cast<std::uint8_t>(i))), i);
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "base/error.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf_document.h"
+#include "scene/loader.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+/// A small file with a bit of everything: sparse, instances, lights, cameras, materials, hierarchy.
+GltfDocument richDocument() {
+  GltfDocument document = test::triangleDocument();
+  const int offsets = test::appendFloats(document, {0, 0, 0, 2, 0, 0}, "VEC3");
+  auto& json = document.json;
+  json["accessors"][0]["sparse"] = {{"count", 1},
+                                    {"indices", {{"bufferView", 2}, {"componentType", 5121}}},
+                                    {"values", {{"bufferView", 1}}}};
+  json["nodes"][0]["children"] = {1, 2};
+  json["nodes"][0]["rotation"] = {0, 0.7, 0, 0.7};
+  json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = offsets;
+  json["nodes"].push_back({{"camera", 0}, {"translation", {1, 2, 3}}});
+  json["nodes"].push_back({{"scale", {2, -2, 2}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+  json["cameras"] = nlohmann::ordered_json::parse(
+      R"([{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1, "aspectRatio": 1.5}}])");
+  json["extensions"]["KHR_lights_punctual"]["lights"] =
+      nlohmann::ordered_json::parse(R"([{"type": "spot", "intensity": 4, "spot": {"outerConeAngle": 0.7}}])");
+  json["materials"][0]["extensions"]["KHR_materials_volume"]["thicknessFactor"] = 1;
+  json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.5, 0.5, 1};
+  return document;
+}
+
+/// Loads the bytes to the end. Anything but success or a clean error fails the test.
+void tryBytes(const std::filesystem::path& path, const std::string& bytes) {
+  test::writeBytes(path, bytes);
+  Warnings warnings;
+  try {
+    compileScene(loadScene(readGltf(path, warnings), warnings), warnings);
+  } catch (const InputError&) {
+  }
+}
+
+TEST(ReadGltf, FlippedBytes_ThrowInputErrorOrLoad) {
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "good.glb", richDocument());
+  const std::string good = test::readBytes(folder / "good.glb");
+  std::mt19937 random(7);
+  for (int i = 0; i < 3000; ++i) {
+    std::string bytes = good;
+    const int flips = 1 + static_cast<int>(random() % 4);
+    for (int f = 0; f < flips; ++f) bytes[random() % bytes.size()] = static_cast<char>(random());
+    ASSERT_NO_THROW(tryBytes(folder / "bad.glb", bytes)) << "iteration " << i;
+  }
+}
+
+/// Digits are where most harm sits: counts, offsets, indices.
+TEST(ReadGltf, ChangedDigits_ThrowInputErrorOrLoad) {
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "good.glb", richDocument());
+  const std::string good = test::readBytes(folder / "good.glb");
+  std::vector<std::size_t> digits;
+  for (std::size_t i = 20; i < good.find("BIN"); ++i) {
+    if (good[i] >= '0' && good[i] <= '9') digits.push_back(i);
+  }
+  std::mt19937 random(11);
+  for (int i = 0; i < 2000; ++i) {
+    std::string bytes = good;
+    bytes[digits[random() % digits.size()]] = static_cast<char>('0' + random() % 10);
+    ASSERT_NO_THROW(tryBytes(folder / "bad.glb", bytes)) << "iteration " << i;
+  }
+}
+
+TEST(ReadGltf, EveryTruncation_Throws) {
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "good.glb", test::triangleDocument());
+  const std::string good = test::readBytes(folder / "good.glb");
+  Warnings warnings;
+  for (std::size_t length = 0; length < good.size(); ++length) {
+    test::writeBytes(folder / "bad.glb", good.substr(0, length));
+    EXPECT_THROW(readGltf(folder / "bad.glb", warnings), InputError) << length;
+  }
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Material loadMaterial(const char* json, Warnings& warnings) {
+  GltfDocument document = test::triangleDocument();
+  document.json["materials"][0] = Json::parse(json);
+  document.json["images"] = Json::parse(R"([{"bufferView": 0}, {"bufferView": 0}])");
+  document.json["samplers"] = Json::parse(R"([{"wrapS": 33071, "wrapT": 33648}])");
+  document.json["textures"] = Json::parse(R"([{"source": 1, "sampler": 0}, {}])");
+  return test::reload(document, warnings).materials.at(0);
+}
+
+TEST(LoadMaterial, NothingGiven_IsGltfsDefault) {
+  Warnings warnings;
+  const Material material = loadMaterial("{}", warnings);
+  EXPECT_EQ(material.baseColor, glm::vec4(1.0f));
+  EXPECT_EQ(material.metallic, 1.0f);
+  EXPECT_EQ(material.roughness, 1.0f);
+  EXPECT_EQ(material.ior, 1.5f);
+  EXPECT_TRUE(std::isinf(material.attenuationDistance));
+  EXPECT_FALSE(material.isEmissive());
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(LoadMaterial, Extensions_AreReadFromIntegersAndFloats) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"emissiveFactor": [1, 0.5, 0], "extensions": {
+    "KHR_materials_emissive_strength": {"emissiveStrength": 3000000000},
+    "KHR_materials_transmission": {"transmissionFactor": 1},
+    "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 0.5, "attenuationColor": [1, 0, 0]},
+    "KHR_materials_ior": {"ior": 0}, "KHR_materials_specular": {"specularFactor": 0, "specularColorFactor": [2, 1, 1]},
+    "KHR_materials_unlit": {}}})",
+                                         warnings);
+  EXPECT_EQ(material.emission, glm::vec3(3e9f, 1.5e9f, 0.0f));
+  EXPECT_EQ(material.transmission, 1.0f);
+  EXPECT_EQ(material.thickness, 2.0f);
+  EXPECT_EQ(material.attenuationDistance, 0.5f);
+  EXPECT_EQ(material.attenuationColor, glm::vec3(1, 0, 0));
+  EXPECT_EQ(material.ior, 0.0f);
+  EXPECT_EQ(material.specular, 0.0f);
+  EXPECT_EQ(material.specularColor, glm::vec3(2, 1, 1));
+  EXPECT_TRUE(material.unlit);
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(LoadMaterial, ValuesOutsideTheirRange_ClampWithWarnings) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"pbrMetallicRoughness":
+    {"baseColorFactor": [1.5, -1, 0.5, 1], "metallicFactor": 2, "roughnessFactor": -3},
+    "extensions": {"KHR_materials_ior": {"ior": 0.5}, "KHR_materials_volume": {"attenuationDistance": 0}}})",
+                                         warnings);
+  EXPECT_EQ(material.baseColor, glm::vec4(1.0f, 0.0f, 0.5f, 1.0f));
+  EXPECT_EQ(material.metallic, 1.0f);
+  EXPECT_EQ(material.roughness, 0.0f);
+  EXPECT_EQ(material.ior, 1.0f);
+  EXPECT_TRUE(std::isinf(material.attenuationDistance));
+  EXPECT_EQ(warnings.size(), 6u);
+}
+
+TEST(LoadMaterial, EmissiveFactorAboveOne_IsKeptWithAWarning) {
+  Warnings warnings;
+  EXPECT_EQ(loadMaterial(R"({"emissiveFactor": [10, 10, 10]})", warnings).emission, glm::vec3(10.0f));
+  EXPECT_EQ(warnings.size(), 1u);
+}
+
+TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
+  Warnings warnings;
+  const Material material =
+      loadMaterial(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions": {
+    "KHR_texture_transform": {"offset": [0.25, 0.5], "rotation": 1.5707963267948966, "scale": [2, 3],
+    "texCoord": 1}}}}})",
+                   warnings);
+  const TextureRef& ref = material.baseColorTexture;
+  EXPECT_EQ(ref.image, 1);
+  EXPECT_EQ(ref.texCoord, 1);
+  EXPECT_EQ(ref.wrapS, WrapMode::ClampToEdge);
+  EXPECT_EQ(ref.wrapT, WrapMode::MirroredRepeat);
+  // The extension's GLSL: translation x rotation x scale with rotation columns (cos, -sin) and (sin, cos).
+  const glm::vec3 uv = ref.transform * glm::vec3(1.0f, 1.0f, 1.0f);
+  EXPECT_NEAR(uv.x, 0.25f + 3.0f, 1e-6f);
+  EXPECT_NEAR(uv.y, 0.5f - 2.0f, 1e-6f);
+}
+
+TEST(LoadMaterial, TextureWithoutImageOrWithThirdSet_IsIgnoredWithAWarning) {
+  Warnings warnings;
+  const Material material = loadMaterial(
+      R"({"emissiveTexture": {"index": 1}, "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 2}}})",
+      warnings);
+  EXPECT_EQ(material.emissiveTexture.image, -1);
+  EXPECT_EQ(material.baseColorTexture.image, -1);
+  EXPECT_EQ(warnings.size(), 2u);
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "scene/gltf_document.h"
+#include "scene/scene.h"
+
+namespace prelight::test {
+
+/// A folder of its own under the system's temporary one, removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+void writeBytes(const std::filesystem::path& path, std::string_view bytes);
+std::string readBytes(const std::filesystem::path& path);
+
+/// One triangle (0,0,0) (1,0,0) (0,1,0) with +Z normals, 16-bit indices, a material and a node. Accessors: 0
+/// position, 1 normal, 2 indices.
+GltfDocument triangleDocument();
+
+int appendFloats(GltfDocument& document, const std::vector<float>& values, const std::string& type);
+int appendBytes(GltfDocument& document, const std::vector<std::uint8_t>& values, const std::string& type,
+                std::size_t count, int componentType);
+
+/// Writes the document as .glb, reads it again and loads it.
+Scene reload(const GltfDocument& document, Warnings& warnings);
+CompiledScene recompile(const GltfDocument& document, Warnings& warnings);
+
+/// Message of the InputError that `action` throws; empty when it throws none.
+std::string inputErrorOf(const std::function<void()>& action);
+
+/// True when a warning contains `text`.
+bool anyContains(const Warnings& warnings, std::string_view text);
+
+}  // namespace prelight::test
