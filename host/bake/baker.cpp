@@ -32,16 +32,20 @@ class StageClock {
   Clock::time_point last_;
 };
 
-bool bounces(const BakeRequest& request, const Plan& plan) { return request.shOrder > 0 && request.bounces > 0 && plan.runs("bounces"); }
+bool bounces(const BakeRequest& request, const Plan& plan) {
+  return request.shOrder > 0 && request.bounces > 0 && plan.runs("bounces");
+}
 
 /// Rows of senders that the plan's memory and the device have room for.
 std::uint32_t storedCapacity(const Plan& plan, const Device& device, std::uint32_t raysPerReceiver) {
   const std::uint64_t bytes = std::min(plan.transportBytes, device.info().maxAllocation);
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(bytes / (sizeof(device::Sender) * raysPerReceiver), 0xffffffffu / raysPerReceiver));
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(
+      bytes / (sizeof(device::Sender) * raysPerReceiver), 0xffffffffu / raysPerReceiver));
 }
 
 /// [slot][3][n], the transfer that leaves direct occlusion for the first bounce: the same in every channel.
-std::vector<double> directTransfer(const SideCast& cast, const std::vector<double>& fitted, std::size_t slots) {
+std::vector<double> directTransfer(const SideCast& cast, const std::vector<double>& fitted,
+                                   std::size_t slots) {
   const std::size_t columns = cast.baseline().columns(), n = columns - 4;
   std::vector<double> transfer(slots * 3 * n);
   for (std::size_t s = 0; s < slots; ++s)
@@ -52,15 +56,17 @@ std::vector<double> directTransfer(const SideCast& cast, const std::vector<doubl
 }
 
 /// Casts from the backs that the front's rays have seen. nullptr when there are none.
-std::unique_ptr<SideCast> castBacks(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-                                    const SideCast& front, std::uint32_t capacity, Progress& progress, BakeReport& report) {
+std::unique_ptr<SideCast> castBacks(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                                    const Schedule& schedule, const SideCast& front, std::uint32_t capacity,
+                                    Progress& progress, BakeReport& report) {
   const std::vector<std::uint8_t> marks = caster.backMarks();
   const auto seen = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
   if (seen == 0) {
     report.notes.push_back("back faces: skipped, no ray meets one that reflects");
     return nullptr;
   }
-  report.notes.push_back(fmt::format("back faces: {} triangles are seen from behind and reflect there too", seen));
+  report.notes.push_back(
+      fmt::format("back faces: {} triangles are seen from behind and reflect there too", seen));
   auto back = std::make_unique<SideCast>(scene, mesh, caster, schedule, Side::Back);
   back->active() = marks;
   back->run(progress, front.storedCount(), capacity - front.storedCount());
@@ -68,8 +74,9 @@ std::unique_ptr<SideCast> castBacks(const CompiledScene& scene, const FitMesh& m
 }
 
 /// Sum of direct transfer and all bounces of the front, [slot][3][n].
-std::vector<double> bounceAll(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder, int count,
-                              const SideCast& front, const SideCast* back, Progress& progress, BakeReport& report) {
+std::vector<double> bounceAll(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
+                              int count, const SideCast& front, const SideCast* back, Progress& progress,
+                              BakeReport& report) {
   BounceSide frontSide{&front, directTransfer(front, front.solve(), mesh.slotCount())};
   BounceSide backSide{back, {}};
   if (back != nullptr) backSide.transfer = directTransfer(*back, back->solve(), mesh.slotCount());
@@ -95,7 +102,8 @@ float finiteOr(double value, float fallback) {
   return std::isfinite(f) ? f : fallback;
 }
 
-void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted, const CompiledScene& scene, Bake& bake) {
+void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
+            const CompiledScene& scene, Bake& bake) {
   const std::size_t columns = front.baseline().columns();
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
     const std::size_t slot = mesh.slotOfVertex[v];
@@ -109,7 +117,8 @@ void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double
   }
 }
 
-void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const CompiledScene& scene, int channels, int shOrder, Bake& bake) {
+void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const CompiledScene& scene,
+            int channels, int shOrder, Bake& bake) {
   const auto n = static_cast<std::size_t>(shOrder * shOrder);
   bake.sh = ShTransfer{shOrder, channels, 0, {}};
   bake.sh->coefficients.reserve(scene.vertexCount() * static_cast<std::size_t>(channels) * n);
@@ -138,7 +147,8 @@ nlohmann::ordered_json BakeReport::toJson() const {
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report) {
   if (scene.triangleCount() == 0)
-    throw InputError("scene", "there is no triangle to bake", "bake needs a mesh with at least one triangle of non-zero area");
+    throw InputError("scene", "there is no triangle to bake",
+                     "bake needs a mesh with at least one triangle of non-zero area");
   const auto start = Clock::now();
   StageClock clock(report);
   const bool withBounces = bounces(request, plan);
@@ -163,7 +173,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   Bake bake;
   if (request.ao) packAo(mesh, front, fitted, scene, bake);
   if (request.shOrder > 0) {
-    const auto transfer = withBounces ? bounceAll(scene, mesh, caster, request.shOrder, request.bounces, front, back.get(), progress, report)
+    const auto transfer = withBounces ? bounceAll(scene, mesh, caster, request.shOrder, request.bounces,
+                                                  front, back.get(), progress, report)
                                       : directTransfer(front, fitted, mesh.slotCount());
     packSh(mesh, transfer, scene, withBounces ? 3 : 1, request.shOrder, bake);
     bake.sh->bounces = withBounces ? request.bounces : 0;
@@ -175,9 +186,15 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   report.aoErrorRms = error.rms;
   report.aoErrorMax = error.max;
   if (!request.error && !request.seconds)
-    report.skippedRayFraction = std::max(0.0, 1.0 - double(front.receivers()) / (schedule.receiversPerPass * schedule.passes));
-  bake.info = {std::string("Prelight ") + PRELIGHT_VERSION, request.seed, report.rays, error.rms,
-               withBounces ? request.bounces : 0, plan.toJson(), device.info().name,
+    report.skippedRayFraction =
+        std::max(0.0, 1.0 - double(front.receivers()) / (schedule.receiversPerPass * schedule.passes));
+  bake.info = {std::string("Prelight ") + PRELIGHT_VERSION,
+               request.seed,
+               report.rays,
+               error.rms,
+               withBounces ? request.bounces : 0,
+               plan.toJson(),
+               device.info().name,
                std::chrono::duration<double>(Clock::now() - start).count()};
   return bake;
 }

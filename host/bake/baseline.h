@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// Closed-form values of an unoccluded receiver, which the fit is made relative to. Columns of a value row: open
-/// fraction, 3 of the cosine-weighted mean open direction, order^2 of SH transfer.
+/// Closed-form values of an unoccluded receiver, which the fit is made relative to. Columns of a value row:
+/// open fraction, 3 of the cosine-weighted mean open direction, order^2 of SH transfer.
 class Baseline {
  public:
   /// `sign` -1 gives the values of the vertices' backs.

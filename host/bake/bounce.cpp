@@ -13,7 +13,8 @@ void scatter(const FitMesh& mesh, const std::vector<double>& slots, std::size_t 
       out[v * columns + c] = static_cast<float>(slots[mesh.slotOfVertex[v] * columns + c]);
 }
 
-std::vector<double> fitRows(const FitMesh& mesh, Caster& caster, const SideCast& cast, std::size_t columns, Progress& progress) {
+std::vector<double> fitRows(const FitMesh& mesh, Caster& caster, const SideCast& cast, std::size_t columns,
+                            Progress& progress) {
   VertexFit fit(mesh, columns);
   std::vector<float> values;
   std::vector<double> row(columns);
@@ -31,12 +32,13 @@ std::vector<double> fitRows(const FitMesh& mesh, Caster& caster, const SideCast&
 
 }  // namespace
 
-void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder, BounceSide& front,
-                BounceSide* back, Progress& progress) {
+void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
+                BounceSide& front, BounceSide* back, Progress& progress) {
   const std::size_t columns = 3 * static_cast<std::size_t>(shOrder * shOrder);
   std::vector<float> transfer(std::size_t{scene.vertexCount()} * columns * 2, 0.0f);
   scatter(mesh, front.transfer, columns, transfer.data());
-  if (back != nullptr) scatter(mesh, back->transfer, columns, transfer.data() + std::size_t{scene.vertexCount()} * columns);
+  if (back != nullptr)
+    scatter(mesh, back->transfer, columns, transfer.data() + std::size_t{scene.vertexCount()} * columns);
   caster.setTransfer(transfer);
   front.transfer = fitRows(mesh, caster, *front.cast, columns, progress);
   if (back != nullptr) back->transfer = fitRows(mesh, caster, *back->cast, columns, progress);

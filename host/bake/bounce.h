@@ -15,9 +15,10 @@ struct BounceSide {
   std::vector<double> transfer;
 };
 
-/// Replaces each side's transfer by that of the next bounce: every stored row gathers albedo x transfer of what its
-/// rays hit, and the vertices are fitted to the rows. No ray is cast. `back` may be null: nothing sees a back.
-void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder, BounceSide& front,
-                BounceSide* back, Progress& progress);
+/// Replaces each side's transfer by that of the next bounce: every stored row gathers albedo x transfer of
+/// what its rays hit, and the vertices are fitted to the rows. No ray is cast. `back` may be null: nothing
+/// sees a back.
+void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
+                BounceSide& front, BounceSide* back, Progress& progress);
 
 }  // namespace prelight

@@ -13,9 +13,11 @@ using namespace device;
 
 constexpr std::size_t groupSize = 64;
 
-/// Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and that a
-/// launch stays far below a second anywhere.
-std::uint32_t raysPerBlock(const DeviceInfo& info) { return info.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16; }
+/// Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and
+/// that a launch stays far below a second anywhere.
+std::uint32_t raysPerBlock(const DeviceInfo& info) {
+  return info.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16;
+}
 
 std::vector<float> orientedNormals(const CompiledScene& scene) {
   const SurfaceSampler front(scene, 0, Side::Front);
@@ -58,11 +60,13 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
 }
 
 void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
-  const CastParameters parameters{receivers, options_.raysPerReceiver, valueCount_, vertexCount_, firstStored, {}};
+  const CastParameters parameters{receivers, options_.raysPerReceiver, valueCount_, vertexCount_, firstStored,
+                                  {}};
   parameters_.write(std::span(&parameters, 1));
 }
 
-void Caster::cast(std::span<const Receiver> receivers, std::vector<float>& values, const std::uint32_t* storedRow) {
+void Caster::cast(std::span<const Receiver> receivers, std::vector<float>& values,
+                  const std::uint32_t* storedRow) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   setParameters(count, storedRow != nullptr ? *storedRow : 0);
   receivers_.write(receivers);

@@ -10,13 +10,13 @@
 namespace prelight {
 
 struct CastOptions {
-  int shOrder = 0;                    ///< 0: no SH
-  std::uint32_t raysPerReceiver = 64; ///< a multiple of 8
-  std::uint32_t storedReceivers = 0;  ///< rows of senders to keep room for; 0: no bounces follow
+  int shOrder = 0;                     ///< 0: no SH
+  std::uint32_t raysPerReceiver = 64;  ///< a multiple of 8
+  std::uint32_t storedReceivers = 0;   ///< rows of senders to keep room for; 0: no bounces follow
 };
 
-/// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored rows of
-/// senders that bounces read instead of casting again.
+/// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored
+/// rows of senders that bounces read instead of casting again.
 class Caster {
  public:
   /// The tracer must outlive the caster.
@@ -29,9 +29,10 @@ class Caster {
   /// kernels/project/project_kernels.cl.
   std::uint32_t valueCount() const { return valueCount_; }
 
-  /// Casts a block. `values` gets [receiver][valueCount]. With `storedRow`, its rows of senders are kept from that
-  /// row on.
-  void cast(std::span<const device::Receiver> receivers, std::vector<float>& values, const std::uint32_t* storedRow);
+  /// Casts a block. `values` gets [receiver][valueCount]. With `storedRow`, its rows of senders are kept from
+  /// that row on.
+  void cast(std::span<const device::Receiver> receivers, std::vector<float>& values,
+            const std::uint32_t* storedRow);
 
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
@@ -39,7 +40,8 @@ class Caster {
   /// Transfer that gather() reads: [slot][3][order^2], slots are vertices, then vertices' backs.
   void setTransfer(const std::vector<float>& transfer);
 
-  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count): [row][3][order^2].
+  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
+  /// [row][3][order^2].
   void gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values);
 
  private:

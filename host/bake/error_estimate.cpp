@@ -8,9 +8,12 @@ namespace prelight {
 
 namespace {
 
-std::array<double, 3> weightsOf(const SurfaceSample& s) { return {1.0 - double(s.b1) - double(s.b2), s.b1, s.b2}; }
+std::array<double, 3> weightsOf(const SurfaceSample& s) {
+  return {1.0 - double(s.b1) - double(s.b2), s.b1, s.b2};
+}
 
-/// Mean of each slot's value and its neighbours': eight groups alone make a variance that is good to a factor of 2.
+/// Mean of each slot's value and its neighbours': eight groups alone make a variance that is good to a factor
+/// of 2.
 std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>& values) {
   std::vector<double> means(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -38,7 +41,8 @@ ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& fit, const s
   constexpr double correction = double(errorGroups) / (errorGroups - 1);
   std::vector<double> variance(mesh.slotCount(), 0.0);
   for (std::size_t i = 0; i < variance.size(); ++i)
-    for (std::size_t g = 0; g < errorGroups; ++g) variance[i] += correction * shifts[i * errorGroups + g] * shifts[i * errorGroups + g];
+    for (std::size_t g = 0; g < errorGroups; ++g)
+      variance[i] += correction * shifts[i * errorGroups + g] * shifts[i * errorGroups + g];
 
   double sum = 0.0, area = 0.0;
   for (const auto& record : records) {

@@ -25,9 +25,9 @@ struct ErrorEstimate {
   double max = 0.0;           ///< at the worst slot
 };
 
-/// Standard error of the fitted AO: a sandwich estimator clustered by groups of passes. The residuals of each group
-/// alone, pushed through the fit, say how far that group would have moved the result. `fitted` is the AO column
-/// relative to fully open, [slot].
+/// Standard error of the fitted AO: a sandwich estimator clustered by groups of passes. The residuals of each
+/// group alone, pushed through the fit, say how far that group would have moved the result. `fitted` is the
+/// AO column relative to fully open, [slot].
 ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& fit, const std::vector<double>& fitted,
                               const std::vector<SampleRecord>& records);
 

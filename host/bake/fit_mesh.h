@@ -8,14 +8,14 @@
 
 namespace prelight {
 
-/// The unknowns of a vertex fit. Vertices of the same position and normal (copies along texture seams) share a slot,
-/// so that no seam can open between them. Slots that a triangle joins are neighbours.
+/// The unknowns of a vertex fit. Vertices of the same position and normal (copies along texture seams) share
+/// a slot, so that no seam can open between them. Slots that a triangle joins are neighbours.
 struct FitMesh {
-  std::vector<std::uint32_t> slotOfVertex;               ///< [vertex]
-  std::vector<std::uint32_t> vertexOfSlot;               ///< [slot], one of its vertices
-  std::vector<std::array<std::uint32_t, 3>> triangles;   ///< [triangle], slots of its corners
-  std::vector<std::uint32_t> rowStart;                   ///< [slot + 1], into columns
-  std::vector<std::uint32_t> columns;                    ///< neighbours of each slot, ascending, without itself
+  std::vector<std::uint32_t> slotOfVertex;              ///< [vertex]
+  std::vector<std::uint32_t> vertexOfSlot;              ///< [slot], one of its vertices
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< [triangle], slots of its corners
+  std::vector<std::uint32_t> rowStart;                  ///< [slot + 1], into columns
+  std::vector<std::uint32_t> columns;  ///< neighbours of each slot, ascending, without itself
 
   std::uint32_t slotCount() const { return static_cast<std::uint32_t>(vertexOfSlot.size()); }
 };

@@ -23,7 +23,8 @@ std::uint32_t scrambleReversed(std::uint32_t x, std::uint32_t seed) {
   return x ^ (x * 0x53a22864u);
 }
 
-/// Second Sobol dimension, bit-reversed, from its definition: bit i of the index adds generator 2^31 Pascal(i).
+/// Second Sobol dimension, bit-reversed, from its definition: bit i of the index adds generator 2^31
+/// Pascal(i).
 std::uint32_t sobolSecondReversed(std::uint32_t index) {
   std::uint32_t value = 0;
   for (std::uint32_t generator = 1u << 31; index != 0; index >>= 1, generator ^= generator >> 1)
@@ -43,7 +44,8 @@ std::uint32_t hashInteger(std::uint32_t x) {
 
 glm::dvec2 sobol(std::uint32_t index, std::uint32_t seed) {
   const std::uint32_t a = reverseBits(scrambleReversed(index, hashInteger(seed)));
-  const std::uint32_t b = reverseBits(scrambleReversed(sobolSecondReversed(index), hashInteger(seed ^ 0x9e3779b9u)));
+  const std::uint32_t b =
+      reverseBits(scrambleReversed(sobolSecondReversed(index), hashInteger(seed ^ 0x9e3779b9u)));
   return glm::dvec2(a >> 8, b >> 8) * 0x1p-24;
 }
 

@@ -9,7 +9,8 @@ namespace prelight::sampling {
 /// Mixes a 32-bit integer bijectively.
 std::uint32_t hashInteger(std::uint32_t x);
 
-/// Point `index` of the Owen-scrambled (0,2)-sequence of `seed`, in [0,1)^2; the kernel's point to the last bit.
+/// Point `index` of the Owen-scrambled (0,2)-sequence of `seed`, in [0,1)^2; the kernel's point to the last
+/// bit.
 glm::dvec2 sobol(std::uint32_t index, std::uint32_t seed);
 
 /// Direction around unit `normal` of density cos/pi.

@@ -9,8 +9,8 @@ namespace prelight {
 
 namespace {
 
-constexpr double castShareOfTime = 0.75;  // the rest is for fits and bounces
-constexpr double timedPassRays = 1 << 18; // about a tenth of a second on two cores
+constexpr double castShareOfTime = 0.75;   // the rest is for fits and bounces
+constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two cores
 
 std::uint32_t powerOfTwoBelow(std::uint64_t value) {
   std::uint32_t power = 8;
@@ -20,7 +20,8 @@ std::uint32_t powerOfTwoBelow(std::uint64_t value) {
 
 }  // namespace
 
-Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices, std::chrono::steady_clock::time_point start) {
+Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
+                      std::chrono::steady_clock::time_point start) {
   Schedule schedule;
   schedule.seed = request.seed;
   schedule.shOrder = request.shOrder;
@@ -30,14 +31,14 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices, std::c
     schedule.raysPerReceiver = 16;
     schedule.receiversPerPass = vertices;
     schedule.error = request.error;
-    schedule.maxReceivers = BakeRequest::maxRays / schedule.raysPerReceiver * std::uint64_t{vertices};
   } else if (request.seconds) {
     schedule.raysPerReceiver = 64;
     schedule.receiversPerPass = std::min<double>(vertices, timedPassRays / schedule.raysPerReceiver);
     schedule.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                     std::chrono::duration<double>(castShareOfTime * *request.seconds));
   } else {
-    // Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to show.
+    // Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
+    // show.
     schedule.raysPerReceiver = powerOfTwoBelow(request.rays / 16);
     schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.rays) /
                                 (schedule.raysPerReceiver * static_cast<double>(schedule.passes));

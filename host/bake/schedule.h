@@ -12,16 +12,17 @@ namespace prelight {
 struct Schedule {
   std::uint64_t seed = 0;
   int shOrder = 0;
-  std::uint32_t raysPerReceiver = 64;    ///< 8..64, a power of two
+  std::uint32_t raysPerReceiver = 64;  ///< 8..64, a power of two
   double receiversPerPass = 0.0;
-  std::uint32_t passes = 8;              ///< at least; a multiple of errorGroups
-  std::optional<double> error;           ///< go on, on the triangles that need it, until this standard error
-  std::uint64_t maxReceivers = 0;        ///< with error: give up here
+  std::uint32_t passes = 8;         ///< at least; a multiple of errorGroups
+  std::optional<double> error;      ///< go on, on the triangles that need it, until this standard error
+  std::uint32_t maxDoublings = 10;  ///< with error: give up after so many
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< go on until then
 };
 
-/// `vertices` are the fit's unknowns. `start` is when the bake began: a time budget counts from there and leaves a
-/// part for fitting and bouncing.
-Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices, std::chrono::steady_clock::time_point start);
+/// `vertices` are the fit's unknowns. `start` is when the bake began: a time budget counts from there and
+/// leaves a part for fitting and bouncing.
+Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
+                      std::chrono::steady_clock::time_point start);
 
 }  // namespace prelight

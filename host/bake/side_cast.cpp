@@ -6,12 +6,13 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t pilotPasses = 2;               // after which entirely open neighbourhoods stop
-constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; the error estimate then rests on the first ones
+constexpr std::uint32_t pilotPasses = 2;                  // after which entirely open neighbourhoods stop
+constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; an error target gives up there
 
 }  // namespace
 
-SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule, Side side)
+SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
+                   Side side)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
@@ -25,16 +26,19 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
 void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {
   storedFirst_ = storedFirst;
   storedCapacity_ = storedCapacity;
-  std::uint32_t round = schedule_.passes;
-  for (;;) {
-    for (std::uint32_t i = 0; i < round; ++i) {
-      if (schedule_.deadline && pass_ >= errorGroups && std::chrono::steady_clock::now() >= *schedule_.deadline) return;
-      castPass(schedule_.receiversPerPass, progress);
+  double receivers = schedule_.receiversPerPass;
+  for (std::uint32_t round = 0;; ++round) {
+    for (std::uint32_t i = 0; i < schedule_.passes; ++i) {
+      if (schedule_.deadline && pass_ >= errorGroups &&
+          std::chrono::steady_clock::now() >= *schedule_.deadline)
+        return;
+      castPass(receivers, progress);
       if (pass_ == pilotPasses) dropOpenTriangles();
     }
     if (schedule_.error) {
-      if (dropAccurateTriangles() == 0 || receivers_ >= schedule_.maxReceivers) return;
-      round = pass_;  // doubles the passes of what is left
+      if (dropAccurateTriangles() == 0 || round == schedule_.maxDoublings || records_.size() == maxRecords)
+        return;
+      if (round > 0) receivers *= 2.0;  // every round doubles what its triangles have had
     } else if (!schedule_.deadline) {
       return;
     }
@@ -46,11 +50,12 @@ void SideCast::castPass(double receivers, Progress& progress) {
     flush();
     progress.check();
   };
-  sampler_.pass(receivers, schedule_.raysPerReceiver, [&](const SurfaceSample& sample, const device::Receiver& receiver) {
-    pendingSamples_.push_back(sample);
-    pendingReceivers_.push_back(receiver);
-    if (pendingReceivers_.size() == caster_.blockSize()) flushAndReport();
-  });
+  sampler_.pass(receivers, schedule_.raysPerReceiver,
+                [&](const SurfaceSample& sample, const device::Receiver& receiver) {
+                  pendingSamples_.push_back(sample);
+                  pendingReceivers_.push_back(receiver);
+                  if (pendingReceivers_.size() == caster_.blockSize()) flushAndReport();
+                });
   flushAndReport();
   ++pass_;
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
@@ -69,8 +74,8 @@ void SideCast::flush() {
   pendingReceivers_.clear();
 }
 
-// The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form, then the
-// interpolated baseline is taken off, so that the fit sees only what occlusion changes.
+// The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form,
+// then the interpolated baseline is taken off, so that the fit sees only what occlusion changes.
 void SideCast::addReceiver(std::size_t i) {
   const SurfaceSample& sample = pendingSamples_[i];
   const device::Receiver& receiver = pendingReceivers_[i];
@@ -98,15 +103,20 @@ void SideCast::dropOpenTriangles() {
   }
 }
 
+// A slot's value hangs on its neighbours' through the fit, so that triangles one further on stay active too.
 std::size_t SideCast::dropAccurateTriangles() {
   const ErrorEstimate estimate = estimateError();
+  std::vector<std::uint8_t> wanted(mesh_.slotCount(), 0);
+  for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
+    if (estimate.slots[s] <= *schedule_.error) continue;
+    wanted[s] = 1;
+    for (std::uint32_t e = mesh_.rowStart[s]; e < mesh_.rowStart[s + 1]; ++e) wanted[mesh_.columns[e]] = 1;
+  }
   auto& active = sampler_.active();
   std::size_t left = 0;
   for (std::size_t t = 0; t < active.size(); ++t) {
-    if (!active[t]) continue;
     const auto& slots = mesh_.triangles[t];
-    const double worst = std::max({estimate.slots[slots[0]], estimate.slots[slots[1]], estimate.slots[slots[2]]});
-    active[t] = worst > *schedule_.error;
+    active[t] = active[t] && (wanted[slots[0]] || wanted[slots[1]] || wanted[slots[2]]);
     left += active[t];
   }
   return left;

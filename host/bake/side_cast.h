@@ -16,7 +16,8 @@ namespace prelight {
 /// Casts from one side of the surface until its schedule is fulfilled, and fits the vertices.
 class SideCast {
  public:
-  SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule, Side side);
+  SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
+           Side side);
 
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }

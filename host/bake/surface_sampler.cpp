@@ -9,15 +9,21 @@ namespace prelight {
 
 namespace {
 
-/// Rounding of a point of a triangle and of the test against it, in units of the largest coordinate: a few ulp.
+/// Rounding of a point of a triangle and of the test against it, in units of the largest coordinate: a few
+/// ulp.
 constexpr double liftPerMagnitude = 0x1p-19;
+
+/// Samples are drawn this share of the way to the centroid: one that rounding put beyond the edge would see
+/// past the wall that meets it there.
+constexpr double inset = 0x1p-10;
 
 }  // namespace
 
 SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side)
     : scene_(scene),
       seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
-                                  sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 2u * static_cast<std::uint32_t>(side)))),
+                                  sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) +
+                                                        2u * static_cast<std::uint32_t>(side)))),
       side_(side),
       areas_(scene.triangleCount()),
       active_(scene.triangleCount(), 1),
@@ -50,7 +56,7 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
     for (std::uint64_t i = 0; i < chosen; ++i) {
       const std::uint32_t index = taken_[t]++;
       const glm::dvec2 u = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * t));
-      const glm::dvec2 b = sampling::uniformTriangle(u);
+      const glm::dvec2 b = glm::mix(sampling::uniformTriangle(u), glm::dvec2(1.0 / 3.0), inset);
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
                                  static_cast<float>(areas_[t] / expected)};
       sink(sample, place(sample, index, raysPerReceiver));
@@ -66,7 +72,8 @@ device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_
   const glm::dvec3 side = orientedNormal(sample.triangle) * (side_ == Side::Front ? 1.0 : -1.0);
   glm::dvec3 normal = side;
   if (!scene_.triangleFlat[sample.triangle]) {
-    normal = b0 * glm::dvec3(scene_.normals[t.x]) + b1 * glm::dvec3(scene_.normals[t.y]) + b2 * glm::dvec3(scene_.normals[t.z]);
+    normal = b0 * glm::dvec3(scene_.normals[t.x]) + b1 * glm::dvec3(scene_.normals[t.y]) +
+             b2 * glm::dvec3(scene_.normals[t.z]);
     const double length = glm::length(normal);
     normal = length > 1e-6 ? normal / length * (side_ == Side::Front ? 1.0 : -1.0) : side;
   }

@@ -13,17 +13,17 @@ namespace prelight {
 /// Where a receiver sits and what it stands for.
 struct SurfaceSample {
   std::uint32_t triangle = 0;
-  float b1 = 0.0f;      ///< barycentric weight of vertex 1
+  float b1 = 0.0f;  ///< barycentric weight of vertex 1
   float b2 = 0.0f;
   float weight = 0.0f;  ///< surface area that it stands for, m2
 };
 
 enum class Side : std::uint8_t { Front, Back };
 
-/// Places receivers on the surface, pass by pass. Half of them go to triangles by area and half to every triangle
-/// alike, so that large triangles are covered and small ones are not starved. Positions within a triangle are
-/// low-discrepancy over all passes. What a pass yields depends on the passes before it, the seed and the set of
-/// active triangles alone.
+/// Places receivers on the surface, pass by pass. Half of them go to triangles by area and half to every
+/// triangle alike, so that large triangles are covered and small ones are not starved. Positions within a
+/// triangle are low-discrepancy over all passes. What a pass yields depends on the passes before it, the seed
+/// and the set of active triangles alone.
 class SurfaceSampler {
  public:
   SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side);
@@ -42,7 +42,8 @@ class SurfaceSampler {
   glm::dvec3 orientedNormal(std::uint32_t triangle) const;
 
  private:
-  device::Receiver place(const SurfaceSample& sample, std::uint32_t sequenceIndex, std::uint32_t raysPerReceiver) const;
+  device::Receiver place(const SurfaceSample& sample, std::uint32_t sequenceIndex,
+                         std::uint32_t raysPerReceiver) const;
 
   const CompiledScene& scene_;
   std::uint32_t seed_;

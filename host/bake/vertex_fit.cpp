@@ -17,7 +17,10 @@ constexpr double tolerance = 1e-7;  // of the residual's norm, far below float a
 class NormalEquations {
  public:
   NormalEquations(const FitMesh& mesh, const std::vector<std::array<double, 6>>& mass, double lambda)
-      : mesh_(mesh), diagonal_(mesh.slotCount(), 0.0), offDiagonal_(mesh.columns.size(), 0.0), lambda_(lambda) {
+      : mesh_(mesh),
+        diagonal_(mesh.slotCount(), 0.0),
+        offDiagonal_(mesh.columns.size(), 0.0),
+        lambda_(lambda) {
     for (std::size_t t = 0; t < mass.size(); ++t) {
       const auto& s = mesh.triangles[t];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -34,7 +37,8 @@ class NormalEquations {
   double preconditioner(std::size_t row) const { return total_[row]; }
 
   /// y = (A + lambda L^T S L + floor) x, [slot][column]. `scratch` has the size of x.
-  void apply(const std::vector<double>& x, std::vector<double>& y, std::vector<double>& scratch, std::size_t columns) const {
+  void apply(const std::vector<double>& x, std::vector<double>& y, std::vector<double>& scratch,
+             std::size_t columns) const {
     laplacian(x, scratch, columns);
     parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -54,7 +58,9 @@ class NormalEquations {
   }
 
  private:
-  double degreeOf(std::size_t i) const { return static_cast<double>(mesh_.rowStart[i + 1] - mesh_.rowStart[i]); }
+  double degreeOf(std::size_t i) const {
+    return static_cast<double>(mesh_.rowStart[i + 1] - mesh_.rowStart[i]);
+  }
 
   void addEdge(std::uint32_t a, std::uint32_t b, double value) {
     if (a == b) {
@@ -71,8 +77,8 @@ class NormalEquations {
     return static_cast<std::size_t>(std::lower_bound(begin, end, column) - mesh_.columns.begin());
   }
 
-  // S follows the local weight of samples, so that small and large triangles are smoothed alike; slots without any
-  // get the mean weight, which makes them follow their neighbours.
+  // S follows the local weight of samples, so that small and large triangles are smoothed alike; slots
+  // without any get the mean weight, which makes them follow their neighbours.
   void scaleRegularizer() {
     double mean = 0.0;
     for (const double d : diagonal_) mean += d;
@@ -114,7 +120,8 @@ class NormalEquations {
 };
 
 /// Sum over slots of a[slot][c] b[slot][c] for every column, in an order that no thread count changes.
-std::vector<double> columnDots(const std::vector<double>& a, const std::vector<double>& b, std::size_t columns) {
+std::vector<double> columnDots(const std::vector<double>& a, const std::vector<double>& b,
+                               std::size_t columns) {
   const std::size_t rows = a.size() / columns;
   const std::size_t ranges = (rows + rowGrain - 1) / rowGrain;
   std::vector<double> partial(ranges * columns, 0.0);
@@ -130,12 +137,15 @@ std::vector<double> columnDots(const std::vector<double>& a, const std::vector<d
 }
 
 /// Preconditioned conjugate gradients with Jacobi's preconditioner, each column on its own step sizes.
-std::vector<double> conjugateGradients(const NormalEquations& equations, const std::vector<double>& right, std::size_t columns) {
-  std::vector<double> x(right.size(), 0.0), residual = right, direction(right.size()), image(right.size()), z(right.size()), scratch(right.size());
+std::vector<double> conjugateGradients(const NormalEquations& equations, const std::vector<double>& right,
+                                       std::size_t columns) {
+  std::vector<double> x(right.size(), 0.0), residual = right, direction(right.size()), image(right.size()),
+                                            z(right.size()), scratch(right.size());
   const auto precondition = [&] {
     parallelRanges(equations.rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        for (std::size_t c = 0; c < columns; ++c) z[i * columns + c] = residual[i * columns + c] / equations.preconditioner(i);
+        for (std::size_t c = 0; c < columns; ++c)
+          z[i * columns + c] = residual[i * columns + c] / equations.preconditioner(i);
     });
   };
   precondition();
@@ -190,7 +200,8 @@ void VertexFit::add(const SurfaceSample& sample, std::span<const double> values)
 
 std::vector<double> VertexFit::solve(double lambda) const { return solve(lambda, right_, columns_); }
 
-std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const {
+std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide,
+                                     std::size_t columns) const {
   return conjugateGradients(NormalEquations(mesh_, mass_, lambda), rightSide, columns);
 }
 

@@ -12,8 +12,8 @@ namespace prelight {
 
 /// Weighted least squares of per-vertex values to samples inside the triangles: minimises
 ///   sum_s w_s |sum_i b_i(s) x_i - f_s|^2 + lambda |L x|^2,
-/// L the graph Laplacian scaled by each slot's weight. What is fitted is what a rasteriser will interpolate (Kavan et
-/// al. 2011, "Least Squares Vertex Baking").
+/// L the graph Laplacian scaled by each slot's weight. What is fitted is what a rasteriser will interpolate
+/// (Kavan et al. 2011, "Least Squares Vertex Baking").
 class VertexFit {
  public:
   /// `columns` values a sample.

@@ -19,8 +19,8 @@ enum class ExitCode : int {
 /// Something the world got wrong (a file, an option, a device). Our own bugs are assertions, and a result
 /// that may be absent is a std::optional.
 ///
-/// `what()` reads "WHERE: WHAT (FIX)": where is a file and JSON path, an option or a device; what says expected
-/// against got; fix, when there is one, tells what to do.
+/// `what()` reads "WHERE: WHAT (FIX)": where is a file and JSON path, an option or a device; what says
+/// expected against got; fix, when there is one, tells what to do.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& where, const std::string& what, const std::string& fix = {})

@@ -11,8 +11,9 @@ namespace prelight {
 /// Threads that the machine runs at once, at least 1.
 inline std::size_t hardwareThreads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-/// Calls work(begin, end) for consecutive ranges that cover [0, count), on all cores. The ranges depend on `grain`
-/// alone, never on the number of threads, so that sums over ranges are reproducible. `work` must not throw.
+/// Calls work(begin, end) for consecutive ranges that cover [0, count), on all cores. The ranges depend on
+/// `grain` alone, never on the number of threads, so that sums over ranges are reproducible. `work` must not
+/// throw.
 inline void parallelRanges(std::size_t count, std::size_t grain,
                            const std::function<void(std::size_t begin, std::size_t end)>& work) {
   const std::size_t ranges = (count + grain - 1) / grain;

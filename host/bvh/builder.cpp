@@ -13,9 +13,9 @@ namespace prelight {
 namespace {
 
 constexpr int binCount = 32;
-constexpr std::uint32_t sahDepth = 40;          // below, halves by count: bounds the depth at 40 + log2(2^27 / 8)
-constexpr std::uint32_t parallelSize = 16384;   // smaller ranges are not worth a thread
-constexpr float boxCost = 0.4f;                 // of a node visit, in units of a triangle block test
+constexpr std::uint32_t sahDepth = 40;  // below, halves by count: bounds the depth at 40 + log2(2^27 / 8)
+constexpr std::uint32_t parallelSize = 16384;  // smaller ranges are not worth a thread
+constexpr float boxCost = 0.4f;                // of a node visit, in units of a triangle block test
 
 struct Split {
   int axis = -1;
@@ -29,7 +29,8 @@ float blockCount(std::uint32_t triangles) {
 
 class Builder {
  public:
-  explicit Builder(const CompiledScene& scene) : boxes_(scene.triangleCount()), centroids_(scene.triangleCount()) {
+  explicit Builder(const CompiledScene& scene)
+      : boxes_(scene.triangleCount()), centroids_(scene.triangleCount()) {
     for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
       for (int corner = 0; corner < 3; ++corner) boxes_[t].grow(scene.positions[scene.triangles[t][corner]]);
       centroids_[t] = 0.5f * (boxes_[t].lower + boxes_[t].upper);
@@ -76,8 +77,8 @@ class Builder {
   }
 
   // First triangle of the right part; `first` itself says that the range is a leaf.
-  std::uint32_t partition(const Box& bounds, const Box& centroidBounds, std::uint32_t first, std::uint32_t count,
-                          std::uint32_t level) {
+  std::uint32_t partition(const Box& bounds, const Box& centroidBounds, std::uint32_t first,
+                          std::uint32_t count, std::uint32_t level) {
     const auto begin = bvh_.triangleOrder.begin() + first;
     const auto end = begin + count;
     const Split split = level < sahDepth ? bestSplit(centroidBounds, first, count) : Split{};
@@ -85,7 +86,8 @@ class Builder {
     const bool splitPays = split.axis >= 0 && split.cost + boxCost * bounds.halfArea() < leafCost;
     if (count <= BinaryBvh::maxLeafSize && !splitPays) return first;
     if (split.axis >= 0) {
-      const auto middle = std::partition(begin, end, [&](std::uint32_t t) { return centroids_[t][split.axis] < split.position; });
+      const auto middle = std::partition(
+          begin, end, [&](std::uint32_t t) { return centroids_[t][split.axis] < split.position; });
       if (middle != begin && middle != end) return first + static_cast<std::uint32_t>(middle - begin);
     }
     // All centroids in one place, or too deep: halves in the order along the longest axis.
@@ -121,8 +123,8 @@ class Builder {
     return best.axis >= 0 ? best : Split{};
   }
 
-  static void sweep(const std::array<Box, binCount>& boxes, const std::array<std::uint32_t, binCount>& counts, int bins,
-                    int axis, float origin, float extent, Split& best) {
+  static void sweep(const std::array<Box, binCount>& boxes, const std::array<std::uint32_t, binCount>& counts,
+                    int bins, int axis, float origin, float extent, Split& best) {
     std::array<float, binCount> rightCost{};
     Box box;
     std::uint32_t total = 0;
@@ -139,7 +141,8 @@ class Builder {
       total += counts[static_cast<std::size_t>(b - 1)];
       if (total == 0 || total == all) continue;
       const float cost = blockCount(total) * box.halfArea() + rightCost[static_cast<std::size_t>(b)];
-      if (cost < best.cost) best = {axis, origin + extent * static_cast<float>(b) / static_cast<float>(bins), cost};
+      if (cost < best.cost)
+        best = {axis, origin + extent * static_cast<float>(b) / static_cast<float>(bins), cost};
     }
   }
 

@@ -32,10 +32,10 @@ struct Box {
 struct BinaryBvh {
   struct Node {
     Box bounds;
-    std::uint32_t left = 0;    ///< children, when count is 0
+    std::uint32_t left = 0;  ///< children, when count is 0
     std::uint32_t right = 0;
-    std::uint32_t first = 0;   ///< leaf: triangleOrder[first .. first + count)
-    std::uint32_t count = 0;   ///< 1..maxLeafSize in a leaf
+    std::uint32_t first = 0;  ///< leaf: triangleOrder[first .. first + count)
+    std::uint32_t count = 0;  ///< 1..maxLeafSize in a leaf
   };
   static constexpr std::uint32_t maxLeafSize = 8;
   static constexpr std::uint32_t maxDepth = 64;
@@ -45,8 +45,8 @@ struct BinaryBvh {
   std::uint32_t depth = 0;                   ///< levels
 };
 
-/// Binned SAH (Wald 2007) with 32 bins an axis; a leaf is priced by blocks of eight triangles, as it is tested.
-/// The tree depends on the scene alone, not on the number of threads. The scene must have a triangle.
+/// Binned SAH (Wald 2007) with 32 bins an axis; a leaf is priced by blocks of eight triangles, as it is
+/// tested. The tree depends on the scene alone, not on the number of threads. The scene must have a triangle.
 BinaryBvh buildBvh(const CompiledScene& scene);
 
 }  // namespace prelight

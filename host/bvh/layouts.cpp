@@ -14,8 +14,8 @@ using device::NarrowTriangle;
 using device::TriangleBlock;
 using device::WideNode;
 
-/// Grows boxes by about an ulp of their own coordinates and of the scene's: a ray in the plane of a box face, or
-/// along an axis, must not slip past it by rounding.
+/// Grows boxes by about an ulp of their own coordinates and of the scene's: a ray in the plane of a box face,
+/// or along an axis, must not slip past it by rounding.
 class Padding {
  public:
   explicit Padding(const CompiledScene& scene) {
@@ -36,7 +36,8 @@ constexpr std::uint32_t absent = 0xffffffffu;
 
 class WideCollapse {
  public:
-  WideCollapse(const BinaryBvh& bvh, const CompiledScene& scene) : bvh_(bvh), scene_(scene), padding_(scene) {}
+  WideCollapse(const BinaryBvh& bvh, const CompiledScene& scene)
+      : bvh_(bvh), scene_(scene), padding_(scene) {}
 
   WideBvh run() {
     out_.nodes.emplace_back();
@@ -109,7 +110,8 @@ class WideCollapse {
       if (lane >= leaf.count) continue;
       for (int corner = 0; corner < 3; ++corner)
         for (int axis = 0; axis < 3; ++axis)
-          block.vertex[corner][axis][lane] = scene_.positions[scene_.triangles[block.triangle[lane]][corner]][axis];
+          block.vertex[corner][axis][lane] =
+              scene_.positions[scene_.triangles[block.triangle[lane]][corner]][axis];
     }
     out_.blocks.push_back(block);
     return static_cast<std::uint32_t>(out_.blocks.size() - 1);
@@ -124,7 +126,8 @@ class WideCollapse {
 
 class NarrowCollapse {
  public:
-  NarrowCollapse(const BinaryBvh& bvh, const CompiledScene& scene) : bvh_(bvh), scene_(scene), padding_(scene) {}
+  NarrowCollapse(const BinaryBvh& bvh, const CompiledScene& scene)
+      : bvh_(bvh), scene_(scene), padding_(scene) {}
 
   NarrowBvh run() {
     const auto& root = bvh_.nodes[0];
@@ -193,8 +196,12 @@ class NarrowCollapse {
 
 }  // namespace
 
-WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene) { return WideCollapse(bvh, scene).run(); }
+WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene) {
+  return WideCollapse(bvh, scene).run();
+}
 
-NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene) { return NarrowCollapse(bvh, scene).run(); }
+NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene) {
+  return NarrowCollapse(bvh, scene).run();
+}
 
 }  // namespace prelight

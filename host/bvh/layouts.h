@@ -10,14 +10,14 @@ namespace prelight {
 
 /// Eight-wide tree for CPUs; see kernels/shared/bvh_types.h.
 struct WideBvh {
-  std::vector<device::WideNode> nodes;        ///< root is node 0
+  std::vector<device::WideNode> nodes;  ///< root is node 0
   std::vector<device::TriangleBlock> blocks;
-  std::uint32_t stackSize = 0;                ///< entries that a traversal needs at most
+  std::uint32_t stackSize = 0;  ///< entries that a traversal needs at most
 };
 
 /// Two-wide tree for GPUs.
 struct NarrowBvh {
-  std::vector<device::NarrowNode> nodes;      ///< root is node 0
+  std::vector<device::NarrowNode> nodes;  ///< root is node 0
   std::vector<device::NarrowTriangle> triangles;
   std::uint32_t stackSize = 0;
 };

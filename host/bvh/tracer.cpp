@@ -29,15 +29,19 @@ template <typename T>
 cl::Buffer upload(DeviceContext& device, const std::vector<T>& data) {
   const std::size_t bytes = std::max<std::size_t>(1, data.size()) * sizeof(T);
   cl::Buffer buffer = device.allocate(bytes, CL_MEM_READ_ONLY);
-  if (!data.empty()) device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, data.size() * sizeof(T), data.data());
+  if (!data.empty())
+    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, data.size() * sizeof(T), data.data());
   return buffer;
 }
 
 std::uint32_t deviceWrap(WrapMode mode) {
   switch (mode) {
-    case WrapMode::ClampToEdge: return PRELIGHT_WRAP_CLAMP;
-    case WrapMode::MirroredRepeat: return PRELIGHT_WRAP_MIRROR;
-    case WrapMode::Repeat: break;
+    case WrapMode::ClampToEdge:
+      return PRELIGHT_WRAP_CLAMP;
+    case WrapMode::MirroredRepeat:
+      return PRELIGHT_WRAP_MIRROR;
+    case WrapMode::Repeat:
+      break;
   }
   return PRELIGHT_WRAP_REPEAT;
 }
@@ -64,7 +68,7 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
 
 Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout)
     : context_(&device.context()),
-      layout_(layout != BvhLayout::Automatic           ? layout
+      layout_(layout != BvhLayout::Automatic          ? layout
               : device.info().kind == DeviceKind::Cpu ? BvhLayout::Wide
                                                       : BvhLayout::Narrow),
       alphaTest_(scene.hasAlphaMask()),
@@ -106,7 +110,8 @@ void Tracer::uploadTree(const CompiledScene& scene) {
 void Tracer::uploadSurface(const CompiledScene& scene) {
   std::vector<DeviceTriangle> triangles(scene.triangleCount());
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
-    triangles[t] = {{scene.triangles[t].x, scene.triangles[t].y, scene.triangles[t].z}, scene.triangleMaterials[t]};
+    triangles[t] = {{scene.triangles[t].x, scene.triangles[t].y, scene.triangles[t].z},
+                    scene.triangleMaterials[t]};
   surfaceTriangles_ = Buffer<DeviceTriangle>(*context_, triangles);
 
   std::vector<std::uint32_t> texels;
@@ -118,7 +123,8 @@ void Tracer::uploadSurface(const CompiledScene& scene) {
     std::memcpy(texels.data() + first, image.rgba.data(), image.rgba.size() / 4 * 4);
   }
   std::vector<DeviceMaterial> materials;
-  for (const auto& material : scene.materials) materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
+  for (const auto& material : scene.materials)
+    materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
   materials_ = Buffer<DeviceMaterial>(*context_, materials);
   texels_ = Buffer<std::uint32_t>(*context_, texels);
   texCoords_ = Buffer<glm::vec2>(*context_, texels.empty() ? std::vector<glm::vec2>() : scene.texCoords);
@@ -147,7 +153,9 @@ void Tracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_
   trace(closest_, rays, hits, count);
 }
 
-void Tracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) { trace(any_, rays, hits, count); }
+void Tracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+  trace(any_, rays, hits, count);
+}
 
 std::vector<Hit> Tracer::traceFromHost(cl::Kernel& kernel, std::span<const Ray> rays) {
   std::vector<Hit> all(rays.size());

@@ -47,7 +47,8 @@ class Tracer {
  private:
   void uploadTree(const CompiledScene& scene);
   void uploadSurface(const CompiledScene& scene);
-  void trace(cl::Kernel& kernel, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  void trace(cl::Kernel& kernel, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits,
+             std::size_t count);
   std::vector<device::Hit> traceFromHost(cl::Kernel& kernel, std::span<const device::Ray> rays);
 
   DeviceContext* context_;

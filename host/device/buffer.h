@@ -9,8 +9,8 @@
 
 namespace prelight {
 
-/// A device buffer of `size()` elements of a shared struct or scalar. Never empty on the device: OpenCL has no
-/// buffer of 0 bytes, so an empty one holds a dummy element.
+/// A device buffer of `size()` elements of a shared struct or scalar. Never empty on the device: OpenCL has
+/// no buffer of 0 bytes, so an empty one holds a dummy element.
 template <typename T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -16,7 +16,8 @@ namespace {
 
 std::filesystem::path cacheFolder(const DeviceInfo& info, const DeviceOptions& options) {
   // PoCL keeps its own cache, so a second one would only cost disk.
-  return options.cacheKernels.value_or(!info.isPocl) ? ProgramCache::defaultFolder() : std::filesystem::path();
+  return options.cacheKernels.value_or(!info.isPocl) ? ProgramCache::defaultFolder()
+                                                     : std::filesystem::path();
 }
 
 void dump(const std::filesystem::path& folder, const std::string& file, const std::string& source,
@@ -28,7 +29,8 @@ void dump(const std::filesystem::path& folder, const std::string& file, const st
   std::ofstream out(folder / fmt::format("{}_{}", sha256(options).substr(0, 8), name));
   out << "// " << options << '\n' << source;
   if (!out.flush())
-    throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(), "cannot write the kernel sources");
+    throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(),
+                "cannot write the kernel sources");
 }
 
 }  // namespace
@@ -52,9 +54,10 @@ const cl::Program& DeviceContext::program(const std::string& file, const BuildOp
   return built;
 }
 
-cl::Program DeviceContext::build(const std::string& file, const std::string& source, const std::string& options) {
-  const std::string key = sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", source, options, info_.name, info_.vendor,
-                                             info_.driverVersion, info_.platformVersion));
+cl::Program DeviceContext::build(const std::string& file, const std::string& source,
+                                 const std::string& options) {
+  const std::string key = sha256(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", source, options, info_.name,
+                                             info_.vendor, info_.driverVersion, info_.platformVersion));
   if (const auto binary = cache_.load(key)) {
     try {
       cl::Program program(context_, {device_}, cl::Program::Binaries{*binary});
@@ -80,8 +83,8 @@ cl::Program DeviceContext::build(const std::string& file, const std::string& sou
 cl::Buffer DeviceContext::allocate(std::size_t bytes, cl_mem_flags flags) {
   const auto fail = [&] {
     return Error(ExitCode::OutOfMemory, info_.name,
-                 fmt::format("cannot hold a buffer of {:.1f} MiB, at most {:.1f} MiB", double(bytes) / (1 << 20),
-                             double(info_.maxAllocation) / (1 << 20)),
+                 fmt::format("cannot hold a buffer of {:.1f} MiB, at most {:.1f} MiB",
+                             double(bytes) / (1 << 20), double(info_.maxAllocation) / (1 << 20)),
                  "choose another --device, fewer --rays or a smaller --max-memory");
   };
   if (bytes > info_.maxAllocation) throw fail();

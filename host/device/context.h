@@ -12,8 +12,8 @@
 
 namespace prelight {
 
-/// The OpenCL side of a Device: context, in-order queue, programs. This header and those that include it are the
-/// only ones that show cl:: types.
+/// The OpenCL side of a Device: context, in-order queue, programs. This header and those that include it are
+/// the only ones that show cl:: types.
 class DeviceContext {
  public:
   DeviceContext(const cl::Device& device, DeviceInfo info, const DeviceOptions& options);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 
 #include "base/error.h"
 #include "device/context.h"
@@ -28,7 +28,7 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int 
   DeviceInfo info;
   info.index = index;
   const auto type = device.getInfo<CL_DEVICE_TYPE>();
-  info.kind = (type & CL_DEVICE_TYPE_GPU) ? DeviceKind::Gpu
+  info.kind = (type & CL_DEVICE_TYPE_GPU)   ? DeviceKind::Gpu
               : (type & CL_DEVICE_TYPE_CPU) ? DeviceKind::Cpu
                                             : DeviceKind::Other;
   info.name = trimmed(device.getInfo<CL_DEVICE_NAME>());
@@ -69,7 +69,8 @@ std::vector<FoundDevice> findDevices() {
 }
 
 std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return text;
 }
 
@@ -83,7 +84,8 @@ bool matches(const DeviceInfo& info, const std::string& selector) {
   return lowered(info.platform + " " + info.name).find(wanted) != std::string::npos;
 }
 
-const FoundDevice& choose(const std::vector<FoundDevice>& devices, const std::optional<std::string>& selector) {
+const FoundDevice& choose(const std::vector<FoundDevice>& devices,
+                          const std::optional<std::string>& selector) {
   if (devices.empty())
     throw Error(ExitCode::NoDevice, "OpenCL", "no platform with a device was found",
                 "install one: Debian's pocl-opencl-icd runs on any CPU; GPUs have drivers of their own");
@@ -96,7 +98,8 @@ const FoundDevice& choose(const std::vector<FoundDevice>& devices, const std::op
     if (matches(device.info, *selector)) return device;
   std::string known;
   for (const auto& device : devices)
-    known += fmt::format("{}{}: {} {}", known.empty() ? "" : ", ", device.info.index, device.info.platform, device.info.name);
+    known += fmt::format("{}{}: {} {}", known.empty() ? "" : ", ", device.info.index, device.info.platform,
+                         device.info.name);
   throw Error(ExitCode::NoDevice, "--device " + *selector, "no such device, there is " + known,
               "give an index, 'cpu', 'gpu' or a part of a name");
 }
@@ -116,7 +119,8 @@ Device Device::open(const DeviceOptions& options) {
     return Device(std::make_unique<DeviceContext>(chosen.device, chosen.info, options));
   } catch (const cl::Error& error) {
     throw Error(ExitCode::NoDevice, chosen.info.name,
-                fmt::format("cannot be opened: {} ({})", error.what(), error.err()), "choose another --device");
+                fmt::format("cannot be opened: {} ({})", error.what(), error.err()),
+                "choose another --device");
   }
 }
 

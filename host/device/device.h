@@ -13,14 +13,14 @@ enum class DeviceKind : std::uint8_t { Cpu, Gpu, Other };
 
 /// An OpenCL device as `prelight devices` lists it.
 struct DeviceInfo {
-  int index = 0;                ///< position in listDevices(), the number that --device takes
+  int index = 0;  ///< position in listDevices(), the number that --device takes
   DeviceKind kind = DeviceKind::Other;
   std::string name;
   std::string vendor;
   std::string platform;
   std::string platformVersion;
   std::string driverVersion;
-  std::string openclVersion;    ///< "OpenCL 1.2 ..."
+  std::string openclVersion;  ///< "OpenCL 1.2 ..."
   std::uint32_t computeUnits = 0;
   std::uint64_t globalMemory = 0;   ///< bytes
   std::uint64_t maxAllocation = 0;  ///< bytes
@@ -29,9 +29,10 @@ struct DeviceInfo {
 };
 
 struct DeviceOptions {
-  std::optional<std::string> selector;  ///< index or part of "platform name"; none: first GPU, else first device
-  std::optional<bool> cacheKernels;     ///< none: on, except on PoCL, which caches itself
-  std::filesystem::path dumpKernels;    ///< folder for the expanded sources; empty: none
+  std::optional<std::string>
+      selector;                      ///< index or part of "platform name"; none: first GPU, else first device
+  std::optional<bool> cacheKernels;  ///< none: on, except on PoCL, which caches itself
+  std::filesystem::path dumpKernels;  ///< folder for the expanded sources; empty: none
 };
 
 /// Every device of every platform; empty when there is no OpenCL platform.
@@ -64,8 +65,8 @@ struct SelfTestResult {
   std::string detail;
 };
 
-/// Runs the device's self-test: kernels build, struct layouts agree, rays hit what they must, sums agree with the
-/// host. Never throws: a failure is a result.
+/// Runs the device's self-test: kernels build, struct layouts agree, rays hit what they must, sums agree with
+/// the host. Never throws: a failure is a result.
 std::vector<SelfTestResult> selfTest(const Device& device);
 
 }  // namespace prelight

@@ -36,7 +36,8 @@ class Expander {
         out += line + '\n';
         continue;
       }
-      if (depth_ > 32) throw Error(ExitCode::RuntimeFailure, file, "kernel files include each other in a circle");
+      if (depth_ > 32)
+        throw Error(ExitCode::RuntimeFailure, file, "kernel files include each other in a circle");
       ++depth_;
       expand(path, fmt::format("{}:{}", file, number), out);
       --depth_;

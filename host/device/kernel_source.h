@@ -6,9 +6,9 @@
 namespace prelight {
 
 /// Resolves `#include "path"` of an embedded kernel file from `sources` and marks every change of file with
-/// `#line N "file"`, so that build logs name real files. Include guards and #if are left to the device compiler: every
-/// include line is resolved, whichever branch it stands in.
-/// Throws Error naming the including file and line when a file is missing.
+/// `#line N "file"`, so that build logs name real files. Include guards and #if are left to the device
+/// compiler: every include line is resolved, whichever branch it stands in. Throws Error naming the including
+/// file and line when a file is missing.
 std::string expandKernelSource(const std::string& file, const std::map<std::string, std::string>& sources);
 
 }  // namespace prelight

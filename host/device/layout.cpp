@@ -16,7 +16,7 @@ namespace {
 using namespace device;
 
 template <typename T, std::size_t size>
-constexpr bool isShared = std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T> && sizeof(T) == size;
+constexpr bool isShared = std::is_trivially_copyable_v<T>&& std::is_standard_layout_v<T> && sizeof(T) == size;
 
 static_assert(isShared<Ray, 32> && offsetof(Ray, tMax) == 28);
 static_assert(isShared<Hit, 16>);

@@ -11,8 +11,8 @@ namespace prelight {
 /// Lower-case hexadecimal SHA-256.
 std::string sha256(const std::string& text);
 
-/// Compiled programs on disk, one file a key. An entry is used only when its header, key, length and checksum are
-/// right; anything else counts as absent. Failing to write is never an error.
+/// Compiled programs on disk, one file a key. An entry is used only when its header, key, length and checksum
+/// are right; anything else counts as absent. Failing to write is never an error.
 class ProgramCache {
  public:
   /// An empty folder switches the cache off.

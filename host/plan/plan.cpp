@@ -26,7 +26,8 @@ std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {
 PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) {
   if (request.shOrder == 0) return {"bounces", false, "no SH transfer is asked for"};
   if (request.bounces == 0) return {"bounces", false, "none are asked for"};
-  if (!reflects(scene)) return {"bounces", false, "no surface has a diffuse albedo above 0, so nothing is reflected"};
+  if (!reflects(scene))
+    return {"bounces", false, "no surface has a diffuse albedo above 0, so nothing is reflected"};
   return {"bounces", true, fmt::format("{} from stored transport, without new rays", request.bounces)};
 }
 
@@ -39,7 +40,8 @@ PlannedPass planSh(const BakeRequest& request, bool bounces) {
 
 std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
   // With a target instead of a count the rows are bounded by memory alone.
-  return request.error || request.seconds ? ~std::uint64_t{0} / senderBytes : request.rays * scene.vertexCount() * 5 / 4 + 65536;
+  return request.error || request.seconds ? ~std::uint64_t{0} / senderBytes
+                                          : request.rays * scene.vertexCount() * 5 / 4 + 65536;
 }
 
 void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool bounces, Plan& plan) {
@@ -48,8 +50,8 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
   std::uint64_t texels = 0;
   for (const Image& image : scene.albedoImages) texels += image.rgba.size();
   plan.transportBytes = bounces ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2) : 0;
-  plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes + plan.transportBytes +
-                     (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
+  plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes +
+                     plan.transportBytes + (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
   const std::uint64_t fitColumns = std::max<std::uint64_t>(4 + coefficients, bounces ? 3 * coefficients : 0);
   plan.hostBytes = triangles * (48 + 16 + 120) + vertices * (60 + fitColumns * 8 * 8) +
                    std::min<std::uint64_t>(castRays(scene, request) / 64, std::uint64_t{1} << 24) * 24;
@@ -58,39 +60,55 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
 }  // namespace
 
 bool Plan::runs(const std::string& pass) const {
-  return std::any_of(passes.begin(), passes.end(), [&](const PlannedPass& p) { return p.name == pass && p.runs; });
+  return std::any_of(passes.begin(), passes.end(),
+                     [&](const PlannedPass& p) { return p.name == pass && p.runs; });
 }
 
 nlohmann::ordered_json Plan::toJson() const {
   nlohmann::ordered_json json;
   json["passes"] = nlohmann::ordered_json::array();
-  for (const auto& pass : passes) json["passes"].push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
-  json["memory"] = {{"hostBytes", hostBytes}, {"deviceBytes", deviceBytes}, {"transportBytes", transportBytes}};
+  for (const auto& pass : passes)
+    json["passes"].push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
+  json["memory"] = {
+      {"hostBytes", hostBytes}, {"deviceBytes", deviceBytes}, {"transportBytes", transportBytes}};
   return json;
 }
 
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
   Plan plan;
   const bool anything = compiled.triangleCount() > 0 && (request.ao || request.shOrder > 0);
-  const std::string nothing = compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
-  const PlannedPass bounces = anything ? planBounces(compiled, request) : PlannedPass{"bounces", false, nothing};
+  const std::string nothing =
+      compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
+  const PlannedPass bounces =
+      anything ? planBounces(compiled, request) : PlannedPass{"bounces", false, nothing};
   const auto add = [&](const PlannedPass& pass) {
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.name, false, nothing});
   };
-  add({"cast", true, bounces.runs ? "closest hits, because bounces need to know what was hit" : "any hit is enough, because nothing bounces"});
-  add({"ambient occlusion", request.ao, request.ao ? "with bent normal, from the same cast" : "not asked for"});
+  add({"cast", true,
+       bounces.runs ? "closest hits, because bounces need to know what was hit"
+                    : "any hit is enough, because nothing bounces"});
+  add({"ambient occlusion", request.ao,
+       request.ao ? "with bent normal, from the same cast" : "not asked for"});
   add(planSh(request, bounces.runs));
   add(bounces);
-  add({"back faces", bounces.runs, bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
-  add({"alpha test", compiled.hasAlphaMask(), compiled.hasAlphaMask() ? "a material is alpha-masked" : "no material is alpha-masked"});
+  add({"back faces", bounces.runs,
+       bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
+  add({"alpha test", compiled.hasAlphaMask(),
+       compiled.hasAlphaMask() ? "a material is alpha-masked" : "no material is alpha-masked"});
   const bool textured = !compiled.albedoImages.empty();
   add({"albedo textures", textured && bounces.runs,
-       !textured ? "no material has a base-colour texture" : bounces.runs ? "senders reflect their texture's colour" : "albedo matters to bounces alone"});
-  const std::size_t transmissive = countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; });
-  const std::size_t mirrors = countMaterials(scene, [](const Material& m) { return m.metallic > 0.0f && m.roughness < 0.1f; });
+       !textured      ? "no material has a base-colour texture"
+       : bounces.runs ? "senders reflect their texture's colour"
+                      : "albedo matters to bounces alone"});
+  const std::size_t transmissive =
+      countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; });
+  const std::size_t mirrors =
+      countMaterials(scene, [](const Material& m) { return m.metallic > 0.0f && m.roughness < 0.1f; });
   add({"specular transport", false,
        transmissive + mirrors == 0 ? "no material is transmissive or mirror-like"
-                                   : fmt::format("{} transmissive and {} mirror-like materials count as occluders: no technique asked for carries specular light", transmissive, mirrors)});
+                                   : fmt::format("{} transmissive and {} mirror-like materials count as "
+                                                 "occluders: no technique asked for carries specular light",
+                                                 transmissive, mirrors)});
   if (anything) estimateMemory(compiled, request, bounces.runs, plan);
   return plan;
 }

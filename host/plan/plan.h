@@ -13,12 +13,12 @@ namespace prelight {
 
 /// What the user asked a bake for.
 struct BakeRequest {
-  bool ao = false;                   ///< ambient occlusion and bent normal
-  int shOrder = 0;                   ///< 0: none; 1..8
-  int bounces = 0;                   ///< diffuse interreflections in the SH transfer, 0..16
-  std::uint64_t rays = 1024;         ///< rays a vertex, on average; ignored with error or seconds
-  std::optional<double> error;       ///< stop when AO's estimated standard error is below this at every vertex
-  std::optional<double> seconds;     ///< stop after this time
+  bool ao = false;                ///< ambient occlusion and bent normal
+  int shOrder = 0;                ///< 0: none; 1..8
+  int bounces = 0;                ///< diffuse interreflections in the SH transfer, 0..16
+  std::uint64_t rays = 1024;      ///< rays a vertex, on average; ignored with error or seconds
+  std::optional<double> error;    ///< stop when AO's estimated standard error is below this at every vertex
+  std::optional<double> seconds;  ///< stop after this time
   std::uint64_t seed = 0;
   std::uint64_t maxMemory = std::uint64_t{2} << 30;  ///< bytes that the bake's own buffers may take
 

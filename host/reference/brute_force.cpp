@@ -2,8 +2,8 @@
 
 namespace prelight::reference {
 
-std::optional<ExactHit> closestHit(const CompiledScene& scene, const glm::dvec3& origin, const glm::dvec3& direction,
-                                   double tMax, std::uint32_t source) {
+std::optional<ExactHit> closestHit(const CompiledScene& scene, const glm::dvec3& origin,
+                                   const glm::dvec3& direction, double tMax, std::uint32_t source) {
   std::optional<ExactHit> best;
   for (std::uint32_t i = 0; i < scene.triangleCount(); ++i) {
     if (i == source) continue;

@@ -16,9 +16,9 @@ struct ExactHit {
   double v = 0.0;  ///< weight of vertex 2
 };
 
-/// Nearest intersection at t in [0, tMax] over all triangles but `source`; the lower index where distances are equal.
-/// Plain Cramer's rule in double precision: slow, and independent of the kernels' method.
-std::optional<ExactHit> closestHit(const CompiledScene& scene, const glm::dvec3& origin, const glm::dvec3& direction,
-                                   double tMax, std::uint32_t source);
+/// Nearest intersection at t in [0, tMax] over all triangles but `source`; the lower index where distances
+/// are equal. Plain Cramer's rule in double precision: slow, and independent of the kernels' method.
+std::optional<ExactHit> closestHit(const CompiledScene& scene, const glm::dvec3& origin,
+                                   const glm::dvec3& direction, double tMax, std::uint32_t source);
 
 }  // namespace prelight::reference

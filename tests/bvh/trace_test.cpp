@@ -7,6 +7,7 @@
 #include "bvh/layouts.h"
 #include "bvh/tracer.h"
 #include "reference/brute_force.h"
+#include "support/devices.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -17,7 +18,8 @@ using device::Ray;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-Ray rayOf(const glm::vec3& o, const glm::vec3& d, float tMax = infinity, std::uint32_t source = PRELIGHT_NO_TRIANGLE) {
+Ray rayOf(const glm::vec3& o, const glm::vec3& d, float tMax = infinity,
+          std::uint32_t source = PRELIGHT_NO_TRIANGLE) {
   return {{o.x, o.y, o.z}, source, {d.x, d.y, d.z}, tMax};
 }
 
@@ -30,21 +32,18 @@ std::vector<Ray> randomRays(std::size_t count, std::uint32_t seed) {
   return rays;
 }
 
-const Device& sharedDevice() {
-  static const Device device = Device::open({});
-  return device;
-}
-
 class TracerTest : public ::testing::TestWithParam<BvhLayout> {
  protected:
-  Tracer tracerOf(const CompiledScene& scene) { return Tracer(scene, sharedDevice(), GetParam()); }
+  Tracer tracerOf(const CompiledScene& scene) { return Tracer(scene, test::sharedDevice(), GetParam()); }
 };
 
 // Hits near an edge may be decided either way by rounding; everything else must be the same triangle.
 void expectSameHit(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
-  const glm::dvec3 o(ray.origin[0], ray.origin[1], ray.origin[2]), d(ray.direction[0], ray.direction[1], ray.direction[2]);
+  const glm::dvec3 o(ray.origin[0], ray.origin[1], ray.origin[2]),
+      d(ray.direction[0], ray.direction[1], ray.direction[2]);
   const auto exact = reference::closestHit(scene, o, d, ray.tMax, ray.sourceTriangle);
-  SCOPED_TRACE(::testing::Message() << "origin " << o.x << ' ' << o.y << ' ' << o.z << " direction " << d.x << ' ' << d.y << ' ' << d.z);
+  SCOPED_TRACE(::testing::Message() << "origin " << o.x << ' ' << o.y << ' ' << o.z << " direction " << d.x
+                                    << ' ' << d.y << ' ' << d.z);
   const auto nearEdge = [](double u, double v) { return std::min({u, v, 1.0 - u - v}) < 1e-4; };
   if (exact && !nearEdge(exact->u, exact->v)) {
     ASSERT_NE(hit.triangle, PRELIGHT_NO_TRIANGLE);
@@ -53,7 +52,8 @@ void expectSameHit(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
       EXPECT_NEAR(hit.u, exact->u, 2e-3);
       EXPECT_NEAR(hit.v, exact->v, 2e-3);
     } else {
-      EXPECT_TRUE(nearEdge(hit.u, hit.v) || std::abs(hit.t - exact->t) < 1e-4) << hit.triangle << " for " << exact->triangle;
+      EXPECT_TRUE(nearEdge(hit.u, hit.v) || std::abs(hit.t - exact->t) < 1e-4)
+          << hit.triangle << " for " << exact->triangle;
     }
   } else if (!exact && hit.triangle != PRELIGHT_NO_TRIANGLE) {
     EXPECT_TRUE(nearEdge(hit.u, hit.v)) << "hits what is not there";
@@ -78,7 +78,8 @@ TEST_P(TracerTest, AnyHit_RandomSoup_IsThereWhenClosestIs) {
   const auto any = tracer.traceAny(rays);
   std::size_t found = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    EXPECT_EQ(any[i].triangle == PRELIGHT_NO_TRIANGLE, closest[i].triangle == PRELIGHT_NO_TRIANGLE) << "ray " << i;
+    EXPECT_EQ(any[i].triangle == PRELIGHT_NO_TRIANGLE, closest[i].triangle == PRELIGHT_NO_TRIANGLE)
+        << "ray " << i;
     found += closest[i].triangle != PRELIGHT_NO_TRIANGLE;
   }
   EXPECT_GT(found, rays.size() / 10);
@@ -87,15 +88,18 @@ TEST_P(TracerTest, AnyHit_RandomSoup_IsThereWhenClosestIs) {
 
 TEST_P(TracerTest, AnyHit_LimitedDistance_IgnoresWhatIsBeyond) {
   Tracer tracer = tracerOf(test::ground(4, 1.0f));
-  const std::vector<Ray> rays{rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 0.999f), rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 1.001f)};
+  const std::vector<Ray> rays{rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 0.999f),
+                              rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 1.001f)};
   const auto hits = tracer.traceAny(rays);
   EXPECT_EQ(hits[0].triangle, PRELIGHT_NO_TRIANGLE);
   EXPECT_NE(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
 }
 
 TEST_P(TracerTest, ClosestHit_SourceTriangle_IsSkipped) {
-  Tracer tracer = tracerOf(test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {{0, 1, 2}, {3, 4, 5}}));
-  const std::vector<Ray> rays{rayOf({0.2f, 0.2f, 1}, {0, 0, -1}), rayOf({0.2f, 0.2f, 1}, {0, 0, -1}, infinity, 0u)};
+  Tracer tracer = tracerOf(test::sceneOf(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {{0, 1, 2}, {3, 4, 5}}));
+  const std::vector<Ray> rays{rayOf({0.2f, 0.2f, 1}, {0, 0, -1}),
+                              rayOf({0.2f, 0.2f, 1}, {0, 0, -1}, infinity, 0u)};
   const auto hits = tracer.traceClosest(rays);
   EXPECT_EQ(hits[0].triangle, 0u);
   EXPECT_EQ(hits[1].triangle, 1u);
@@ -111,7 +115,8 @@ TEST_P(TracerTest, ClosedMesh_RaysAtVerticesAndEdges_NeverLeak) {
     std::vector<Ray> rays;
     for (int repeat = 0; repeat < 20; ++repeat)
       for (const auto& t : scene.triangles) {
-        const glm::vec3 from = scale * (glm::vec3(0.25f, -0.5f, 0.125f) + 0.5f * unit(random) * test::randomDirection(random));
+        const glm::vec3 from =
+            scale * (glm::vec3(0.25f, -0.5f, 0.125f) + 0.5f * unit(random) * test::randomDirection(random));
         const glm::vec3 a = scene.positions[t.x], b = scene.positions[t.y];
         rays.push_back(rayOf(from, a - from));
         rays.push_back(rayOf(from, a + unit(random) * (b - a) - from));
@@ -148,7 +153,15 @@ TEST_P(TracerTest, ClosedBox_AxisParallelRaysInFacePlanes_NeverLeak) {
 }
 
 TEST_P(TracerTest, ClosestHit_OddGeometry_StaysFinite) {
-  CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}, {1e-20f, 1e-20f, 1}, {0, 1e-20f, 1}, {1e18f, 0, -2}, {-1e18f, 1e18f, -2}, {-1e18f, -1e18f, -2}},
+  CompiledScene scene = test::sceneOf({{0, 0, 0},
+                                       {1, 0, 0},
+                                       {2, 0, 0},
+                                       {0, 0, 1},
+                                       {1e-20f, 1e-20f, 1},
+                                       {0, 1e-20f, 1},
+                                       {1e18f, 0, -2},
+                                       {-1e18f, 1e18f, -2},
+                                       {-1e18f, -1e18f, -2}},
                                       {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
   Tracer tracer = tracerOf(scene);
   auto rays = randomRays(2000, 8);
@@ -205,7 +218,8 @@ TEST(Bvh, EveryTriangle_IsInOneLeafWithinItsBounds) {
       ++seen[bvh.triangleOrder[i]];
       for (int k = 0; k < 3; ++k) {
         const glm::vec3 p = scene.positions[scene.triangles[bvh.triangleOrder[i]][k]];
-        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.bounds.lower, p)) && glm::all(glm::lessThanEqual(p, node.bounds.upper)));
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.bounds.lower, p)) &&
+                    glm::all(glm::lessThanEqual(p, node.bounds.upper)));
       }
     }
   }

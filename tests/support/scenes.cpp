@@ -50,8 +50,8 @@ void append(CompiledScene& scene, const CompiledScene& other) {
   for (const auto m : other.triangleMaterials) scene.triangleMaterials.push_back(m + material);
   scene.triangleFlat.insert(scene.triangleFlat.end(), other.triangleFlat.begin(), other.triangleFlat.end());
   scene.materials.insert(scene.materials.end(), other.materials.begin(), other.materials.end());
-  scene.primitives.push_back({static_cast<int>(scene.primitives.size()), 0, 0, vertex, other.vertexCount(), triangle,
-                              other.triangleCount()});
+  scene.primitives.push_back({static_cast<int>(scene.primitives.size()), 0, 0, vertex, other.vertexCount(),
+                              triangle, other.triangleCount()});
   updateDerived(scene);
 }
 
@@ -76,10 +76,13 @@ CompiledScene sphere(int segments, float radius, const glm::vec3& centre) {
   for (int j = 1; j < segments; ++j)
     for (int i = 0; i < around; ++i) {
       const double theta = 3.14159265358979 * j / segments, phi = 6.28318530717959 * i / around;
-      positions.push_back(centre + radius * glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)));
+      positions.push_back(centre + radius * glm::vec3(std::sin(theta) * std::sin(phi), std::cos(theta),
+                                                      std::sin(theta) * std::cos(phi)));
     }
   positions.push_back(centre - glm::vec3(0, radius, 0));
-  const auto ring = [&](int j, int i) { return static_cast<std::uint32_t>(1 + (j - 1) * around + i % around); };
+  const auto ring = [&](int j, int i) {
+    return static_cast<std::uint32_t>(1 + (j - 1) * around + i % around);
+  };
   const auto last = static_cast<std::uint32_t>(positions.size() - 1);
   for (int i = 0; i < around; ++i) {
     triangles.push_back({0, ring(1, i), ring(1, i + 1)});
@@ -95,13 +98,14 @@ CompiledScene sphere(int segments, float radius, const glm::vec3& centre) {
 namespace {
 
 /// A grid of quads over origin + [0,1] a + [0,1] b, facing cross(a, b).
-void addGrid(std::vector<glm::vec3>& positions, std::vector<glm::uvec3>& triangles, int cells, const glm::vec3& origin,
-             const glm::vec3& a, const glm::vec3& b) {
+void addGrid(std::vector<glm::vec3>& positions, std::vector<glm::uvec3>& triangles, int cells,
+             const glm::vec3& origin, const glm::vec3& a, const glm::vec3& b) {
   const auto first = static_cast<std::uint32_t>(positions.size());
   const auto side = static_cast<std::uint32_t>(cells + 1);
   for (std::uint32_t j = 0; j < side; ++j)
     for (std::uint32_t i = 0; i < side; ++i)
-      positions.push_back(origin + a * (static_cast<float>(i) / static_cast<float>(cells)) + b * (static_cast<float>(j) / static_cast<float>(cells)));
+      positions.push_back(origin + a * (static_cast<float>(i) / static_cast<float>(cells)) +
+                          b * (static_cast<float>(j) / static_cast<float>(cells)));
   for (std::uint32_t j = 0; j + 1 < side; ++j)
     for (std::uint32_t i = 0; i + 1 < side; ++i) {
       const std::uint32_t v = first + j * side + i;

@@ -8,9 +8,10 @@
 
 namespace prelight::test {
 
-/// A CompiledScene with one white Lambertian material from raw arrays; vertex normals are area-weighted means.
-/// Positions are taken as they are: origin stays 0.
-CompiledScene sceneOf(std::vector<glm::vec3> positions, std::vector<glm::uvec3> triangles, float albedo = 1.0f);
+/// A CompiledScene with one white Lambertian material from raw arrays; vertex normals are area-weighted
+/// means. Positions are taken as they are: origin stays 0.
+CompiledScene sceneOf(std::vector<glm::vec3> positions, std::vector<glm::uvec3> triangles,
+                      float albedo = 1.0f);
 
 /// Appends a mesh to a scene of sceneOf as a further primitive.
 void append(CompiledScene& scene, const CompiledScene& other);

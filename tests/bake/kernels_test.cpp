@@ -1,0 +1,267 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "bake/sampling.h"
+#include "bake/sh_table.h"
+#include "basis/sh.h"
+#include "bvh/tracer.h"
+#include "device/buffer.h"
+#include "device/layout.h"
+#include "shared/cast_types.h"
+#include "support/devices.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+using device::CastParameters;
+using device::Hit;
+using device::Ray;
+using device::Receiver;
+using device::Sender;
+
+constexpr std::uint32_t raysPerReceiver = 32;
+
+Receiver receiverOf(const glm::vec3& p, const glm::vec3& n, std::uint32_t seed, std::uint32_t firstSample) {
+  return {{p.x, p.y, p.z}, 7, {n.x, n.y, n.z}, seed, {n.x, n.y, n.z}, firstSample};
+}
+
+std::vector<Receiver> someReceivers(std::size_t count) {
+  std::mt19937 random(1);
+  std::vector<Receiver> receivers;
+  for (std::size_t i = 0; i < count; ++i)
+    receivers.push_back(receiverOf(test::randomDirection(random), test::randomDirection(random),
+                                   static_cast<std::uint32_t>(random()), static_cast<std::uint32_t>(64 * i)));
+  receivers.push_back(receiverOf({0, 0, 0}, {0, 0, -1}, 3, 0));
+  receivers.push_back(receiverOf({0, 0, 0}, {0, 0, 1}, 0, 1u << 20));
+  return receivers;
+}
+
+std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& receivers) {
+  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()), raysPerReceiver, 4, 0, 0, {}};
+  Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
+  Buffer<Ray> rays(device, receivers.size() * raysPerReceiver);
+  cl::Kernel kernel(device.program("cast/generate_kernels.cl", {}), "generateRays");
+  setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), rays.get());
+  device.launch(kernel, rays.size(), 64);
+  return rays.read();
+}
+
+TEST(Layouts, SharedStructs_AreTheSameOnHostAndDevice) {
+  EXPECT_EQ(hostLayouts(), deviceLayouts(test::sharedDevice().context()));
+}
+
+TEST(GenerateRays, Directions_AreThoseOfTheDoubleReference) {
+  const auto receivers = someReceivers(50);
+  const auto rays = generate(test::sharedDevice().context(), receivers);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Receiver& r = receivers[i / raysPerReceiver];
+    const glm::dvec2 u =
+        sampling::sobol(r.firstSample + static_cast<std::uint32_t>(i % raysPerReceiver), r.seed);
+    const glm::dvec3 expected =
+        sampling::cosineHemisphere(u, glm::dvec3(r.normal[0], r.normal[1], r.normal[2]));
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(rays[i].direction[axis], expected[axis], 2e-6) << "ray " << i;
+      EXPECT_EQ(rays[i].origin[axis], r.position[axis]);
+    }
+    EXPECT_EQ(rays[i].sourceTriangle, 7u);
+  }
+}
+
+// A (0,2)-sequence puts one of its first 2^k points into every elementary interval of area 2^-k.
+TEST(Sobol, EveryPowerOfTwoPrefix_FillsElementaryIntervals) {
+  for (const std::uint32_t seed : {0u, 1u, 77u})
+    for (int k = 1; k <= 8; ++k)
+      for (int a = 0; a <= k; ++a) {
+        const std::uint32_t columns = 1u << a, rows = 1u << (k - a);
+        std::vector<int> count(columns * rows, 0);
+        for (std::uint32_t i = 0; i < (1u << k); ++i) {
+          const glm::dvec2 u = sampling::sobol(i, seed);
+          ++count[static_cast<std::uint32_t>(u.x * columns) * rows + static_cast<std::uint32_t>(u.y * rows)];
+        }
+        EXPECT_EQ(std::count(count.begin(), count.end(), 1), static_cast<std::ptrdiff_t>(count.size()))
+            << "seed " << seed << " k " << k << " a " << a;
+      }
+}
+
+TEST(CosineHemisphere, MeanOfCosine_IsTwoThirds) {
+  const glm::dvec3 n = glm::normalize(glm::dvec3(0.3, -0.5, 0.2));
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < 4096; ++i)
+    sum += glm::dot(n, sampling::cosineHemisphere(sampling::sobol(i, 5), n));
+  EXPECT_NEAR(sum / 4096, 2.0 / 3.0, 1e-4);
+}
+
+class ProjectHits : public ::testing::TestWithParam<int> {};
+
+TEST_P(ProjectHits, RandomHits_AgreeWithDoubleReference) {
+  const int order = GetParam();
+  DeviceContext& device = test::sharedDevice().context();
+  const auto receivers = someReceivers(40);
+  const auto rays = generate(device, receivers);
+  std::mt19937 random(order);
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    // Receivers from entirely open to entirely closed.
+    const double closed = double(i / raysPerReceiver) / double(receivers.size() - 1);
+    const bool hit = std::uniform_real_distribution<double>(0, 1)(random) < closed;
+    hits.push_back({0, hit ? 3u : PRELIGHT_NO_TRIANGLE, 0, 0});
+  }
+  const auto n = static_cast<std::size_t>(order * order);
+  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()),
+                                  raysPerReceiver,
+                                  static_cast<std::uint32_t>(4 + n),
+                                  0,
+                                  0,
+                                  {}};
+  Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  Buffer<float> table(device, std::span<const float>(makeShTable(std::max(1, order))));
+  Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
+  Buffer<Hit> hitBuffer(device, std::span<const Hit>(hits));
+  Buffer<float> values(device, receivers.size() * (4 + n));
+  cl::Kernel kernel(
+      device.program("project/project_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order)),
+      "projectHits");
+  setArguments(kernel, parameterBuffer.get(), table.get(), rayBuffer.get(), hitBuffer.get(), values.get());
+  device.launch(kernel, receivers.size(), 64);
+  const auto result = values.read();
+
+  for (std::size_t r = 0; r < receivers.size(); ++r) {
+    const auto open = [&](std::size_t j) {
+      return hits[r * raysPerReceiver + j].triangle == PRELIGHT_NO_TRIANGLE ? 1.0 : 0.0;
+    };
+    double first = 0.0, second = 0.0;
+    for (std::size_t j = 0; j < raysPerReceiver; ++j)
+      (j < raysPerReceiver / 2 ? first : second) += open(j) / (raysPerReceiver / 2);
+    std::vector<double> expected(4 + n, 0.0), y(n);
+    expected[0] = 0.5 * (first + second);
+    for (std::size_t j = 0; j < raysPerReceiver; ++j) {
+      const auto& d = rays[r * raysPerReceiver + j].direction;
+      const double weight = (open(j) - (j < raysPerReceiver / 2 ? second : first)) / raysPerReceiver;
+      for (std::size_t axis = 0; axis < 3; ++axis) expected[1 + axis] += weight * d[axis];
+      if (order == 0) continue;
+      sh::evaluate(glm::normalize(glm::dvec3(d[0], d[1], d[2])), order, y);
+      for (std::size_t i = 0; i < n; ++i) expected[4 + i] += weight * y[i];
+    }
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(result[r * (4 + n) + i], expected[i], 3e-6) << "receiver " << r << " value " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, ProjectHits, ::testing::Values(0, 1, 3, 5, 8));
+
+class TransportKernels : public ::testing::Test {
+ protected:
+  TransportKernels() {
+    scene_ = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}},
+                           {{0, 1, 2}, {3, 4, 5}}, 0.5f);
+    scene_.materials.push_back(scene_.materials[0]);
+    scene_.materials[1].albedo = {0.25f, 0.5f, 1.0f};
+    scene_.triangleMaterials[1] = 1;
+  }
+
+  CompiledScene scene_;
+};
+
+TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
+  DeviceContext& device = test::sharedDevice().context();
+  Tracer tracer(scene_, test::sharedDevice());
+  constexpr std::size_t receivers = 256;
+  std::vector<Receiver> receiverData;
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < receivers * raysPerReceiver; ++i) {
+    if (i % raysPerReceiver == 0)
+      receiverData.push_back(receiverOf({}, {0, 0, 1}, static_cast<std::uint32_t>(i), 0));
+    const std::uint32_t triangle = i % 4 == 3 ? PRELIGHT_NO_TRIANGLE : static_cast<std::uint32_t>(i % 2);
+    rays.push_back({{0, 0, 0},
+                    PRELIGHT_NO_TRIANGLE,
+                    {0, 0, triangle == 1 ? 1.0f : -1.0f},
+                    1e30f});  // backs of triangle 1
+    hits.push_back({1, triangle, 0.5f, 0.125f});
+  }
+  const CastParameters parameters{receivers, raysPerReceiver, 4, scene_.vertexCount(), 2, {}};
+  Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
+  Buffer<Hit> hitBuffer(device, std::span<const Hit>(hits));
+  Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receiverData));
+  Buffer<float> normals(device, std::span<const float>(std::vector<float>{0, 0, 1, 0, 0, 1}));
+  Buffer<Sender> senders(device, (receivers + 2) * raysPerReceiver);
+  Buffer<std::uint8_t> marks(device, 2);
+  marks.fill(0);
+  cl::Kernel kernel(
+      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_SH_ORDER", 1)),
+      "storeSenders");
+  kernel.setArg(0, parameterBuffer.get());
+  kernel.setArg(1, rayBuffer.get());
+  kernel.setArg(2, hitBuffer.get());
+  tracer.setSurfaceArguments(kernel, 3);
+  kernel.setArg(8, normals.get());
+  kernel.setArg(9, receiverBuffer.get());
+  kernel.setArg(10, senders.get());
+  kernel.setArg(11, marks.get());
+  device.launch(kernel, rays.size(), 64);
+
+  EXPECT_EQ(marks.read(), (std::vector<std::uint8_t>{0, 1}));
+  const auto rows = senders.read();
+  std::vector<double> picked(12, 0.0);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Sender& s = rows[2 * raysPerReceiver + i];
+    if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) {
+      EXPECT_EQ(s.slot, PRELIGHT_NO_TRIANGLE);
+      continue;
+    }
+    ASSERT_LT(s.slot, 12u);
+    picked[s.slot] += 1.0;
+    const glm::vec3 albedo = scene_.materials[hits[i].triangle].albedo;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(((s.albedo >> (10 * c)) & 1023u) / 1023.0, albedo[c], 0.0005);
+  }
+  const double even = picked[0] + picked[1] + picked[2];
+  const double odd = picked[9] + picked[10] + picked[11];  // backs come after the vertices
+  EXPECT_EQ(even + odd, receivers * raysPerReceiver * 0.75);
+  EXPECT_NEAR(picked[0] / even, 0.375, 0.03);
+  EXPECT_NEAR(picked[1] / even, 0.5, 0.03);
+  EXPECT_NEAR(picked[11] / odd, 0.125, 0.03);
+}
+
+TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
+  DeviceContext& device = test::sharedDevice().context();
+  Tracer tracer(scene_, test::sharedDevice());
+  constexpr int order = 3;
+  constexpr std::size_t n = order * order, receivers = 30, first = 5;
+  std::mt19937 random(2);
+  std::vector<float> transfer(12 * 3 * n);
+  for (float& t : transfer) t = std::uniform_real_distribution<float>(-1, 1)(random);
+  std::vector<Sender> senders((first + receivers) * raysPerReceiver);
+  for (Sender& s : senders)
+    s = {random() % 3 == 0 ? PRELIGHT_NO_TRIANGLE : static_cast<std::uint32_t>(random() % 12),
+         static_cast<std::uint32_t>(random()) & 0x3fffffffu};
+  const CastParameters parameters{receivers, raysPerReceiver, 4 + n, scene_.vertexCount(), first, {}};
+  Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
+  Buffer<float> transferBuffer(device, std::span<const float>(transfer));
+  Buffer<float> values(device, receivers * 3 * n);
+  cl::Kernel kernel(
+      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_SH_ORDER", order)),
+      "gatherBounce");
+  setArguments(kernel, parameterBuffer.get(), senderBuffer.get(), transferBuffer.get(), values.get());
+  device.launch(kernel, receivers, 64);
+  const auto result = values.read();
+  for (std::size_t r = 0; r < receivers; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < n; ++i) {
+        double expected = 0.0;
+        for (std::size_t j = 0; j < raysPerReceiver; ++j) {
+          const Sender& s = senders[(first + r) * raysPerReceiver + j];
+          if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
+          expected += ((s.albedo >> (10 * c)) & 1023u) / 1023.0 * double(transfer[(s.slot * 3 + c) * n + i]) /
+                      raysPerReceiver;
+        }
+        EXPECT_NEAR(result[(r * 3 + c) * n + i], expected, 2e-6);
+      }
+}
+
+}  // namespace
+}  // namespace prelight

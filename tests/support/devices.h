@@ -1,0 +1,10 @@
+#pragma once
+
+#include "device/device.h"
+
+namespace prelight::test {
+
+/// The default device, opened once a test program.
+const Device& sharedDevice();
+
+}  // namespace prelight::test
