@@ -1,0 +1,176 @@
+#include "viewer/controls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <utility>
+
+namespace prelight::viewer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double steepest = 0.995;            ///< sine of the steepest view up or down
+constexpr double zoomPerStep = 0.9;           ///< distance after a step of the wheel
+constexpr double skyStep = 5.0 * pi / 180.0;  ///< radians a key press
+
+glm::dmat4 turnAbout(const glm::dvec3& point, double angle, const glm::dvec3& axis) {
+  return glm::translate(glm::dmat4(1.0), point) * glm::rotate(glm::dmat4(1.0), angle, axis) *
+         glm::translate(glm::dmat4(1.0), -point);
+}
+
+}  // namespace
+
+Controls::Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade)
+    : view_(std::move(view)), firstCamera_(view_.camera), canShade_(std::move(canShade)) {
+  const glm::dvec3 lower(scene.boundsMin);
+  const glm::dvec3 upper(scene.boundsMax);
+  center_ = scene.origin + 0.5 * (lower + upper);
+  const double radius = 0.5 * glm::length(upper - lower);
+  if (radius > 0.0) radius_ = radius;
+  selectedLight_ = view_.lights.empty() ? -1 : 0;
+  run(Command::ResetView);
+}
+
+Light* Controls::selected() { return selectedLight_ < 0 ? nullptr : &view_.lights[selectedLight_]; }
+
+void Controls::drag(Drag what, const glm::dvec2& delta) {
+  switch (what) {
+    case Drag::None:
+      return;
+    case Drag::Orbit:
+      return orbit(delta);
+    case Drag::Pan:
+      return pan(delta);
+    case Drag::Sky:
+      return setSkyRotation(view_.skyRotation + delta.x * pi);
+    case Drag::Light:
+      return turnLight(delta);
+  }
+}
+
+void Controls::orbit(const glm::dvec2& delta) {
+  glm::dmat4 world = turnAbout(target_, -delta.x * pi, {0.0, 1.0, 0.0}) * view_.camera.world;
+  const glm::dmat4 pitched = turnAbout(target_, delta.y * pi, glm::normalize(glm::dvec3(world[0]))) * world;
+  // Not over the poles: there the horizontal drag would turn the other way.
+  const double slope = std::abs(glm::normalize(glm::dvec3(pitched[2])).y);
+  if (slope < steepest || slope < std::abs(axis(2).y)) world = pitched;
+  view_.camera.world = world;
+  moved();
+}
+
+void Controls::pan(const glm::dvec2& delta) {
+  const double distance = glm::length(glm::dvec3(view_.camera.world[3]) - target_);
+  const double height =
+      view_.camera.perspective ? 2.0 * std::tan(0.5 * view_.camera.yFov) * distance : 2.0 * view_.camera.yMag;
+  const glm::dvec3 shift = -height * (delta.x * axis(0) + delta.y * axis(1));
+  target_ += shift;
+  view_.camera.world[3] += glm::dvec4(shift, 0.0);
+  moved();
+}
+
+void Controls::scroll(double steps, bool light) {
+  const double factor = std::pow(zoomPerStep, steps);
+  if (!light) return zoom(factor);
+  Light* const chosen = selected();
+  if (chosen == nullptr || chosen->type == LightType::Directional) return;
+  chosen->position = center_ + (chosen->position - center_) / factor;
+  ++changes_;
+}
+
+void Controls::zoom(double factor) {
+  if (view_.camera.perspective) {
+    const glm::dvec3 away = (glm::dvec3(view_.camera.world[3]) - target_) * factor;
+    view_.camera.world[3] = glm::dvec4(target_ + away, 1.0);
+  } else {
+    view_.camera.xMag *= factor;
+    view_.camera.yMag *= factor;
+  }
+  moved();
+}
+
+void Controls::moved() {
+  // The camera's own planes were made for where it stood.
+  view_.camera.zNear = std::min(view_.camera.zNear, 1e-3 * radius_);
+  view_.camera.zFar = 0.0;
+  ++changes_;
+}
+
+void Controls::turnLight(const glm::dvec2& delta) {
+  Light* const light = selected();
+  if (light == nullptr) return;
+  const glm::dmat4 turn =
+      turnAbout(center_, delta.x * pi, {0.0, 1.0, 0.0}) * turnAbout(center_, -delta.y * pi, axis(0));
+  light->position = glm::dvec3(turn * glm::dvec4(light->position, 1.0));
+  light->direction = glm::normalize(glm::dvec3(turn * glm::dvec4(light->direction, 0.0)));
+  ++changes_;
+}
+
+void Controls::addLight() {
+  Light light;
+  light.type = LightType::Directional;
+  light.name = "added";
+  light.direction =
+      glm::normalize(-axis(2) + 0.5 * axis(0) - 0.7 * axis(1));  // over the viewer's left shoulder
+  light.intensity = glm::vec3(3.0f);
+  view_.lights.push_back(light);
+  selectLight(static_cast<int>(view_.lights.size()) - 1);
+}
+
+void Controls::run(Command command) {
+  switch (command) {
+    case Command::ShadePhong:
+      return setShading(Shading::Phong);
+    case Command::ShadeAo:
+      return setShading(Shading::Ao);
+    case Command::ShadeSh:
+      return setShading(Shading::Sh);
+    case Command::SkyLeft:
+      return setSkyRotation(view_.skyRotation + skyStep);
+    case Command::SkyRight:
+      return setSkyRotation(view_.skyRotation - skyStep);
+    case Command::AddLight:
+      return addLight();
+    case Command::NextLight:
+      if (selectedLight_ >= 0) selectLight((selectedLight_ + 1) % static_cast<int>(view_.lights.size()));
+      return;
+    case Command::ResetView:
+      view_.camera = firstCamera_;
+      const glm::dvec3 eye(view_.camera.world[3]);
+      const double depth = glm::dot(center_ - eye, -axis(2));
+      target_ = eye - axis(2) * (depth > 0.0 ? depth : radius_);
+      ++changes_;
+      return;
+  }
+}
+
+void Controls::setShading(Shading shading) {
+  if (!canShade_(shading) || shading == view_.shading) return;
+  view_.shading = shading;
+  ++changes_;
+}
+
+void Controls::setSkyRotation(double angle) {
+  view_.skyRotation = std::remainder(angle, 2.0 * pi);
+  ++changes_;
+}
+
+void Controls::selectLight(int index) {
+  if (index < 0 || index >= static_cast<int>(view_.lights.size())) return;
+  selectedLight_ = index;
+  ++changes_;
+}
+
+void Controls::setLightIntensity(const glm::vec3& intensity) {
+  if (Light* const light = selected()) light->intensity = glm::max(intensity, glm::vec3(0.0f));
+  ++changes_;
+}
+
+void Controls::resize(int width, int height) {
+  if (width == view_.width && height == view_.height) return;
+  view_.width = width;
+  view_.height = height;
+  ++changes_;
+}
+
+}  // namespace prelight::viewer

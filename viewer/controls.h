@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+
+#include "viewer/renderer.h"
+
+namespace prelight::viewer {
+
+/// What dragging the mouse moves.
+enum class Drag { None, Orbit, Pan, Sky, Light };
+
+/// What a key does to the view.
+enum class Command { ShadePhong, ShadeAo, ShadeSh, SkyLeft, SkyRight, NextLight, AddLight, ResetView };
+
+/// What the user's hands do to a view, free of any window system. Every change counts up `changes`.
+class Controls {
+ public:
+  /// `canShade` says which shadings may be switched to.
+  Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade);
+
+  const View& view() const { return view_; }
+  std::size_t changes() const { return changes_; }
+  int selectedLight() const { return selectedLight_; }  ///< into View::lights; -1 without lights
+  bool canShade(Shading shading) const { return canShade_(shading); }
+
+  /// `delta` is in window heights, +x right and +y up. Light moves the selected light on its sphere around
+  /// the scene's centre (a directional one: turns it).
+  void drag(Drag what, const glm::dvec2& delta);
+
+  /// Zooms by steps of the wheel, positive nearer; with `light` the selected light's distance from the
+  /// centre.
+  void scroll(double steps, bool light);
+
+  void run(Command command);
+  void setShading(Shading shading);
+  void setSkyRotation(double angle);
+  void selectLight(int index);
+  void setLightIntensity(const glm::vec3& intensity);
+  void resize(int width, int height);
+
+ private:
+  void orbit(const glm::dvec2& delta);
+  void pan(const glm::dvec2& delta);
+  void zoom(double factor);
+  void turnLight(const glm::dvec2& delta);
+  void addLight();
+  void moved();
+  glm::dvec3 axis(int index) const { return glm::normalize(glm::dvec3(view_.camera.world[index])); }
+  Light* selected();
+
+  View view_;
+  Camera firstCamera_;
+  std::function<bool(Shading)> canShade_;
+  glm::dvec3 center_{0.0};  ///< of the scene, world
+  double radius_ = 1.0;
+  glm::dvec3 target_{0.0};  ///< what the camera turns around, world
+  int selectedLight_ = -1;
+  std::size_t changes_ = 0;
+};
+
+}  // namespace prelight::viewer

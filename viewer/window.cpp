@@ -1,0 +1,241 @@
+#include "viewer/window.h"
+
+#include <epoxy/gl.h>
+// After epoxy, whose declarations it takes.
+#include <GLFW/glfw3.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "base/error.h"
+#include "io/picture.h"
+#include "viewer/controls.h"
+#include "viewer/overlay.h"
+#include "viewer/presenter.h"
+#include "viewer/view.h"
+
+namespace prelight::viewer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double slowFrame =
+    0.05;  ///< seconds; slower pictures lose their supersampling while something moves
+constexpr double settleTime = 0.2;  ///< seconds without a change until they get it back
+
+std::string glfwReason() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text != nullptr ? text : "unknown reason";
+}
+
+/// GLFW from init to terminate.
+struct GlfwSession {
+  GlfwSession() {
+    if (glfwInit() == GLFW_TRUE) return;
+    throw Error(ExitCode::RuntimeFailure, "window", "no display: " + glfwReason(),
+                "use `prelight render`, which needs none, or run under xvfb-run");
+  }
+  ~GlfwSession() { glfwTerminate(); }
+  GlfwSession(const GlfwSession&) = delete;
+  GlfwSession& operator=(const GlfwSession&) = delete;
+};
+
+struct DestroyWindow {
+  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+WindowHandle openWindow(const ViewerOptions& options, int width, int height) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  WindowHandle window(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
+  if (!window) {
+    throw Error(ExitCode::RuntimeFailure, "window", "no window with OpenGL 4.1: " + glfwReason(),
+                "use `prelight render`, which needs no display");
+  }
+  glfwMakeContextCurrent(window.get());
+  glfwSwapInterval(options.frames > 0 ? 0 : 1);
+  return window;
+}
+
+std::optional<Command> commandOf(int key) {
+  switch (key) {
+    case GLFW_KEY_1:
+      return Command::ShadePhong;
+    case GLFW_KEY_2:
+      return Command::ShadeAo;
+    case GLFW_KEY_3:
+      return Command::ShadeSh;
+    case GLFW_KEY_Q:
+      return Command::SkyLeft;
+    case GLFW_KEY_E:
+      return Command::SkyRight;
+    case GLFW_KEY_TAB:
+      return Command::NextLight;
+    case GLFW_KEY_L:
+      return Command::AddLight;
+    case GLFW_KEY_R:
+      return Command::ResetView;
+    default:
+      return std::nullopt;
+  }
+}
+
+Drag dragOf(int button, int modifiers) {
+  if (button == GLFW_MOUSE_BUTTON_RIGHT) return Drag::Light;
+  if (button == GLFW_MOUSE_BUTTON_MIDDLE) return Drag::Pan;
+  if (button != GLFW_MOUSE_BUTTON_LEFT) return Drag::None;
+  if ((modifiers & GLFW_MOD_SHIFT) != 0) return Drag::Sky;
+  return (modifiers & GLFW_MOD_CONTROL) != 0 ? Drag::Pan : Drag::Orbit;
+}
+
+/// Hands GLFW's events to the controls, unless the overlay takes them.
+class EventRouter {
+ public:
+  /// Installs the callbacks; the overlay is attached afterwards, since it chains to what is installed before
+  /// it.
+  EventRouter(GLFWwindow* window, Controls& controls) : window_(window), controls_(controls) {
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window,
+                       [](GLFWwindow* w, int key, int, int action, int) { self(w).key(key, action); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+      self(w).button(button, action, mods);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { self(w).move({x, y}); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double steps) { self(w).scroll(steps); });
+  }
+
+  void attach(Overlay& overlay) { overlay_ = &overlay; }
+
+ private:
+  static EventRouter& self(GLFWwindow* window) {
+    return *static_cast<EventRouter*>(glfwGetWindowUserPointer(window));
+  }
+
+  void key(int key, int action) {
+    if (action == GLFW_RELEASE || (overlay_ != nullptr && overlay_->wantsKeys())) return;
+    if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
+    if (key == GLFW_KEY_H && overlay_ != nullptr) overlay_->toggleHelp();
+    if (const auto command = commandOf(key)) controls_.run(*command);
+  }
+
+  void button(int button, int action, int modifiers) {
+    const bool taken = overlay_ != nullptr && overlay_->wantsMouse();
+    drag_ = action == GLFW_PRESS && !taken ? dragOf(button, modifiers) : Drag::None;
+  }
+
+  void move(const glm::dvec2& cursor) {
+    int width = 1;
+    int height = 1;
+    glfwGetWindowSize(window_, &width, &height);
+    const glm::dvec2 delta = (cursor - cursor_) / static_cast<double>(height > 0 ? height : 1);
+    cursor_ = cursor;
+    controls_.drag(drag_, {delta.x, -delta.y});
+  }
+
+  void scroll(double steps) {
+    if (overlay_ != nullptr && overlay_->wantsMouse()) return;
+    controls_.scroll(steps, drag_ == Drag::Light);
+  }
+
+  GLFWwindow* window_;
+  Controls& controls_;
+  Overlay* overlay_ = nullptr;
+  Drag drag_ = Drag::None;
+  glm::dvec2 cursor_{0.0};
+};
+
+/// Keeps the scene's picture up to date, drawing only when the view has changed.
+class LivePicture {
+ public:
+  LivePicture(const Renderer& renderer, int fullSamples) : renderer_(renderer), fullSamples_(fullSamples) {}
+
+  /// Draws the view if it must. `settled`: take the time for the full quality.
+  void update(const Controls& controls, bool settled) {
+    const View& view = controls.view();
+    const int wanted = settled || seconds_ < slowFrame ? fullSamples_ : 1;
+    if (target_ && drawn_ == controls.changes() && samples_ >= wanted) return;
+    if (!target_ || target_->width() != view.width * wanted || target_->height() != view.height * wanted) {
+      target_.emplace(view.width * wanted, view.height * wanted);
+    }
+    const auto start = Clock::now();
+    renderer_.draw(view, {0, 0, view.width, view.height}, *target_);
+    glFinish();
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    // What full quality would take: a picture of fewer samples must not make it look affordable.
+    seconds_ = seconds * (fullSamples_ * fullSamples_) / (wanted * wanted);
+    lastSeconds_ = seconds;
+    samples_ = wanted;
+    drawn_ = controls.changes();
+  }
+
+  const gl::Framebuffer& target() const { return *target_; }
+  int samples() const { return samples_; }
+  bool isFinal(const Controls& controls) const {
+    return drawn_ == controls.changes() && samples_ == fullSamples_;
+  }
+  double lastSeconds() const { return lastSeconds_; }
+
+ private:
+  const Renderer& renderer_;
+  int fullSamples_;
+  std::optional<gl::Framebuffer> target_;
+  int samples_ = 0;
+  std::size_t drawn_ = 0;
+  double seconds_ = 0.0;
+  double lastSeconds_ = 0.0;
+};
+
+void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Overlay& overlay, int frames) {
+  const Presenter presenter;
+  auto lastChange = Clock::now();
+  std::size_t seen = controls.changes();
+  for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
+       ++frame) {
+    if (frames > 0 || !picture.isFinal(controls) || frame < 3) {
+      glfwPollEvents();
+    } else {
+      glfwWaitEventsTimeout(0.25);
+    }
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    if (width < 1 || height < 1) continue;  // minimised
+    controls.resize(width, height);
+    if (controls.changes() != seen) {
+      seen = controls.changes();
+      lastChange = Clock::now();
+    }
+    picture.update(controls, std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime);
+    presenter.present(picture.target(), picture.samples(), 0);
+    overlay.draw(controls, picture.lastSeconds());
+    glfwSwapBuffers(window);
+  }
+}
+
+}  // namespace
+
+int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
+  View view = makeView(inputs, options.render);
+  const GlfwSession session;
+  const WindowHandle window = openWindow(options, view.width, view.height);
+  const Renderer renderer(inputs);
+  if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
+  Controls controls(view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); });
+  EventRouter router(window.get(), controls);
+  Overlay overlay(window.get());
+  router.attach(overlay);
+  LivePicture picture(renderer, options.render.samplesPerAxis);
+  runLoop(window.get(), controls, picture, overlay, options.frames);
+  if (!options.screenshotPath.empty()) {
+    writePicture(options.screenshotPath,
+                 renderView(renderer, controls.view(), options.render.samplesPerAxis));
+  }
+  return 0;
+}
+
+}  // namespace prelight::viewer
