@@ -123,10 +123,7 @@ std::size_t SideCast::dropAccurateTriangles() {
 }
 
 ErrorEstimate SideCast::estimateError() const {
-  const std::vector<double> all = fit_.solve(defaultSmoothing);
-  std::vector<double> open(mesh_.slotCount());
-  for (std::size_t i = 0; i < open.size(); ++i) open[i] = all[i * fit_.columns()];
-  return estimateAoError(mesh_, fit_, open, records_);
+  return estimateAoError(mesh_, fit_, fit_.solveColumns(defaultSmoothing, 0, 1), records_);
 }
 
 }  // namespace prelight

@@ -28,6 +28,9 @@ class SideCast {
   /// Fitted values relative to the baseline, [slot][column].
   std::vector<double> solve() const { return fit_.solve(defaultSmoothing); }
 
+  /// Fitted mean open direction relative to the baseline, [slot][3].
+  std::vector<double> solveBentNormal() const { return fit_.solveColumns(bentNormalSmoothing, 1, 3); }
+
   ErrorEstimate estimateError() const;
 
   const Baseline& baseline() const { return baseline_; }

@@ -198,7 +198,12 @@ void VertexFit::add(const SurfaceSample& sample, std::span<const double> values)
   }
 }
 
-std::vector<double> VertexFit::solve(double lambda) const { return solve(lambda, right_, columns_); }
+std::vector<double> VertexFit::solveColumns(double lambda, std::size_t first, std::size_t count) const {
+  std::vector<double> right(mesh_.slotCount() * count);
+  for (std::size_t s = 0; s < mesh_.slotCount(); ++s)
+    for (std::size_t c = 0; c < count; ++c) right[s * count + c] = right_[s * columns_ + first + c];
+  return solve(lambda, right, count);
+}
 
 std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide,
                                      std::size_t columns) const {

@@ -27,7 +27,10 @@ class VertexFit {
   bool empty() const { return empty_; }
 
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
-  std::vector<double> solve(double lambda) const;
+  std::vector<double> solve(double lambda) const { return solve(lambda, right_, columns_); }
+
+  /// The same for `count` columns from `first` on.
+  std::vector<double> solveColumns(double lambda, std::size_t first, std::size_t count) const;
 
   /// Solves for another right-hand side [slot][column] with this fit's samples.
   std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
@@ -40,7 +43,9 @@ class VertexFit {
   std::vector<double> right_;                ///< [slot][column]: sum w b f
 };
 
-/// The strength that served best on held-out samples over built-in scenes; see docs/accuracy.md.
+/// Strengths that served best over the built-in scenes, see docs/accuracy.md. The bent normal wants more: it is
+/// normalised after the fit, which magnifies the noise where little is open.
 constexpr double defaultSmoothing = 0.1;
+constexpr double bentNormalSmoothing = 0.4;
 
 }  // namespace prelight
