@@ -1,5 +1,6 @@
 #include "basis/sh.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -46,7 +47,7 @@ const Recurrence& recurrence() {
 /// has one z' in it, and a column one azimuth, which makes the projection separable.
 glm::dmat3 worldFromSkyFrame() { return {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; }
 
-/// cos(m phi) and sin(m phi) of every column's centre in the sky frame, [m][column].
+/// Integrals of cos(m phi) and sin(m phi) over every column of the sky frame, [m][column].
 struct ColumnWaves {
   std::vector<std::vector<double>> cosine;
   std::vector<std::vector<double>> sine;
@@ -61,10 +62,34 @@ struct ColumnWaves {
         sine[m][column] = sine[m - 1][column] * w.z + cosine[m - 1][column] * w.x;
       }
     }
+    for (int m = 0; m < order; ++m) {
+      // Over a column of width d about phi the wave integrates to its value at phi times 2 sin(m d / 2) / m.
+      const double step = 2.0 * std::numbers::pi / width;
+      const double integral = m == 0 ? step : 2.0 * std::sin(0.5 * m * step) / m;
+      for (double& value : cosine[m]) value *= integral;
+      for (double& value : sine[m]) value *= integral;
+    }
   }
 };
 
-/// Adds a row's part of the projection in the sky frame; `polar` holds the functions at azimuth 0, weighted.
+/// Integral over a row of the functions at azimuth 0 in the sky frame, by polar angle with its sine.
+void integrateRow(int row, int height, int order, std::span<double> polar) {
+  const double step = std::numbers::pi / height;
+  // The integrand oscillates order times over pi; a few nodes more than it has waves give full double
+  // precision.
+  const int nodes = 6 + static_cast<int>(std::ceil(order * step));
+  std::vector<double> basis(polar.size());
+  std::fill(polar.begin(), polar.end(), 0.0);
+  for (const LineSample& node : gaussLegendre(nodes)) {
+    const double angle = step * (row + 0.5 + 0.5 * node.position);
+    evaluate(glm::dvec3(std::sin(angle), 0.0, std::cos(angle)), order, basis);
+    const double weight = 0.5 * step * node.weight * std::sin(angle);
+    for (std::size_t i = 0; i < polar.size(); ++i) polar[i] += weight * basis[i];
+  }
+}
+
+/// Adds a row's part of the projection in the sky frame; `polar` holds the functions at azimuth 0,
+/// integrated.
 void addRow(const Environment& environment, int row, const ColumnWaves& waves, std::span<const double> polar,
             int order, std::span<double> out) {
   const glm::vec3* texels = environment.radiance.data() + static_cast<std::size_t>(row) * environment.width;
@@ -140,14 +165,7 @@ std::vector<double> projectEnvironment(const Environment& environment, int order
   std::vector<double> polar(count);
   std::vector<double> inSkyFrame(3 * static_cast<std::size_t>(count), 0.0);
   for (int row = 0; row < environment.height; ++row) {
-    const double top = std::numbers::pi * row / environment.height;
-    const double bottom = std::numbers::pi * (row + 1.0) / environment.height;
-    // Texel solid angle: dphi (cos top - cos bottom), the difference as a product that keeps its digits.
-    const double bandHeight = 2.0 * std::sin(0.5 * (top + bottom)) * std::sin(0.5 * (bottom - top));
-    const double solidAngle = 2.0 * std::numbers::pi / environment.width * bandHeight;
-    const double middle = 0.5 * (top + bottom);
-    evaluate(glm::dvec3(std::sin(middle), 0.0, std::cos(middle)), order, polar);
-    for (double& value : polar) value *= solidAngle;
+    integrateRow(row, environment.height, order, polar);
     addRow(environment, row, waves, polar, order, inSkyFrame);
   }
   std::vector<double> result;

@@ -25,8 +25,8 @@ double clampedCosine(int band);
 /// Transfer of an unoccluded receiver: T_i = clampedCosine(l) Y_i(normal).
 void openTransfer(const glm::dvec3& normal, int order, std::span<double> values);
 
-/// Projection of a sky by exact texel solid angle: L_i = sum L(texel) Y_i(texel centre) dw(texel), a row a
-/// channel. Returns [channel][i], 3 x order^2.
+/// Projection of a sky whose radiance is constant over each texel: L_i = sum L(texel) integral_texel Y_i dw,
+/// exact up to rounding however few texels there are. Returns [channel][i], 3 x order^2.
 std::vector<double> projectEnvironment(const Environment& environment, int order);
 
 /// Coefficients of the rotated function f'(w) = f(R^-1 w), for one channel of order^2 entries. Exact up to

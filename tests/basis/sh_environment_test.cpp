@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "basis/quadrature.h"
 #include "basis/sh.h"
 
 namespace prelight {
@@ -22,20 +23,25 @@ Environment makeSky(int width, int height, Radiance radiance) {
   return sky;
 }
 
-/// The definition, texel by texel: the oracle of the separable projection.
+/// The definition, texel by texel with a product quadrature in each: the oracle of the separable projection.
 std::vector<double> projectByDefinition(const Environment& sky, int order) {
   const int count = sh::coefficientCount(order);
   std::vector<double> result(3 * static_cast<std::size_t>(count), 0.0);
   std::vector<double> values(count);
+  const auto nodes = gaussLegendre(10);
   for (int row = 0; row < sky.height; ++row) {
-    const double solidAngle =
-        2.0 * pi / sky.width * (std::cos(pi * row / sky.height) - std::cos(pi * (row + 1.0) / sky.height));
     for (int column = 0; column < sky.width; ++column) {
-      sh::evaluate(Environment::direction((column + 0.5) / sky.width, (row + 0.5) / sky.height), order,
-                   values);
       const glm::dvec3 radiance(sky.radiance[row * sky.width + column]);
-      for (int c = 0; c < 3; ++c) {
-        for (int i = 0; i < count; ++i) result[c * count + i] += radiance[c] * solidAngle * values[i];
+      for (const LineSample& down : nodes) {
+        for (const LineSample& across : nodes) {
+          const double v = (row + 0.5 + 0.5 * down.position) / sky.height;
+          const double u = (column + 0.5 + 0.5 * across.position) / sky.width;
+          const double area = 0.25 * down.weight * across.weight * 2.0 * pi / sky.width * pi / sky.height;
+          sh::evaluate(Environment::direction(u, v), order, values);
+          for (int i = 0; i < 3 * count; ++i) {
+            result[i] += radiance[i / count] * area * std::sin(pi * v) * values[i % count];
+          }
+        }
       }
     }
   }
@@ -48,12 +54,15 @@ TEST(ShEnvironment, Project_ConstantSky_IsOnlyTheFirstCoefficient) {
   EXPECT_NEAR(c[0], std::sqrt(4.0 * pi), 1e-12);
   EXPECT_NEAR(c[16], 2.0 * std::sqrt(4.0 * pi), 1e-12);
   EXPECT_NEAR(c[32], 0.5 * std::sqrt(4.0 * pi), 1e-12);
-  for (int i = 1; i < 4; ++i) EXPECT_NEAR(c[i], 0.0, 1e-12) << i;
+  for (int i = 1; i < 16; ++i) EXPECT_NEAR(c[i], 0.0, 1e-12) << i;
 }
 
-TEST(ShEnvironment, Project_OneTexelSky_IsOnlyTheFirstCoefficientOfOrderOne) {
-  EXPECT_NEAR(sh::projectEnvironment(constantEnvironment(glm::vec3(3.0f)), 1)[1], 3.0 * std::sqrt(4.0 * pi),
-              1e-12);
+TEST(ShEnvironment, Project_OneTexelSky_IsOnlyTheFirstCoefficient) {
+  for (const int order : {1, 8, sh::maxOrder}) {
+    const auto c = sh::projectEnvironment(constantEnvironment(glm::vec3(3.0f)), order);
+    EXPECT_NEAR(c[0], 3.0 * std::sqrt(4.0 * pi), 1e-12);
+    for (int i = 1; i < order * order; ++i) EXPECT_NEAR(c[i], 0.0, 1e-11) << order << " " << i;
+  }
 }
 
 TEST(ShEnvironment, Project_LinearSky_HasItsClosedForm) {
