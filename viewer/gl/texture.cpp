@@ -1,14 +1,11 @@
 #include "viewer/gl/texture.h"
 
-#include <algorithm>
 #include <string>
 
 #include "base/error.h"
 
 namespace prelight::viewer::gl {
 namespace {
-
-constexpr GLfloat wantedAnisotropy = 8.0f;
 
 GLint limit(GLenum name) {
   GLint value = 0;
@@ -55,11 +52,7 @@ Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode
   glTexImage2D(GL_TEXTURE_2D, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, image.rgba.data());
   setMipmapped(wrap(wrapS), wrap(wrapT));
-  if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
-    GLfloat largest = 1.0f;
-    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &largest);
-    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(largest, wantedAnisotropy));
-  }
+  // No anisotropic filtering: llvmpipe's breaks magnified textures along the diagonals.
   check("uploading the image " + image.name);
   return texture;
 }

@@ -1,0 +1,122 @@
+#include "viewer/controls.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+namespace prelight::viewer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+class ControlsTest : public testing::Test {
+ protected:
+  ControlsTest() {
+    scene_.boundsMin = glm::vec3(-1);
+    scene_.boundsMax = glm::vec3(1);
+    scene_.origin = {5, 0, 0};
+    view_.camera.world = glm::translate(glm::dmat4(1.0), glm::dvec3(5, 0, 4));
+    Light light;
+    light.position = {5, 0, 2};
+    view_.lights = {light};
+  }
+
+  Controls controls() const {
+    return {view_, scene_, [](Shading shading) { return shading != Shading::Sh; }};
+  }
+
+  CompiledScene scene_;
+  View view_;
+};
+
+glm::dvec3 eyeOf(const Controls& controls) { return controls.view().camera.world[3]; }
+
+TEST_F(ControlsTest, Orbit_QuarterTurn_KeepsDistanceAndTarget) {
+  Controls c = controls();
+  c.drag(Drag::Orbit, {0.5, 0.0});
+  EXPECT_NEAR(glm::distance(eyeOf(c), {1, 0, 0}), 0.0, 1e-12);  // dragging right moves the camera left
+  EXPECT_NEAR(glm::distance(glm::dvec3(c.view().camera.world[2]), {-1, 0, 0}), 0.0, 1e-12);
+}
+
+TEST_F(ControlsTest, Orbit_OverThePole_StopsBeforeIt) {
+  Controls c = controls();
+  for (int i = 0; i < 100; ++i) c.drag(Drag::Orbit, {0.0, -0.03});
+  EXPECT_GT(c.view().camera.world[1].y, 0.0);
+  EXPECT_GT(eyeOf(c).y, 3.0);
+}
+
+TEST_F(ControlsTest, Zoom_ManySteps_ComesNearWithoutPassing) {
+  Controls c = controls();
+  c.scroll(100.0, false);
+  EXPECT_GT(eyeOf(c).z, 0.0);
+  EXPECT_LT(eyeOf(c).z, 0.01);
+}
+
+TEST_F(ControlsTest, Pan_Right_MovesThePictureWithTheMouse) {
+  Controls c = controls();
+  c.drag(Drag::Pan, {0.1, 0.0});
+  EXPECT_NEAR(eyeOf(c).x, 5.0 - 0.1 * 2.0 * std::tan(0.5 * view_.camera.yFov) * 4.0, 1e-12);
+}
+
+TEST_F(ControlsTest, LightDrag_Right_MovesItRightOnItsSphere) {
+  Controls c = controls();
+  c.drag(Drag::Light, {0.25, 0.0});
+  const glm::dvec3 p = c.view().lights[0].position;
+  EXPECT_GT(p.x, 6.0);
+  EXPECT_NEAR(glm::distance(p, scene_.origin), 2.0, 1e-12);
+  c.drag(Drag::Light, {0.0, 0.1});
+  EXPECT_GT(c.view().lights[0].position.y, 0.0);
+}
+
+TEST_F(ControlsTest, LightScroll_Nearer_ChangesOnlyItsDistance) {
+  Controls c = controls();
+  c.scroll(-1.0, true);
+  EXPECT_NEAR(c.view().lights[0].position.z, 2.0 * 0.9, 1e-12);
+  EXPECT_NEAR(eyeOf(c).z, 4.0, 1e-12);
+}
+
+TEST_F(ControlsTest, Shading_TheBakeLacks_IsNotTaken) {
+  Controls c = controls();
+  c.run(Command::ShadeSh);
+  EXPECT_EQ(c.view().shading, Shading::Phong);
+  c.run(Command::ShadeAo);
+  EXPECT_EQ(c.view().shading, Shading::Ao);
+}
+
+TEST_F(ControlsTest, AddLight_SelectsItAndNextGoesRound) {
+  Controls c = controls();
+  c.run(Command::AddLight);
+  EXPECT_EQ(c.view().lights.size(), 2u);
+  EXPECT_EQ(c.selectedLight(), 1);
+  c.run(Command::NextLight);
+  EXPECT_EQ(c.selectedLight(), 0);
+}
+
+TEST_F(ControlsTest, WithoutLights_LightCommandsDoNothing) {
+  view_.lights.clear();
+  Controls c = controls();
+  c.drag(Drag::Light, {1, 1});
+  c.scroll(1.0, true);
+  c.run(Command::NextLight);
+  c.setLightIntensity(glm::vec3(1));
+  EXPECT_EQ(c.selectedLight(), -1);
+}
+
+TEST_F(ControlsTest, Reset_AfterAnything_IsTheFirstCamera) {
+  Controls c = controls();
+  c.drag(Drag::Orbit, {0.3, 0.2});
+  c.scroll(3.0, false);
+  c.run(Command::ResetView);
+  EXPECT_EQ(c.view().camera.world, view_.camera.world);
+  EXPECT_EQ(c.view().camera.zNear, view_.camera.zNear);
+}
+
+TEST_F(ControlsTest, SkyDrag_FullTurn_StaysWithinPi) {
+  Controls c = controls();
+  c.drag(Drag::Sky, {1.5, 0.0});
+  EXPECT_NEAR(c.view().skyRotation, -0.5 * pi, 1e-12);
+}
+
+}  // namespace
+}  // namespace prelight::viewer

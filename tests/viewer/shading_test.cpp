@@ -1,0 +1,270 @@
+// Pictures of a few quads whose radiance is known in closed form.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "base/error.h"
+#include "basis/sh.h"
+#include "viewer/lighting.h"
+#include "viewer/quad_scene.h"
+
+namespace prelight {
+namespace {
+
+using namespace test;
+using viewer::Shading;
+
+constexpr double pi = std::numbers::pi;
+
+void expectColor(const glm::vec3& got, const glm::dvec3& expected, double tolerance) {
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(got[c], expected[c], tolerance * std::max(1e-3, expected[c])) << "channel " << c;
+  }
+}
+
+Light makeLight(LightType type, const glm::vec3& intensity, const glm::dvec3& position,
+                const glm::dvec3& direction = {0, 0, -1}) {
+  Light light;
+  light.type = type;
+  light.intensity = intensity;
+  light.position = position;
+  light.direction = glm::normalize(direction);
+  return light;
+}
+
+QuadScene facingQuad(const glm::vec3& albedo) {
+  QuadScene quad;
+  quad.add(lambertian(albedo));
+  quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+  return quad;
+}
+
+/// Radiance over irradiance of an open, white surface whose normal is at `cosine` to a windowed delta light.
+double windowedCosine(int order, double cosine, bool windowed = true) {
+  double sum = 0.0;
+  double before = 0.0;
+  double p = 1.0;
+  for (int l = 0; l < order; ++l) {
+    if (l > 0) {
+      const double next = ((2.0 * l - 1.0) * cosine * p - (l - 1.0) * before) / l;
+      before = p;
+      p = next;
+    }
+    sum += (windowed ? viewer::deltaWindow(l, order) : 1.0) * sh::clampedCosine(l) * (2.0 * l + 1.0) /
+           (4.0 * pi) * p;
+  }
+  return sum;
+}
+
+TEST(PhongShading, PointLight_OnAFacingQuad_IsAlbedoIntensityCosOverPiR2) {
+  QuadScene quad = facingQuad({0.8f, 0.4f, 0.2f});
+  quad.scene.lights = {makeLight(LightType::Point, {10, 20, 30}, {1.0, 0.0, 2.0})};
+  quad.compile();
+  const double cosine = 2.0 / std::sqrt(5.0);
+  const auto e = static_cast<float>(cosine / 5.0 / pi);
+  expectColor(pixelAt(quad.render(square())), {8 * e, 8 * e, 6 * e}, 1e-3);
+}
+
+TEST(PhongShading, PointLight_FarFromTheWorldsOrigin_IsAsBright) {
+  const glm::dvec3 far(1e6, -2e6, 3e6);
+  QuadScene quad;
+  quad.add(lambertian(glm::vec3(1)), 1.0f, glm::translate(glm::dmat4(1.0), far));
+  quad.lookFrom(far + glm::dvec3(0, 0, 2.5), far);
+  quad.scene.lights = {makeLight(LightType::Point, glm::vec3(4), far + glm::dvec3(0, 0, 2))};
+  quad.compile();
+  expectColor(pixelAt(quad.render(square())), glm::dvec3(1.0 / pi), 1e-3);
+}
+
+TEST(PhongShading, DirectionalLight_AtAnAngle_FollowsTheCosine) {
+  QuadScene quad = facingQuad(glm::vec3(0.5f));
+  quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(2), {}, {0, -1, -1})};
+  quad.compile();
+  expectColor(pixelAt(quad.render(square())), glm::dvec3(std::sqrt(0.5) / pi), 1e-4);
+}
+
+TEST(PhongShading, SpotLight_OutsideItsCone_IsBlack) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  Light spot = makeLight(LightType::Spot, glm::vec3(4), {0, 0, 2});
+  spot.innerConeAngle = 0.1f;
+  spot.outerConeAngle = 0.2f;
+  quad.scene.lights = {spot};
+  quad.compile();
+  const Picture picture = quad.render(square());
+  expectColor(pixelAt(picture), glm::dvec3(1.0 / pi), 1e-3);
+  expectColor(pixelAt(picture, 0.5, 0.8), glm::dvec3(0), 1e-3);
+}
+
+TEST(PhongShading, LightRange_Reached_CutsTheLightOff) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.scene.lights = {makeLight(LightType::Point, glm::vec3(4), {0, 0, 2})};
+  quad.scene.lights[0].range = 4.0f;
+  quad.compile();
+  expectColor(pixelAt(quad.render(square())), glm::dvec3((1.0 - 1.0 / 16.0) / pi), 1e-3);
+  quad.scene.lights[0].range = 1.9f;
+  expectColor(pixelAt(quad.render(square())), glm::dvec3(0), 1e-3);
+}
+
+TEST(PhongShading, ConstantSky_OnAnOpenQuad_IsAlbedoTimesRadiance) {
+  QuadScene quad = facingQuad({0.8f, 0.4f, 0.2f});
+  quad.setSky(constantEnvironment({1, 2, 3}));
+  quad.compile();
+  const Picture picture = quad.render(square(Shading::Phong, 129));
+  expectColor(pixelAt(picture), {0.8f, 0.8f, 0.6f}, 1e-4);
+  expectColor(pixelAt(picture, 0.001, 0.001), {1, 2, 3}, 1e-6);
+}
+
+TEST(PhongShading, SceneWithoutAnyLight_IsLitByANeutralSkyAndSaysSo) {
+  QuadScene quad = facingQuad(glm::vec3(0.25f));
+  quad.compile();
+  Warnings notes;
+  const Picture picture = viewer::renderPicture(quad.inputs(), square(), notes);
+  expectColor(pixelAt(picture), glm::dvec3(0.25f), 1e-4);
+  EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("neutral sky")));
+}
+
+TEST(PhongShading, EmissiveQuad_OppositeAnother_LightsItAsADiscOfItsArea) {
+  // A small emitter of 0.04 m2 at 2 m: E = L A / r^2 to 1 %; it is behind the camera and faces the lit quad.
+  QuadScene quad = facingQuad(glm::vec3(1));
+  Material lamp = lambertian(glm::vec3(0));
+  lamp.emission = {50, 100, 200};
+  const glm::dmat4 turned = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 3)) *
+                            glm::rotate(glm::dmat4(1.0), pi, glm::dvec3(0, 1, 0));
+  quad.add(lamp, 0.1f, turned);
+  quad.compile();
+  const auto e = static_cast<float>(0.04 / 9.0 / pi);
+  expectColor(pixelAt(quad.render(square())), {50 * e, 100 * e, 200 * e}, 0.01);
+}
+
+TEST(AoShading, HalfAccessibility_HalvesTheAmbientLightOnly) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.setSky(constantEnvironment(glm::vec3(2)));
+  quad.compile();
+  quad.bakeOpen(2, 1, 0.5f);
+  expectColor(pixelAt(quad.render(square(Shading::Ao))), glm::dvec3(1), 1e-4);
+  quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(static_cast<float>(pi)), {})};
+  expectColor(pixelAt(quad.render(square(Shading::Ao))), glm::dvec3(2), 1e-4);
+}
+
+TEST(AoShading, BentNormal_PicksItsSideOfTheSky) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.setSky(halvedSky());
+  quad.compile();
+  quad.bakeOpen(2);
+  quad.bake.bentNormals.assign(4, glm::vec3(1, 0, 0));
+  const glm::vec3 pixel = pixelAt(quad.render(square(Shading::Ao)));
+  EXPECT_GT(pixel.r, 0.95f);
+  EXPECT_LT(pixel.g, 0.05f);
+}
+
+TEST(ShShading, ConstantSky_ThroughAnOpenTransfer_IsAlbedoTimesRadiance) {
+  for (const int order : {1, 2, 3, 5, 8}) {
+    for (const int channels : {1, 3}) {
+      QuadScene quad = facingQuad({0.8f, 0.4f, 0.2f});
+      quad.setSky(constantEnvironment({1, 2, 3}));
+      quad.compile();
+      quad.bakeOpen(order, channels);
+      expectColor(pixelAt(quad.render(square(Shading::Sh))), {0.8f, 0.8f, 0.6f}, 1e-4);
+    }
+  }
+}
+
+TEST(ShShading, ChannelsOfATransfer_ActOnTheirColours) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.setSky(constantEnvironment(glm::vec3(1)));
+  quad.compile();
+  quad.bakeOpen(3, 3);
+  auto& coefficients = quad.bake.sh->coefficients;
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    coefficients[i] *= static_cast<float>(i / 9 % 3) * 0.25f;
+  expectColor(pixelAt(quad.render(square(Shading::Sh))), {0, 0.25f, 0.5f}, 1e-4);
+}
+
+TEST(ShShading, DirectionalLight_OnAnOpenQuad_MatchesTheWindowedClosedForm) {
+  for (const int order : {2, 4, 6, 8}) {
+    for (const bool windowed : {true, false}) {
+      QuadScene quad = facingQuad(glm::vec3(0.5f));
+      quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(3), {}, {0.3, -0.4, -1})};
+      quad.compile();
+      quad.bakeOpen(order);
+      viewer::RenderOptions options = square(Shading::Sh);
+      options.windowLights = windowed;
+      const double cosine = 1.0 / std::sqrt(1.25);
+      expectColor(pixelAt(quad.render(options)), glm::dvec3(1.5 * windowedCosine(order, cosine, windowed)),
+                  1e-4);
+    }
+  }
+}
+
+TEST(ShShading, DeltaWindow_FromOrder4_KeepsAFacingSurfaceWithinFivePercent) {
+  for (int order = 4; order <= viewer::maxShOrder; ++order) {
+    EXPECT_NEAR(windowedCosine(order, 1.0) * pi, 1.0, 0.05) << order;
+  }
+}
+
+TEST(ShShading, PointLightOutsideTheBounds_GoesThroughTheTransfer) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.scene.lights = {makeLight(LightType::Point, glm::vec3(8), {0, 0, 2})};
+  quad.compile();
+  quad.bakeOpen(5, 1, 1.0f, 0.5);  // half the transfer: half the light
+  // All four corners see the light alike: r^2 = 6, cos = 2 / sqrt(6).
+  const double expected = 0.5 * 8.0 / 6.0 * windowedCosine(5, 2.0 / std::sqrt(6.0));
+  expectColor(pixelAt(quad.render(square(Shading::Sh))), glm::dvec3(expected), 1e-4);
+}
+
+TEST(ShShading, PointLightWithinTheBounds_ShinesWithoutShadowsAndSaysSo) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.add(lambertian(glm::vec3(1)), 1.0f, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 6)));
+  quad.scene.lights = {makeLight(LightType::Point, glm::vec3(4), {0, 0, 2})};
+  quad.compile();
+  quad.bakeOpen(4, 1, 1.0f, 0.0);  // a transfer of nothing
+  Warnings notes;
+  const Picture picture = viewer::renderPicture(quad.inputs(), square(Shading::Sh), notes);
+  expectColor(pixelAt(picture), glm::dvec3(1.0 / pi), 1e-3);
+  EXPECT_THAT(notes, testing::Contains(testing::HasSubstr("without shadows")));
+}
+
+TEST(ShShading, SkyTurned_MatchesTheSkyDrawnTurned) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.setSky(halvedSky());
+  quad.compile();
+  quad.bakeOpen(4);
+  viewer::RenderOptions options = square(Shading::Sh);
+  options.skyRotation = -0.5 * pi;  // +X to +Z, what the quad faces
+  const glm::vec3 pixel = pixelAt(quad.render(options));
+  EXPECT_GT(pixel.r, 0.95f);
+  EXPECT_LT(pixel.g, 0.05f);
+}
+
+TEST(Shading, WithoutItsBake_IsAnErrorThatSaysWhatToDo) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.compile();
+  for (const Shading shading : {Shading::Ao, Shading::Sh}) {
+    try {
+      quad.render(square(shading));
+      FAIL() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
+      EXPECT_THAT(error.what(), testing::HasSubstr("bake with"));
+    }
+  }
+}
+
+TEST(Shading, BakeOfAnotherScene_IsAnError) {
+  QuadScene quad = facingQuad(glm::vec3(1));
+  quad.compile();
+  quad.bakeOpen(3);
+  quad.bake.ao.pop_back();
+  EXPECT_THROW(quad.render(square()), Error);
+}
+
+TEST(Shading, Names_RoundTrip) {
+  for (const char* name : {"phong", "ao", "sh"})
+    EXPECT_EQ(viewer::shadingName(viewer::parseShading(name)), name);
+  EXPECT_THROW(viewer::parseShading("PHONG"), UsageError);
+}
+
+}  // namespace
+}  // namespace prelight
