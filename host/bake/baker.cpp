@@ -110,7 +110,8 @@ void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double
     const std::size_t slot = mesh.slotOfVertex[v];
     const double* base = front.baseline().row(slot);
     bake.ao.push_back(finiteOr(std::clamp(1.0 + fitted[slot * columns], 0.0, 1.0), 1.0f));
-    const glm::dvec3 mean(base[1] + bent[3 * slot], base[2] + bent[3 * slot + 1], base[3] + bent[3 * slot + 2]);
+    const glm::dvec3 mean(base[1] + bent[3 * slot], base[2] + bent[3 * slot + 1],
+                          base[3] + bent[3 * slot + 2]);
     const double length = glm::length(mean);
     // Where nothing is open there is no mean direction; the normal is as good as any.
     bake.bentNormals.push_back(length > 1e-5 ? glm::vec3(mean / length) : glm::normalize(scene.normals[v]));

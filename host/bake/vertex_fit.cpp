@@ -20,12 +20,17 @@ class NormalEquations {
       : mesh_(mesh),
         diagonal_(mesh.slotCount(), 0.0),
         offDiagonal_(mesh.columns.size(), 0.0),
+        edgeWeight_(mesh.columns.size(), 0.0),
+        scale_(mesh.slotCount(), 0.0),
         lambda_(lambda) {
     for (std::size_t t = 0; t < mass.size(); ++t) {
       const auto& s = mesh.triangles[t];
+      const auto& m = mass[t];
+      const double weight = m[0] + m[1] + m[2] + 2.0 * (m[3] + m[4] + m[5]);
       for (std::size_t k = 0; k < 3; ++k) {
-        diagonal_[s[k]] += mass[t][k];
-        addEdge(s[k], s[(k + 1) % 3], mass[t][3 + k]);
+        diagonal_[s[k]] += m[k];
+        scale_[s[k]] += weight / 6.0;  // the mean of w b^2 over a triangle
+        addEdge(s[k], s[(k + 1) % 3], m[3 + k], weight);
       }
     }
     scaleRegularizer();
@@ -43,13 +48,12 @@ class NormalEquations {
     parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         double* out = &y[i * columns];
-        const double degree = degreeOf(i);
-        const double own = degree > 0.0 ? lambda_ * scale_[i] : 0.0;
+        const double own = edgeSum_[i] > 0.0 ? lambda_ * scale_[i] : 0.0;
         for (std::size_t c = 0; c < columns; ++c)
           out[c] = (diagonal_[i] + floor_) * x[i * columns + c] + own * scratch[i * columns + c];
         for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
           const std::size_t j = mesh_.columns[e];
-          const double transposed = -lambda_ * scale_[j] / degreeOf(j);
+          const double transposed = -lambda_ * scale_[j] * edgeWeight_[e] / edgeSum_[j];
           for (std::size_t c = 0; c < columns; ++c)
             out[c] += offDiagonal_[e] * x[j * columns + c] + transposed * scratch[j * columns + c];
         }
@@ -58,17 +62,15 @@ class NormalEquations {
   }
 
  private:
-  double degreeOf(std::size_t i) const {
-    return static_cast<double>(mesh_.rowStart[i + 1] - mesh_.rowStart[i]);
-  }
-
-  void addEdge(std::uint32_t a, std::uint32_t b, double value) {
+  void addEdge(std::uint32_t a, std::uint32_t b, double value, double weight) {
     if (a == b) {
       diagonal_[a] += 2.0 * value;
       return;
     }
-    offDiagonal_[find(a, b)] += value;
-    offDiagonal_[find(b, a)] += value;
+    for (const std::size_t e : {find(a, b), find(b, a)}) {
+      offDiagonal_[e] += value;
+      edgeWeight_[e] += weight;
+    }
   }
 
   std::size_t find(std::uint32_t row, std::uint32_t column) const {
@@ -77,35 +79,44 @@ class NormalEquations {
     return static_cast<std::size_t>(std::lower_bound(begin, end, column) - mesh_.columns.begin());
   }
 
-  // S follows the local weight of samples, so that small and large triangles are smoothed alike; slots
-  // without any get the mean weight, which makes them follow their neighbours.
+  // S is what the diagonal would be with samples spread evenly, so that small and large triangles are
+  // smoothed alike and a slot whose few samples all lie far from it leans on its neighbours. The Laplacian
+  // weighs neighbours by the surface they share: a tiny triangle beside a large one must not be bent to make
+  // the large one smooth. Slots and edges without any sample get next to nothing, which makes them follow.
   void scaleRegularizer() {
     double mean = 0.0;
-    for (const double d : diagonal_) mean += d;
+    for (const double s : scale_) mean += s;
     mean = rows() > 0 ? std::max(mean / static_cast<double>(rows()), 1e-300) : 1.0;
     floor_ = 1e-9 * mean;
-    scale_.resize(rows());
-    for (std::size_t i = 0; i < rows(); ++i) scale_[i] = diagonal_[i] > 0.0 ? diagonal_[i] : mean;
+    for (double& s : scale_) s = s > 0.0 ? s : mean;
+    edgeSum_.assign(rows(), 0.0);
+    for (std::size_t i = 0; i < rows(); ++i)
+      for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
+        edgeWeight_[e] += floor_;
+        edgeSum_[i] += edgeWeight_[e];
+      }
     total_.resize(rows());
     for (std::size_t i = 0; i < rows(); ++i) {
-      double regularizer = degreeOf(i) > 0.0 ? scale_[i] : 0.0;
+      double regularizer = edgeSum_[i] > 0.0 ? scale_[i] : 0.0;
       for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
         const std::size_t j = mesh_.columns[e];
-        regularizer += scale_[j] / (degreeOf(j) * degreeOf(j));
+        const double share = edgeWeight_[e] / edgeSum_[j];
+        regularizer += scale_[j] * share * share;
       }
       total_[i] = diagonal_[i] + floor_ + lambda_ * regularizer;
     }
   }
 
-  // y = x - mean of x over the neighbours; 0 for a slot without neighbours.
+  // y = x - weighted mean of x over the neighbours; 0 for a slot without neighbours.
   void laplacian(const std::vector<double>& x, std::vector<double>& y, std::size_t columns) const {
     parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         double* out = &y[i * columns];
-        const double degree = degreeOf(i);
-        for (std::size_t c = 0; c < columns; ++c) out[c] = degree > 0.0 ? x[i * columns + c] : 0.0;
-        for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e)
-          for (std::size_t c = 0; c < columns; ++c) out[c] -= x[mesh_.columns[e] * columns + c] / degree;
+        for (std::size_t c = 0; c < columns; ++c) out[c] = edgeSum_[i] > 0.0 ? x[i * columns + c] : 0.0;
+        for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
+          const double share = edgeWeight_[e] / edgeSum_[i];
+          for (std::size_t c = 0; c < columns; ++c) out[c] -= share * x[mesh_.columns[e] * columns + c];
+        }
       }
     });
   }
@@ -113,6 +124,8 @@ class NormalEquations {
   const FitMesh& mesh_;
   std::vector<double> diagonal_;
   std::vector<double> offDiagonal_;  ///< parallel to mesh_.columns
+  std::vector<double> edgeWeight_;   ///< parallel to mesh_.columns, symmetric
+  std::vector<double> edgeSum_;      ///< [slot], of its edges' weights
   std::vector<double> scale_;
   std::vector<double> total_;
   double lambda_;

@@ -14,12 +14,17 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> knownExtensions = {
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_materials_volume",
-    "KHR_materials_ior",          "KHR_materials_specular",
-    "KHR_materials_unlit",        "KHR_mesh_quantization",
-    "KHR_texture_transform",      "EXT_mesh_gpu_instancing"};
+constexpr std::array<std::string_view, 11> knownExtensions = {"KHR_lights_punctual",
+                                                              "KHR_materials_emissive_strength",
+                                                              "KHR_materials_transmission",
+                                                              "KHR_materials_volume",
+                                                              "KHR_materials_ior",
+                                                              "KHR_materials_specular",
+                                                              "KHR_materials_unlit",
+                                                              "KHR_mesh_quantization",
+                                                              "KHR_texture_transform",
+                                                              "EXT_mesh_gpu_instancing",
+                                                              "KHR_materials_pbrSpecularGlossiness"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||

@@ -54,6 +54,11 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
     validateNumbers(*e, {"specularFactor"});
     validateColors(*e, {{"specularColorFactor", 3}});
   }
+  if (const auto e = extensions.find("KHR_materials_pbrSpecularGlossiness")) {
+    validateNumbers(*e, {"glossinessFactor"});
+    validateColors(*e, {{"diffuseFactor", 4}, {"specularFactor", 3}});
+    validateTextureInfo(root, *e, "diffuseTexture");
+  }
 }
 
 void validateMaterial(const JsonCursor& root, const JsonCursor& material) {

@@ -137,6 +137,19 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
 
+/// KHR_materials_pbrSpecularGlossiness as the dielectric nearest to it: the diffuse colour as it is,
+/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour; its texture is
+/// not used.
+void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, Material& material) {
+  material.metallic = 0.0f;
+  material.baseColor = clampedColor<4>(context, json, "diffuseFactor", glm::vec4(1.0f));
+  material.baseColorTexture = loadTexture(context, json, "diffuseTexture");
+  material.roughness = 1.0f - clampedOr(context, json, "glossinessFactor", 1.0f);
+  material.specularColor = clampedColor<3>(context, json, "specularFactor", glm::vec3(1.0f)) / 0.04f;
+  if (const auto texture = json.find("specularGlossinessTexture"))
+    context.warnings.push_back(texture->where() + ": only the factors are used, the texture is not");
+}
+
 Material loadMaterial(const LoadContext& context, std::size_t index) {
   const JsonCursor json = context.root.at("materials").at(index);
   const tinygltf::Material& source = context.model.materials[index];
@@ -161,6 +174,8 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
     material.baseColorTexture = loadTexture(context, *pbr, "baseColorTexture");
     material.metallicRoughnessTexture = loadTexture(context, *pbr, "metallicRoughnessTexture");
   }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness"))
+    loadSpecularGlossiness(context, *e, material);
   loadExtensions(context, json, material);
   return material;
 }
