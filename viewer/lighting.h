@@ -12,9 +12,11 @@
 
 /// What lights a picture, ready for the shaders. Conventions of the lights' maths:
 /// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual;
-/// - emissive triangles become samples: discs of area A and radiance L that give E = L A cos cos' / (r^2 + A / pi).
-///   The second term is exact above a disc's centre, and bounds the light next to a sample;
-/// - through an SH transfer a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of order n are
+/// - emissive triangles become samples: discs of area A and radiance L that give
+///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
+///   next to a sample;
+/// - through an SH transfer a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of order
+/// n are
 ///   multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the ringing behind
 ///   shadow edges and keeps an open surface that faces the light within 5 % from order 4 on (6 % without it).
 ///   The sky is not windowed.
