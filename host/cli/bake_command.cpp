@@ -40,8 +40,8 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   return request;
 }
 
-void runBake(const BakeCommand& command, const GlobalOptions& global) {
-  Session session(global);
+void runBake(const BakeCommand& command, Context& context) {
+  Session session(context);
   LoadedScene loaded = session.load(command.scene);
   requireTriangles(loaded);
   if (!command.environment.empty()) {
@@ -64,7 +64,7 @@ void runBake(const BakeCommand& command, const GlobalOptions& global) {
   printBakeSummary(session.console(), request, run, session.times());
   session.console().line(
       "wrote", fmt::format("{} in {}", command.output.string(), shortSeconds(session.times().total())));
-  if (command.report.empty() && !global.json) return;
+  if (command.report.empty() && !context.options.json) return;
   const nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
   if (!command.report.empty())
     writeTextFile(command.report,
@@ -74,7 +74,7 @@ void runBake(const BakeCommand& command, const GlobalOptions& global) {
 
 }  // namespace
 
-void addBakeCommand(CLI::App& program, const GlobalOptions& global) {
+void addBakeCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<BakeCommand>();
   CLI::App* app =
       program.add_subcommand("bake", "Precompute a scene's light transport and store it in a .glb");
@@ -94,7 +94,7 @@ void addBakeCommand(CLI::App& program, const GlobalOptions& global) {
       "Examples:\n"
       "  prelight bake level.glb -o baked.glb --ao --sh 4 --bounces 2\n"
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json");
-  app->callback([command, &global] { runBake(*command, global); });
+  app->callback([command, &context] { runBake(*command, context); });
 }
 
 }  // namespace prelight::cli

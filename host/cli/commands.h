@@ -2,18 +2,19 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/global_options.h"
+#include "cli/context.h"
 
 /// Each function adds one command to the program. The command runs when parsing succeeds; it reports failure
-/// by throwing. `global` must outlive the parse.
+/// by throwing. `context` must outlive the parse.
 namespace prelight::cli {
 
-void addBakeCommand(CLI::App& program, const GlobalOptions& global);
-void addRenderCommand(CLI::App& program, const GlobalOptions& global);
-void addViewCommand(CLI::App& program, const GlobalOptions& global);
-void addInfoCommand(CLI::App& program, const GlobalOptions& global);
-void addSceneCommand(CLI::App& program, const GlobalOptions& global);
-void addDevicesCommand(CLI::App& program, const GlobalOptions& global);
-void addCompareCommand(CLI::App& program, const GlobalOptions& global);
+void addBakeCommand(CLI::App& program, Context& context);
+void addRenderCommand(CLI::App& program, Context& context);
+void addViewCommand(CLI::App& program, Context& context);
+void addInfoCommand(CLI::App& program, Context& context);
+void addSceneCommand(CLI::App& program, Context& context);
+void addDevicesCommand(CLI::App& program, Context& context);
+void addBenchCommand(CLI::App& program, Context& context);
+void addCompareCommand(CLI::App& program, Context& context);
 
 }  // namespace prelight::cli

@@ -125,8 +125,8 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   return result;
 }
 
-void runCompare(const CompareCommand& command, const GlobalOptions& global) {
-  Session session(global);
+void runCompare(const CompareCommand& command, Context& context) {
+  Session session(context);
   if (isScene(command.first) != isScene(command.second))
     throw UsageError("compare", fmt::format("got {} and {}, expected two pictures or two baked files",
                                             command.first.string(), command.second.string()));
@@ -148,7 +148,7 @@ void runCompare(const CompareCommand& command, const GlobalOptions& global) {
 
 }  // namespace
 
-void addCompareCommand(CLI::App& program, const GlobalOptions& global) {
+void addCompareCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<CompareCommand>();
   CLI::App* app =
       program.add_subcommand("compare", "Measure how far two pictures, or two baked files, are apart");
@@ -161,7 +161,7 @@ void addCompareCommand(CLI::App& program, const GlobalOptions& global) {
       "Examples:\n"
       "  prelight compare picture.exr reference.exr\n"
       "  prelight compare quick.glb exact.glb --json");
-  app->callback([command, &global] { runCompare(*command, global); });
+  app->callback([command, &context] { runCompare(*command, context); });
 }
 
 }  // namespace prelight::cli

@@ -59,8 +59,8 @@ std::size_t testAndPrint(const Console& console, const DeviceInfo& info, Json& j
   return usable ? 0 : std::max<std::size_t>(failed, 1);
 }
 
-void runDevices(bool test, const GlobalOptions& global) {
-  Session session(global);
+void runDevices(bool test, Context& context) {
+  Session session(context);
   Json list = Json::array();
   std::size_t failed = 0;
   for (const DeviceInfo& device : chosenDevices(session)) {
@@ -78,7 +78,7 @@ void runDevices(bool test, const GlobalOptions& global) {
 
 }  // namespace
 
-void addDevicesCommand(CLI::App& program, const GlobalOptions& global) {
+void addDevicesCommand(CLI::App& program, Context& context) {
   const auto test = std::make_shared<bool>(false);
   CLI::App* app = program.add_subcommand("devices", "List OpenCL devices, and test them");
   app->add_flag("--test", *test, "run the self-test of each device; succeeds only if every check does");
@@ -86,7 +86,7 @@ void addDevicesCommand(CLI::App& program, const GlobalOptions& global) {
       "Examples:\n"
       "  prelight devices\n"
       "  prelight devices --test --device pocl");
-  app->callback([test, &global] { runDevices(*test, global); });
+  app->callback([test, &context] { runDevices(*test, context); });
 }
 
 }  // namespace prelight::cli

@@ -121,8 +121,8 @@ void printContents(const Console& console, const LoadedScene& loaded) {
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
 }
 
-void runInfo(const InfoCommand& command, const GlobalOptions& global) {
-  Session session(global);
+void runInfo(const InfoCommand& command, Context& context) {
+  Session session(context);
   const LoadedScene loaded = session.load(command.scene);
   BakeRequest request = command.bake.request;
   if (!command.bake.techniqueGiven()) useDefaultTechniques(request);
@@ -147,7 +147,7 @@ void runInfo(const InfoCommand& command, const GlobalOptions& global) {
 
 }  // namespace
 
-void addInfoCommand(CLI::App& program, const GlobalOptions& global) {
+void addInfoCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<InfoCommand>();
   CLI::App* app = program.add_subcommand("info", "Show what a file holds and what a bake of it would do");
   app->add_option("SCENE", command->scene, "glTF file, baked or not (.gltf or .glb)")
@@ -160,7 +160,7 @@ void addInfoCommand(CLI::App& program, const GlobalOptions& global) {
       "Examples:\n"
       "  prelight info level.glb\n"
       "  prelight info level.glb --ao --sh 6 --json");
-  app->callback([command, &global] { runInfo(*command, global); });
+  app->callback([command, &context] { runInfo(*command, context); });
 }
 
 }  // namespace prelight::cli

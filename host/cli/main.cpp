@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/terminal_progress.h"
+#include "cli/context.h"
 
 namespace prelight::cli {
 namespace {
@@ -29,14 +29,15 @@ void addGlobalOptions(CLI::App& program, GlobalOptions& global) {
       ->excludes(quiet);
 }
 
-void addCommands(CLI::App& program, const GlobalOptions& global) {
-  addBakeCommand(program, global);
-  addRenderCommand(program, global);
-  addViewCommand(program, global);
-  addInfoCommand(program, global);
-  addSceneCommand(program, global);
-  addDevicesCommand(program, global);
-  addCompareCommand(program, global);
+void addCommands(CLI::App& program, Context& context) {
+  addBakeCommand(program, context);
+  addRenderCommand(program, context);
+  addViewCommand(program, context);
+  addInfoCommand(program, context);
+  addSceneCommand(program, context);
+  addDevicesCommand(program, context);
+  addBenchCommand(program, context);
+  addCompareCommand(program, context);
 }
 
 /// Help without CLI11's "Excludes:", which drowns what an option does.
@@ -98,8 +99,7 @@ int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
   return static_cast<int>(ExitCode::BadUsage);
 }
 
-int run(int argumentCount, const char* const* arguments) {
-  GlobalOptions global;
+int run(int argumentCount, const char* const* arguments, Context& context) {
   CLI::App program(
       "Prelight precomputes how light travels through a glTF scene and relights it in real time.",
       "prelight");
@@ -110,8 +110,8 @@ int run(int argumentCount, const char* const* arguments) {
   formatter->column_width(34);
   program.formatter(formatter);
   program.footer("Example:\n  prelight scene shapes -o shapes.glb && prelight bake shapes.glb -o baked.glb");
-  addGlobalOptions(program, global);
-  addCommands(program, global);
+  addGlobalOptions(program, context.options);
+  addCommands(program, context);
   try {
     program.parse(argumentCount, arguments);
   } catch (const CLI::Success& help) {  // --help and --version
@@ -122,23 +122,35 @@ int run(int argumentCount, const char* const* arguments) {
   return static_cast<int>(ExitCode::Done);
 }
 
+/// Says what went wrong and returns the exit code for it.
+int reportFailure(const std::exception_ptr& failure, const Context& context) {
+  // Whatever fails once a stop was asked for is the stop.
+  if (context.signals.stopRequested()) {
+    fmt::print(stderr, "prelight: interrupted; no half-written output is left\n");
+    return static_cast<int>(ExitCode::Interrupted);
+  }
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Error& error) {
+    printError(error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    printError("out of memory (give the bake less with --max-memory, or close other programs)");
+    return static_cast<int>(ExitCode::OutOfMemory);
+  } catch (const std::exception& error) {
+    printError(error.what());
+    return static_cast<int>(ExitCode::RuntimeFailure);
+  }
+}
+
 }  // namespace
 }  // namespace prelight::cli
 
 int main(int argumentCount, char** arguments) {
-  using prelight::ExitCode;
-  prelight::cli::installSignalHandlers();
+  prelight::cli::Context context;
   try {
-    return prelight::cli::run(argumentCount, arguments);
-  } catch (const prelight::Error& error) {
-    prelight::cli::printError(error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::bad_alloc&) {
-    prelight::cli::printError(
-        "out of memory (give the bake less with --max-memory, or close other programs)");
-    return static_cast<int>(ExitCode::OutOfMemory);
-  } catch (const std::exception& error) {
-    prelight::cli::printError(error.what());
-    return static_cast<int>(ExitCode::RuntimeFailure);
+    return prelight::cli::run(argumentCount, arguments, context);
+  } catch (...) {
+    return prelight::cli::reportFailure(std::current_exception(), context);
   }
 }

@@ -34,8 +34,8 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedSc
   return report;
 }
 
-void runRender(const RenderCommand& command, const GlobalOptions& global) {
-  Session session(global);
+void runRender(const RenderCommand& command, Context& context) {
+  Session session(context);
   const ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
     checkOutputFile("-o", command.output, {".exr", ".png"});
   });
@@ -57,7 +57,7 @@ void runRender(const RenderCommand& command, const GlobalOptions& global) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, const GlobalOptions& global) {
+void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
   addPictureOptions(*app, command->picture);
@@ -71,7 +71,7 @@ void addRenderCommand(CLI::App& program, const GlobalOptions& global) {
       "  prelight render baked.glb -o picture.png --env sky.hdr --rotate-env 90\n"
       "  prelight render level.glb -o before.exr --shading phong --size 640x360 --light "
       "point:0,2,0:10,10,10");
-  app->callback([command, &global] { runRender(*command, global); });
+  app->callback([command, &context] { runRender(*command, context); });
 }
 
 }  // namespace prelight::cli

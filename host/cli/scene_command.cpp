@@ -25,8 +25,8 @@ void listScenes(const Console& console) {
   console.json({{"command", "scene"}, {"version", PRELIGHT_VERSION}, {"scenes", scenes}});
 }
 
-void runScene(const SceneCommand& command, const GlobalOptions& global) {
-  Session session(global);
+void runScene(const SceneCommand& command, Context& context) {
+  Session session(context);
   if (command.list) {
     listScenes(session.console());
     return;
@@ -47,7 +47,7 @@ void runScene(const SceneCommand& command, const GlobalOptions& global) {
 
 }  // namespace
 
-void addSceneCommand(CLI::App& program, const GlobalOptions& global) {
+void addSceneCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<SceneCommand>();
   CLI::App* app = program.add_subcommand("scene", "Write a built-in scene");
   app->add_option("NAME", command->name, "name of the scene")->type_name("");
@@ -58,7 +58,7 @@ void addSceneCommand(CLI::App& program, const GlobalOptions& global) {
       "Examples:\n"
       "  prelight scene --list\n"
       "  prelight scene cornell -o cornell.glb");
-  app->callback([command, &global] { runScene(*command, global); });
+  app->callback([command, &context] { runScene(*command, context); });
 }
 
 }  // namespace prelight::cli

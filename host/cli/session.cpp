@@ -44,7 +44,7 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
 
 DeviceOptions Session::deviceOptions() const {
   DeviceOptions deviceOptions;
-  deviceOptions.selector = options_.device;
+  deviceOptions.selector = context_.options.device;
   return deviceOptions;
 }
 

@@ -6,7 +6,7 @@
 
 #include "bake/baker.h"
 #include "cli/console.h"
-#include "cli/global_options.h"
+#include "cli/context.h"
 #include "cli/stage_times.h"
 #include "cli/terminal_progress.h"
 #include "device/device.h"
@@ -38,9 +38,10 @@ struct BakeRun {
 /// interruptible.
 class Session {
  public:
-  explicit Session(const GlobalOptions& options) : options_(options), console_(options), progress_(options) {}
+  explicit Session(Context& context)
+      : context_(context), console_(context.options), progress_(context.options, context.signals) {}
 
-  const GlobalOptions& options() const { return options_; }
+  const GlobalOptions& options() const { return context_.options; }
   const Console& console() const { return console_; }
   TerminalProgress& progress() { return progress_; }
   StageTimes& times() { return times_; }
@@ -58,7 +59,7 @@ class Session {
   DeviceOptions deviceOptions() const;
 
  private:
-  GlobalOptions options_;
+  Context& context_;
   Console console_;
   TerminalProgress progress_;
   StageTimes times_;

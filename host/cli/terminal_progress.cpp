@@ -1,11 +1,9 @@
 #include "cli/terminal_progress.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -15,12 +13,6 @@
 namespace prelight::cli {
 namespace {
 
-// The one variable of the program that is not local: a signal handler can reach nothing else.
-std::atomic<bool> stopSignal = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not take a lock");
-
-void onSignal(int) { stopSignal.store(true, std::memory_order_relaxed); }
-
 bool isTerminal() {
   const char* terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 && !(terminal != nullptr && std::string_view(terminal) == "dumb");
@@ -28,23 +20,8 @@ bool isTerminal() {
 
 }  // namespace
 
-void installSignalHandlers() {
-  struct sigaction action {};
-  action.sa_handler = onSignal;
-  action.sa_flags =
-      static_cast<int>(SA_RESETHAND) | SA_RESTART;  // the second signal does what it does by default
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-void restoreSignalHandlers() {
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
-}
-
-TerminalProgress::TerminalProgress(const GlobalOptions& options)
-    : enabled_(!options.quiet && isTerminal()), colored_(mayColor(STDERR_FILENO)) {}
+TerminalProgress::TerminalProgress(const GlobalOptions& options, const StopSignals& signals)
+    : signals_(signals), enabled_(!options.quiet && isTerminal()), colored_(mayColor(STDERR_FILENO)) {}
 
 TerminalProgress::~TerminalProgress() { clear(); }
 
@@ -67,8 +44,6 @@ void TerminalProgress::report(std::string_view stage, double fraction) {
   std::fflush(stderr);
   shown_ = true;
 }
-
-bool TerminalProgress::stopRequested() const { return stopSignal.load(std::memory_order_relaxed); }
 
 void TerminalProgress::clear() {
   if (!shown_) return;

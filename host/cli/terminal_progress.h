@@ -6,31 +6,26 @@
 
 #include "base/progress.h"
 #include "cli/global_options.h"
+#include "cli/stop_signals.h"
 
 namespace prelight::cli {
-
-/// Installs handlers by which the first SIGINT or SIGTERM asks the work to stop and a second one ends the
-/// process.
-void installSignalHandlers();
-
-/// Lets the first signal end the process again.
-void restoreSignalHandlers();
 
 /// A bar on stderr when that is a terminal and --quiet is not given; knows when the user has asked to stop.
 class TerminalProgress final : public Progress {
  public:
-  explicit TerminalProgress(const GlobalOptions& options);
+  TerminalProgress(const GlobalOptions& options, const StopSignals& signals);
   ~TerminalProgress() override;
   TerminalProgress(const TerminalProgress&) = delete;
   TerminalProgress& operator=(const TerminalProgress&) = delete;
 
   void report(std::string_view stage, double fraction) override;
-  bool stopRequested() const override;
+  bool stopRequested() const override { return signals_.stopRequested(); }
 
   /// Takes the bar away, so that text can follow.
   void clear();
 
  private:
+  const StopSignals& signals_;
   bool enabled_;
   bool colored_;
   bool shown_ = false;

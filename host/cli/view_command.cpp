@@ -19,11 +19,11 @@ struct ViewCommand {
   int frames = 0;
 };
 
-void runView(const ViewCommand& command, const GlobalOptions& global) {
+void runView(const ViewCommand& command, Context& context) {
   if (!command.screenshot.empty() && command.frames == 0)
     throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
                      "add --frames 1");
-  Session session(global);
+  Session session(context);
   const ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
     if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
   });
@@ -35,7 +35,7 @@ void runView(const ViewCommand& command, const GlobalOptions& global) {
   options.title = "prelight: " + command.picture.scene.filename().string();
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
-  restoreSignalHandlers();  // nothing is left to finish: Ctrl-C closes the window
+  context.signals.endAtOnce();  // Ctrl-C closes the window
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   session.console().json({{"command", "view"},
@@ -48,7 +48,7 @@ void runView(const ViewCommand& command, const GlobalOptions& global) {
 
 }  // namespace
 
-void addViewCommand(CLI::App& program, const GlobalOptions& global) {
+void addViewCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<ViewCommand>();
   CLI::App* app = program.add_subcommand("view", "Open a window on a scene");
   addPictureOptions(*app, command->picture);
@@ -63,7 +63,7 @@ void addViewCommand(CLI::App& program, const GlobalOptions& global) {
       "Examples:\n"
       "  prelight view baked.glb --env sky.hdr\n"
       "  prelight view baked.glb --screenshot shot.png --frames 2 --size 640x360");
-  app->callback([command, &global] { runView(*command, global); });
+  app->callback([command, &context] { runView(*command, context); });
 }
 
 }  // namespace prelight::cli

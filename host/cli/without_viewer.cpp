@@ -15,8 +15,8 @@ void addMissingCommand(CLI::App& program, const std::string& name) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, const GlobalOptions&) { addMissingCommand(program, "render"); }
+void addRenderCommand(CLI::App& program, Context&) { addMissingCommand(program, "render"); }
 
-void addViewCommand(CLI::App& program, const GlobalOptions&) { addMissingCommand(program, "view"); }
+void addViewCommand(CLI::App& program, Context&) { addMissingCommand(program, "view"); }
 
 }  // namespace prelight::cli

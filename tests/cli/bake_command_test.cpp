@@ -180,6 +180,15 @@ TEST_F(CliBake, Interrupt_StopsWithoutOutput) {
   }
 }
 
+TEST_F(CliBake, Interrupt_WhileKernelsCompile_IsAnInterruptToo) {
+  std::filesystem::create_directory(path("cache"));  // an empty cache makes PoCL compile
+  const ProcessResult result =
+      prelight({"bake", "scene.glb", "-o", "out.glb", "--ao", "--rays", "1048576"},
+               {.environment = {{"POCL_CACHE_DIR", path("cache").string()}}, .signalAfterOutput = SIGINT});
+  EXPECT_EQ(result.exitCode, interrupted) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(path("out.glb")));
+}
+
 TEST_F(CliBake, Kernels_DumpedOnRequest) {
   bake("out.glb", {"--ao", "--rays", "16", "--no-cache-kernels", "--dump-kernels", "kernels"});
   EXPECT_FALSE(std::filesystem::is_empty(path("kernels")));

@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "cli/commands.h"
+
+#ifdef PRELIGHT_WITH_BENCHMARKS
+
+#include <algorithm>
+#include <memory>
+
+#include "benchmarks/plot.h"
+#include "benchmarks/suite.h"
+#include "cli/output_file.h"
+#include "cli/session.h"
+
+namespace prelight::cli {
+namespace {
+
+using benchmarks::BenchmarkOptions;
+using benchmarks::BenchmarkResult;
+using Json = nlohmann::ordered_json;
+
+struct BenchCommand {
+  std::string suite;  ///< empty: all
+  std::filesystem::path json;
+  std::filesystem::path plots;
+  bool quick = false;
+};
+
+std::vector<std::string> knownSuites() {
+  std::vector<std::string> names;
+  for (const auto& suite : benchmarks::suites()) names.push_back(suite.name);
+  return names;
+}
+
+std::vector<std::string> chosenSuites(const std::string& suite) {
+  const std::vector<std::string> known = knownSuites();
+  if (suite.empty()) return known;
+  if (std::find(known.begin(), known.end(), suite) == known.end())
+    throw UsageError("SUITE", fmt::format("got '{}', expected one of {}", suite, fmt::join(known, ", ")));
+  return {suite};
+}
+
+void checkOutputs(const BenchCommand& command) {
+  const std::vector<std::string> known = knownSuites();
+  if (std::find(known.begin(), known.end(), command.json) != known.end())
+    throw UsageError("--json", fmt::format("got the suite '{}', expected a file", command.json.string()),
+                     "name the suite before --json");
+  if (!command.json.empty()) checkOutputFile("--json", command.json, {".json"});
+  if (!command.plots.empty()) checkOutputFolder("--plot", command.plots);
+}
+
+/// "10.2 M rays/s", "0.123 s".
+std::string valueText(const BenchmarkResult& result) {
+  if (result.value >= 1000.0) return fmt::format("{} {}", shortCount(result.value), result.unit);
+  return fmt::format("{:.4g} {}", result.value, result.unit);
+}
+
+void print(const Console& console, const BenchmarkResult& result) {
+  const std::string ratio =
+      result.ratio ? fmt::format("   {:.2f} x {}", *result.ratio, result.peer) : std::string();
+  console.line(result.suite,
+               fmt::format("{:<40} {:<15} {:<14}{}", result.case_, result.metric, valueText(result), ratio));
+}
+
+std::string driverText(const DeviceInfo& device) {
+  return fmt::format("{}, {}, driver {}", device.platform, device.platformVersion, device.driverVersion);
+}
+
+Json reportOf(const std::vector<BenchmarkResult>& results, const std::vector<std::string>& suites,
+              const BenchmarkOptions& options, const DeviceInfo& device) {
+  Json optionsJson = {{"suites", suites}};
+  optionsJson.update(options.toJson());
+  Json list = Json::array();
+  for (const BenchmarkResult& result : results) list.push_back(toJson(result));
+  return {{"version", PRELIGHT_VERSION},  {"commit", PRELIGHT_COMMIT}, {"device", device.name},
+          {"driver", driverText(device)}, {"options", optionsJson},    {"results", list}};
+}
+
+void writePlots(const std::filesystem::path& folder, const std::vector<BenchmarkResult>& results,
+                const DeviceInfo& device, const Console& console) {
+  const std::string subtitle =
+      fmt::format("{} ({} compute units), {}", device.name, device.computeUnits, device.platform);
+  for (const benchmarks::Plot& plot : benchmarks::makePlots(results, subtitle)) {
+    const std::filesystem::path file = folder / (plot.name + ".svg");
+    writeTextFile(file, plot.svg);
+    console.line("wrote", file.string());
+  }
+}
+
+void runBench(const BenchCommand& command, Context& context) {
+  Session session(context);
+  const std::vector<std::string> suites = chosenSuites(command.suite);
+  checkOutputs(command);
+  const BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
+  const Device device = Device::open(session.deviceOptions());
+  session.console().line("device", device.info().name);
+  std::vector<BenchmarkResult> results;
+  for (const std::string& suite : suites) {
+    const std::vector<BenchmarkResult> measured =
+        benchmarks::runSuite(suite, device, options, session.progress());
+    session.progress().clear();
+    for (const BenchmarkResult& result : measured) print(session.console(), result);
+    results.insert(results.end(), measured.begin(), measured.end());
+  }
+  const Json report = reportOf(results, suites, options, device.info());
+  if (!command.json.empty()) {
+    writeTextFile(command.json,
+                  report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    session.console().line("wrote", command.json.string());
+  }
+  if (!command.plots.empty()) writePlots(command.plots, results, device.info(), session.console());
+  session.console().json(report);
+}
+
+std::string suitesText() {
+  std::string text = "Suites:\n";
+  for (const auto& suite : benchmarks::suites())
+    text += fmt::format("  {:<8}{}\n", suite.name, suite.description);
+  return text;
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& program, Context& context) {
+  const auto command = std::make_shared<BenchCommand>();
+  CLI::App* app = program.add_subcommand("bench", "Measure speed and error on built-in scenes");
+  app->add_option("SUITE", command->suite, "what to measure (default: every suite)")->type_name("");
+  // Shadows the global flag of the same name, which has the same meaning as --json without FILE.
+  CLI::Option* json = app->add_option("--json", command->json, "write the results; without FILE, to stdout")
+                          ->type_name("[FILE]")
+                          ->expected(0, 1);
+  app->add_option("--plot", command->plots, "write a chart of each suite (.svg)")->type_name("DIR");
+  app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
+  app->footer(suitesText() +
+              "\nExamples:\n"
+              "  prelight bench\n"
+              "  prelight bench cast --json cast.json --plot plots");
+  app->callback([command, json, &context] {
+    if (json->count() > 0 && command->json.empty()) context.options.json = true;
+    runBench(*command, context);
+  });
+}
+
+}  // namespace prelight::cli
+
+#else  // a build with PRELIGHT_BENCHMARKS=OFF
+
+namespace prelight::cli {
+
+void addBenchCommand(CLI::App& program, Context&) {
+  CLI::App* app = program.add_subcommand("bench", "Not in this build (PRELIGHT_BENCHMARKS=OFF)");
+  app->allow_extras();
+  app->callback([] {
+    throw UsageError("bench", "this build has no benchmarks", "configure it with -DPRELIGHT_BENCHMARKS=ON");
+  });
+}
+
+}  // namespace prelight::cli
+
+#endif
