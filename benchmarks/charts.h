@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "benchmarks/svg.h"
+
+/// The two kinds of chart that plots are drawn as.
+namespace prelight::benchmarks {
+
+struct LegendEntry {
+  std::string name;
+  std::string color;
+};
+
+/// A row of a bar chart: parts one after the other, and a thinner bar of what it is compared with.
+struct Bar {
+  struct Part {
+    double value = 0.0;
+    std::string color;
+  };
+  std::string label;
+  std::vector<Part> parts;
+  double peer = 0.0;  ///< 0: none
+  std::string note;   ///< behind the bar
+};
+
+struct BarGroup {
+  std::string name;
+  std::vector<Bar> bars;
+};
+
+struct BarChart {
+  std::string title;
+  std::string subtitle;
+  std::string axis;
+  std::vector<LegendEntry> legend;
+  std::vector<BarGroup> groups;
+};
+
+std::string drawBarChart(const BarChart& chart);
+
+struct Curve {
+  std::string name;
+  std::string color;
+  bool dashed = false;
+  std::vector<Point> points;  ///< positive, ascending in x
+};
+
+/// Both axes are logarithmic.
+struct CurveChart {
+  std::string title;
+  std::string subtitle;
+  std::string xAxis;
+  std::string yAxis;
+  std::vector<Curve> curves;  ///< with at least one point in all
+};
+
+std::string drawCurveChart(const CurveChart& chart);
+
+/// Title and subtitle in the upper left corner.
+void drawTitle(Svg& svg, double left, const std::string& title, const std::string& subtitle);
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,89 @@
+#include "benchmarks/measure.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <utility>
+
+#include "scene/builtin.h"
+#include "scene/loader.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+/// Passes on the wish to stop and nothing else.
+class StopOnly final : public Progress {
+ public:
+  explicit StopOnly(const Progress& outer) : outer_(outer) {}
+  bool stopRequested() const override { return outer_.stopRequested(); }
+
+ private:
+  const Progress& outer_;
+};
+
+}  // namespace
+
+BenchmarkScene loadBuiltinScene(const std::string& name) {
+  Warnings warnings;
+  BenchmarkScene result;
+  result.name = name;
+  result.scene = loadScene(makeBuiltinScene(name), warnings);
+  result.compiled = compileScene(result.scene, warnings);
+  return result;
+}
+
+std::vector<BenchmarkScene> loadBuiltinScenes() {
+  std::vector<BenchmarkScene> scenes;
+  for (const BuiltinScene& scene : builtinScenes()) scenes.push_back(loadBuiltinScene(scene.name));
+  return scenes;
+}
+
+double median(std::vector<double> values) {
+  assert(!values.empty());
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double secondsOf(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+BakeRequest aoRequest(std::uint64_t rays, std::uint64_t seed) {
+  BakeRequest request;
+  request.ao = true;
+  request.rays = rays;
+  request.seed = seed;
+  return request;
+}
+
+double TimedBake::seconds() const {
+  double total = 0.0;
+  for (const auto& [stage, seconds] : report.stageSeconds) total += seconds;
+  return total;
+}
+
+TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, const Device& device,
+                    const Progress& progress) {
+  const Plan plan = makePlan(scene.scene, scene.compiled, request);
+  StopOnly quiet(progress);
+  TimedBake result;
+  result.bake = bakeScene(scene.compiled, request, plan, device, quiet, result.report);
+  return result;
+}
+
+StepCounter::StepCounter(Progress& progress, std::string stage, std::size_t steps)
+    : progress_(progress), stage_(std::move(stage)), steps_(steps) {
+  progress_.report(stage_, 0.0);
+}
+
+void StepCounter::advance() {
+  ++done_;
+  progress_.report(stage_, static_cast<double>(done_) / static_cast<double>(steps_));
+  progress_.check();
+}
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bake/baker.h"
+#include "base/progress.h"
+#include "device/device.h"
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+/// What the suites share: scenes, clocks and medians.
+namespace prelight::benchmarks {
+
+struct BenchmarkScene {
+  std::string name;
+  Scene scene;
+  CompiledScene compiled;
+};
+
+BenchmarkScene loadBuiltinScene(const std::string& name);
+std::vector<BenchmarkScene> loadBuiltinScenes();
+
+/// Middle value, or the mean of the two in the middle. There must be one.
+double median(std::vector<double> values);
+
+double secondsOf(const std::function<void()>& work);
+
+/// A request for AO at a number of rays a vertex.
+BakeRequest aoRequest(std::uint64_t rays, std::uint64_t seed);
+
+/// A bake of a benchmark and what the library says of it.
+struct TimedBake {
+  Bake bake;
+  BakeReport report;
+
+  double seconds() const;  ///< of all stages
+};
+
+/// Plans and bakes. `progress` is asked whether to stop but told nothing: a benchmark's bar counts bakes.
+TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, const Device& device,
+                    const Progress& progress);
+
+/// Tells `progress` how many of a suite's equal steps are done, and stops when the user wants to.
+class StepCounter {
+ public:
+  StepCounter(Progress& progress, std::string stage, std::size_t steps);
+
+  /// Throws Interrupted.
+  void advance();
+
+ private:
+  Progress& progress_;
+  std::string stage_;
+  std::size_t steps_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,121 @@
+#include "benchmarks/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "benchmarks/charts.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+using Results = std::vector<BenchmarkResult>;
+
+constexpr std::array<const char*, 5> palette = {"#2f6db5", "#d97b29", "#3c9d6e", "#8b5fb0", "#b8474d"};
+
+/// "shapes/random order/any hit" -> "shapes" and "random order/any hit".
+std::pair<std::string, std::string> splitCase(const std::string& name) {
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return {name, ""};
+  return {name.substr(0, slash), name.substr(slash + 1)};
+}
+
+template <typename Group>
+Group& groupNamed(std::vector<Group>& groups, const std::string& name) {
+  const auto found =
+      std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.name == name; });
+  return found != groups.end() ? *found : groups.emplace_back(Group{name, {}});
+}
+
+std::string castPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"Rays a second through each tree", subtitle, "million rays a second", {}, {}};
+  for (const BenchmarkResult& result : results) {
+    const auto [scene, setting] = splitCase(result.case_);
+    const auto [order, query] = splitCase(setting);
+    const double millions = result.value * 1e-6;
+    Bar bar{
+        fmt::format("{}, {}", order, query), {{millions, palette[0]}}, 0.0, fmt::format("{:.3g}", millions)};
+    if (result.ratio) {
+      bar.peer = millions / *result.ratio;
+      bar.note += fmt::format(", {:.2f} x", *result.ratio);
+      chart.legend = {{"the device's tree", palette[0]}, {result.peer, "#a9b0b8"}};
+    }
+    groupNamed(chart.groups, scene).bars.push_back(std::move(bar));
+  }
+  return drawBarChart(chart);
+}
+
+/// Colour of a stage, which enters the legend when it is new.
+std::string stageColor(std::vector<LegendEntry>& legend, const std::string& stage) {
+  for (const LegendEntry& entry : legend)
+    if (entry.name == stage) return entry.color;
+  legend.push_back({stage, palette[legend.size() % palette.size()]});
+  return legend.back().color;
+}
+
+std::string bakePlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"Seconds of a bake, by stage", subtitle, "seconds", {}, {}};
+  for (const BenchmarkResult& result : results) {
+    const auto [scene, label] = splitCase(result.case_);
+    std::vector<Bar>& bars = groupNamed(chart.groups, scene).bars;
+    if (bars.empty() || bars.back().label != label) bars.push_back({label, {}, 0.0, {}});
+    if (result.metric == "total")
+      bars.back().note = fmt::format("{:.2f} s", result.value);
+    else
+      bars.back().parts.push_back({result.value, stageColor(chart.legend, result.metric)});
+  }
+  return drawBarChart(chart);
+}
+
+struct SceneResults {
+  std::string name;
+  Results results;
+};
+
+/// Time against `metric`, of the cases that have both.
+std::vector<Point> pointsOf(const Results& results, const std::string& metric) {
+  std::vector<Point> points;
+  for (const BenchmarkResult& time : results)
+    for (const BenchmarkResult& error : results)
+      if (time.metric == "time" && error.metric == metric && time.case_ == error.case_ && time.value > 0.0 &&
+          error.value > 0.0)
+        points.push_back({time.value, error.value});
+  return points;
+}
+
+std::string errorPlot(const Results& results, const std::string& subtitle) {
+  std::vector<SceneResults> scenes;
+  for (const BenchmarkResult& result : results)
+    if (const auto [scene, label] = splitCase(result.case_); !label.starts_with("reference"))
+      groupNamed(scenes, scene).results.push_back(result);
+  CurveChart chart{"Error of ambient occlusion against time", subtitle, "seconds", "RMS error of AO", {}};
+  std::size_t color = 0;
+  for (const SceneResults& scene : scenes) {
+    const std::string paint = palette[color++ % palette.size()];
+    chart.curves.push_back(
+        {scene.name + ", at vertices", paint, false, pointsOf(scene.results, "vertex error")});
+    chart.curves.push_back(
+        {scene.name + ", reported", paint, true, pointsOf(scene.results, "reported error")});
+  }
+  return drawCurveChart(chart);
+}
+
+}  // namespace
+
+std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
+  const std::array<std::pair<const char*, std::string (*)(const Results&, const std::string&)>, 3> kinds = {
+      {{"cast", castPlot}, {"bake", bakePlot}, {"error", errorPlot}}};
+  std::vector<Plot> plots;
+  for (const auto& [suite, draw] : kinds) {
+    Results own;
+    std::copy_if(results.begin(), results.end(), std::back_inserter(own),
+                 [&](const BenchmarkResult& result) { return result.suite == suite; });
+    if (!own.empty()) plots.push_back({suite, draw(own, subtitle)});
+  }
+  return plots;
+}
+
+}  // namespace prelight::benchmarks

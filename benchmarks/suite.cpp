@@ -1,0 +1,70 @@
+#include "benchmarks/suite.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "benchmarks/suites.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+struct Entry {
+  BenchmarkSuite suite;
+  std::vector<BenchmarkResult> (*run)(const Device&, const BenchmarkOptions&, Progress&);
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> list = {
+      {{"cast", "rays a second in bake order and in random order, wide tree against narrow"}, runCastSuite},
+      {{"bake", "seconds of each stage of a bake of AO, of AO and SH, and of both with a bounce"},
+       runBakeSuite},
+      {{"error", "error of AO against time, and the error that a bake reports against the measured one"},
+       runErrorSuite},
+  };
+  return list;
+}
+
+}  // namespace
+
+BenchmarkOptions BenchmarkOptions::quick() {
+  return {.runs = 1, .castRays = 1u << 14, .bakeRays = 16, .errorRays = {16, 32}, .errorReferenceRays = 64};
+}
+
+nlohmann::ordered_json BenchmarkOptions::toJson() const {
+  return {{"runs", runs},
+          {"castRays", castRays},
+          {"bakeRays", bakeRays},
+          {"errorRays", errorRays},
+          {"errorReferenceRays", errorReferenceRays}};
+}
+
+const std::vector<BenchmarkSuite>& suites() {
+  static const std::vector<BenchmarkSuite> list = [] {
+    std::vector<BenchmarkSuite> all;
+    for (const Entry& entry : entries()) all.push_back(entry.suite);
+    return all;
+  }();
+  return list;
+}
+
+std::vector<BenchmarkResult> runSuite(const std::string& name, const Device& device,
+                                      const BenchmarkOptions& options, Progress& progress) {
+  std::string known;
+  for (const Entry& entry : entries()) {
+    if (entry.suite.name == name) return entry.run(device, options, progress);
+    known += (known.empty() ? "" : ", ") + entry.suite.name;
+  }
+  throw UsageError("SUITE", "got '" + name + "', expected one of " + known);
+}
+
+nlohmann::ordered_json toJson(const BenchmarkResult& result) {
+  nlohmann::ordered_json json = {{"suite", result.suite}, {"case", result.case_}, {"metric", result.metric},
+                                 {"value", result.value}, {"unit", result.unit},  {"peer", nullptr},
+                                 {"ratio", nullptr}};
+  if (!result.peer.empty()) json["peer"] = result.peer;
+  if (result.ratio) json["ratio"] = *result.ratio;
+  return json;
+}
+
+}  // namespace prelight::benchmarks

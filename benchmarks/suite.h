@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "device/device.h"
+
+namespace prelight::benchmarks {
+
+/// One number that was measured. Times are medians over the runs that follow a warm-up.
+struct BenchmarkResult {
+  std::string suite;
+  std::string case_;  ///< what was measured on, from the general to the particular: "shapes/random order/any"
+  std::string metric;           ///< "throughput", "total", ...
+  double value = 0.0;           ///< finite, in `unit`
+  std::string unit;             ///< "rays/s", "s", "AO"
+  std::string peer;             ///< what `ratio` compares with, measured in the same run; empty: nothing
+  std::optional<double> ratio;  ///< > 1: better than the peer
+};
+
+/// How much is measured. The defaults are for numbers worth keeping.
+struct BenchmarkOptions {
+  int runs = 5;                                                      ///< >= 1, after one that warms up
+  std::uint64_t castRays = 1u << 20;                                 ///< of each measured cast
+  std::uint64_t bakeRays = 256;                                      ///< a vertex
+  std::vector<std::uint64_t> errorRays = {64, 128, 256, 512, 1024};  ///< a vertex, ascending
+  std::uint64_t errorReferenceRays = 4096;                           ///< a vertex
+
+  /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
+  /// is.
+  static BenchmarkOptions quick();
+
+  nlohmann::ordered_json toJson() const;
+};
+
+struct BenchmarkSuite {
+  std::string name;
+  std::string description;
+};
+
+const std::vector<BenchmarkSuite>& suites();
+
+/// Measures one suite on a device. Throws UsageError for a name that suites() does not list, Interrupted when
+/// `progress` asks to stop, and what the library throws.
+std::vector<BenchmarkResult> runSuite(const std::string& name, const Device& device,
+                                      const BenchmarkOptions& options, Progress& progress);
+
+/// {suite, case, metric, value, unit, peer, ratio}; peer and ratio are null where there is none.
+nlohmann::ordered_json toJson(const BenchmarkResult& result);
+
+}  // namespace prelight::benchmarks

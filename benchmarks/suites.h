@@ -1,0 +1,21 @@
+#pragma once
+
+#include "benchmarks/suite.h"
+
+/// The suites behind runSuite(): one file a suite.
+namespace prelight::benchmarks {
+
+/// Rays a second through the tree of each built-in scene, in bake order and at random, against the other
+/// tree.
+std::vector<BenchmarkResult> runCastSuite(const Device& device, const BenchmarkOptions& options,
+                                          Progress& progress);
+
+/// Seconds of each stage of three bakes of each built-in scene, against the plainest of them.
+std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkOptions& options,
+                                          Progress& progress);
+
+/// Error and time of AO for growing numbers of rays, and the error that the bake itself reports.
+std::vector<BenchmarkResult> runErrorSuite(const Device& device, const BenchmarkOptions& options,
+                                           Progress& progress);
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace prelight::benchmarks {
+
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+enum class Anchor { Start, Middle, End };
+
+struct TextStyle {
+  double size = 12.0;
+  std::string_view color = "#3c4043";
+  Anchor anchor = Anchor::Start;
+  bool bold = false;
+  bool upright = false;  ///< turned to read from bottom to top
+};
+
+struct Stroke {
+  std::string_view color;
+  double width = 1.0;
+  bool dashed = false;
+};
+
+/// A drawing of the few shapes that charts are made of, in pixels from the upper left corner.
+class Svg {
+ public:
+  Svg(double width, double height);
+
+  void rectangle(Point corner, double width, double height, std::string_view color);
+  void circle(Point centre, double radius, std::string_view color);
+  void line(const std::vector<Point>& points, const Stroke& stroke);
+
+  /// `at` is on the base line.
+  void text(Point at, std::string_view text, const TextStyle& style = {});
+
+  /// The complete file.
+  std::string str() const;
+
+ private:
+  std::string body_;
+};
+
+}  // namespace prelight::benchmarks
