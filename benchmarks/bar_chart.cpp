@@ -10,8 +10,8 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr double width = 760.0;
-constexpr double left = 190.0;   // of the bars; labels lie before it
-constexpr double right = 620.0;  // of the axis; notes lie behind the bars
+constexpr double left = 230.0;   // of the bars; labels lie before it
+constexpr double right = 640.0;  // of the axis; notes lie behind the bars
 constexpr double top = 96.0;
 constexpr double rowHeight = 22.0;
 constexpr double barHeight = 12.0;

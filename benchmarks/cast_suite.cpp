@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <random>
 #include <span>
 
@@ -96,23 +93,50 @@ struct Trees {
       : chosen(scene, device), other(scene, device, otherLayout(chosen.layout())) {}
 };
 
-/// Takes turns between the trees, so that both meet the same disturbances.
-BenchmarkResult measureTrees(const std::string& name, RayBlocks& rays, bool any, Trees& trees, int runs) {
-  std::vector<double> chosen, other;
-  for (int run = -1; run < runs; ++run) {
-    const double chosenSeconds = rays.trace(trees.chosen, any);
-    const double otherSeconds = rays.trace(trees.other, any);
-    if (run < 0) continue;  // warm-up
-    chosen.push_back(chosenSeconds);
-    other.push_back(otherSeconds);
+/// One order of rays and one kind of query, and the seconds of both trees over the runs.
+struct CastCase {
+  std::string name;
+  RayBlocks* rays;
+  bool any;
+  std::vector<double> chosen = {};
+  std::vector<double> other = {};
+
+  void run(Trees& trees) {
+    chosen.push_back(rays->trace(trees.chosen, any));
+    other.push_back(rays->trace(trees.other, any));
   }
-  return {"cast",
-          name,
-          "throughput",
-          rays.raysPerSecond(median(chosen)),
-          "rays/s",
-          treeName(trees.other.layout()),
-          median(other) / median(chosen)};
+
+  BenchmarkResult result(const Trees& trees) const {
+    return {"cast",
+            name,
+            "throughput",
+            rays->raysPerSecond(median(chosen)),
+            "rays/s",
+            treeName(trees.other.layout()),
+            median(other) / median(chosen)};
+  }
+};
+
+/// Trees and cases take turns, run by run, so that all meet the same disturbances.
+void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                  StepCounter& steps, std::vector<BenchmarkResult>& results) {
+  Trees trees(scene.compiled, device);
+  std::vector<Ray> rays = raysInBakeOrder(scene.compiled, device.context(), options.castRays);
+  RayBlocks inBakeOrder(device.context(), rays);
+  std::shuffle(rays.begin(), rays.end(), std::mt19937_64(seed));
+  RayBlocks inRandomOrder(device.context(), rays);
+  const std::vector<CastCase> cases = {{scene.name + "/bake order/closest hit", &inBakeOrder, false},
+                                       {scene.name + "/bake order/any hit", &inBakeOrder, true},
+                                       {scene.name + "/random order/closest hit", &inRandomOrder, false},
+                                       {scene.name + "/random order/any hit", &inRandomOrder, true}};
+  for (CastCase warmUp : cases) warmUp.run(trees);
+  steps.advance();
+  std::vector<CastCase> measured = cases;
+  for (int run = 0; run < options.runs; ++run) {
+    for (CastCase& one : measured) one.run(trees);
+    steps.advance();
+  }
+  for (const CastCase& one : measured) results.push_back(one.result(trees));
 }
 
 }  // namespace
@@ -120,23 +144,9 @@ BenchmarkResult measureTrees(const std::string& name, RayBlocks& rays, bool any,
 std::vector<BenchmarkResult> runCastSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress) {
   const std::vector<BenchmarkScene> scenes = loadBuiltinScenes();
-  constexpr std::array<const char*, 2> orders = {"bake order", "random order"};
-  constexpr std::array<const char*, 2> queries = {"closest hit", "any hit"};
-  StepCounter steps(progress, "bench cast", scenes.size() * orders.size() * queries.size());
+  StepCounter steps(progress, "bench cast", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
-  for (const BenchmarkScene& scene : scenes) {
-    Trees trees(scene.compiled, device);
-    std::vector<Ray> rays = raysInBakeOrder(scene.compiled, device.context(), options.castRays);
-    for (const char* order : orders) {
-      if (order != orders.front()) std::shuffle(rays.begin(), rays.end(), std::mt19937_64(seed));
-      RayBlocks blocks(device.context(), rays);
-      for (const char* query : queries) {
-        const std::string name = fmt::format("{}/{}/{}", scene.name, order, query);
-        results.push_back(measureTrees(name, blocks, query != queries.front(), trees, options.runs));
-        steps.advance();
-      }
-    }
-  }
+  for (const BenchmarkScene& scene : scenes) measureScene(scene, device, options, steps, results);
   return results;
 }
 

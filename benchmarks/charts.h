@@ -40,10 +40,12 @@ struct BarChart {
 
 std::string drawBarChart(const BarChart& chart);
 
+enum class CurveStyle { Strong, Thin, Dashed };
+
 struct Curve {
   std::string name;
   std::string color;
-  bool dashed = false;
+  CurveStyle style = CurveStyle::Strong;
   std::vector<Point> points;  ///< positive, ascending in x
 };
 

@@ -104,8 +104,9 @@ std::string drawCurveChart(const CurveChart& chart) {
   for (const Curve& curve : chart.curves) {
     std::vector<Point> pixels;
     for (const Point& p : curve.points) pixels.push_back(axes.pixel(p));
-    svg.line(pixels, {curve.color, 2.0, curve.dashed});
-    for (const Point& p : pixels) svg.circle(p, curve.dashed ? 2.5 : 4.0, curve.color);
+    const bool strong = curve.style == CurveStyle::Strong;
+    svg.line(pixels, {curve.color, strong ? 2.5 : 1.2, curve.style == CurveStyle::Dashed});
+    for (const Point& p : pixels) svg.circle(p, strong ? 4.0 : 2.5, curve.color);
   }
   drawNames(svg, chart, axes);
   return svg.str();

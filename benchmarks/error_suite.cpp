@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
@@ -39,42 +39,58 @@ double surfaceMeanSquare(const CompiledScene& scene, const std::vector<float>& a
   return sum / total;
 }
 
-/// What the runs of one number of rays came to.
+/// What the runs of one number of rays came to. Every run has a seed of its own: mean squares are over seeds
+/// as well as over the scene.
 struct ErrorPoint {
-  double seconds = 0.0;      ///< median
-  double vertexRms = 0.0;    ///< measured at vertices
-  double surfaceRms = 0.0;   ///< measured over the surface
-  double reportedRms = 0.0;  ///< standard error that the bake states, over the surface
+  std::uint64_t rays = 0;  ///< a vertex
+  std::vector<double> seconds = {};
+  double vertexSquares = 0.0;    ///< sum over runs: measured at vertices
+  double surfaceSquares = 0.0;   ///< measured over the surface
+  double reportedSquares = 0.0;  ///< of the standard error that the bake states, over the surface
+
+  void run(const BenchmarkScene& scene, std::uint64_t seed, const Bake& reference, const Device& device,
+           const Progress& progress) {
+    const TimedBake result = timedBake(scene, aoRequest(rays, seed), device, progress);
+    seconds.push_back(result.seconds());
+    vertexSquares += vertexMeanSquare(result.bake.ao, reference.ao);
+    surfaceSquares += surfaceMeanSquare(scene.compiled, result.bake.ao, reference.ao);
+    reportedSquares += result.report.aoErrorRms * result.report.aoErrorRms;
+  }
+
+  double rms(double squares) const { return std::sqrt(squares / static_cast<double>(seconds.size())); }
 };
 
-/// Every run has a seed of its own: mean squares are over seeds as well as over the scene.
-ErrorPoint measurePoint(const BenchmarkScene& scene, std::uint64_t rays, const Bake& reference,
-                        const Device& device, int runs, const Progress& progress) {
-  ErrorPoint point;
-  std::vector<double> seconds;
-  for (int run = 0; run < runs; ++run) {
-    const BakeRequest request = aoRequest(rays, referenceSeed + 1 + static_cast<std::uint64_t>(run));
-    const TimedBake result = timedBake(scene, request, device, progress);
-    seconds.push_back(result.seconds());
-    point.vertexRms += vertexMeanSquare(result.bake.ao, reference.ao) / runs;
-    point.surfaceRms += surfaceMeanSquare(scene.compiled, result.bake.ao, reference.ao) / runs;
-    point.reportedRms += result.report.aoErrorRms * result.report.aoErrorRms / runs;
-  }
-  point.seconds = median(seconds);
-  for (double* rms : {&point.vertexRms, &point.surfaceRms, &point.reportedRms}) *rms = std::sqrt(*rms);
-  return point;
-}
-
-void report(const std::string& name, const ErrorPoint& point, std::vector<BenchmarkResult>& results) {
-  results.push_back({"error", name, "time", point.seconds, "s", {}, {}});
-  results.push_back({"error", name, "vertex error", point.vertexRms, "AO", {}, {}});
-  results.push_back({"error", name, "surface error", point.surfaceRms, "AO", {}, {}});
-  BenchmarkResult reported{"error", name, "reported error", point.reportedRms, "AO", {}, {}};
-  if (point.surfaceRms > 0.0) {
+void report(const std::string& scene, const ErrorPoint& point, std::vector<BenchmarkResult>& results) {
+  const std::string name = fmt::format("{}/{} rays", scene, point.rays);
+  results.push_back({"error", name, "time", median(point.seconds), "s", {}, {}});
+  results.push_back({"error", name, "vertex error", point.rms(point.vertexSquares), "AO", {}, {}});
+  results.push_back({"error", name, "surface error", point.rms(point.surfaceSquares), "AO", {}, {}});
+  BenchmarkResult reported{"error", name, "reported error", point.rms(point.reportedSquares), "AO", {}, {}};
+  if (point.surfaceSquares > 0.0) {
     reported.peer = "surface error";
-    reported.ratio = point.reportedRms / point.surfaceRms;
+    reported.ratio = std::sqrt(point.reportedSquares / point.surfaceSquares);
   }
   results.push_back(std::move(reported));
+}
+
+/// Numbers of rays take turns, run by run, so that all meet the same disturbances.
+void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                  StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
+  const TimedBake reference =
+      timedBake(scene, aoRequest(options.errorReferenceRays, referenceSeed), device, progress);
+  const std::string name = fmt::format("{}/reference of {} rays", scene.name, options.errorReferenceRays);
+  results.push_back({"error", name, "time", reference.seconds(), "s", {}, {}});
+  results.push_back({"error", name, "reported error", reference.report.aoErrorRms, "AO", {}, {}});
+  steps.advance();  // the reference has warmed up, too
+
+  std::vector<ErrorPoint> points;
+  for (const std::uint64_t rays : options.errorRays) points.push_back({.rays = rays});
+  for (int run = 0; run < options.runs; ++run) {
+    const std::uint64_t seed = referenceSeed + 1 + static_cast<std::uint64_t>(run);
+    for (ErrorPoint& point : points) point.run(scene, seed, reference.bake, device, progress);
+    steps.advance();
+  }
+  for (const ErrorPoint& point : points) report(scene.name, point, results);
 }
 
 }  // namespace
@@ -82,22 +98,10 @@ void report(const std::string& name, const ErrorPoint& point, std::vector<Benchm
 std::vector<BenchmarkResult> runErrorSuite(const Device& device, const BenchmarkOptions& options,
                                            Progress& progress) {
   constexpr std::array<const char*, 2> scenes = {"shapes", "cornell"};
-  StepCounter steps(progress, "bench error", scenes.size() * (1 + options.errorRays.size()));
+  StepCounter steps(progress, "bench error", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
-  for (const char* name : scenes) {
-    const BenchmarkScene scene = loadBuiltinScene(name);
-    const BakeRequest request = aoRequest(options.errorReferenceRays, referenceSeed);
-    const TimedBake reference = timedBake(scene, request, device, progress);  // warms up, too
-    const std::string referenceName = fmt::format("{}/reference of {} rays", name, request.rays);
-    results.push_back({"error", referenceName, "time", reference.seconds(), "s", {}, {}});
-    results.push_back({"error", referenceName, "reported error", reference.report.aoErrorRms, "AO", {}, {}});
-    steps.advance();
-    for (const std::uint64_t rays : options.errorRays) {
-      report(fmt::format("{}/{} rays", name, rays),
-             measurePoint(scene, rays, reference.bake, device, options.runs, progress), results);
-      steps.advance();
-    }
-  }
+  for (const char* name : scenes)
+    measureScene(loadBuiltinScene(name), device, options, steps, progress, results);
   return results;
 }
 

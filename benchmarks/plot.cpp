@@ -95,10 +95,13 @@ std::string errorPlot(const Results& results, const std::string& subtitle) {
   std::size_t color = 0;
   for (const SceneResults& scene : scenes) {
     const std::string paint = palette[color++ % palette.size()];
-    chart.curves.push_back(
-        {scene.name + ", at vertices", paint, false, pointsOf(scene.results, "vertex error")});
-    chart.curves.push_back(
-        {scene.name + ", reported", paint, true, pointsOf(scene.results, "reported error")});
+    const auto add = [&](const char* name, const char* metric, CurveStyle style) {
+      chart.curves.push_back(
+          {fmt::format("{}, {}", scene.name, name), paint, style, pointsOf(scene.results, metric)});
+    };
+    add("at vertices", "vertex error", CurveStyle::Strong);
+    add("over the surface", "surface error", CurveStyle::Thin);
+    add("reported", "reported error", CurveStyle::Dashed);
   }
   return drawCurveChart(chart);
 }

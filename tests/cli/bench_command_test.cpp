@@ -1,0 +1,89 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <set>
+
+#include "cli/cli_test.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr int failed = 1;
+constexpr int badUsage = 2;
+
+class CliBench : public CliTest {};
+
+std::set<std::string> keysOf(const nlohmann::json& object) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+void expectReport(const nlohmann::json& report) {
+  EXPECT_EQ(keysOf(report),
+            (std::set<std::string>{"version", "commit", "device", "driver", "options", "results"}));
+  for (const char* key : {"version", "commit", "device", "driver"})
+    EXPECT_FALSE(report[key].get<std::string>().empty()) << key;
+  EXPECT_GE(report["options"]["runs"], 1);
+  ASSERT_FALSE(report["results"].empty());
+  for (const auto& result : report["results"]) {
+    EXPECT_EQ(keysOf(result),
+              (std::set<std::string>{"suite", "case", "metric", "value", "unit", "peer", "ratio"}));
+    EXPECT_TRUE(std::isfinite(result["value"].get<double>())) << result;
+    EXPECT_GE(result["value"], 0.0) << result;
+    EXPECT_EQ(result["peer"].is_null(), result["ratio"].is_null()) << result;
+  }
+}
+
+TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
+  const std::string help = prelightDone({"bench", "--help"}).output;
+  for (const char* part : {"cast", "bake", "error", "Examples:", "prelight bench"})
+    EXPECT_THAT(help, HasSubstr(part));
+}
+
+TEST_F(CliBench, Json_WithAFile_HoldsTheResults) {
+  const ProcessResult result =
+      prelightDone({"bench", "cast", "--quick", "--json", "cast.json", "--plot", "plots"});
+  EXPECT_THAT(result.output, HasSubstr("rays/s"));
+  const nlohmann::json report = nlohmann::json::parse(readFile("cast.json"));
+  expectReport(report);
+  for (const auto& entry : report["results"]) {
+    EXPECT_EQ(entry["suite"], "cast");
+    EXPECT_GT(entry["value"], 0.0) << entry;
+    EXPECT_GT(entry["ratio"], 0.0) << entry;
+  }
+  EXPECT_THAT(readFile("plots/cast.svg"), StartsWith("<svg"));
+}
+
+TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"bench", "cast", "--quick", "--json"},
+        {"--json", "bench", "cast", "--quick"}})
+    expectReport(nlohmann::json::parse(prelightDone(arguments).output));
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
+  prelightDone({"bench", "--quick", "--quiet", "--json", "all.json", "--plot", "plots"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("all.json"));
+  expectReport(report);
+  std::set<std::string> measured;
+  for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
+  EXPECT_EQ(measured, (std::set<std::string>{"bake", "cast", "error"}));
+  for (const std::string& suite : measured)
+    EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
+}
+
+TEST_F(CliBench, Usage_OfUnknownSuitesAndUnusableOutputs_IsRefusedBeforeMeasuring) {
+  expectFailure(badUsage, {"bench", "frobnicate"}, {"frobnicate", "cast", "bake", "error"});
+  expectFailure(badUsage, {"bench", "--json", "cast"}, {"--json", "cast"});
+  expectFailure(badUsage, {"bench", "cast", "--json", "cast.txt"}, {"--json", "cast.txt", ".json"});
+  expectFailure(failed, {"bench", "cast", "--json", "nowhere/cast.json"}, {"--json", "nowhere"});
+  expectFailure(failed, {"bench", "cast", "--plot", "nowhere/plots"}, {"--plot", "nowhere"});
+}
+
+}  // namespace
+}  // namespace prelight::test
