@@ -24,6 +24,17 @@ std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>
   return means;
 }
 
+/// Takes the groups' mean off every slot's shifts: what all groups share is the pull of the smoothing, not
+/// noise.
+std::vector<double> centred(std::vector<double> shifts) {
+  for (std::size_t first = 0; first < shifts.size(); first += errorGroups) {
+    double mean = 0.0;
+    for (std::size_t g = 0; g < errorGroups; ++g) mean += shifts[first + g] / errorGroups;
+    for (std::size_t g = 0; g < errorGroups; ++g) shifts[first + g] -= mean;
+  }
+  return shifts;
+}
+
 }  // namespace
 
 ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& fit, const std::vector<double>& fitted,
@@ -35,9 +46,9 @@ ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& fit, const s
     const double expected = b[0] * fitted[slots[0]] + b[1] * fitted[slots[1]] + b[2] * fitted[slots[2]];
     const double residual = double(record.open) - 1.0 - expected;
     for (std::size_t k = 0; k < 3; ++k)
-      scores[slots[k] * errorGroups + record.group] += record.sample.weight * b[k] * residual;
+      scores[slots[k] * errorGroups + record.group] += fit.weightOf(record.sample) * b[k] * residual;
   }
-  const std::vector<double> shifts = fit.solve(defaultSmoothing, scores, errorGroups);
+  const std::vector<double> shifts = centred(fit.solve(defaultSmoothing, scores, errorGroups));
   constexpr double correction = double(errorGroups) / (errorGroups - 1);
   std::vector<double> variance(mesh.slotCount(), 0.0);
   for (std::size_t i = 0; i < variance.size(); ++i)
@@ -51,9 +62,9 @@ ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& fit, const s
     for (std::size_t g = 0; g < errorGroups; ++g) {
       double shift = 0.0;
       for (std::size_t k = 0; k < 3; ++k) shift += b[k] * shifts[slots[k] * errorGroups + g];
-      sum += correction * record.sample.weight * shift * shift;
+      sum += correction * fit.weightOf(record.sample) * shift * shift;
     }
-    area += record.sample.weight;
+    area += fit.weightOf(record.sample);
   }
   ErrorEstimate estimate;
   estimate.slots = neighbourMean(mesh, variance);

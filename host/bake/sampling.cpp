@@ -49,6 +49,10 @@ glm::dvec2 sobol(std::uint32_t index, std::uint32_t seed) {
   return glm::dvec2(a >> 8, b >> 8) * 0x1p-24;
 }
 
+std::uint32_t shuffledIndex(std::uint32_t index, std::uint32_t seed) {
+  return reverseBits(scrambleReversed(reverseBits(index), hashInteger(seed)));
+}
+
 glm::dvec3 cosineHemisphere(const glm::dvec2& u, const glm::dvec3& n) {
   const double s = n.z >= 0.0 ? 1.0 : -1.0;
   const double a = -1.0 / (s + n.z);

@@ -13,6 +13,11 @@ std::uint32_t hashInteger(std::uint32_t x);
 /// bit.
 glm::dvec2 sobol(std::uint32_t index, std::uint32_t seed);
 
+/// Order in which a second sequence is walked beside a first: a random permutation within every aligned block
+/// of 2^k indices. Without it, points of equal index of the two depend on each other, and sums over both do
+/// not converge (Burley 2020, section 5, "padding").
+std::uint32_t shuffledIndex(std::uint32_t index, std::uint32_t seed);
+
 /// Direction around unit `normal` of density cos/pi.
 glm::dvec3 cosineHemisphere(const glm::dvec2& u, const glm::dvec3& normal);
 

@@ -17,9 +17,10 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
-      sampler_(scene, schedule.seed, side),
+      sampler_(scene, schedule.seed, side, schedule.error ? errorGroups : 1),
       baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
-      fit_(mesh, baseline_.columns()),
+      fit_(schedule.error ? VertexFit(mesh, baseline_.columns(), sampler_.areas())
+                          : VertexFit(mesh, baseline_.columns())),
       blocked_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {}
 
@@ -103,20 +104,22 @@ void SideCast::dropOpenTriangles() {
   }
 }
 
-// A slot's value hangs on its neighbours' through the fit, so that triangles one further on stay active too.
+// A slot's value hangs through the fit on the samples around its neighbours, so those are refined with it.
 std::size_t SideCast::dropAccurateTriangles() {
   const ErrorEstimate estimate = estimateError();
   std::vector<std::uint8_t> wanted(mesh_.slotCount(), 0);
-  for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
-    if (estimate.slots[s] <= *schedule_.error) continue;
-    wanted[s] = 1;
-    for (std::uint32_t e = mesh_.rowStart[s]; e < mesh_.rowStart[s + 1]; ++e) wanted[mesh_.columns[e]] = 1;
+  for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) wanted[s] = estimate.slots[s] > *schedule_.error;
+  for (int ring = 0; ring < 2; ++ring) {
+    const std::vector<std::uint8_t> inner = wanted;
+    for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s)
+      for (std::uint32_t e = mesh_.rowStart[s]; inner[s] && e < mesh_.rowStart[s + 1]; ++e)
+        wanted[mesh_.columns[e]] = 1;
   }
   auto& active = sampler_.active();
   std::size_t left = 0;
   for (std::size_t t = 0; t < active.size(); ++t) {
     const auto& slots = mesh_.triangles[t];
-    active[t] = active[t] && (wanted[slots[0]] || wanted[slots[1]] || wanted[slots[2]]);
+    active[t] = wanted[slots[0]] || wanted[slots[1]] || wanted[slots[2]];
     left += active[t];
   }
   return left;

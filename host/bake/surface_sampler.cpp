@@ -19,7 +19,8 @@ constexpr double inset = 0x1p-10;
 
 }  // namespace
 
-SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side)
+SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side,
+                               std::uint32_t replicates)
     : scene_(scene),
       seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
                                   sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) +
@@ -27,7 +28,8 @@ SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, S
       side_(side),
       areas_(scene.triangleCount()),
       active_(scene.triangleCount(), 1),
-      taken_(scene.triangleCount(), 0) {
+      replicates_(replicates),
+      taken_(std::size_t{scene.triangleCount()} * replicates, 0) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     areas_[t] = 0.5 * glm::length(geometricNormal(scene, t));
     totalArea_ += areas_[t];
@@ -46,26 +48,29 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
   const double shift = sampling::sobol(passes_, seed_).x;
   const double count = scene_.triangleCount();
   double sum = shift;
+  const std::uint32_t replicate = passes_ % replicates_;
   ++passes_;
   for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t) {
     if (!active_[t]) continue;
-    const double expected = receivers * 0.5 * (areas_[t] / totalArea_ + 1.0 / count);
+    const double share = 0.5 * (areas_[t] / totalArea_ + 1.0 / count);
+    const double expected = receivers * share;
     const auto before = static_cast<std::uint64_t>(sum);
     sum += expected;
     const auto chosen = static_cast<std::uint64_t>(sum) - before;
     for (std::uint64_t i = 0; i < chosen; ++i) {
-      const std::uint32_t index = taken_[t]++;
-      const glm::dvec2 u = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * t));
+      const std::uint32_t sequence = t * replicates_ + replicate;
+      const std::uint32_t index = taken_[sequence]++;
+      const glm::dvec2 u = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * sequence));
       const glm::dvec2 b = glm::mix(sampling::uniformTriangle(u), glm::dvec2(1.0 / 3.0), inset);
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
-                                 static_cast<float>(areas_[t] / expected)};
-      sink(sample, place(sample, index, raysPerReceiver));
+                                 static_cast<float>(areas_[t] / (totalArea_ * share))};
+      sink(sample, place(sample, sequence, index, raysPerReceiver));
     }
   }
 }
 
-device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_t sequenceIndex,
-                                       std::uint32_t raysPerReceiver) const {
+device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_t sequence,
+                                       std::uint32_t index, std::uint32_t raysPerReceiver) const {
   const auto& t = scene_.triangles[sample.triangle];
   const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
   const glm::dvec3 p0(scene_.positions[t.x]), p1(scene_.positions[t.y]), p2(scene_.positions[t.z]);
@@ -84,9 +89,9 @@ device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_
   return {{position.x, position.y, position.z},
           sample.triangle,
           {n.x, n.y, n.z},
-          seed_ ^ sampling::hashInteger(2 * sample.triangle + 1),
+          seed_ ^ sampling::hashInteger(2 * sequence + 1),
           {g.x, g.y, g.z},
-          sequenceIndex * raysPerReceiver};
+          sampling::shuffledIndex(index, seed_ ^ sampling::hashInteger(~sequence)) * raysPerReceiver};
 }
 
 }  // namespace prelight

@@ -15,7 +15,8 @@ struct SurfaceSample {
   std::uint32_t triangle = 0;
   float b1 = 0.0f;  ///< barycentric weight of vertex 1
   float b2 = 0.0f;
-  float weight = 0.0f;  ///< surface area that it stands for, m2
+  float weight =
+      0.0f;  ///< surface over receivers of its triangle, relative to the scene's mean; alike in all passes
 };
 
 enum class Side : std::uint8_t { Front, Back };
@@ -26,11 +27,14 @@ enum class Side : std::uint8_t { Front, Back };
 /// and the set of active triangles alone.
 class SurfaceSampler {
  public:
-  SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side);
+  SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side, std::uint32_t replicates = 1);
 
   /// Triangles that further passes place receivers on; all at first.
   std::vector<std::uint8_t>& active() { return active_; }
   const std::vector<std::uint8_t>& active() const { return active_; }
+
+  /// [triangle], m2.
+  const std::vector<double>& areas() const { return areas_; }
 
   using Sink = std::function<void(const SurfaceSample&, const device::Receiver&)>;
 
@@ -42,7 +46,7 @@ class SurfaceSampler {
   glm::dvec3 orientedNormal(std::uint32_t triangle) const;
 
  private:
-  device::Receiver place(const SurfaceSample& sample, std::uint32_t sequenceIndex,
+  device::Receiver place(const SurfaceSample& sample, std::uint32_t sequence, std::uint32_t index,
                          std::uint32_t raysPerReceiver) const;
 
   const CompiledScene& scene_;
@@ -51,7 +55,8 @@ class SurfaceSampler {
   std::vector<double> areas_;
   double totalArea_ = 0.0;
   std::vector<std::uint8_t> active_;
-  std::vector<std::uint32_t> taken_;  ///< [triangle], receivers so far
+  std::uint32_t replicates_;
+  std::vector<std::uint32_t> taken_;  ///< [triangle][replicate], receivers so far
   std::uint32_t passes_ = 0;
 };
 

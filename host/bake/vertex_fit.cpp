@@ -13,6 +13,9 @@ constexpr std::size_t rowGrain = 1024;
 constexpr int maxIterations = 400;
 constexpr double tolerance = 1e-7;  // of the residual's norm, far below float and noise
 
+/// Sum of the weights of a triangle's samples: barycentric weights sum to 1.
+double totalWeight(const std::array<double, 6>& m) { return m[0] + m[1] + m[2] + 2.0 * (m[3] + m[4] + m[5]); }
+
 /// The normal equations as a sparse matrix over the mesh's edges, applied to many columns at once.
 class NormalEquations {
  public:
@@ -26,7 +29,7 @@ class NormalEquations {
     for (std::size_t t = 0; t < mass.size(); ++t) {
       const auto& s = mesh.triangles[t];
       const auto& m = mass[t];
-      const double weight = m[0] + m[1] + m[2] + 2.0 * (m[3] + m[4] + m[5]);
+      const double weight = totalWeight(m);
       for (std::size_t k = 0; k < 3; ++k) {
         diagonal_[s[k]] += m[k];
         scale_[s[k]] += weight / 6.0;  // the mean of w b^2 over a triangle
@@ -199,28 +202,55 @@ std::vector<double> conjugateGradients(const NormalEquations& equations, const s
 VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns)
     : mesh_(mesh), columns_(columns), mass_(mesh.triangles.size()), right_(mesh.slotCount() * columns, 0.0) {}
 
+VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights)
+    : mesh_(mesh),
+      columns_(columns),
+      triangleWeights_(std::move(triangleWeights)),
+      mass_(mesh.triangles.size()),
+      right_(3 * mesh.triangles.size() * columns, 0.0) {}
+
 void VertexFit::add(const SurfaceSample& sample, std::span<const double> values) {
-  empty_ = false;
   const std::array<double, 3> b{1.0 - double(sample.b1) - double(sample.b2), sample.b1, sample.b2};
   auto& mass = mass_[sample.triangle];
   for (std::size_t k = 0; k < 3; ++k) {
     mass[k] += sample.weight * b[k] * b[k];
     mass[3 + k] += sample.weight * b[k] * b[(k + 1) % 3];
-    double* right = &right_[mesh_.triangles[sample.triangle][k] * columns_];
+    const std::size_t row =
+        triangleWeights_.empty() ? mesh_.triangles[sample.triangle][k] : 3 * std::size_t{sample.triangle} + k;
+    double* right = &right_[row * columns_];
     for (std::size_t c = 0; c < columns_; ++c) right[c] += sample.weight * b[k] * values[c];
   }
 }
 
+double VertexFit::scaleOf(std::size_t triangle) const {
+  if (triangleWeights_.empty()) return 1.0;
+  const double weight = totalWeight(mass_[triangle]);
+  return weight > 0.0 ? triangleWeights_[triangle] / weight : 0.0;
+}
+
 std::vector<double> VertexFit::solveColumns(double lambda, std::size_t first, std::size_t count) const {
-  std::vector<double> right(mesh_.slotCount() * count);
-  for (std::size_t s = 0; s < mesh_.slotCount(); ++s)
-    for (std::size_t c = 0; c < count; ++c) right[s * count + c] = right_[s * columns_ + first + c];
+  std::vector<double> right(mesh_.slotCount() * count, 0.0);
+  const auto addRow = [&](std::size_t slot, std::size_t row, double scale) {
+    for (std::size_t c = 0; c < count; ++c)
+      right[slot * count + c] += scale * right_[row * columns_ + first + c];
+  };
+  if (triangleWeights_.empty()) {
+    for (std::size_t s = 0; s < mesh_.slotCount(); ++s) addRow(s, s, 1.0);
+  } else {
+    for (std::size_t t = 0; t < mass_.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) addRow(mesh_.triangles[t][k], 3 * t + k, scaleOf(t));
+  }
   return solve(lambda, right, count);
 }
 
 std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide,
                                      std::size_t columns) const {
-  return conjugateGradients(NormalEquations(mesh_, mass_, lambda), rightSide, columns);
+  if (triangleWeights_.empty())
+    return conjugateGradients(NormalEquations(mesh_, mass_, lambda), rightSide, columns);
+  std::vector<std::array<double, 6>> mass = mass_;
+  for (std::size_t t = 0; t < mass.size(); ++t)
+    for (double& m : mass[t]) m *= scaleOf(t);
+  return conjugateGradients(NormalEquations(mesh_, mass, lambda), rightSide, columns);
 }
 
 }  // namespace prelight

@@ -19,15 +19,20 @@ class VertexFit {
   /// `columns` values a sample.
   VertexFit(const FitMesh& mesh, std::size_t columns);
 
+  /// A fit for samples that crowd where they are needed: the samples of a triangle together weigh its entry
+  /// of `triangleWeights`, however many there are, so that what is minimised stays the error over the
+  /// surface. Keeps its sums a triangle corner, six times as much memory.
+  VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights);
+
   void add(const SurfaceSample& sample, std::span<const double> values);
 
   std::size_t columns() const { return columns_; }
 
-  /// True when no sample was added.
-  bool empty() const { return empty_; }
+  /// What a sample weighs in the fit.
+  double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
 
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
-  std::vector<double> solve(double lambda) const { return solve(lambda, right_, columns_); }
+  std::vector<double> solve(double lambda) const { return solveColumns(lambda, 0, columns_); }
 
   /// The same for `count` columns from `first` on.
   std::vector<double> solveColumns(double lambda, std::size_t first, std::size_t count) const;
@@ -36,15 +41,17 @@ class VertexFit {
   std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
 
  private:
+  double scaleOf(std::size_t triangle) const;
+
   const FitMesh& mesh_;
   std::size_t columns_;
-  bool empty_ = true;
+  std::vector<double> triangleWeights_;      ///< [triangle], or empty: samples weigh what they say
   std::vector<std::array<double, 6>> mass_;  ///< [triangle]: sum w b_i b_j of 00 11 22 01 12 20
-  std::vector<double> right_;                ///< [slot][column]: sum w b f
+  std::vector<double> right_;                ///< [slot][column], or [triangle][corner][column]: sum w b f
 };
 
-/// Strengths that served best over the built-in scenes, see docs/accuracy.md. The bent normal wants more: it is
-/// normalised after the fit, which magnifies the noise where little is open.
+/// Strengths that served best over the built-in scenes, see docs/accuracy.md. The bent normal wants more: it
+/// is normalised after the fit, which magnifies the noise where little is open.
 constexpr double defaultSmoothing = 0.1;
 constexpr double bentNormalSmoothing = 0.4;
 
