@@ -7,7 +7,7 @@ namespace {
 
 void addMissingCommand(CLI::App& program, const std::string& name) {
   CLI::App* app = program.add_subcommand(name, "Not in this build (PRELIGHT_VIEWER=OFF)");
-  app->allow_extras();
+  app->allow_extras()->fallthrough(false);
   app->callback([name] {
     throw UsageError(name, "this build has no viewer", "configure it with -DPRELIGHT_VIEWER=ON");
   });
