@@ -151,7 +151,7 @@ namespace prelight::cli {
 
 void addBenchCommand(CLI::App& program, Context&) {
   CLI::App* app = program.add_subcommand("bench", "Not in this build (PRELIGHT_BENCHMARKS=OFF)");
-  app->allow_extras();
+  app->allow_extras()->fallthrough(false);
   app->callback([] {
     throw UsageError("bench", "this build has no benchmarks", "configure it with -DPRELIGHT_BENCHMARKS=ON");
   });
