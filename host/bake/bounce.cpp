@@ -13,9 +13,8 @@ void scatter(const FitMesh& mesh, const std::vector<double>& slots, std::size_t 
       out[v * columns + c] = static_cast<float>(slots[mesh.slotOfVertex[v] * columns + c]);
 }
 
-std::vector<double> fitRows(const FitMesh& mesh, Caster& caster, const SideCast& cast, std::size_t columns,
-                            Progress& progress) {
-  VertexFit fit(mesh, columns);
+std::vector<double> fitRows(Caster& caster, const SideCast& cast, std::size_t columns, Progress& progress) {
+  VertexFit fit = cast.emptyFit(columns);
   std::vector<float> values;
   std::vector<double> row(columns);
   for (std::uint32_t first = 0; first < cast.storedCount(); first += caster.blockSize()) {
@@ -40,8 +39,8 @@ void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
   if (back != nullptr)
     scatter(mesh, back->transfer, columns, transfer.data() + std::size_t{scene.vertexCount()} * columns);
   caster.setTransfer(transfer);
-  front.transfer = fitRows(mesh, caster, *front.cast, columns, progress);
-  if (back != nullptr) back->transfer = fitRows(mesh, caster, *back->cast, columns, progress);
+  front.transfer = fitRows(caster, *front.cast, columns, progress);
+  if (back != nullptr) back->transfer = fitRows(caster, *back->cast, columns, progress);
 }
 
 }  // namespace prelight

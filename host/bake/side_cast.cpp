@@ -19,8 +19,7 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       schedule_(schedule),
       sampler_(scene, schedule.seed, side, schedule.error ? errorGroups : 1),
       baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
-      fit_(schedule.error ? VertexFit(mesh, baseline_.columns(), sampler_.areas())
-                          : VertexFit(mesh, baseline_.columns())),
+      fit_(emptyFit(baseline_.columns())),
       blocked_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {}
 
@@ -123,6 +122,11 @@ std::size_t SideCast::dropAccurateTriangles() {
     left += active[t];
   }
   return left;
+}
+
+// With an error target, receivers crowd where it is not met yet.
+VertexFit SideCast::emptyFit(std::size_t columns) const {
+  return schedule_.error ? VertexFit(mesh_, columns, sampler_.areas()) : VertexFit(mesh_, columns);
 }
 
 ErrorEstimate SideCast::estimateError() const {

@@ -33,6 +33,9 @@ class SideCast {
 
   ErrorEstimate estimateError() const;
 
+  /// A fit without samples that weighs them as this side's own does.
+  VertexFit emptyFit(std::size_t columns) const;
+
   const Baseline& baseline() const { return baseline_; }
   const std::vector<SampleRecord>& records() const { return records_; }
   std::uint32_t storedFirst() const { return storedFirst_; }

@@ -86,6 +86,29 @@ TEST(Sobol, EveryPowerOfTwoPrefix_FillsElementaryIntervals) {
       }
 }
 
+// Walking a second sequence in step with the first ties its points to the first's; the shuffle must untie
+// them and still visit every index of an aligned block once.
+TEST(ShuffledIndex, AlignedBlocks_ArePermuted) {
+  for (const std::uint32_t block : {1u, 2u, 16u, 256u}) {
+    std::vector<std::uint32_t> seen;
+    for (std::uint32_t i = 0; i < block; ++i)
+      seen.push_back(sampling::shuffledIndex(3 * block + i, 9) % block);
+    std::sort(seen.begin(), seen.end());
+    for (std::uint32_t i = 0; i < block; ++i) EXPECT_EQ(seen[i], i) << "block of " << block;
+  }
+}
+
+TEST(ShuffledIndex, ProductOfTwoSequences_ConvergesForEverySeed) {
+  for (std::uint32_t seed = 0; seed < 16; ++seed) {
+    double sum = 0.0;
+    constexpr std::uint32_t count = 4096;
+    for (std::uint32_t i = 0; i < count; ++i)
+      sum += sampling::sobol(i, seed).x *
+             sampling::sobol(sampling::shuffledIndex(i, seed + 100), seed + 200).x / count;
+    EXPECT_NEAR(sum, 0.25, 0.002) << "seed " << seed;
+  }
+}
+
 TEST(CosineHemisphere, MeanOfCosine_IsTwoThirds) {
   const glm::dvec3 n = glm::normalize(glm::dvec3(0.3, -0.5, 0.2));
   double sum = 0.0;

@@ -71,6 +71,21 @@ TEST(LoadMaterial, EmissiveFactorAboveOne_IsKeptWithAWarning) {
   EXPECT_EQ(warnings.size(), 1u);
 }
 
+TEST(LoadMaterial, SpecularGlossiness_BecomesADielectric) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+    "diffuseFactor": [0.5, 0.25, 1, 0.75], "glossinessFactor": 0.25, "specularFactor": [0.04, 0.04, 0.08],
+    "diffuseTexture": {"index": 0}}}})",
+                                         warnings);
+  EXPECT_EQ(material.diffuseAlbedo(), glm::vec3(0.5f, 0.25f, 1.0f));
+  EXPECT_EQ(material.baseColor.a, 0.75f);
+  EXPECT_EQ(material.metallic, 0.0f);
+  EXPECT_EQ(material.roughness, 0.75f);
+  EXPECT_NEAR(material.specularColor.b, 2.0f, 1e-6f);
+  EXPECT_EQ(material.baseColorTexture.image, 1);
+  EXPECT_TRUE(warnings.empty());
+}
+
 TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
   Warnings warnings;
   const Material material =

@@ -1,0 +1,94 @@
+#include "device/device.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/error.h"
+#include "device/buffer.h"
+#include "device/context.h"
+#include "support/devices.h"
+
+namespace prelight {
+namespace {
+
+Device openBy(const std::string& selector) {
+  DeviceOptions options;
+  options.selector = selector;
+  return Device::open(options);
+}
+
+TEST(Device, Selector_FindsByIndexKindAndName) {
+  const auto devices = listDevices();
+  ASSERT_FALSE(devices.empty());
+  EXPECT_EQ(openBy("0").info().name, devices[0].name);
+  EXPECT_EQ(openBy(devices[0].name.substr(2, 6)).info().platform, devices[0].platform);
+  if (devices[0].kind == DeviceKind::Cpu) {
+    EXPECT_EQ(openBy("CPU").info().index, 0);
+  }
+}
+
+TEST(Device, UnknownSelector_IsAnErrorThatListsWhatThereIs) {
+  for (const std::string selector : {"no such device", "99", "-1"}) {
+    try {
+      openBy(selector);
+      FAIL() << selector;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::NoDevice);
+      EXPECT_NE(std::string(error.what()).find(listDevices()[0].name), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Device, SelfTest_PassesOnEveryDevice) {
+  for (const auto& info : listDevices())
+    for (const auto& result : selfTest(openBy(std::to_string(info.index))))
+      EXPECT_TRUE(result.passed) << info.name << ": " << result.name << ": " << result.detail;
+}
+
+TEST(DeviceContext, ProgramThatDoesNotBuild_ReportsDeviceOptionsAndLog) {
+  DeviceContext& device = test::sharedDevice().context();
+  try {
+    // The traversal needs a stack: a negative size cannot compile.
+    device.program("bvh/trace_kernels.cl", BuildOptions().define("PRELIGHT_STACK_SIZE", -1));
+    FAIL() << "built";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(device.info().name), std::string::npos) << text;
+    EXPECT_NE(text.find("PRELIGHT_STACK_SIZE=-1"), std::string::npos) << text;
+    EXPECT_NE(text.find("narrow_funcs.cl"), std::string::npos) << "the log must name the real file: " << text;
+  }
+}
+
+TEST(DeviceContext, BufferBeyondTheDevice_IsOutOfMemory) {
+  DeviceContext& device = test::sharedDevice().context();
+  try {
+    Buffer<char>(device, device.info().maxAllocation + 1);
+    FAIL() << "allocated";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::OutOfMemory);
+  }
+}
+
+TEST(DeviceContext, DumpKernels_WritesTheExpandedSource) {
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "prelight-dump";
+  std::filesystem::remove_all(folder);
+  DeviceOptions options;
+  options.dumpKernels = folder;
+  const Device device = Device::open(options);
+  device.context().program("core/layout_probe_kernels.cl", {});
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Buffer, WrittenRange_ReadsBack) {
+  Buffer<int> buffer(test::sharedDevice().context(), 8);
+  buffer.fill(7);
+  const std::vector<int> part{1, 2, 3};
+  buffer.write(part, 2);
+  EXPECT_EQ(buffer.read(), (std::vector<int>{7, 7, 1, 2, 3, 7, 7, 7}));
+  EXPECT_TRUE(Buffer<int>(test::sharedDevice().context(), 0).read().empty());
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,75 @@
+#include "plan/plan.h"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+BakeRequest fullRequest() {
+  BakeRequest request;
+  request.ao = true;
+  request.shOrder = 3;
+  request.bounces = 1;
+  return request;
+}
+
+std::string reasonOf(const Plan& plan, const std::string& name) {
+  for (const auto& pass : plan.passes)
+    if (pass.name == name) return pass.reason;
+  return "no such pass";
+}
+
+TEST(Plan, EveryPass_HasAReason) {
+  for (const auto& pass : makePlan(Scene(), test::ground(4, 1.0f), fullRequest()).passes)
+    EXPECT_FALSE(pass.reason.empty()) << pass.name;
+}
+
+TEST(Plan, FullRequest_RunsWhatItAsksFor) {
+  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), fullRequest());
+  for (const char* pass : {"cast", "ambient occlusion", "sh transfer", "bounces"})
+    EXPECT_TRUE(plan.runs(pass)) << pass;
+  for (const char* pass : {"alpha test", "albedo textures", "specular transport"})
+    EXPECT_FALSE(plan.runs(pass)) << pass;
+}
+
+TEST(Plan, NoBounces_NeedsAnyHitsOnlyAndNoRows) {
+  BakeRequest request = fullRequest();
+  request.bounces = 0;
+  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), request);
+  EXPECT_FALSE(plan.runs("bounces"));
+  EXPECT_EQ(plan.transportBytes, 0u);
+  EXPECT_NE(reasonOf(plan, "cast").find("any hit"), std::string::npos);
+}
+
+TEST(Plan, BlackScene_SkipsBouncesAndSaysWhy) {
+  const Plan plan =
+      makePlan(Scene(), test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, 0.0f), fullRequest());
+  EXPECT_FALSE(plan.runs("bounces"));
+  EXPECT_NE(reasonOf(plan, "bounces").find("albedo"), std::string::npos);
+}
+
+TEST(Plan, EmptyScene_RunsNothing) {
+  const Plan plan = makePlan(Scene(), CompiledScene(), fullRequest());
+  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << pass.name;
+}
+
+TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
+  BakeRequest request = fullRequest();
+  request.rays = 1 << 18;
+  request.maxMemory = 1 << 20;
+  EXPECT_LE(makePlan(Scene(), test::ground(40, 1.0f), request).transportBytes, request.maxMemory);
+}
+
+TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
+  Scene scene;
+  scene.materials.resize(2);
+  scene.materials[0].transmission = 1.0f;
+  scene.materials[1].roughness = 0.0f;
+  const Plan plan = makePlan(scene, test::ground(4, 1.0f), fullRequest());
+  EXPECT_NE(reasonOf(plan, "specular transport").find("1 transmissive"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace prelight
