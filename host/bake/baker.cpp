@@ -46,12 +46,12 @@ std::uint32_t storedCapacity(const Plan& plan, const Device& device, std::uint32
 /// [slot][3][n], the transfer that leaves direct occlusion for the first bounce: the same in every channel.
 std::vector<double> directTransfer(const SideCast& cast, const std::vector<double>& fitted,
                                    std::size_t slots) {
-  const std::size_t columns = cast.baseline().columns(), n = columns - 4;
+  const std::size_t columns = cast.baseline().columns(), n = columns - 1;
   std::vector<double> transfer(slots * 3 * n);
   for (std::size_t s = 0; s < slots; ++s)
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < n; ++i)
-        transfer[(s * 3 + c) * n + i] = cast.baseline().row(s)[4 + i] + fitted[s * columns + 4 + i];
+        transfer[(s * 3 + c) * n + i] = cast.baseline().row(s)[1 + i] + fitted[s * columns + 1 + i];
   return transfer;
 }
 
@@ -102,20 +102,29 @@ float finiteOr(double value, float fallback) {
   return std::isfinite(f) ? f : fallback;
 }
 
+/// [vertex], unit. The mean of directions above the surface is above it too, whatever the fit overshoots.
+std::vector<glm::vec3> bentNormals(const SideCast& front, const FitMesh& mesh, const CompiledScene& scene) {
+  const std::vector<double> fitted = front.solveBentNormal();
+  std::vector<glm::vec3> normals;
+  normals.reserve(scene.vertexCount());
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const std::size_t slot = mesh.slotOfVertex[v];
+    const glm::dvec3 n = glm::normalize(glm::dvec3(scene.normals[v]));
+    glm::dvec3 bent = n + glm::dvec3(fitted[3 * slot], fitted[3 * slot + 1], fitted[3 * slot + 2]);
+    bent -= std::min(0.0, glm::dot(bent, n)) * n;
+    const double length = glm::length(bent);
+    // Where nothing is open there is no mean direction; the normal is as good as any.
+    normals.push_back(length > 1e-5 ? glm::vec3(bent / length) : glm::vec3(n));
+  }
+  return normals;
+}
+
 void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
             const CompiledScene& scene, Bake& bake) {
   const std::size_t columns = front.baseline().columns();
-  const std::vector<double> bent = front.solveBentNormal();
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-    const std::size_t slot = mesh.slotOfVertex[v];
-    const double* base = front.baseline().row(slot);
-    bake.ao.push_back(finiteOr(std::clamp(1.0 + fitted[slot * columns], 0.0, 1.0), 1.0f));
-    const glm::dvec3 mean(base[1] + bent[3 * slot], base[2] + bent[3 * slot + 1],
-                          base[3] + bent[3 * slot + 2]);
-    const double length = glm::length(mean);
-    // Where nothing is open there is no mean direction; the normal is as good as any.
-    bake.bentNormals.push_back(length > 1e-5 ? glm::vec3(mean / length) : glm::normalize(scene.normals[v]));
-  }
+  bake.bentNormals = bentNormals(front, mesh, scene);
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
+    bake.ao.push_back(finiteOr(std::clamp(1.0 + fitted[mesh.slotOfVertex[v] * columns], 0.0, 1.0), 1.0f));
 }
 
 void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const CompiledScene& scene,

@@ -10,7 +10,7 @@
 namespace prelight {
 
 /// Closed-form values of an unoccluded receiver, which the fit is made relative to. Columns of a value row:
-/// open fraction, 3 of the cosine-weighted mean open direction, order^2 of SH transfer.
+/// open fraction, then order^2 of SH transfer.
 class Baseline {
  public:
   /// `sign` -1 gives the values of the vertices' backs.

@@ -13,7 +13,7 @@ constexpr double castShareOfTime = 0.75;   // the rest is for fits and bounces
 constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two cores
 
 std::uint32_t powerOfTwoBelow(std::uint64_t value) {
-  std::uint32_t power = 8;
+  std::uint32_t power = 16;  // below, the control variate is visibly biased (docs/accuracy.md)
   while (power < 64 && 2ull * power <= value) power *= 2;
   return power;
 }

@@ -6,7 +6,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t pilotPasses = 2;                  // after which entirely open neighbourhoods stop
+constexpr std::uint32_t pilotPasses = 2;       // after which entirely open neighbourhoods stop
+constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
 constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; an error target gives up there
 
 }  // namespace
@@ -20,6 +21,7 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       sampler_(scene, schedule.seed, side, schedule.error ? errorGroups : 1),
       baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
       fit_(emptyFit(baseline_.columns())),
+      bentFit_(emptyFit(3)),
       blocked_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {}
 
@@ -81,17 +83,37 @@ void SideCast::addReceiver(std::size_t i) {
   const device::Receiver& receiver = pendingReceivers_[i];
   const float* values = &values_[i * caster_.valueCount()];
   const double open = values[0];
-  baseline_.evaluate({receiver.normal[0], receiver.normal[1], receiver.normal[2]}, residual_.data());
+  const glm::dvec3 normal(receiver.normal[0], receiver.normal[1], receiver.normal[2]);
+  baseline_.evaluate(normal, residual_.data());
   const auto& slots = mesh_.triangles[sample.triangle];
   const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
   const double *r0 = baseline_.row(slots[0]), *r1 = baseline_.row(slots[1]), *r2 = baseline_.row(slots[2]);
   residual_[0] = open - 1.0;
   for (std::size_t c = 1; c < residual_.size(); ++c)
-    residual_[c] = double(values[c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
+    residual_[c] = double(values[3 + c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
   fit_.add(sample, residual_);
+  // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
+  addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
   if (open < 1.0)
     for (const std::uint32_t slot : slots) blocked_[slot] = 1;
   if (records_.size() < maxRecords) records_.push_back({sample, values[0], pass_ % errorGroups});
+}
+
+// Directions are fitted, not the mean vectors that they come from: otherwise what is bright at one corner of
+// a triangle would turn the normal at a dark one. The less is open, the less a direction is worth; nothing
+// open has none.
+void SideCast::addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen) {
+  const double length = glm::length(meanOpen);
+  if (length < 1e-6) return;
+  const auto& t = scene_.triangles[sample.triangle];
+  const double b1 = sample.b1, b2 = sample.b2;
+  const glm::dvec3 interpolated = (1.0 - b1 - b2) * glm::dvec3(scene_.normals[t.x]) +
+                                  b1 * glm::dvec3(scene_.normals[t.y]) + b2 * glm::dvec3(scene_.normals[t.z]);
+  const glm::dvec3 residual = meanOpen / length - interpolated;
+  SurfaceSample weighted = sample;
+  weighted.weight *=
+      static_cast<float>(length * length / (length * length + bentNormalHalfWeight * bentNormalHalfWeight));
+  bentFit_.add(weighted, std::span(&residual.x, 3));
 }
 
 // Where every ray of every receiver around escaped, the closed form is the answer: no further rays.

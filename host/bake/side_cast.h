@@ -28,8 +28,8 @@ class SideCast {
   /// Fitted values relative to the baseline, [slot][column].
   std::vector<double> solve() const { return fit_.solve(defaultSmoothing); }
 
-  /// Fitted mean open direction relative to the baseline, [slot][3].
-  std::vector<double> solveBentNormal() const { return fit_.solveColumns(bentNormalSmoothing, 1, 3); }
+  /// Fitted unit mean open direction minus the slot's normal, [slot][3].
+  std::vector<double> solveBentNormal() const { return bentFit_.solve(defaultSmoothing); }
 
   ErrorEstimate estimateError() const;
 
@@ -47,6 +47,7 @@ class SideCast {
   void castPass(double receivers, Progress& progress);
   void flush();
   void addReceiver(std::size_t i);
+  void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
   void dropOpenTriangles();
   std::size_t dropAccurateTriangles();
 
@@ -57,6 +58,7 @@ class SideCast {
   SurfaceSampler sampler_;
   Baseline baseline_;
   VertexFit fit_;
+  VertexFit bentFit_;
   std::vector<SampleRecord> records_;
   std::vector<std::uint8_t> blocked_;  ///< [slot], 1 once a receiver near it was not entirely open
   std::vector<SurfaceSample> pendingSamples_;

@@ -50,9 +50,7 @@ class VertexFit {
   std::vector<double> right_;                ///< [slot][column], or [triangle][corner][column]: sum w b f
 };
 
-/// Strengths that served best over the built-in scenes, see docs/accuracy.md. The bent normal wants more: it
-/// is normalised after the fit, which magnifies the noise where little is open.
+/// The strength that served best over the built-in scenes, see docs/accuracy.md.
 constexpr double defaultSmoothing = 0.1;
-constexpr double bentNormalSmoothing = 0.4;
 
 }  // namespace prelight
