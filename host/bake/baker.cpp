@@ -55,31 +55,56 @@ std::vector<double> directTransfer(const SideCast& cast, const std::vector<doubl
   return transfer;
 }
 
-/// Casts from the backs that the front's rays have seen. nullptr when there are none.
-std::unique_ptr<SideCast> castBacks(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+/// The backs that rays have seen, cast like fronts.
+struct BackCast {
+  SideCast cast;
+  std::vector<std::uint8_t> seen;  ///< [triangle]
+};
+
+constexpr int maxBackRounds = 4;  // backs seen from backs, and so on; what lies deeper reflects nothing
+
+/// Casts from the backs that rays have met, and from those that these meet. nullptr when there are none.
+std::unique_ptr<BackCast> castBacks(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
                                     const Schedule& schedule, const SideCast& front, std::uint32_t capacity,
                                     Progress& progress, BakeReport& report) {
-  const std::vector<std::uint8_t> marks = caster.backMarks();
-  const auto seen = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
-  if (seen == 0) {
-    report.notes.push_back("back faces: skipped, no ray meets one that reflects");
-    return nullptr;
+  std::unique_ptr<BackCast> back;
+  for (int round = 0; round < maxBackRounds; ++round) {
+    std::vector<std::uint8_t> fresh = caster.backMarks();
+    for (std::size_t t = 0; back && t < fresh.size(); ++t) fresh[t] = fresh[t] && !back->seen[t];
+    if (std::count(fresh.begin(), fresh.end(), 1) == 0) break;
+    if (!back)
+      back.reset(new BackCast{SideCast(scene, mesh, caster, schedule, Side::Back),
+                              std::vector<std::uint8_t>(scene.triangleCount(), 0)});
+    for (std::size_t t = 0; t < fresh.size(); ++t) back->seen[t] |= fresh[t];
+    back->cast.active() = std::move(fresh);
+    back->cast.run(progress, front.storedCount(), capacity - front.storedCount());
   }
   report.notes.push_back(
-      fmt::format("back faces: {} triangles are seen from behind and reflect there too", seen));
-  auto back = std::make_unique<SideCast>(scene, mesh, caster, schedule, Side::Back);
-  back->active() = marks;
-  back->run(progress, front.storedCount(), capacity - front.storedCount());
+      back ? fmt::format("back faces: {} triangles are seen from behind and reflect there too",
+                         std::count(back->seen.begin(), back->seen.end(), 1))
+           : "back faces: skipped, no ray meets one that reflects");
   return back;
+}
+
+/// Direct transfer of the backs; 0 where none was cast.
+std::vector<double> backTransfer(const BackCast& back, const FitMesh& mesh) {
+  std::vector<double> transfer = directTransfer(back.cast, back.cast.solve(), mesh.slotCount());
+  std::vector<std::uint8_t> covered(mesh.slotCount(), 0);
+  for (std::size_t t = 0; t < back.seen.size(); ++t)
+    for (const std::uint32_t slot : mesh.triangles[t]) covered[slot] |= back.seen[t];
+  const std::size_t row = transfer.size() / mesh.slotCount();
+  for (std::size_t slot = 0; slot < covered.size(); ++slot)
+    if (!covered[slot]) std::fill_n(transfer.begin() + static_cast<std::ptrdiff_t>(slot * row), row, 0.0);
+  return transfer;
 }
 
 /// Sum of direct transfer and all bounces of the front, [slot][3][n].
 std::vector<double> bounceAll(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
-                              int count, const SideCast& front, const SideCast* back, Progress& progress,
+                              int count, const SideCast& front, const BackCast* back, Progress& progress,
                               BakeReport& report) {
   BounceSide frontSide{&front, directTransfer(front, front.solve(), mesh.slotCount())};
-  BounceSide backSide{back, {}};
-  if (back != nullptr) backSide.transfer = directTransfer(*back, back->solve(), mesh.slotCount());
+  BounceSide backSide;
+  if (back != nullptr) backSide = {&back->cast, backTransfer(*back, mesh)};
   std::vector<double> total = frontSide.transfer;
   for (int b = 0; b < count; ++b) {
     bounceOnce(scene, mesh, caster, shOrder, frontSide, back != nullptr ? &backSide : nullptr, progress);
@@ -172,7 +197,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
 
   SideCast front(scene, mesh, caster, schedule, Side::Front);
   front.run(progress, 0, capacity);
-  std::unique_ptr<SideCast> back;
+  std::unique_ptr<BackCast> back;
   if (withBounces) back = castBacks(scene, mesh, caster, schedule, front, capacity, progress, report);
   clock.mark("cast");
 
@@ -191,8 +216,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
     clock.mark("bounce");
   }
 
-  report.rays = front.rays() + (back ? back->rays() : 0);
-  report.receivers = front.receivers() + (back ? back->receivers() : 0);
+  report.rays = front.rays() + (back ? back->cast.rays() : 0);
+  report.receivers = front.receivers() + (back ? back->cast.receivers() : 0);
   report.aoErrorRms = error.rms;
   report.aoErrorMax = error.max;
   if (!request.error && !request.seconds)

@@ -1,10 +1,10 @@
 #include "bvh/tracer.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
+#include "scene/compile_parts.h"
 
 namespace prelight {
 
@@ -44,6 +44,11 @@ std::uint32_t deviceWrap(WrapMode mode) {
       break;
   }
   return PRELIGHT_WRAP_REPEAT;
+}
+
+glm::u16vec4 linearTexel(const std::uint8_t* srgb) {
+  const glm::vec3 linear(linearFromSrgb(srgb[0]), linearFromSrgb(srgb[1]), linearFromSrgb(srgb[2]));
+  return {glm::u16vec3(glm::round(65535.0f * linear)), static_cast<std::uint16_t>(257 * srgb[3])};
 }
 
 DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image>& images,
@@ -114,19 +119,17 @@ void Tracer::uploadSurface(const CompiledScene& scene) {
                     scene.triangleMaterials[t]};
   surfaceTriangles_ = Buffer<DeviceTriangle>(*context_, triangles);
 
-  std::vector<std::uint32_t> texels;
+  std::vector<glm::u16vec4> texels;
   std::vector<std::uint32_t> offsets;
   for (const Image& image : scene.albedoImages) {
     offsets.push_back(static_cast<std::uint32_t>(texels.size()));
-    const std::size_t first = texels.size();
-    texels.resize(first + image.rgba.size() / 4);
-    std::memcpy(texels.data() + first, image.rgba.data(), image.rgba.size() / 4 * 4);
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) texels.push_back(linearTexel(&image.rgba[i]));
   }
   std::vector<DeviceMaterial> materials;
   for (const auto& material : scene.materials)
     materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
   materials_ = Buffer<DeviceMaterial>(*context_, materials);
-  texels_ = Buffer<std::uint32_t>(*context_, texels);
+  texels_ = Buffer<glm::u16vec4>(*context_, texels);
   texCoords_ = Buffer<glm::vec2>(*context_, texels.empty() ? std::vector<glm::vec2>() : scene.texCoords);
   colors_ = Buffer<glm::vec4>(*context_, scene.colors);
 }

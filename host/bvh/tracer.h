@@ -17,7 +17,7 @@ namespace prelight {
 enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 
 /// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
-/// This is the one header outside device/ that shows OpenCL types.
+/// This header and bake/caster.h are the ones outside device/ that show OpenCL types.
 class Tracer {
  public:
   /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
@@ -64,7 +64,7 @@ class Tracer {
   Buffer<device::DeviceMaterial> materials_;
   Buffer<glm::vec2> texCoords_;
   Buffer<glm::vec4> colors_;
-  Buffer<std::uint32_t> texels_;
+  Buffer<glm::u16vec4> texels_;
   cl::Kernel closest_;
   cl::Kernel any_;
 };

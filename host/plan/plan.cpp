@@ -48,7 +48,7 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
   const std::uint64_t vertices = scene.vertexCount(), triangles = scene.triangleCount();
   const std::uint64_t coefficients = static_cast<std::uint64_t>(request.shOrder * request.shOrder);
   std::uint64_t texels = 0;
-  for (const Image& image : scene.albedoImages) texels += image.rgba.size();
+  for (const Image& image : scene.albedoImages) texels += 2 * image.rgba.size();
   plan.transportBytes = bounces ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2) : 0;
   plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes +
                      plan.transportBytes + (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);

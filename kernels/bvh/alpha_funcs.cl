@@ -9,7 +9,7 @@ typedef struct Surface {
   __global const DeviceMaterial* materials;   // [material]
   __global const float2* texCoords;           // [vertex]
   __global const float4* colors;              // [vertex], linear; read only with PRELIGHT_VERTEX_COLORS
-  __global const uchar4* texels;              // sRGB and linear alpha
+  __global const ushort4* texels;             // linear RGBA in 1/65535: decoded once, not at every hit
 } Surface;
 
 // Texel coordinate of u in [0, size): IEC-free integer wrapping as in glTF samplers.
@@ -26,11 +26,7 @@ uint wrapTexel(int i, uint size, uint mode) {
 
 float4 fetchTexel(Surface s, __global const DeviceMaterial* m, int x, int y) {
   const uint at = m->texelOffset + wrapTexel(y, m->height, m->wrapT) * m->width + wrapTexel(x, m->width, m->wrapS);
-  const float4 c = convert_float4(s.texels[at]) * (1.0f / 255.0f);
-  // IEC 61966-2-1 decoding.
-  const float3 low = c.xyz / 12.92f;
-  const float3 high = pow((c.xyz + 0.055f) / 1.055f, (float3)(2.4f));
-  return (float4)(select(high, low, c.xyz <= 0.04045f), c.w);
+  return convert_float4(s.texels[at]) * (1.0f / 65535.0f);
 }
 
 // Bilinear, linear RGB and alpha. Coordinates beyond 2^20 texels are folded, so that hostile ones stay integers.

@@ -20,7 +20,7 @@
 __kernel void traceClosestHits(__global const NODE* nodes, __global const TRIANGLES* blocks,
                                __global const DeviceTriangle* triangles, __global const DeviceMaterial* materials,
                                __global const float2* texCoords, __global const float4* colors,
-                               __global const uchar4* texels, __global const Ray* rays, __global Hit* hits,
+                               __global const ushort4* texels, __global const Ray* rays, __global Hit* hits,
                                const uint rayCount) {
   const size_t i = get_global_id(0);
   if (i >= rayCount) return;
@@ -33,7 +33,7 @@ __kernel void traceClosestHits(__global const NODE* nodes, __global const TRIANG
 __kernel void traceAnyHits(__global const NODE* nodes, __global const TRIANGLES* blocks,
                            __global const DeviceTriangle* triangles, __global const DeviceMaterial* materials,
                            __global const float2* texCoords, __global const float4* colors,
-                           __global const uchar4* texels, __global const Ray* rays, __global Hit* hits,
+                           __global const ushort4* texels, __global const Ray* rays, __global Hit* hits,
                            const uint rayCount) {
   const size_t i = get_global_id(0);
   if (i >= rayCount) return;

@@ -12,7 +12,7 @@
 __kernel void storeSenders(__constant const CastParameters* parameters, __global const Ray* rays,
                            __global const Hit* hits, __global const DeviceTriangle* triangles,
                            __global const DeviceMaterial* materials, __global const float2* texCoords,
-                           __global const float4* colors, __global const uchar4* texels,
+                           __global const float4* colors, __global const ushort4* texels,
                            __global const float* geometricNormals, __global const Receiver* receivers,
                            __global Sender* senders, __global uchar* marks) {
   const size_t i = get_global_id(0);

@@ -63,8 +63,8 @@ float3 sampleCosineHemisphere(float2 u, float3 n) {
   float3 tangent, bitangent;
   makeFrame(n, &tangent, &bitangent);
   const float radius = sqrt(u.x);
-  const float phi = 6.28318530717958647692f * u.y;
-  return radius * cos(phi) * tangent + radius * sin(phi) * bitangent + sqrt(1.0f - u.x) * n;
+  const float turn = 2.0f * u.y;  // in units of pi: no reduction of large arguments
+  return radius * cospi(turn) * tangent + radius * sinpi(turn) * bitangent + sqrt(1.0f - u.x) * n;
 }
 
 #endif

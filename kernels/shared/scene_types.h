@@ -16,7 +16,7 @@ typedef struct DeviceMaterial {
   float albedo[3];    ///< linear; multiplies texture and vertex colour
   float alphaCutoff;  ///< < 0: opaque
   float alphaFactor;
-  uint texelOffset;   ///< first texel in the texel buffer (uchar4 sRGB + linear alpha); PRELIGHT_NO_TEXTURE: none
+  uint texelOffset;   ///< first texel in the texel buffer (ushort4, linear RGBA in 1/65535); PRELIGHT_NO_TEXTURE: none
   uint width;
   uint height;
   uint wrapS;         ///< PRELIGHT_WRAP_*

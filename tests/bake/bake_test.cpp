@@ -70,7 +70,7 @@ TEST(Bake, ClosedBoxInside_IsBlack) {
   const CompiledScene scene = test::box(6, {-1, -1, -1}, {1, 1, 1}, true);
   const Bake bake = run(scene, shRequest(3, 2, 256)).bake;
   for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
-    EXPECT_NEAR(bake.ao[v], 0.0f, 2e-6f);  // the fit's solver stops at 1e-7 of the right-hand side
+    EXPECT_NEAR(bake.ao[v], 0.0f, 2e-5f);  // the fit's solver stops at 1e-6 of the right-hand side
     EXPECT_NEAR(glm::length(bake.bentNormals[v]), 1.0f, 1e-5f);
   }
   // The baseline is taken off and comes back within the solver's tolerance.
