@@ -51,6 +51,6 @@ class VertexFit {
 };
 
 /// The strength that served best over the built-in scenes, see docs/accuracy.md.
-constexpr double defaultSmoothing = 0.1;
+constexpr double defaultSmoothing = 0.03;
 
 }  // namespace prelight
