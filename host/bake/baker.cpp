@@ -100,9 +100,9 @@ std::vector<double> backTransfer(const BackCast& back, const FitMesh& mesh) {
 
 /// Sum of direct transfer and all bounces of the front, [slot][3][n].
 std::vector<double> bounceAll(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
-                              int count, const SideCast& front, const BackCast* back, Progress& progress,
-                              BakeReport& report) {
-  BounceSide frontSide{&front, directTransfer(front, front.solve(), mesh.slotCount())};
+                              int count, const SideCast& front, const std::vector<double>& fitted,
+                              const BackCast* back, Progress& progress, BakeReport& report) {
+  BounceSide frontSide{&front, directTransfer(front, fitted, mesh.slotCount())};
   BounceSide backSide;
   if (back != nullptr) backSide = {&back->cast, backTransfer(*back, mesh)};
   std::vector<double> total = frontSide.transfer;
@@ -166,19 +166,6 @@ void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const Comp
 
 }  // namespace
 
-nlohmann::ordered_json BakeReport::toJson() const {
-  nlohmann::ordered_json json;
-  for (const auto& [stage, seconds] : stageSeconds) json["seconds"][stage] = seconds;
-  json["rays"] = rays;
-  json["receivers"] = receivers;
-  json["aoErrorRms"] = aoErrorRms;
-  json["aoErrorMax"] = aoErrorMax;
-  json["skippedRayFraction"] = skippedRayFraction;
-  json["bvhBytes"] = bytesBvh;
-  json["notes"] = notes;
-  return json;
-}
-
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report) {
   if (scene.triangleCount() == 0)
@@ -209,7 +196,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (request.ao) packAo(mesh, front, fitted, scene, bake);
   if (request.shOrder > 0) {
     const auto transfer = withBounces ? bounceAll(scene, mesh, caster, request.shOrder, request.bounces,
-                                                  front, back.get(), progress, report)
+                                                  front, fitted, back.get(), progress, report)
                                       : directTransfer(front, fitted, mesh.slotCount());
     packSh(mesh, transfer, scene, withBounces ? 3 : 1, request.shOrder, bake);
     bake.sh->bounces = withBounces ? request.bounces : 0;

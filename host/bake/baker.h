@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,7 @@
 
 namespace prelight {
 
-/// What a bake did, for --report and for people.
+/// What a bake did, for reports and for people.
 struct BakeReport {
   std::vector<std::pair<std::string, double>> stageSeconds;  ///< in the order they ran
   std::uint64_t rays = 0;                                    ///< in all
@@ -21,8 +20,6 @@ struct BakeReport {
   double skippedRayFraction = 0.0;  ///< rays that the request allowed and the scene did not need
   std::uint64_t bytesBvh = 0;
   std::vector<std::string> notes;
-
-  nlohmann::ordered_json toJson() const;
 };
 
 /// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.

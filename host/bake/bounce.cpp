@@ -34,7 +34,7 @@ std::vector<double> fitRows(Caster& caster, const SideCast& cast, std::size_t co
 void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
                 BounceSide& front, BounceSide* back, Progress& progress) {
   const std::size_t columns = 3 * static_cast<std::size_t>(shOrder * shOrder);
-  std::vector<float> transfer(std::size_t{scene.vertexCount()} * columns * 2, 0.0f);
+  std::vector<float> transfer(std::size_t{scene.vertexCount()} * columns * (back != nullptr ? 2 : 1));
   scatter(mesh, front.transfer, columns, transfer.data());
   if (back != nullptr)
     scatter(mesh, back->transfer, columns, transfer.data() + std::size_t{scene.vertexCount()} * columns);

@@ -20,11 +20,10 @@ std::uint32_t raysPerBlock(const DeviceInfo& info) {
 }
 
 std::vector<float> orientedNormals(const CompiledScene& scene) {
-  const SurfaceSampler front(scene, 0, Side::Front);
   std::vector<float> normals;
   normals.reserve(3 * std::size_t{scene.triangleCount()});
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const glm::vec3 n(front.orientedNormal(t));
+    const glm::vec3 n(orientedNormal(scene, t));
     normals.insert(normals.end(), {n.x, n.y, n.z});
   }
   return normals;

@@ -25,6 +25,7 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
   Schedule schedule;
   schedule.seed = request.seed;
   schedule.shOrder = request.shOrder;
+  schedule.bentNormal = request.ao;
   schedule.passes = errorGroups;
   if (request.error) {
     // Small receivers and a small first round: what is easy costs little.

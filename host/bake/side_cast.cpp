@@ -21,9 +21,10 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       sampler_(scene, schedule.seed, side, schedule.error ? errorGroups : 1),
       baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
       fit_(emptyFit(baseline_.columns())),
-      bentFit_(emptyFit(3)),
       blocked_(mesh.slotCount(), 0),
-      residual_(baseline_.columns()) {}
+      residual_(baseline_.columns()) {
+  if (schedule.bentNormal && side == Side::Front) bentFit_.emplace(emptyFit(3));
+}
 
 void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {
   storedFirst_ = storedFirst;
@@ -31,9 +32,8 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
   double receivers = schedule_.receiversPerPass;
   for (std::uint32_t round = 0;; ++round) {
     for (std::uint32_t i = 0; i < schedule_.passes; ++i) {
-      if (schedule_.deadline && pass_ >= errorGroups &&
-          std::chrono::steady_clock::now() >= *schedule_.deadline)
-        return;
+      // The first round is owed: without it, there would be nothing to fit.
+      if (round > 0 && schedule_.deadline && std::chrono::steady_clock::now() >= *schedule_.deadline) return;
       castPass(receivers, progress);
       if (pass_ == pilotPasses) dropOpenTriangles();
     }
@@ -67,7 +67,9 @@ void SideCast::flush() {
   const auto count = static_cast<std::uint32_t>(pendingReceivers_.size());
   if (count == 0) return;
   const std::uint32_t row = storedFirst_ + storedCount_;
-  const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_;
+  // Bounces read the records of stored rows, so a row is kept only where its record is.
+  const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
+                      receivers_ + count <= maxRecords;
   caster_.cast(pendingReceivers_, values_, stores ? &row : nullptr);
   if (stores) storedCount_ += count;
   for (std::size_t i = 0; i < count; ++i) addReceiver(i);
@@ -93,7 +95,8 @@ void SideCast::addReceiver(std::size_t i) {
     residual_[c] = double(values[3 + c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
   fit_.add(sample, residual_);
   // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
-  addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
+  if (bentFit_)
+    addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
   if (open < 1.0)
     for (const std::uint32_t slot : slots) blocked_[slot] = 1;
   if (records_.size() < maxRecords) records_.push_back({sample, values[0], pass_ % errorGroups});
@@ -113,7 +116,7 @@ void SideCast::addBentNormal(const SurfaceSample& sample, const glm::dvec3& mean
   SurfaceSample weighted = sample;
   weighted.weight *=
       static_cast<float>(length * length / (length * length + bentNormalHalfWeight * bentNormalHalfWeight));
-  bentFit_.add(weighted, std::span(&residual.x, 3));
+  bentFit_->add(weighted, std::span(&residual.x, 3));
 }
 
 // Where every ray of every receiver around escaped, the closed form is the answer: no further rays.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bake/baseline.h"
@@ -28,8 +29,8 @@ class SideCast {
   /// Fitted values relative to the baseline, [slot][column].
   std::vector<double> solve() const { return fit_.solve(defaultSmoothing); }
 
-  /// Fitted unit mean open direction minus the slot's normal, [slot][3].
-  std::vector<double> solveBentNormal() const { return bentFit_.solve(defaultSmoothing); }
+  /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
+  std::vector<double> solveBentNormal() const { return bentFit_.value().solve(defaultSmoothing); }
 
   ErrorEstimate estimateError() const;
 
@@ -58,7 +59,7 @@ class SideCast {
   SurfaceSampler sampler_;
   Baseline baseline_;
   VertexFit fit_;
-  VertexFit bentFit_;
+  std::optional<VertexFit> bentFit_;
   std::vector<SampleRecord> records_;
   std::vector<std::uint8_t> blocked_;  ///< [slot], 1 once a receiver near it was not entirely open
   std::vector<SurfaceSample> pendingSamples_;

@@ -36,10 +36,10 @@ SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, S
   }
 }
 
-glm::dvec3 SurfaceSampler::orientedNormal(std::uint32_t triangle) const {
-  const glm::dvec3 normal = glm::normalize(geometricNormal(scene_, triangle));
-  const auto& t = scene_.triangles[triangle];
-  const glm::dvec3 shading(scene_.normals[t.x] + scene_.normals[t.y] + scene_.normals[t.z]);
+glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
+  const glm::dvec3 normal = glm::normalize(geometricNormal(scene, triangle));
+  const auto& t = scene.triangles[triangle];
+  const glm::dvec3 shading(scene.normals[t.x] + scene.normals[t.y] + scene.normals[t.z]);
   return glm::dot(normal, shading) < 0.0 ? -normal : normal;
 }
 
@@ -74,7 +74,7 @@ device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_
   const auto& t = scene_.triangles[sample.triangle];
   const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
   const glm::dvec3 p0(scene_.positions[t.x]), p1(scene_.positions[t.y]), p2(scene_.positions[t.z]);
-  const glm::dvec3 side = orientedNormal(sample.triangle) * (side_ == Side::Front ? 1.0 : -1.0);
+  const glm::dvec3 side = orientedNormal(scene_, sample.triangle) * (side_ == Side::Front ? 1.0 : -1.0);
   glm::dvec3 normal = side;
   if (!scene_.triangleFlat[sample.triangle]) {
     normal = b0 * glm::dvec3(scene_.normals[t.x]) + b1 * glm::dvec3(scene_.normals[t.y]) +

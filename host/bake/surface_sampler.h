@@ -21,6 +21,9 @@ struct SurfaceSample {
 
 enum class Side : std::uint8_t { Front, Back };
 
+/// Unit geometric normal, turned to the side of the shading normals: the front as the file means it.
+glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle);
+
 /// Places receivers on the surface, pass by pass. Half of them go to triangles by area and half to every
 /// triangle alike, so that large triangles are covered and small ones are not starved. Positions within a
 /// triangle are low-discrepancy over all passes. What a pass yields depends on the passes before it, the seed
@@ -41,9 +44,6 @@ class SurfaceSampler {
   /// Yields about `receivers` receivers, fewer by the share of inactive triangles, in the order of triangles.
   /// Each looks along `raysPerReceiver` directions of its triangle's sequence.
   void pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink);
-
-  /// Unit normal, turned to the side of the shading normals: the front as the file means it.
-  glm::dvec3 orientedNormal(std::uint32_t triangle) const;
 
  private:
   device::Receiver place(const SurfaceSample& sample, std::uint32_t sequence, std::uint32_t index,

@@ -10,7 +10,7 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t rowGrain = 1024;
-constexpr int maxIterations = 64;  // 10 to 25 do, but for stretches without samples, which nothing sees
+constexpr int maxIterations = 64;   // 10 to 25 do, but for stretches without samples, which nothing sees
 constexpr double tolerance = 1e-6;  // of the residual's norm, below float and far below noise
 
 /// Sum of the weights of a triangle's samples: barycentric weights sum to 1.
@@ -253,8 +253,10 @@ std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& r
   if (triangleWeights_.empty())
     return conjugateGradients(NormalEquations(mesh_, mass_, lambda), rightSide, columns);
   std::vector<std::array<double, 6>> mass = mass_;
-  for (std::size_t t = 0; t < mass.size(); ++t)
-    for (double& m : mass[t]) m *= scaleOf(t);
+  for (std::size_t t = 0; t < mass.size(); ++t) {
+    const double scale = scaleOf(t);
+    for (double& m : mass[t]) m *= scale;
+  }
   return conjugateGradients(NormalEquations(mesh_, mass, lambda), rightSide, columns);
 }
 
