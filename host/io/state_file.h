@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace prelight {
+
+/// 64-bit hash of a sequence of values, the same on every run: FNV-1a over 64-bit words, mixed at the end.
+/// Not meant to withstand attackers.
+class StateHash {
+ public:
+  StateHash& bytes(std::span<const std::byte> data);
+  StateHash& text(const std::string& text);
+
+  template <typename T>
+  StateHash& value(const T& value) {
+    static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>,
+                  "padding has no fixed value");
+    return bytes(std::as_bytes(std::span(&value, 1)));
+  }
+
+  /// Elements without padding: numbers and vectors of them.
+  template <typename T>
+  StateHash& values(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    value(values.size());
+    return bytes(std::as_bytes(std::span(values)));
+  }
+
+  std::uint64_t result() const;
+
+ private:
+  void word(std::uint64_t word);
+
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+/// What a state belongs to, part by part: name (as an error message calls it) and hash.
+using StateKey = std::vector<std::pair<std::string, std::uint64_t>>;
+
+/// Collects a state's payload.
+class StateWriter {
+ public:
+  template <typename T>
+  void value(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    append(&value, sizeof value);
+  }
+
+  template <typename T>
+  void values(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    value(std::uint64_t{values.size()});
+    append(values.data(), values.size() * sizeof(T));
+  }
+
+  std::span<const std::byte> payload() const { return bytes_; }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), first, first + size);
+  }
+
+  std::vector<std::byte> bytes_;
+};
+
+/// Reads a payload back, in the order in which it was written. Throws InputError when it ends too early or a
+/// length makes no sense.
+class StateReader {
+ public:
+  /// `path` is named in errors.
+  StateReader(std::filesystem::path path, std::vector<std::byte> payload)
+      : path_(std::move(path)), payload_(std::move(payload)) {}
+
+  template <typename T>
+  void value(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(&value, take(1, sizeof value), sizeof value);
+  }
+
+  template <typename T>
+  void values(std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::uint64_t size = 0;
+    value(size);
+    const std::byte* source = take(size, sizeof(T));
+    values.resize(size);
+    if (size > 0) std::memcpy(values.data(), source, size * sizeof(T));
+  }
+
+  /// As values(), for a vector that must have as many elements as the one given.
+  template <typename T>
+  void sameSize(std::vector<T>& out) {
+    const std::size_t expected = out.size();
+    values(out);
+    if (out.size() != expected) damaged();
+  }
+
+  /// What has not been read yet.
+  std::span<const std::byte> rest() const { return std::span(payload_).subspan(at_); }
+
+  [[noreturn]] void damaged() const;
+
+ private:
+  const std::byte* take(std::uint64_t count, std::size_t size);
+
+  std::filesystem::path path_;
+  std::vector<std::byte> payload_;
+  std::size_t at_ = 0;
+};
+
+/// Where the state of a computation that writes `output` is kept: beside it, with ".state" added.
+std::filesystem::path stateFileOf(const std::filesystem::path& output);
+
+/// Writes beside, then renames: an older state stays whole until the new one is. `kind` says which
+/// computation it is ("bake"). Throws Error (RuntimeFailure).
+void writeStateFile(const std::filesystem::path& path, const std::string& kind, const StateKey& key,
+                    std::span<const std::byte> payload);
+
+/// The payload, or nothing when there is no such file. Throws InputError for a file that is damaged, of
+/// another kind or version, and UsageError for a whole one that belongs to another key, naming the parts that
+/// differ.
+std::optional<StateReader> readStateFile(const std::filesystem::path& path, const std::string& kind,
+                                         const StateKey& key);
+
+}  // namespace prelight
