@@ -71,7 +71,7 @@ void Caster::cast(std::span<const Receiver> receivers, std::vector<float>& value
   receivers_.write(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
   setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
-  device_.launch(generate_, rayCount, groupSize);
+  device_.launch(generate_, rayCount / 8, groupSize);
   if (storedRow != nullptr) {
     tracer_.traceClosest(rays_, hits_, rayCount);
     store(count);

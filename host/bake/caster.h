@@ -11,7 +11,7 @@ namespace prelight {
 
 struct CastOptions {
   int shOrder = 0;                     ///< 0: no SH
-  std::uint32_t raysPerReceiver = 64;  ///< a multiple of 8
+  std::uint32_t raysPerReceiver = 64;  ///< a power of two, 8 to 256
   std::uint32_t storedReceivers = 0;   ///< rows of senders to keep room for; 0: no bounces follow
 };
 

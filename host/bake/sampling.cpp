@@ -1,5 +1,6 @@
 #include "bake/sampling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,15 +54,24 @@ std::uint32_t shuffledIndex(std::uint32_t index, std::uint32_t seed) {
   return reverseBits(scrambleReversed(reverseBits(index), hashInteger(seed)));
 }
 
+glm::dvec2 concentricDisc(const glm::dvec2& u) {
+  const glm::dvec2 c = 2.0 * u - 1.0;
+  const bool wide = std::abs(c.x) > std::abs(c.y);
+  const double radius = wide ? c.x : c.y;
+  if (radius == 0.0) return {0.0, 0.0};
+  const double angle = 0.25 * std::numbers::pi * (wide ? c.y : c.x) / radius;
+  return radius *
+         (wide ? glm::dvec2(std::cos(angle), std::sin(angle)) : glm::dvec2(std::sin(angle), std::cos(angle)));
+}
+
 glm::dvec3 cosineHemisphere(const glm::dvec2& u, const glm::dvec3& n) {
   const double s = n.z >= 0.0 ? 1.0 : -1.0;
   const double a = -1.0 / (s + n.z);
   const double b = n.x * n.y * a;
   const glm::dvec3 tangent(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
   const glm::dvec3 bitangent(b, s + n.y * n.y * a, -n.y);
-  const double radius = std::sqrt(u.x);
-  const double phi = 2.0 * std::numbers::pi * u.y;
-  return radius * std::cos(phi) * tangent + radius * std::sin(phi) * bitangent + std::sqrt(1.0 - u.x) * n;
+  const glm::dvec2 disc = concentricDisc(u);
+  return disc.x * tangent + disc.y * bitangent + std::sqrt(std::max(0.0, 1.0 - glm::dot(disc, disc))) * n;
 }
 
 glm::dvec2 uniformTriangle(const glm::dvec2& u) {

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-/// The host's side of kernels/core/sampling_funcs.cl: the same integers, directions in double precision.
+/// The host's side of kernels/core/sampling_block_funcs.cl: the same integers, directions in double
+/// precision.
 namespace prelight::sampling {
 
 /// Mixes a 32-bit integer bijectively.
@@ -17,6 +18,9 @@ glm::dvec2 sobol(std::uint32_t index, std::uint32_t seed);
 /// of 2^k indices. Without it, points of equal index of the two depend on each other, and sums over both do
 /// not converge (Burley 2020, section 5, "padding").
 std::uint32_t shuffledIndex(std::uint32_t index, std::uint32_t seed);
+
+/// Point of the unit disc; areas stay in proportion, and squares compact (Shirley and Chiu 1997).
+glm::dvec2 concentricDisc(const glm::dvec2& u);
 
 /// Direction around unit `normal` of density cos/pi.
 glm::dvec3 cosineHemisphere(const glm::dvec2& u, const glm::dvec3& normal);

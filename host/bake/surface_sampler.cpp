@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "bake/sampling.h"
 
@@ -17,6 +19,44 @@ constexpr double liftPerMagnitude = 0x1p-19;
 /// past the wall that meets it there.
 constexpr double inset = 0x1p-10;
 
+/// Bits 0, 1, 2 ... of x to places 0, stride, 2 stride ...
+std::uint64_t spread(std::uint64_t x, unsigned bits, unsigned stride) {
+  std::uint64_t code = 0;
+  for (unsigned i = 0; i < bits; ++i) code |= ((x >> i) & 1u) << (i * stride);
+  return code;
+}
+
+std::uint64_t mortonCode(const glm::dvec2& u) {
+  constexpr unsigned bits = 8;
+  const glm::uvec2 cell(u * double(1u << bits));
+  return spread(cell.x, bits, 2) << 1 | spread(cell.y, bits, 2);
+}
+
+/// Triangles by the Morton code of their centroids in a cube around all; equal codes keep their order.
+std::vector<std::uint32_t> mortonOrder(const CompiledScene& scene) {
+  constexpr unsigned bits = 16;
+  std::vector<glm::vec3> centroids;
+  glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  for (const auto& t : scene.triangles) {
+    centroids.push_back(scene.positions[t.x] / 3.0f + scene.positions[t.y] / 3.0f +
+                        scene.positions[t.z] / 3.0f);
+    low = glm::min(low, centroids.back());
+    high = glm::max(high, centroids.back());
+  }
+  const glm::dvec3 extent = glm::dvec3(high) - glm::dvec3(low);
+  const double size = std::max({extent.x, extent.y, extent.z, 1e-300});
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  for (std::uint32_t t = 0; t < centroids.size(); ++t) {
+    const glm::uvec3 cell((glm::dvec3(centroids[t]) - glm::dvec3(low)) / size * double((1u << bits) - 1));
+    keys.emplace_back(spread(cell.x, bits, 3) << 2 | spread(cell.y, bits, 3) << 1 | spread(cell.z, bits, 3),
+                      t);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  for (const auto& key : keys) order.push_back(key.second);
+  return order;
+}
+
 }  // namespace
 
 SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side,
@@ -27,6 +67,7 @@ SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, S
                                                         2u * static_cast<std::uint32_t>(side)))),
       side_(side),
       areas_(scene.triangleCount()),
+      order_(mortonOrder(scene)),
       active_(scene.triangleCount(), 1),
       replicates_(replicates),
       taken_(std::size_t{scene.triangleCount()} * replicates, 0) {
@@ -50,23 +91,35 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
   double sum = shift;
   const std::uint32_t replicate = passes_ % replicates_;
   ++passes_;
-  for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t) {
+  for (const std::uint32_t t : order_) {
     if (!active_[t]) continue;
     const double share = 0.5 * (areas_[t] / totalArea_ + 1.0 / count);
     const double expected = receivers * share;
     const auto before = static_cast<std::uint64_t>(sum);
     sum += expected;
     const auto chosen = static_cast<std::uint64_t>(sum) - before;
-    for (std::uint64_t i = 0; i < chosen; ++i) {
-      const std::uint32_t sequence = t * replicates_ + replicate;
-      const std::uint32_t index = taken_[sequence]++;
-      const glm::dvec2 u = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * sequence));
-      const glm::dvec2 b = glm::mix(sampling::uniformTriangle(u), glm::dvec2(1.0 / 3.0), inset);
+    const std::uint32_t sequence = t * replicates_ + replicate;
+    choosePlaces(sequence, chosen);
+    for (const Place& chosenPlace : places_) {
+      const glm::dvec2 b =
+          glm::mix(sampling::uniformTriangle(chosenPlace.point), glm::dvec2(1.0 / 3.0), inset);
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
                                  static_cast<float>(areas_[t] / (totalArea_ * share))};
-      sink(sample, place(sample, sequence, index, raysPerReceiver));
+      sink(sample, place(sample, sequence, chosenPlace.index, raysPerReceiver));
     }
   }
+}
+
+void SurfaceSampler::choosePlaces(std::uint32_t sequence, std::uint64_t count) {
+  places_.clear();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint32_t index = taken_[sequence]++;
+    const glm::dvec2 point = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * sequence));
+    places_.push_back({index, mortonCode(point), point});
+  }
+  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+    return a.code != b.code ? a.code < b.code : a.index < b.index;
+  });
 }
 
 device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_t sequence,

@@ -26,7 +26,8 @@ glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle);
 
 /// Places receivers on the surface, pass by pass. Half of them go to triangles by area and half to every
 /// triangle alike, so that large triangles are covered and small ones are not starved. Positions within a
-/// triangle are low-discrepancy over all passes. What a pass yields depends on the passes before it, the seed
+/// triangle are low-discrepancy over all passes. Triangles, and places within one, follow Morton curves, so
+/// that consecutive receivers see much the same. What a pass yields depends on the passes before it, the seed
 /// and the set of active triangles alone.
 class SurfaceSampler {
  public:
@@ -41,11 +42,19 @@ class SurfaceSampler {
 
   using Sink = std::function<void(const SurfaceSample&, const device::Receiver&)>;
 
-  /// Yields about `receivers` receivers, fewer by the share of inactive triangles, in the order of triangles.
+  /// Yields about `receivers` receivers, fewer by the share of inactive triangles.
   /// Each looks along `raysPerReceiver` directions of its triangle's sequence.
   void pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink);
 
  private:
+  /// A place of a triangle that a pass takes.
+  struct Place {
+    std::uint32_t index = 0;  ///< in the triangle's sequence
+    std::uint64_t code = 0;   ///< along the Morton curve of the sequence's square
+    glm::dvec2 point{};
+  };
+
+  void choosePlaces(std::uint32_t sequence, std::uint64_t count);
   device::Receiver place(const SurfaceSample& sample, std::uint32_t sequence, std::uint32_t index,
                          std::uint32_t raysPerReceiver) const;
 
@@ -54,10 +63,12 @@ class SurfaceSampler {
   Side side_;
   std::vector<double> areas_;
   double totalArea_ = 0.0;
+  std::vector<std::uint32_t> order_;  ///< triangles along a Morton curve of their centroids
   std::vector<std::uint8_t> active_;
   std::uint32_t replicates_;
   std::vector<std::uint32_t> taken_;  ///< [triangle][replicate], receivers so far
   std::uint32_t passes_ = 0;
+  std::vector<Place> places_;  ///< of the triangle at hand
 };
 
 }  // namespace prelight

@@ -13,12 +13,12 @@ typedef struct Receiver {
   float normal[3];           ///< unit shading normal: axis of the cosine-weighted hemisphere
   uint seed;                 ///< scrambles the low-discrepancy sequence
   float geometricNormal[3];  ///< unit, on the side of `normal` that is looked from
-  uint firstSample;          ///< index of the receiver's first direction in its sequence
+  uint firstSample;          ///< index of its first direction in the sequence, a multiple of raysPerReceiver
 } Receiver;
 
 typedef struct CastParameters {
   uint receiverCount;
-  uint raysPerReceiver;  ///< a multiple of 8
+  uint raysPerReceiver;  ///< a power of two, 8 to 256
   uint valueCount;       ///< floats a receiver that a projector writes
   uint vertexCount;      ///< of the scene; sender slots of back faces start here
   uint firstStored;      ///< of the rows of senders, in receivers

@@ -27,25 +27,27 @@ Receiver receiverOf(const glm::vec3& p, const glm::vec3& n, std::uint32_t seed, 
   return {{p.x, p.y, p.z}, 7, {n.x, n.y, n.z}, seed, {n.x, n.y, n.z}, firstSample};
 }
 
-std::vector<Receiver> someReceivers(std::size_t count) {
+std::vector<Receiver> someReceivers(std::size_t count, std::uint32_t rays = raysPerReceiver) {
   std::mt19937 random(1);
   std::vector<Receiver> receivers;
   for (std::size_t i = 0; i < count; ++i)
     receivers.push_back(receiverOf(test::randomDirection(random), test::randomDirection(random),
-                                   static_cast<std::uint32_t>(random()), static_cast<std::uint32_t>(64 * i)));
+                                   static_cast<std::uint32_t>(random()),
+                                   static_cast<std::uint32_t>(rays * i * 5)));
   receivers.push_back(receiverOf({0, 0, 0}, {0, 0, -1}, 3, 0));
   receivers.push_back(receiverOf({0, 0, 0}, {0, 0, 1}, 0, 1u << 20));
   return receivers;
 }
 
-std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& receivers) {
-  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()), raysPerReceiver, 4, 0, 0, {}};
+std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& receivers,
+                          std::uint32_t count = raysPerReceiver) {
+  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()), count, 4, 0, 0, {}};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
-  Buffer<Ray> rays(device, receivers.size() * raysPerReceiver);
+  Buffer<Ray> rays(device, receivers.size() * count);
   cl::Kernel kernel(device.program("cast/generate_kernels.cl", {}), "generateRays");
   setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), rays.get());
-  device.launch(kernel, rays.size(), 64);
+  device.launch(kernel, rays.size() / 8, 64);
   return rays.read();
 }
 
@@ -53,21 +55,85 @@ TEST(Layouts, SharedStructs_AreTheSameOnHostAndDevice) {
   EXPECT_EQ(hostLayouts(), deviceLayouts(test::sharedDevice().context()));
 }
 
-TEST(GenerateRays, Directions_AreThoseOfTheDoubleReference) {
-  const auto receivers = someReceivers(50);
-  const auto rays = generate(test::sharedDevice().context(), receivers);
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Receiver& r = receivers[i / raysPerReceiver];
-    const glm::dvec2 u =
-        sampling::sobol(r.firstSample + static_cast<std::uint32_t>(i % raysPerReceiver), r.seed);
-    const glm::dvec3 expected =
-        sampling::cosineHemisphere(u, glm::dvec3(r.normal[0], r.normal[1], r.normal[2]));
-    for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_NEAR(rays[i].direction[axis], expected[axis], 2e-6) << "ray " << i;
-      EXPECT_EQ(rays[i].origin[axis], r.position[axis]);
+glm::dvec3 directionOf(const Ray& ray) { return {ray.direction[0], ray.direction[1], ray.direction[2]}; }
+
+glm::dvec3 normalOf(const Receiver& r) { return {r.normal[0], r.normal[1], r.normal[2]}; }
+
+/// Bit `from` of x, as bit `to`.
+std::uint32_t movedBit(std::uint32_t x, unsigned from, unsigned to) { return ((x >> from) & 1u) << to; }
+
+class GenerateRays : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(GenerateRays, Block_IsTheSequencesAlongAMortonCurve) {
+  const std::uint32_t count = GetParam();
+  unsigned bits = 0;
+  while ((1u << bits) < count) ++bits;
+  const auto receivers = someReceivers(50, count);
+  const auto rays = generate(test::sharedDevice().context(), receivers, count);
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const Receiver& r = receivers[i];
+    std::vector<char> slots(count, 0);
+    for (std::uint32_t sample = 0; sample < count; ++sample) {
+      const glm::dvec2 u = sampling::sobol(r.firstSample + sample, r.seed);
+      // The cell of the square that the point lies in: columns halve first.
+      const auto column = static_cast<std::uint32_t>(u.x * (1u << ((bits + 1) / 2)));
+      const auto row = static_cast<std::uint32_t>(u.y * (1u << (bits / 2)));
+      std::uint32_t slot = 0;
+      for (unsigned bit = 0; bit < bits; ++bit) {
+        const unsigned level = (bits - 1 - bit) / 2;
+        const bool ofColumn = (bits - 1 - bit) % 2 == 0;
+        slot |= ofColumn ? movedBit(column, (bits + 1) / 2 - 1 - level, bit)
+                         : movedBit(row, bits / 2 - 1 - level, bit);
+      }
+      slots[slot] = 1;
+      const Ray& ray = rays[i * count + slot];
+      const glm::dvec3 expected = sampling::cosineHemisphere(u, normalOf(r));
+      EXPECT_NEAR(glm::distance(directionOf(ray), expected), 0.0, 3e-6)
+          << "receiver " << i << " slot " << slot;
+      for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(ray.origin[axis], r.position[axis]);
+      EXPECT_EQ(ray.sourceTriangle, 7u);
     }
-    EXPECT_EQ(rays[i].sourceTriangle, 7u);
+    EXPECT_EQ(std::count(slots.begin(), slots.end(), 1), count) << "every cell holds one point";
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(RaysPerReceiver, GenerateRays, ::testing::Values(8u, 16u, 32u, 64u, 128u, 256u));
+
+TEST(GenerateRays, RunsOfEightOfSixtyFour_FillCompactCones) {
+  const auto receivers = someReceivers(50, 64);
+  const auto rays = generate(test::sharedDevice().context(), receivers, 64);
+  // Mean length of the mean direction: 2/3 over all of a cosine-weighted hemisphere.
+  const auto resultant = [&](std::size_t run) {
+    double sum = 0.0;
+    for (std::size_t first = 0; first < rays.size(); first += run) {
+      glm::dvec3 mean(0.0);
+      for (std::size_t i = first; i < first + run; ++i) mean += directionOf(rays[i]) / double(run);
+      sum += glm::length(mean) * double(run) / double(rays.size());
+    }
+    return sum;
+  };
+  EXPECT_NEAR(resultant(64), 2.0 / 3.0, 0.01);
+  EXPECT_GT(resultant(16), 0.85);
+  EXPECT_GT(resultant(8), 0.92);
+}
+
+TEST(GenerateRays, RayBelowTheTriangle_MayHitIt) {
+  auto receivers = someReceivers(20, 64);
+  for (Receiver& r : receivers) {
+    const glm::vec3 tilted = glm::normalize(glm::vec3(r.normal[0] + 0.5f, r.normal[1], r.normal[2] - 0.4f));
+    for (int axis = 0; axis < 3; ++axis) r.geometricNormal[axis] = tilted[axis];
+  }
+  const auto rays = generate(test::sharedDevice().context(), receivers, 64);
+  std::size_t below = 0;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto& g = receivers[i / 64].geometricNormal;
+    const double height = glm::dot(directionOf(rays[i]), glm::dvec3(g[0], g[1], g[2]));
+    if (std::abs(height) > 1e-5) {
+      EXPECT_EQ(rays[i].sourceTriangle, height > 0.0 ? 7u : PRELIGHT_NO_TRIANGLE);
+    }
+    below += height < 0.0;
+  }
+  EXPECT_GT(below, 50u);
 }
 
 // A (0,2)-sequence puts one of its first 2^k points into every elementary interval of area 2^-k.
@@ -161,14 +227,13 @@ TEST_P(ProjectHits, RandomHits_AgreeWithDoubleReference) {
     const auto open = [&](std::size_t j) {
       return hits[r * raysPerReceiver + j].triangle == PRELIGHT_NO_TRIANGLE ? 1.0 : 0.0;
     };
-    double first = 0.0, second = 0.0;
-    for (std::size_t j = 0; j < raysPerReceiver; ++j)
-      (j < raysPerReceiver / 2 ? first : second) += open(j) / (raysPerReceiver / 2);
+    double openFraction = 0.0;
+    for (std::size_t j = 0; j < raysPerReceiver; ++j) openFraction += open(j) / raysPerReceiver;
     std::vector<double> expected(4 + n, 0.0), y(n);
-    expected[0] = 0.5 * (first + second);
+    expected[0] = openFraction;
     for (std::size_t j = 0; j < raysPerReceiver; ++j) {
       const auto& d = rays[r * raysPerReceiver + j].direction;
-      const double weight = (open(j) - (j < raysPerReceiver / 2 ? second : first)) / raysPerReceiver;
+      const double weight = (open(j) - openFraction) / raysPerReceiver;
       for (std::size_t axis = 0; axis < 3; ++axis) expected[1 + axis] += weight * d[axis];
       if (order == 0) continue;
       sh::evaluate(glm::normalize(glm::dvec3(d[0], d[1], d[2])), order, y);
