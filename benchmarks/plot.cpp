@@ -48,6 +48,30 @@ std::string castPlot(const Results& results, const std::string& subtitle) {
   return drawBarChart(chart);
 }
 
+/// "bake-order 250k" -> "bake-order" and "250k".
+std::pair<std::string, std::string> splitSize(const std::string& name) {
+  const std::size_t space = name.rfind(' ');
+  return {name.substr(0, space), space == std::string::npos ? "" : name.substr(space + 1)};
+}
+
+std::string raysPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"Rays a second through detailed rooms", subtitle, "million rays a second", {}, {}};
+  chart.legend = {{"Prelight", palette[0]}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "throughput") continue;
+    const auto [kind, size] = splitSize(result.case_);
+    const double millions = result.value * 1e-6;
+    Bar bar{kind, {{millions, palette[0]}}, 0.0, fmt::format("{:.3g}", millions)};
+    if (result.ratio) {
+      bar.peer = millions / *result.ratio;
+      bar.note += fmt::format(", {:.2f} x", *result.ratio);
+      chart.legend = {{"Prelight", palette[0]}, {"Embree, ray by ray", "#a9b0b8"}};
+    }
+    groupNamed(chart.groups, size).bars.push_back(std::move(bar));
+  }
+  return drawBarChart(chart);
+}
+
 /// Colour of a stage, which enters the legend when it is new.
 std::string stageColor(std::vector<LegendEntry>& legend, const std::string& stage) {
   for (const LegendEntry& entry : legend)
@@ -109,8 +133,8 @@ std::string errorPlot(const Results& results, const std::string& subtitle) {
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
-  const std::array<std::pair<const char*, std::string (*)(const Results&, const std::string&)>, 3> kinds = {
-      {{"cast", castPlot}, {"bake", bakePlot}, {"error", errorPlot}}};
+  const std::array<std::pair<const char*, std::string (*)(const Results&, const std::string&)>, 4> kinds = {
+      {{"cast", castPlot}, {"rays", raysPlot}, {"bake", bakePlot}, {"error", errorPlot}}};
   std::vector<Plot> plots;
   for (const auto& [suite, draw] : kinds) {
     Results own;

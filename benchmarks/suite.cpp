@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "benchmarks/ray_peer.h"
 #include "benchmarks/suites.h"
 
 namespace prelight::benchmarks {
@@ -17,6 +18,8 @@ struct Entry {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> list = {
       {{"cast", "rays a second in bake order and in random order, wide tree against narrow"}, runCastSuite},
+      {{"rays", "rays a second of bakes, photons and cameras through many triangles, against Embree"},
+       runRaysSuite},
       {{"bake", "seconds of each stage of a bake of AO, of AO and SH, and of both with a bounce"},
        runBakeSuite},
       {{"error", "error of AO against time, and the error that a bake reports against the measured one"},
@@ -28,12 +31,23 @@ const std::vector<Entry>& entries() {
 }  // namespace
 
 BenchmarkOptions BenchmarkOptions::quick() {
-  return {.runs = 1, .castRays = 1u << 14, .bakeRays = 16, .errorRays = {16, 32}, .errorReferenceRays = 64};
+  return {.runs = 1,
+          .castRays = 1u << 14,
+          .rayCount = 1u << 14,
+          .rayRounds = 3,
+          .rayTriangles = {2000},
+          .bakeRays = 16,
+          .errorRays = {16, 32},
+          .errorReferenceRays = 64};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
   return {{"runs", runs},
           {"castRays", castRays},
+          {"rayCount", rayCount},
+          {"rayRounds", rayRounds},
+          {"rayTriangles", rayTriangles},
+          {"rayPeer", embreeVersion().empty() ? "none" : embreeVersion()},
           {"bakeRays", bakeRays},
           {"errorRays", errorRays},
           {"errorReferenceRays", errorReferenceRays}};

@@ -10,6 +10,10 @@ namespace prelight::benchmarks {
 std::vector<BenchmarkResult> runCastSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress);
 
+/// Rays a second of several kinds through detailed rooms of growing size, against Embree.
+std::vector<BenchmarkResult> runRaysSuite(const Device& device, const BenchmarkOptions& options,
+                                          Progress& progress);
+
 /// Seconds of each stage of three bakes of each built-in scene, against the plainest of them.
 std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress);

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "benchmarks/plot.h"
+#include "benchmarks/ray_peer.h"
 #include "benchmarks/suite.h"
 #include "cli/output_file.h"
 #include "cli/session.h"
@@ -96,6 +97,8 @@ void runBench(const BenchCommand& command, Context& context) {
   const BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
+  const std::string peer = benchmarks::embreeVersion();
+  session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);
   std::vector<BenchmarkResult> results;
   for (const std::string& suite : suites) {
     const std::vector<BenchmarkResult> measured =

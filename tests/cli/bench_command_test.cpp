@@ -40,7 +40,7 @@ void expectReport(const nlohmann::json& report) {
 
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
-  for (const char* part : {"cast", "bake", "error", "Examples:", "prelight bench"})
+  for (const char* part : {"cast", "rays", "bake", "error", "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -58,6 +58,22 @@ TEST_F(CliBench, Json_WithAFile_HoldsTheResults) {
   EXPECT_THAT(readFile("plots/cast.svg"), StartsWith("<svg"));
 }
 
+TEST_F(CliBench, Rays_ThroughATreeAndItsPeer_HitTheSame) {
+  prelightDone({"bench", "rays", "--quick", "--quiet", "--json", "rays.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("rays.json"));
+  const bool withPeer = report["options"]["rayPeer"] != "none";
+  std::set<std::string> cases;
+  for (const auto& entry : report["results"]) {
+    cases.insert(entry["case"].get<std::string>());
+    EXPECT_EQ(entry["peer"].is_null(), !withPeer || entry["metric"] == "disagreement") << entry;
+    if (entry["metric"] == "disagreement") {
+      EXPECT_LT(entry["value"], 1e-4) << entry;
+    }
+  }
+  EXPECT_EQ(cases, (std::set<std::string>{"bake-order 2k", "random 2k", "bake-order-any 2k", "random-any 2k",
+                                          "bake-order-near 2k", "photon 2k", "camera 2k"}));
+}
+
 TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"bench", "cast", "--quick", "--json"},
@@ -72,7 +88,7 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  EXPECT_EQ(measured, (std::set<std::string>{"bake", "cast", "error"}));
+  EXPECT_EQ(measured, (std::set<std::string>{"bake", "cast", "error", "rays"}));
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }
