@@ -15,7 +15,7 @@ using device::DeviceTriangle;
 using device::Hit;
 using device::Ray;
 
-constexpr std::size_t groupSize = 64;
+constexpr std::size_t groupSize = 64;                        // of the narrow tree: a ray a work-item
 constexpr std::size_t raysPerLaunch = std::size_t{1} << 20;  // keeps a launch well below a second on a CPU
 
 /// Few sizes, so that few variants of the kernels are built.
@@ -80,12 +80,20 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
       vertexColors_(scene.hasVertexColors()) {
   uploadTree(scene);
   uploadSurface(scene);
-  const cl::Program& program = context_->program(
-      "bvh/trace_kernels.cl", surfaceOptions()
-                                  .defineIf(layout_ == BvhLayout::Wide, "PRELIGHT_WIDE_BVH")
-                                  .define("PRELIGHT_STACK_SIZE", static_cast<int>(stackBucket(stackSize_))));
-  closest_ = cl::Kernel(program, "traceClosestHits");
-  any_ = cl::Kernel(program, "traceAnyHits");
+}
+
+cl::Kernel& Tracer::kernel(Query query) {
+  cl::Kernel& kernel = query == Query::Any ? any_ : closest_;
+  if (kernel() == nullptr) {
+    const bool wide = layout_ == BvhLayout::Wide;
+    const BuildOptions options =
+        surfaceOptions()
+            .defineIf(query == Query::Any, "PRELIGHT_ANY_HIT")
+            .define("PRELIGHT_STACK_SIZE", static_cast<int>(stackBucket(stackSize_)));
+    kernel = cl::Kernel(context_->program(wide ? "bvh/wide_kernels.cl" : "bvh/narrow_kernels.cl", options),
+                        "traceRays");
+  }
+  return kernel;
 }
 
 BuildOptions Tracer::surfaceOptions() const {
@@ -142,25 +150,29 @@ void Tracer::setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const {
   kernel.setArg(index + 4, texels_.get());
 }
 
-void Tracer::trace(cl::Kernel& kernel, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+  cl::Kernel& kernel = this->kernel(query);
   kernel.setArg(0, nodes_);
   kernel.setArg(1, triangles_);
   setSurfaceArguments(kernel, 2);
   kernel.setArg(7, rays.get());
   kernel.setArg(8, hits.get());
   kernel.setArg(9, static_cast<cl_uint>(count));
-  context_->launch(kernel, count, groupSize);
+  if (layout_ == BvhLayout::Wide)
+    context_->launch(kernel, (count + PRELIGHT_BATCH - 1) / PRELIGHT_BATCH, 1);
+  else
+    context_->launch(kernel, count, groupSize);
 }
 
 void Tracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
-  trace(closest_, rays, hits, count);
+  trace(Query::Closest, rays, hits, count);
 }
 
 void Tracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
-  trace(any_, rays, hits, count);
+  trace(Query::Any, rays, hits, count);
 }
 
-std::vector<Hit> Tracer::traceFromHost(cl::Kernel& kernel, std::span<const Ray> rays) {
+std::vector<Hit> Tracer::traceFromHost(Query query, std::span<const Ray> rays) {
   std::vector<Hit> all(rays.size());
   const std::size_t block = std::min(rays.size(), raysPerLaunch);
   Buffer<Ray> rayBuffer(*context_, block);
@@ -168,13 +180,15 @@ std::vector<Hit> Tracer::traceFromHost(cl::Kernel& kernel, std::span<const Ray> 
   for (std::size_t first = 0; first < rays.size(); first += block) {
     const std::size_t count = std::min(block, rays.size() - first);
     rayBuffer.write(rays.subspan(first, count));
-    trace(kernel, rayBuffer, hitBuffer, count);
+    trace(query, rayBuffer, hitBuffer, count);
     hitBuffer.read(std::span(all).subspan(first, count));
   }
   return all;
 }
 
-std::vector<Hit> Tracer::traceClosest(std::span<const Ray> rays) { return traceFromHost(closest_, rays); }
-std::vector<Hit> Tracer::traceAny(std::span<const Ray> rays) { return traceFromHost(any_, rays); }
+std::vector<Hit> Tracer::traceClosest(std::span<const Ray> rays) {
+  return traceFromHost(Query::Closest, rays);
+}
+std::vector<Hit> Tracer::traceAny(std::span<const Ray> rays) { return traceFromHost(Query::Any, rays); }
 
 }  // namespace prelight

@@ -45,11 +45,13 @@ class Tracer {
   DeviceContext& context() const { return *context_; }
 
  private:
+  enum class Query : std::uint8_t { Closest, Any };
+
   void uploadTree(const CompiledScene& scene);
   void uploadSurface(const CompiledScene& scene);
-  void trace(cl::Kernel& kernel, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits,
-             std::size_t count);
-  std::vector<device::Hit> traceFromHost(cl::Kernel& kernel, std::span<const device::Ray> rays);
+  cl::Kernel& kernel(Query query);
+  void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  std::vector<device::Hit> traceFromHost(Query query, std::span<const device::Ray> rays);
 
   DeviceContext* context_;
   BvhLayout layout_;
@@ -65,7 +67,7 @@ class Tracer {
   Buffer<glm::vec2> texCoords_;
   Buffer<glm::vec4> colors_;
   Buffer<glm::u16vec4> texels_;
-  cl::Kernel closest_;
+  cl::Kernel closest_;  // built when first asked for
   cl::Kernel any_;
 };
 

@@ -41,9 +41,11 @@ DeviceContext::DeviceContext(const cl::Device& device, DeviceInfo info, const De
       context_(device_),
       queue_(context_, device_),
       cache_(cacheFolder(info_, options)),
-      dumpFolder_(options.dumpKernels) {}
+      dumpFolder_(options.dumpKernels),
+      portableKernels_(options.portableKernels) {}
 
-const cl::Program& DeviceContext::program(const std::string& file, const BuildOptions& options) {
+const cl::Program& DeviceContext::program(const std::string& file, const BuildOptions& wanted) {
+  const BuildOptions options = BuildOptions(wanted).defineIf(portableKernels_, "PRELIGHT_PORTABLE_LANES");
   const auto key = std::make_pair(file, options.text());
   if (const auto found = programs_.find(key); found != programs_.end()) return found->second;
   const auto start = std::chrono::steady_clock::now();

@@ -23,7 +23,7 @@ class DeviceContext {
   const cl::Context& context() const { return context_; }
   const cl::CommandQueue& queue() const { return queue_; }
 
-  /// The program of an embedded kernel file ("bvh/trace_kernels.cl"), built once per option set.
+  /// The program of an embedded kernel file ("bvh/wide_kernels.cl"), built once per option set.
   /// Throws Error(RuntimeFailure) with device, options and build log when it does not build.
   const cl::Program& program(const std::string& file, const BuildOptions& options);
 
@@ -47,6 +47,7 @@ class DeviceContext {
   cl::CommandQueue queue_;
   ProgramCache cache_;
   std::filesystem::path dumpFolder_;
+  bool portableKernels_;
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;
   double buildSeconds_ = 0.0;
 };

@@ -33,6 +33,7 @@ struct DeviceOptions {
       selector;                      ///< index or part of "platform name"; none: first GPU, else first device
   std::optional<bool> cacheKernels;  ///< none: on, except on PoCL, which caches itself
   std::filesystem::path dumpKernels;  ///< folder for the expanded sources; empty: none
+  bool portableKernels = false;  ///< nothing but OpenCL C, even where the compiler offers faster instructions
 };
 
 /// Every device of every platform; empty when there is no OpenCL platform.

@@ -47,10 +47,13 @@ bool intersectTriangle(__global const NarrowTriangle* triangle, const PreparedRa
   return *t >= 0.0f && *t <= tMax;
 }
 
-// Nearest hit of a ray with the scene. `surface` decides whether an alpha-masked hit counts.
-Hit traceClosest(Bvh bvh, Surface surface, Ray ray) {
+// Nearest hit of a ray with the scene, or with PRELIGHT_ANY_HIT the first found, as triangle 0 without a distance.
+// `surface` decides whether an alpha-masked hit counts.
+Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
   PreparedRay r = prepareRay(ray);
-  Hit best = {r.tMax, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f};
+  const Hit miss = {0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f};
+  Hit best = miss;
+  best.t = r.tMax;
   uint stack[PRELIGHT_STACK_SIZE];
   uint depth = 0;
   uint current = 0;
@@ -59,17 +62,18 @@ Hit traceClosest(Bvh bvh, Surface surface, Ray ray) {
       const uint first = current & PRELIGHT_LEAF_FIRST_MASK;
       const uint count = (current & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
       for (uint i = first; i < first + count; ++i) {
-        float t, u, v;
-        if (!intersectTriangle(bvh.triangles + i, &r, best.t, &t, &u, &v)) continue;
-        const uint triangle = bvh.triangles[i].triangle;
+        Hit hit;
+        if (!intersectTriangle(bvh.triangles + i, &r, best.t, &hit.t, &hit.u, &hit.v)) continue;
+        hit.triangle = bvh.triangles[i].triangle;
         // Equal distances go to the lower index, whatever the order of visits.
-        const bool nearer = t < best.t || triangle < best.triangle;
-        if (nearer && surfaceIsThere(surface, triangle, u, v)) {
-          best.t = t;
-          best.triangle = triangle;
-          best.u = u;
-          best.v = v;
-        }
+        const bool nearer = hit.t < best.t || hit.triangle < best.triangle;
+        if (!nearer || !surfaceIsThere(surface, hit.triangle, hit.u, hit.v)) continue;
+#ifdef PRELIGHT_ANY_HIT
+        const Hit any = {0.0f, 0u, 0.0f, 0.0f};
+        return any;
+#else
+        best = hit;
+#endif
       }
     } else {
       __global const NarrowNode* node = bvh.nodes + current;
@@ -87,42 +91,7 @@ Hit traceClosest(Bvh bvh, Surface surface, Ray ray) {
         continue;
       }
     }
-    if (depth == 0) {
-      if (best.triangle == PRELIGHT_NO_TRIANGLE) best.t = 0.0f;
-      return best;
-    }
-    current = stack[--depth];
-  }
-}
-
-// True when anything is hit. No order is kept: any hit ends the search.
-bool traceAny(Bvh bvh, Surface surface, Ray ray) {
-  PreparedRay r = prepareRay(ray);
-  uint stack[PRELIGHT_STACK_SIZE];
-  uint depth = 0;
-  uint current = 0;
-  for (;;) {
-    if (current & PRELIGHT_LEAF_BIT) {
-      const uint first = current & PRELIGHT_LEAF_FIRST_MASK;
-      const uint count = (current & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
-      for (uint i = first; i < first + count; ++i) {
-        float t, u, v;
-        if (intersectTriangle(bvh.triangles + i, &r, r.tMax, &t, &u, &v) &&
-            surfaceIsThere(surface, bvh.triangles[i].triangle, u, v))
-          return true;
-      }
-    } else {
-      __global const NarrowNode* node = bvh.nodes + current;
-      float near0, near1;
-      const bool hit0 = intersectBox(node->lower[0], node->upper[0], &r, r.tMax, &near0);
-      const bool hit1 = intersectBox(node->lower[1], node->upper[1], &r, r.tMax, &near1);
-      if (hit0 && hit1) stack[depth++] = node->child[1];
-      if (hit0 || hit1) {
-        current = node->child[hit0 ? 0 : 1];
-        continue;
-      }
-    }
-    if (depth == 0) return false;
+    if (depth == 0) return best.triangle == PRELIGHT_NO_TRIANGLE ? miss : best;
     current = stack[--depth];
   }
 }

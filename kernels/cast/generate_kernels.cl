@@ -6,7 +6,7 @@
 // Eight rays of a receiver a work-item. receivers [receiver] -> rays [receiver][raysPerReceiver], cosine-weighted around
 // the shading normal. A receiver's rays are a block of its sequence, in the order of sobolIndexInCell8: an aligned run
 // of 8 or 16 rays fills a compact cone. Rays that dip below the triangle itself may hit it: the surface hides that
-// part of the hemisphere. Next: traceClosestHits or traceAnyHits.
+// part of the hemisphere. Next: traceRays.
 __kernel void generateRays(__constant const CastParameters* parameters, __global const Receiver* receivers,
                            __global Ray* rays) {
   const size_t i = get_global_id(0);

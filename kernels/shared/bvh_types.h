@@ -11,6 +11,11 @@ PRELIGHT_SHARED_BEGIN
 
 #define PRELIGHT_WIDTH 8
 
+/// Rays that a work-item takes through the wide tree: groups of 16, a vector register of AVX-512.
+#define PRELIGHT_GROUP 16
+#define PRELIGHT_BATCH_GROUPS 16
+#define PRELIGHT_BATCH (PRELIGHT_BATCH_GROUPS * PRELIGHT_GROUP)
+
 /// Eight children side by side, a row an axis, for devices with vector registers (CPUs).
 /// A leaf reference is PRELIGHT_LEAF_BIT | index of a TriangleBlock.
 typedef struct WideNode {

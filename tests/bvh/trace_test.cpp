@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "bvh/builder.h"
@@ -195,6 +197,73 @@ TEST_P(TracerTest, SingleTriangle_IsHit) {
   EXPECT_EQ(hits[0].triangle, 0u);
   EXPECT_FLOAT_EQ(hits[0].t, 0.5f);
   EXPECT_EQ(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
+}
+
+// Rays that leave a few points, 40 directions each: groups of one point, of two, and one that is not full.
+std::vector<Ray> raysFromPoints(std::size_t points, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(-0.2f, 1.2f);
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < points; ++i) {
+    const glm::vec3 origin(unit(random), unit(random), unit(random));
+    for (int k = 0; k < 40; ++k)
+      rays.push_back(rayOf(origin, test::randomDirection(random), k % 5 == 0 ? 0.3f : infinity));
+  }
+  return rays;
+}
+
+bool operator==(const Hit& a, const Hit& b) {
+  return a.t == b.t && a.triangle == b.triangle && a.u == b.u && a.v == b.v;
+}
+
+TEST_P(TracerTest, RaysOfOnePoint_HitWhatTheyHitInAnyOtherCompany) {
+  for (const float size : {0.03f, 0.4f}) {
+    const CompiledScene scene = test::randomSoup(4000, size, 12);
+    Tracer tracer = tracerOf(scene);
+    const auto rays = raysFromPoints(201, 13);
+    std::vector<std::size_t> order(rays.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), std::mt19937(14));
+    std::vector<Ray> shuffled;
+    for (const std::size_t i : order) shuffled.push_back(rays[i]);
+    const auto together = tracer.traceClosest(rays), apart = tracer.traceClosest(shuffled);
+    const auto togetherAny = tracer.traceAny(rays), apartAny = tracer.traceAny(shuffled);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_TRUE(apart[i] == together[order[i]]) << "ray " << order[i];
+      ASSERT_TRUE(apartAny[i] == togetherAny[order[i]]) << "ray " << order[i];
+      ASSERT_EQ(apart[i].triangle == PRELIGHT_NO_TRIANGLE, apartAny[i].triangle == PRELIGHT_NO_TRIANGLE);
+      found += apart[i].triangle != PRELIGHT_NO_TRIANGLE;
+    }
+    EXPECT_GT(found, rays.size() / 100);
+    EXPECT_LT(found, rays.size());
+    for (std::size_t i = 0; i < rays.size(); i += 7) expectSameHit(scene, rays[i], together[i]);
+  }
+}
+
+TEST_P(TracerTest, PortableKernels_HitTheSame) {
+  DeviceOptions options;
+  options.portableKernels = true;
+  const Device portable = Device::open(options);
+  const CompiledScene scene = test::randomSoup(3000, 0.1f, 21);
+  auto rays = raysFromPoints(50, 22);
+  const auto loose = randomRays(2000, 23);
+  rays.insert(rays.end(), loose.begin(), loose.end());
+  const auto expected = tracerOf(scene).traceClosest(rays);
+  const auto hits = Tracer(scene, portable, GetParam()).traceClosest(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) ASSERT_TRUE(hits[i] == expected[i]) << "ray " << i;
+}
+
+TEST_P(TracerTest, NotANumber_InARay_HitsNothingAndEnds) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Tracer tracer = tracerOf(test::randomSoup(500, 0.3f, 4));
+  std::vector<Ray> rays;
+  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({nan, 0, 0}, {0, 0, 1}));
+  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({0.5f, 0.5f, 0.5f}, {nan, k % 2 ? 1.0f : -1.0f, nan}));
+  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({0.5f, infinity, 0.5f}, {1, 1, 1}));
+  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({0.5f, 0.5f, 0.5f}, {0, 0, 0}));
+  for (const auto& hits : {tracer.traceClosest(rays), tracer.traceAny(rays)})
+    for (const Hit& hit : hits) EXPECT_EQ(hit.triangle, PRELIGHT_NO_TRIANGLE);
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, TracerTest, ::testing::Values(BvhLayout::Wide, BvhLayout::Narrow),

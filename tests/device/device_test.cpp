@@ -50,13 +50,13 @@ TEST(DeviceContext, ProgramThatDoesNotBuild_ReportsDeviceOptionsAndLog) {
   DeviceContext& device = test::sharedDevice().context();
   try {
     // The traversal needs a stack: a negative size cannot compile.
-    device.program("bvh/trace_kernels.cl", BuildOptions().define("PRELIGHT_STACK_SIZE", -1));
+    device.program("bvh/wide_kernels.cl", BuildOptions().define("PRELIGHT_STACK_SIZE", -1));
     FAIL() << "built";
   } catch (const Error& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find(device.info().name), std::string::npos) << text;
     EXPECT_NE(text.find("PRELIGHT_STACK_SIZE=-1"), std::string::npos) << text;
-    EXPECT_NE(text.find("narrow_funcs.cl"), std::string::npos) << "the log must name the real file: " << text;
+    EXPECT_NE(text.find("walk_funcs.cl"), std::string::npos) << "the log must name the real file: " << text;
   }
 }
 

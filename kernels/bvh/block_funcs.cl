@@ -1,0 +1,108 @@
+// A ray against the eight boxes of a node, and against the eight triangles of a block.
+#ifndef PRELIGHT_BVH_BLOCK_FUNCS_CL
+#define PRELIGHT_BVH_BLOCK_FUNCS_CL
+
+#include "bvh/alpha_funcs.cl"
+#include "bvh/group_funcs.cl"
+
+// The far end of a box grows by a few ulp (Ize 2013), so that rounding never loses it.
+#define PRELIGHT_BOX_SLACK 1.0000004f
+
+// Entry distances of the eight boxes; returns the mask of those that the ray meets in [0, tMax].
+uint intersectBoxes(__global const WideNode* node, const RayGroup* g, uint lane, float tMax, float8* tNear) {
+  __global const float* planes = (__global const float*)node;
+  const uint opposite = 3u * PRELIGHT_WIDTH;
+  const uint nx = g->entry[0][lane], ny = g->entry[1][lane], nz = g->entry[2][lane];
+  const uint fx = nx < opposite ? nx + opposite : nx - opposite;
+  const uint fy = ny < opposite ? ny + opposite : ny - opposite;
+  const uint fz = nz < opposite ? nz + opposite : nz - opposite;
+  const float8 ox = (float8)(g->origin[0][lane]), oy = (float8)(g->origin[1][lane]), oz = (float8)(g->origin[2][lane]);
+  const float8 ix = (float8)(g->inverse[0][lane]), iy = (float8)(g->inverse[1][lane]), iz = (float8)(g->inverse[2][lane]);
+  const float8 x0 = (vload8(0, planes + nx) - ox) * ix, x1 = (vload8(0, planes + fx) - ox) * ix;
+  const float8 y0 = (vload8(0, planes + ny) - oy) * iy, y1 = (vload8(0, planes + fy) - oy) * iy;
+  const float8 z0 = (vload8(0, planes + nz) - oz) * iz, z1 = (vload8(0, planes + fz) - oz) * iz;
+  *tNear = most8(most8(x0, y0), most8(z0, (float8)(0.0f)));
+  const float8 tFar = least8(least8(x1, y1), least8(z1, (float8)(tMax))) * PRELIGHT_BOX_SLACK;
+  return laneMask8(*tNear <= tFar);
+}
+
+// Where the triangles of a block are hit; only lanes of the mask that comes with it mean anything.
+typedef struct BlockHits {
+  float t[PRELIGHT_WIDTH], u[PRELIGHT_WIDTH], v[PRELIGHT_WIDTH];
+} BlockHits;
+
+// Watertight ray-triangle test: Woop, Benthin and Wald 2013; see intersect_funcs.cl.
+// Lanes of the returned mask are hits in [0, tMax] that are not the source.
+uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint lane, float tMax, BlockHits* hits) {
+#pragma OPENCL FP_CONTRACT OFF
+  const uint kx = g->axis[0][lane], ky = g->axis[1][lane], kz = g->axis[2][lane];
+  const float8 ox = (float8)(g->origin[kx][lane]), oy = (float8)(g->origin[ky][lane]), oz = (float8)(g->origin[kz][lane]);
+  const float8 sx = (float8)(g->shear[0][lane]), sy = (float8)(g->shear[1][lane]);
+  const float8 az = vload8(0, block->vertex[0][kz]) - oz;
+  const float8 bz = vload8(0, block->vertex[1][kz]) - oz;
+  const float8 cz = vload8(0, block->vertex[2][kz]) - oz;
+  const float8 ax = vload8(0, block->vertex[0][kx]) - ox - sx * az;
+  const float8 ay = vload8(0, block->vertex[0][ky]) - oy - sy * az;
+  const float8 bx = vload8(0, block->vertex[1][kx]) - ox - sx * bz;
+  const float8 by = vload8(0, block->vertex[1][ky]) - oy - sy * bz;
+  const float8 cx = vload8(0, block->vertex[2][kx]) - ox - sx * cz;
+  const float8 cy = vload8(0, block->vertex[2][ky]) - oy - sy * cz;
+  const float8 eu = cx * by - cy * bx;
+  const float8 ev = ax * cy - ay * cx;
+  const float8 ew = bx * ay - by * ax;
+  const float8 zero = (float8)(0.0f);
+  const float8 smallest = least8(least8(eu, ev), ew), largest = most8(most8(eu, ev), ew);
+  const float8 determinant = eu + ev + ew;
+  const int8 inside = ((smallest >= zero) | (largest <= zero)) & (determinant != zero);
+  if (laneMask8(inside) == 0u) return 0u;
+  const float8 inverse = 1.0f / determinant;
+  const float8 t = (eu * az + ev * bz + ew * cz) * g->shear[2][lane] * inverse;
+  const int8 hit = inside & (t >= zero) & (t <= tMax) & (as_int8(vload8(0, block->triangle)) != (int)g->source[lane]);
+  const uint mask = laneMask8(hit);
+  if (mask == 0u) return 0u;
+  vstore8(t, 0, hits->t);
+  vstore8(ev * inverse, 0, hits->u);
+  vstore8(ew * inverse, 0, hits->v);
+  return mask;
+}
+
+#ifdef PRELIGHT_ANY_HIT
+// A hit that is there ends the ray: nothing lies in [0, -1]. A hit only says that there is one: triangle 0.
+void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
+  while (mask != 0u) {
+    const uint i = lowestLane(mask);
+    mask &= mask - 1u;
+    if (surfaceIsThere(surface, block->triangle[i], found->u[i], found->v[i])) {
+      hits->triangle[lane] = 0u;
+      hits->t[lane] = -1.0f;
+      return;
+    }
+  }
+}
+#else
+// Keeps the nearest hit that is there; equal distances go to the lower index, whatever the order of visits.
+void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
+  while (mask != 0u) {
+    const uint i = lowestLane(mask);
+    mask &= mask - 1u;
+    const uint triangle = block->triangle[i];
+    const float t = found->t[i];
+    const bool nearer = t < hits->t[lane] || (t == hits->t[lane] && triangle < hits->triangle[lane]);
+    if (nearer && surfaceIsThere(surface, triangle, found->u[i], found->v[i])) {
+      hits->t[lane] = t;
+      hits->triangle[lane] = triangle;
+      hits->u[lane] = found->u[i];
+      hits->v[lane] = found->v[i];
+    }
+  }
+}
+#endif
+
+// Tests one ray of a group against a block and takes the hits into account.
+void visitBlock(Surface surface, __global const TriangleBlock* block, const RayGroup* g, uint lane, HitGroup* hits) {
+  BlockHits found;
+  const uint mask = intersectBlock(block, g, lane, hits->t[lane], &found);
+  if (mask != 0u) acceptHits(surface, block, mask, &found, lane, hits);
+}
+
+#endif

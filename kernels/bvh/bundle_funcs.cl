@@ -1,0 +1,175 @@
+// Traversal of the wide layout by a bundle: a group of rays that leave one point, as a receiver's do. A node is read
+// once for all of them. Its eight boxes are first tested against the interval of the bundle's directions, then each
+// that is left against the sixteen rays; blocks of triangles are tested ray by ray.
+#ifndef PRELIGHT_BVH_BUNDLE_FUNCS_CL
+#define PRELIGHT_BVH_BUNDLE_FUNCS_CL
+
+#include "bvh/walk_funcs.cl"
+
+// Bounds of t at a plane x = p for all rays of a bundle, along one axis:
+// entry >= max(lowerEntry (lower - o), upperEntry (upper - o)), exit <= lowerExit (lower - o) + upperExit (upper - o) + exit.
+typedef struct AxisInterval {
+  float lowerEntry, upperEntry;
+  float lowerExit, upperExit, exit;
+} AxisInterval;
+
+// So many rays are tested one by one against the eight boxes of a node; more, together against each box.
+#define PRELIGHT_FEW 6
+
+typedef struct Bundle {
+  RayGroup rays;
+  HitGroup hits;
+  AxisInterval axis[3];
+  uint4 stack[PRELIGHT_STACK_SIZE];  // x: child, y: bits of the bundle's entry distance, z: mask of rays
+  uint depth;
+} Bundle;
+
+// True when all rays of a group leave one point.
+bool sharesOrigin(const RayGroup* g) {
+  float16 apart = (float16)(0.0f);
+  for (uint a = 0; a < 3; ++a) apart += fabs(vload16(0, g->origin[a]) - (float16)(g->origin[a][0]));
+  return lessOrEqualMask16(apart, (float16)(0.0f)) == 0xffffu;
+}
+
+float least1(float16 v) {
+  const float8 a = least8(v.lo, v.hi);
+  const float4 b = fmin(a.lo, a.hi);
+  return fmin(fmin(b.x, b.y), fmin(b.z, b.w));
+}
+
+AxisInterval boundAxis(const float* inverse) {
+  const float16 v = vload16(0, inverse);
+  const float16 far = (float16)(INFINITY);
+  const float leastPositive = least1(select(far, v, v > 0.0f));
+  const float leastNegative = least1(select(far, -v, v < 0.0f));  // magnitudes
+  AxisInterval a = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+  if (leastPositive < INFINITY) a.lowerEntry = leastPositive;
+  if (leastNegative < INFINITY) a.upperEntry = -leastNegative;
+  if (leastPositive < INFINITY && leastNegative < INFINITY)
+    a.exit = INFINITY;
+  else if (leastPositive < INFINITY)
+    a.upperExit = -least1(-v);
+  else
+    a.lowerExit = least1(v);
+  return a;
+}
+
+// Planes of a node's boxes relative to the bundle's origin, a row a plane: lower x, y, z, upper x, y, z.
+typedef struct RelativeBoxes {
+  float plane[6][PRELIGHT_WIDTH];
+} RelativeBoxes;
+
+// Entry distances that no ray of the bundle undercuts; returns the mask of the boxes that one of them may meet.
+uint intersectInterval(__global const WideNode* node, const Bundle* bundle, RelativeBoxes* boxes, float8* tNear) {
+  float8 entry = (float8)(0.0f), exit = (float8)(INFINITY);
+  int8 there = (int8)(0);
+  for (uint a = 0; a < 3; ++a) {
+    const AxisInterval i = bundle->axis[a];
+    const float8 origin = (float8)(bundle->rays.origin[a][0]);
+    const float8 lower = vload8(0, node->lower[a]) - origin, upper = vload8(0, node->upper[a]) - origin;
+    vstore8(lower, 0, boxes->plane[a]);
+    vstore8(upper, 0, boxes->plane[3 + a]);
+    entry = most8(entry, most8(lower * i.lowerEntry, upper * i.upperEntry));
+    exit = least8(exit, lower * i.lowerExit + upper * i.upperExit + i.exit);
+    there = lower <= upper;
+  }
+  *tNear = entry;
+  return laneMask8((entry <= exit * PRELIGHT_BOX_SLACK) & there);
+}
+
+// Mask of the rays that meet one of the boxes in [0, t].
+uint intersectBundle(const RelativeBoxes* boxes, uint child, const RayGroup* g, float16 t) {
+  const float16 ix = vload16(0, g->inverse[0]), iy = vload16(0, g->inverse[1]), iz = vload16(0, g->inverse[2]);
+  const float16 x0 = boxes->plane[0][child] * ix, x1 = boxes->plane[3][child] * ix;
+  const float16 y0 = boxes->plane[1][child] * iy, y1 = boxes->plane[4][child] * iy;
+  const float16 z0 = boxes->plane[2][child] * iz, z1 = boxes->plane[5][child] * iz;
+  const float16 entry = most16(most16(least16(x0, x1), least16(y0, y1)), most16(least16(z0, z1), (float16)(0.0f)));
+  const float16 exit = least16(least16(most16(x0, x1), most16(y0, y1)), least16(most16(z0, z1), t));
+  return lessOrEqualMask16(entry, exit * PRELIGHT_BOX_SLACK);
+}
+
+void pushSorted(Bundle* b, uint first, uint4 entry) {
+  uint at = b->depth++;
+  while (at > first && b->stack[at - 1].y < entry.y) {
+    b->stack[at] = b->stack[at - 1];
+    --at;
+  }
+  b->stack[at] = entry;
+}
+
+// Children that some of a few rays meet, each ray tested against the eight boxes.
+void visitWithFew(__global const WideNode* node, Bundle* b, uint mask) {
+  uint met[PRELIGHT_FEW], lanes[PRELIGHT_FEW];
+  uint count = 0, children = 0;
+  float8 near8 = (float8)(INFINITY);
+  while (mask != 0u) {
+    const uint lane = lowestLane(mask);
+    mask &= mask - 1u;
+    float8 n;
+    met[count] = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &n);
+    children |= met[count];
+    lanes[count++] = lane;
+    near8 = least8(near8, n);
+  }
+  if (children == 0u) return;
+  float near[PRELIGHT_WIDTH];
+  vstore8(near8, 0, near);
+  const uint first = b->depth;
+  while (children != 0u) {
+    const uint child = lowestLane(children);
+    children &= children - 1u;
+    uint meeting = 0;
+    for (uint i = 0; i < count; ++i) meeting |= ((met[i] >> child) & 1u) << lanes[i];
+    pushSorted(b, first, (uint4)(node->child[child], as_uint(near[child]), meeting, 0u));
+  }
+}
+
+void visitWithMany(__global const WideNode* node, Bundle* b, uint mask, float16 t) {
+  RelativeBoxes boxes;
+  float8 near8;
+  uint children = intersectInterval(node, b, &boxes, &near8);
+  if (children == 0u) return;
+  float near[PRELIGHT_WIDTH];
+  vstore8(near8, 0, near);
+  const uint first = b->depth;
+  while (children != 0u) {
+    const uint child = lowestLane(children);
+    children &= children - 1u;
+    const uint meeting = mask & intersectBundle(&boxes, child, &b->rays, t);
+    if (meeting != 0u) pushSorted(b, first, (uint4)(node->child[child], as_uint(near[child]), meeting, 0u));
+  }
+}
+
+void startBundle(Bundle* b, uint rays) {
+  for (uint a = 0; a < 3; ++a) b->axis[a] = boundAxis(b->rays.inverse[a]);
+  b->stack[0] = (uint4)(0u, 0u, rays, 0u);
+  b->depth = 1;
+}
+
+// One visit for a bundle. False when there is nothing left to visit.
+bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
+  const float16 t = vload16(0, b->hits.t);
+  uint4 top;
+  uint mask;
+  do {
+    if (b->depth == 0u) return false;
+    top = b->stack[--b->depth];
+    mask = top.z & lessOrEqualMask16((float16)(as_float(top.y)), t * PRELIGHT_BOX_SLACK);
+  } while (mask == 0u);
+  if (top.x & PRELIGHT_LEAF_BIT) {
+    __global const TriangleBlock* block = bvh.blocks + (top.x & ~PRELIGHT_LEAF_BIT);
+    while (mask != 0u) {
+      visitBlock(surface, block, &b->rays, lowestLane(mask), &b->hits);
+      mask &= mask - 1u;
+    }
+  } else if (popcount(mask) <= PRELIGHT_FEW) {
+    visitWithFew(bvh.nodes + top.x, b, mask);
+  } else {
+    visitWithMany(bvh.nodes + top.x, b, mask, t);
+  }
+  if (b->depth == 0u) return false;
+  prefetchChild(bvh, b->stack[b->depth - 1u].x);
+  return true;
+}
+
+#endif

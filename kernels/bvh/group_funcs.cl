@@ -1,0 +1,74 @@
+// Sixteen rays prepared side by side for the box and triangle tests of the wide tree.
+#ifndef PRELIGHT_BVH_GROUP_FUNCS_CL
+#define PRELIGHT_BVH_GROUP_FUNCS_CL
+
+#include "bvh/lane_funcs.cl"
+#include "shared/bvh_types.h"
+#include "shared/ray_types.h"
+
+// [..][lane]; lanes beyond the count repeat the last ray and are never read from.
+typedef struct RayGroup {
+  float origin[3][PRELIGHT_GROUP];
+  float inverse[3][PRELIGHT_GROUP];  // of the direction; finite: components below 1e-20 count as 1e-20
+  float shear[3][PRELIGHT_GROUP];    // Woop's Sx, Sy, Sz
+  uint axis[3][PRELIGHT_GROUP];      // Woop's kx, ky, kz; kz the dominant one
+  uint entry[3][PRELIGHT_GROUP];     // where in a WideNode, in floats, the planes lie that the ray enters by
+  float tMax[PRELIGHT_GROUP];
+  uint source[PRELIGHT_GROUP];
+} RayGroup;
+
+// Nearest hits so far.
+typedef struct HitGroup {
+  float t[PRELIGHT_GROUP];  // tMax until there is a hit; -1 once any hit is enough
+  uint triangle[PRELIGHT_GROUP];
+  float u[PRELIGHT_GROUP];
+  float v[PRELIGHT_GROUP];
+} HitGroup;
+
+float16 safeInverse16(float16 d) { return 1.0f / copysign(most16(fabs(d), (float16)(1e-20f)), d); }
+
+// Shears and axes as in intersect_funcs.cl, sixteen at once.
+void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
+  float direction[3][PRELIGHT_GROUP];
+  for (uint lane = 0; lane < PRELIGHT_GROUP; ++lane) {
+    __global const Ray* r = rays + min(lane, count - 1u);
+    for (uint a = 0; a < 3; ++a) {
+      g->origin[a][lane] = r->origin[a];
+      direction[a][lane] = r->direction[a];
+    }
+    g->tMax[lane] = r->tMax;
+    g->source[lane] = r->sourceTriangle;
+  }
+  const float16 x = vload16(0, direction[0]), y = vload16(0, direction[1]), z = vload16(0, direction[2]);
+  const int16 xIsLargest = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z));
+  const int16 yIsLargest = ~xIsLargest & (fabs(y) > fabs(z));
+  const float16 dz = select(select(z, y, yIsLargest), x, xIsLargest);
+  const float16 dx = select(select(x, z, yIsLargest), y, xIsLargest);
+  const float16 dy = select(select(y, x, yIsLargest), z, xIsLargest);
+  vstore16(dx / dz, 0, g->shear[0]);
+  vstore16(dy / dz, 0, g->shear[1]);
+  vstore16(1.0f / dz, 0, g->shear[2]);
+  const int16 kz = select(select((int16)(2), (int16)(1), yIsLargest), (int16)(0), xIsLargest);
+  vstore16(as_uint16(select(kz + 1, (int16)(0), kz == 2)), 0, g->axis[0]);
+  vstore16(as_uint16(select(kz - 1, (int16)(2), kz == 0)), 0, g->axis[1]);
+  vstore16(as_uint16(kz), 0, g->axis[2]);
+  const float16 ix = safeInverse16(x), iy = safeInverse16(y), iz = safeInverse16(z);
+  vstore16(ix, 0, g->inverse[0]);
+  vstore16(iy, 0, g->inverse[1]);
+  vstore16(iz, 0, g->inverse[2]);
+  const uint16 lower = (uint16)(0u), upper = (uint16)(3u * PRELIGHT_WIDTH);
+  vstore16(select(upper, lower, as_uint16(ix >= 0.0f)), 0, g->entry[0]);
+  vstore16(select(upper, lower, as_uint16(iy >= 0.0f)) + PRELIGHT_WIDTH, 0, g->entry[1]);
+  vstore16(select(upper, lower, as_uint16(iz >= 0.0f)) + 2u * PRELIGHT_WIDTH, 0, g->entry[2]);
+  // An infinite t, from a determinant near 0, is no hit.
+  vstore16(least16(vload16(0, g->tMax), (float16)(MAXFLOAT)), 0, g->tMax);
+}
+
+void clearHits(const RayGroup* g, HitGroup* hits) {
+  vstore16(vload16(0, g->tMax), 0, hits->t);
+  vstore16((uint16)(PRELIGHT_NO_TRIANGLE), 0, hits->triangle);
+  vstore16((float16)(0.0f), 0, hits->u);
+  vstore16((float16)(0.0f), 0, hits->v);
+}
+
+#endif

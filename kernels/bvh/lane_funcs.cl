@@ -1,0 +1,57 @@
+// Vectors of lanes: their minimum, their maximum, and comparisons as bit masks.
+#ifndef PRELIGHT_BVH_LANE_FUNCS_CL
+#define PRELIGHT_BVH_LANE_FUNCS_CL
+
+// x86 turns a comparison into a mask with an instruction that OpenCL C has no name for. Where the compiler offers it,
+// it is taken; PRELIGHT_PORTABLE_LANES keeps to the language, as other devices do.
+#if !defined(PRELIGHT_PORTABLE_LANES) && defined(__has_builtin)
+#if defined(__AVX__) && __has_builtin(__builtin_ia32_movmskps256)
+#define PRELIGHT_AVX_LANES
+#endif
+#if defined(__AVX512F__) && __has_builtin(__builtin_ia32_cmpps512_mask)
+#define PRELIGHT_AVX512_LANES
+#endif
+#if __has_builtin(__builtin_prefetch)
+#define PRELIGHT_PREFETCH
+#endif
+#endif
+
+// vminps/vmaxps: returns b when either is NaN.
+float8 least8(float8 a, float8 b) { return select(b, a, a < b); }
+float8 most8(float8 a, float8 b) { return select(b, a, a > b); }
+float16 least16(float16 a, float16 b) { return select(b, a, a < b); }
+float16 most16(float16 a, float16 b) { return select(b, a, a > b); }
+
+// Bit i set: lane i of the comparison is true.
+uint laneMask8(int8 lanes) {
+#ifdef PRELIGHT_AVX_LANES
+  return (uint)__builtin_ia32_movmskps256(as_float8(lanes));
+#else
+  const int8 bits = lanes & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
+  const int4 a = bits.lo | bits.hi;
+  const int2 b = a.lo | a.hi;
+  return (uint)(b.x | b.y);
+#endif
+}
+
+// Bit i set: a[i] <= b[i].
+uint lessOrEqualMask16(float16 a, float16 b) {
+#ifdef PRELIGHT_AVX512_LANES
+  return (uint)__builtin_ia32_cmpps512_mask(a, b, 2, (ushort)0xffff, 4);
+#else
+  const int16 lanes = a <= b;
+  return laneMask8(lanes.lo) | (laneMask8(lanes.hi) << 8);
+#endif
+}
+
+// Index of the lowest bit of a mask that is not 0.
+uint lowestLane(uint mask) { return 31u - clz(mask & (0u - mask)); }
+
+// Asks for the cache lines of `bytes` from `address` on.
+void prefetchBytes(__global const char* address, uint bytes) {
+#ifdef PRELIGHT_PREFETCH
+  for (uint at = 0; at < bytes; at += 64) __builtin_prefetch(address + at);
+#endif
+}
+
+#endif

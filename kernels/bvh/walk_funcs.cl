@@ -1,0 +1,82 @@
+// Traversal of the wide tree by rays that have nothing in common. Each has a walk of its own; several are advanced in
+// turns, a node or a block at a time, so that the memory that one is about to read arrives while the others work.
+#ifndef PRELIGHT_BVH_WALK_FUNCS_CL
+#define PRELIGHT_BVH_WALK_FUNCS_CL
+
+#include "bvh/block_funcs.cl"
+
+typedef struct Bvh {
+  __global const WideNode* nodes;
+  __global const TriangleBlock* blocks;
+} Bvh;
+
+// Asks for what a visit of `child` will read.
+void prefetchChild(Bvh bvh, uint child) {
+  if (child & PRELIGHT_LEAF_BIT)
+    prefetchBytes((__global const char*)(bvh.blocks + (child & ~PRELIGHT_LEAF_BIT)), sizeof(TriangleBlock));
+  else
+    prefetchBytes((__global const char*)(bvh.nodes + child), sizeof(WideNode));
+}
+
+typedef struct Walk {
+  uint2 stack[PRELIGHT_STACK_SIZE];  // x: child, y: bits of its entry distance; nearest on top
+  uint depth;
+  uint ray;  // in the batch
+} Walk;
+
+#define PRELIGHT_NOWHERE 0xffffffffu
+
+// Next of the stack that is not beyond `t`.
+uint popWalk(Walk* walk, float t) {
+  while (walk->depth != 0u) {
+    const uint2 top = walk->stack[--walk->depth];
+    if (as_float(top.y) <= t * PRELIGHT_BOX_SLACK) return top.x;
+  }
+  return PRELIGHT_NOWHERE;
+}
+
+// Puts the children of the mask on the stack, the nearest on top.
+void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
+  float near[PRELIGHT_WIDTH];
+  vstore8(near8, 0, near);
+  const uint first = walk->depth;
+  while (mask != 0u) {
+    const uint child = lowestLane(mask);
+    mask &= mask - 1u;
+    const uint2 entry = (uint2)(node->child[child], as_uint(near[child]));
+    uint at = walk->depth++;
+#ifndef PRELIGHT_ANY_HIT
+    // Entry distances are not negative: they sort as their bits do.
+    while (at > first && walk->stack[at - 1u].y < entry.y) {
+      walk->stack[at] = walk->stack[at - 1u];
+      --at;
+    }
+#endif
+    walk->stack[at] = entry;
+  }
+}
+
+void startWalk(Walk* walk, uint ray) {
+  walk->stack[0] = (uint2)(0u, 0u);
+  walk->depth = 1u;
+  walk->ray = ray;
+}
+
+// One visit. False when there is nothing left to visit.
+bool stepWalk(Bvh bvh, Surface surface, const RayGroup* g, uint lane, Walk* walk, HitGroup* hits) {
+  const uint current = popWalk(walk, hits->t[lane]);
+  if (current == PRELIGHT_NOWHERE) return false;
+  if (current & PRELIGHT_LEAF_BIT) {
+    visitBlock(surface, bvh.blocks + (current & ~PRELIGHT_LEAF_BIT), g, lane, hits);
+  } else {
+    __global const WideNode* node = bvh.nodes + current;
+    float8 near8;
+    const uint mask = intersectBoxes(node, g, lane, hits->t[lane], &near8);
+    pushChildren(node, mask, near8, walk);
+  }
+  if (walk->depth == 0u) return false;
+  prefetchChild(bvh, walk->stack[walk->depth - 1u].x);
+  return true;
+}
+
+#endif

@@ -1,0 +1,104 @@
+// Tracing of a buffer of rays through the wide tree.
+// Options: PRELIGHT_ANY_HIT (a hit only says that there is one; else the closest), PRELIGHT_ALPHA_TEST,
+// PRELIGHT_VERTEX_COLORS, PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
+
+#ifndef PRELIGHT_STACK_SIZE
+#define PRELIGHT_STACK_SIZE 256
+#endif
+#include "bvh/bundle_funcs.cl"
+
+// Loose rays that are under way at a time.
+#define PRELIGHT_WALKS 16
+
+// All rays of a work-item.
+typedef struct Batch {
+  Bundle bundles[PRELIGHT_BATCH_GROUPS];
+  uint bundle[PRELIGHT_BATCH_GROUPS];  // those whose rays leave one point
+  uint bundleCount;
+  uint loose[PRELIGHT_BATCH];  // the other rays
+  uint looseCount;
+} Batch;
+
+void prepareBatch(__global const Ray* rays, uint count, Batch* batch) {
+  batch->bundleCount = 0u;
+  batch->looseCount = 0u;
+  for (uint first = 0; first < count; first += PRELIGHT_GROUP) {
+    const uint group = first / PRELIGHT_GROUP;
+    const uint n = min(count - first, (uint)PRELIGHT_GROUP);
+    Bundle* b = batch->bundles + group;
+    prepareGroup(rays + first, n, &b->rays);
+    clearHits(&b->rays, &b->hits);
+    if (sharesOrigin(&b->rays)) {
+      startBundle(b, (1u << n) - 1u);
+      batch->bundle[batch->bundleCount++] = group;
+    } else {
+      for (uint lane = 0; lane < n; ++lane) batch->loose[batch->looseCount++] = first + lane;
+    }
+  }
+}
+
+void traceBundles(Bvh bvh, Surface surface, Batch* batch) {
+  uint count = batch->bundleCount;
+  while (count != 0u)
+    for (uint i = 0; i < count;) {
+      if (stepBundle(bvh, surface, batch->bundles + batch->bundle[i]))
+        ++i;
+      else
+        batch->bundle[i] = batch->bundle[--count];
+    }
+}
+
+void traceLoose(Bvh bvh, Surface surface, Batch* batch) {
+  Walk walks[PRELIGHT_WALKS];
+  uint active[PRELIGHT_WALKS];
+  uint waiting = batch->looseCount, count = 0;
+  while (count < PRELIGHT_WALKS && waiting != 0u) {
+    startWalk(walks + count, batch->loose[--waiting]);
+    active[count] = count;
+    ++count;
+  }
+  while (count != 0u)
+    for (uint i = 0; i < count;) {
+      Walk* walk = walks + active[i];
+      Bundle* b = batch->bundles + walk->ray / PRELIGHT_GROUP;
+      if (stepWalk(bvh, surface, &b->rays, walk->ray % PRELIGHT_GROUP, walk, &b->hits))
+        ++i;
+      else if (waiting != 0u)
+        startWalk(walk, batch->loose[--waiting]);
+      else
+        active[i] = active[--count];
+    }
+}
+
+void writeHits(const Batch* batch, uint count, __global Hit* hits) {
+  for (uint i = 0; i < count; ++i) {
+    const HitGroup* found = &batch->bundles[i / PRELIGHT_GROUP].hits;
+    const uint lane = i % PRELIGHT_GROUP;
+#ifdef PRELIGHT_ANY_HIT
+    const Hit hit = {0.0f, found->triangle[lane], 0.0f, 0.0f};
+#else
+    const bool missed = found->triangle[lane] == PRELIGHT_NO_TRIANGLE;
+    const Hit hit = {missed ? 0.0f : found->t[lane], found->triangle[lane], found->u[lane], found->v[lane]};
+#endif
+    hits[i] = hit;
+  }
+}
+
+// A batch of rays a work-item. rays [rayCount] -> hits [rayCount]. The hint keeps compilers from making vectors of
+// work-items: the rays of one are in vectors already.
+__kernel __attribute__((vec_type_hint(float16))) void traceRays(__global const WideNode* nodes, __global const TriangleBlock* blocks,
+                        __global const DeviceTriangle* triangles, __global const DeviceMaterial* materials,
+                        __global const float2* texCoords, __global const float4* colors,
+                        __global const ushort4* texels, __global const Ray* rays, __global Hit* hits,
+                        const uint rayCount) {
+  const size_t first = get_global_id(0) * PRELIGHT_BATCH;
+  if (first >= rayCount) return;
+  const uint count = min((uint)(rayCount - first), (uint)PRELIGHT_BATCH);
+  const Bvh bvh = {nodes, blocks};
+  const Surface surface = {triangles, materials, texCoords, colors, texels};
+  Batch batch;
+  prepareBatch(rays + first, count, &batch);
+  traceBundles(bvh, surface, &batch);
+  traceLoose(bvh, surface, &batch);
+  writeHits(&batch, count, hits + first);
+}
