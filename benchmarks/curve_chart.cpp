@@ -30,13 +30,15 @@ class LogAxis {
     return from_ + (to_ - from_) * (std::log(value) - min_) / (max_ - min_);
   }
 
-  /// 1, 2 and 5 times powers of ten.
+  /// Powers of ten; 2 and 5 times those as well where the axis has few.
   std::vector<double> ticks() const {
     std::vector<double> values;
     for (double power = std::pow(10.0, std::floor(min_ / std::log(10.0))); std::log(power) <= max_;
          power *= 10.0)
       for (const double factor : {1.0, 2.0, 5.0})
-        if (const double v = std::log(factor * power); v >= min_ && v <= max_)
+        if (factor > 1.0 && max_ - min_ > 3.0 * std::log(10.0))
+          break;
+        else if (const double v = std::log(factor * power); v >= min_ && v <= max_)
           values.push_back(factor * power);
     return values;
   }
@@ -45,6 +47,12 @@ class LogAxis {
   static constexpr double margin = 1.15;
   double min_, max_, from_, to_;
 };
+
+std::string tickText(double tick) {
+  if (tick >= 1e6) return fmt::format("{:.6g} M", tick * 1e-6);
+  if (tick >= 1e4) return fmt::format("{:.6g} k", tick * 1e-3);
+  return fmt::format("{:.6g}", tick);
+}
 
 struct Axes {
   LogAxis x, y;
@@ -66,12 +74,12 @@ void drawGrid(Svg& svg, const CurveChart& chart, const Axes& axes) {
   for (const double tick : axes.x.ticks()) {
     const double x = axes.x.pixel(tick);
     svg.line({{x, top}, {x, bottom}}, {gridColor});
-    svg.text({x, bottom + 18}, fmt::format("{:.6g}", tick), {11, quietColor, Anchor::Middle});
+    svg.text({x, bottom + 18}, tickText(tick), {11, quietColor, Anchor::Middle});
   }
   for (const double tick : axes.y.ticks()) {
     const double y = axes.y.pixel(tick);
     svg.line({{left, y}, {right, y}}, {gridColor});
-    svg.text({left - 8, y + 4}, fmt::format("{:.6g}", tick), {11, quietColor, Anchor::End});
+    svg.text({left - 8, y + 4}, tickText(tick), {11, quietColor, Anchor::End});
   }
   svg.text({0.5 * (left + right), bottom + 42}, chart.xAxis, {12, quietColor, Anchor::Middle});
   svg.text({24, 0.5 * (top + bottom)}, chart.yAxis,

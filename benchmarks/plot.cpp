@@ -72,6 +72,56 @@ std::string raysPlot(const Results& results, const std::string& subtitle) {
   return drawBarChart(chart);
 }
 
+std::string buildPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"Seconds to build the tree over detailed rooms", subtitle, "seconds", {}, {}};
+  chart.legend = {{"Prelight", palette[0]}, {"Embree", palette[1]}};
+  for (const BenchmarkResult& result : results) {
+    const auto [build, size] = splitSize(result.case_);
+    std::vector<Bar>& bars = groupNamed(chart.groups, size).bars;
+    const bool own = result.metric == "build";
+    const std::string label = own ? build : result.peer;
+    if (!own && result.metric != "peer build") continue;
+    if (std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return bar.label == label; })) continue;
+    bars.push_back(
+        {label, {{result.value, palette[own ? 0 : 1]}}, 0.0, fmt::format("{:.3g} s", result.value)});
+  }
+  return drawBarChart(chart);
+}
+
+/// "250k" -> 250000.
+double triangleCount(const std::string& size) { return std::stod(size) * (size.ends_with('M') ? 1e6 : 1e3); }
+
+/// Curves over the number of triangles of the results of one metric, two for each kind of case: Prelight's
+/// and the peer's, whose values follow from the ratios (`more`: the more of it the better).
+std::vector<Curve> curvesOverSize(const Results& results, const std::string& metric, double unit, bool more) {
+  std::vector<Curve> curves;
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != metric) continue;
+    const auto [kind, size] = splitSize(result.case_);
+    const auto add = [&](const std::string& name, CurveStyle style, double value) {
+      auto curve = std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.name == name; });
+      if (curve == curves.end())
+        curve = curves.insert(curves.end(), {name, palette[curves.size() / 2 % palette.size()], style, {}});
+      curve->points.push_back({triangleCount(size), value * unit});
+    };
+    add(kind + ", Prelight", CurveStyle::Strong, result.value);
+    if (result.ratio)
+      add(kind + ", Embree", CurveStyle::Dashed,
+          more ? result.value / *result.ratio : result.value * *result.ratio);
+  }
+  return curves;
+}
+
+std::string scalingPlot(const Results& results, const std::string& subtitle) {
+  return drawCurveChart({"Rays a second as scenes grow", subtitle, "triangles", "million rays a second",
+                         curvesOverSize(results, "best throughput", 1e-6, true)});
+}
+
+std::string scalingBuildPlot(const Results& results, const std::string& subtitle) {
+  return drawCurveChart({"Seconds to build the tree as scenes grow", subtitle, "triangles", "seconds",
+                         curvesOverSize(results, "build", 1.0, false)});
+}
+
 /// Colour of a stage, which enters the legend when it is new.
 std::string stageColor(std::vector<LegendEntry>& legend, const std::string& stage) {
   for (const LegendEntry& entry : legend)
@@ -133,14 +183,24 @@ std::string errorPlot(const Results& results, const std::string& subtitle) {
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
-  const std::array<std::pair<const char*, std::string (*)(const Results&, const std::string&)>, 4> kinds = {
-      {{"cast", castPlot}, {"rays", raysPlot}, {"bake", bakePlot}, {"error", errorPlot}}};
+  struct Kind {
+    const char* suite;
+    const char* plot;
+    std::string (*draw)(const Results&, const std::string&);
+  };
+  constexpr std::array<Kind, 7> kinds = {{{"cast", "cast", castPlot},
+                                          {"rays", "rays", raysPlot},
+                                          {"build", "build", buildPlot},
+                                          {"scaling", "scaling", scalingPlot},
+                                          {"scaling", "scaling-build", scalingBuildPlot},
+                                          {"bake", "bake", bakePlot},
+                                          {"error", "error", errorPlot}}};
   std::vector<Plot> plots;
-  for (const auto& [suite, draw] : kinds) {
+  for (const Kind& kind : kinds) {
     Results own;
     std::copy_if(results.begin(), results.end(), std::back_inserter(own),
-                 [&](const BenchmarkResult& result) { return result.suite == suite; });
-    if (!own.empty()) plots.push_back({suite, draw(own, subtitle)});
+                 [&](const BenchmarkResult& result) { return result.suite == kind.suite; });
+    if (!own.empty()) plots.push_back({kind.plot, kind.draw(own, subtitle)});
   }
   return plots;
 }

@@ -8,11 +8,11 @@
 namespace prelight::benchmarks {
 
 struct Plot {
-  std::string name;  ///< of the suite; a file name without extension
+  std::string name;  ///< begins with the suite's; a file name without extension
   std::string svg;
 };
 
-/// A chart of each suite that has results. `subtitle` says where they were measured.
+/// Charts of each suite that has results. `subtitle` says where they were measured.
 std::vector<Plot> makePlots(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
 }  // namespace prelight::benchmarks

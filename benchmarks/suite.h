@@ -28,8 +28,9 @@ struct BenchmarkOptions {
   std::uint64_t castRays = 1u << 20;                            ///< of each measured cast
   std::uint64_t rayCount = 1u << 19;                            ///< of each case of `rays`
   int rayRounds = 24;                                           ///< short ones, in which peers take turns
-  std::vector<std::uint64_t> rayTriangles = {250000, 2000000};  ///< of the scenes of `rays`
-  std::uint64_t bakeRays = 256;                                 ///< a vertex
+  std::vector<std::uint64_t> rayTriangles = {250000, 2000000};  ///< of the scenes of `rays` and `build`
+  std::vector<std::uint64_t> scalingTriangles = {1000, 10000, 100000, 1000000, 10000000};  ///< ascending
+  std::uint64_t bakeRays = 256;                                                            ///< a vertex
   std::vector<std::uint64_t> errorRays = {64, 128, 256, 512, 1024};  ///< a vertex, ascending
   std::uint64_t errorReferenceRays = 4096;                           ///< a vertex
 

@@ -14,6 +14,15 @@ std::vector<BenchmarkResult> runCastSuite(const Device& device, const BenchmarkO
 std::vector<BenchmarkResult> runRaysSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress);
 
+/// Seconds and bytes of the trees over detailed rooms, against Embree.
+std::vector<BenchmarkResult> runBuildSuite(const Device& device, const BenchmarkOptions& options,
+                                           Progress& progress);
+
+/// Rays a second, and seconds and bytes of the tree, from a thousand triangles to ten million, against
+/// Embree.
+std::vector<BenchmarkResult> runScalingSuite(const Device& device, const BenchmarkOptions& options,
+                                             Progress& progress);
+
 /// Seconds of each stage of three bakes of each built-in scene, against the plainest of them.
 std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress);

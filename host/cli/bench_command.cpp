@@ -120,7 +120,7 @@ void runBench(const BenchCommand& command, Context& context) {
 std::string suitesText() {
   std::string text = "Suites:\n";
   for (const auto& suite : benchmarks::suites())
-    text += fmt::format("  {:<8}{}\n", suite.name, suite.description);
+    text += fmt::format("  {:<10}{}\n", suite.name, suite.description);
   return text;
 }
 

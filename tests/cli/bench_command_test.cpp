@@ -40,7 +40,8 @@ void expectReport(const nlohmann::json& report) {
 
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
-  for (const char* part : {"cast", "rays", "bake", "error", "Examples:", "prelight bench"})
+  for (const char* part :
+       {"cast", "rays", "build", "scaling", "bake", "error", "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -88,7 +89,7 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  EXPECT_EQ(measured, (std::set<std::string>{"bake", "cast", "error", "rays"}));
+  EXPECT_EQ(measured, (std::set<std::string>{"bake", "build", "cast", "error", "rays", "scaling"}));
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }

@@ -1,0 +1,50 @@
+#include <sys/resource.h>
+
+#include "benchmarks/compare_builds.h"
+#include "benchmarks/compare_rays.h"
+#include "benchmarks/detailed_scene.h"
+#include "benchmarks/suites.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+constexpr std::uint32_t raysPerReceiver = 256;
+constexpr std::uint64_t largeScene = 2000000;  // from here on a tree is built once: it takes seconds
+
+/// Most memory that this process has held so far, bytes.
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+}  // namespace
+
+std::vector<BenchmarkResult> runScalingSuite(const Device& device, const BenchmarkOptions& options,
+                                             Progress& progress) {
+  constexpr std::size_t stepsPerScene = 3;
+  StepCounter steps(progress, "bench scaling", options.scalingTriangles.size() * stepsPerScene);
+  std::vector<BenchmarkResult> results;
+  for (const std::uint64_t triangles : options.scalingTriangles) {
+    const BenchmarkScene scene = makeDetailedRooms(triangles);
+    const std::vector<PeerQuality> quality = {PeerQuality::Medium};
+    compareBuilds("scaling", scene.name, scene.compiled, device, quality,
+                  triangles < largeScene ? options.runs : 1, progress, results);
+    steps.advance();
+    Tracer tracer(scene.compiled, device);
+    const std::vector<PeerTree> trees = makePeerTrees(scene.compiled, quality, device.info());
+    const RayComparison how{.rounds = options.rayRounds, .packets = false};
+    RayCase rays{"bake-order " + scene.name,
+                 bakeLaunches(scene.compiled, device.context(), options.rayCount, raysPerReceiver), false};
+    compareRays("scaling", rays, scene.compiled, tracer, trees, how, progress, results);
+    steps.advance();
+    rays = {"random " + scene.name, shuffled(std::move(rays.rays)), false};
+    compareRays("scaling", rays, scene.compiled, tracer, trees, how, progress, results);
+    results.push_back({"scaling", scene.name, "peak memory", peakMemory(), "bytes", {}, {}});
+    steps.advance();
+  }
+  return results;
+}
+
+}  // namespace prelight::benchmarks
