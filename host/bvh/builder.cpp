@@ -33,7 +33,7 @@ class Builder {
       : boxes_(scene.triangleCount()), centroids_(scene.triangleCount()) {
     for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
       for (int corner = 0; corner < 3; ++corner) boxes_[t].grow(scene.positions[scene.triangles[t][corner]]);
-      centroids_[t] = 0.5f * (boxes_[t].lower + boxes_[t].upper);
+      centroids_[t] = 0.5f * boxes_[t].lower + 0.5f * boxes_[t].upper;
     }
     bvh_.triangleOrder.resize(scene.triangleCount());
     std::iota(bvh_.triangleOrder.begin(), bvh_.triangleOrder.end(), 0u);
@@ -107,7 +107,7 @@ class Builder {
     for (int axis = 0; axis < 3; ++axis) {
       const float origin = centroidBounds.lower[axis];
       const float extent = centroidBounds.upper[axis] - origin;
-      if (!(extent > 0.0f)) continue;
+      if (!(extent > 0.0f) || !std::isfinite(extent)) continue;  // overflows beyond 2^127
       const float scale = static_cast<float>(bins) / extent;
       if (!std::isfinite(scale)) continue;
       std::array<Box, binCount> boxes;
