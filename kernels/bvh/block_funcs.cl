@@ -4,6 +4,7 @@
 
 #include "bvh/alpha_funcs.cl"
 #include "bvh/group_funcs.cl"
+#include "bvh/intersect_funcs.cl"
 
 // The far end of a box grows by a few ulp (Ize 2013), so that rounding never loses it.
 #define PRELIGHT_BOX_SLACK 1.0000004f
@@ -31,6 +32,20 @@ typedef struct BlockHits {
   float t[PRELIGHT_WIDTH], u[PRELIGHT_WIDTH], v[PRELIGHT_WIDTH];
 } BlockHits;
 
+// Distances to the planes of the eight triangles in units of the direction; NaN or infinite where seen edge-on.
+float8 planeDistances(__global const TriangleBlock* block, const RayGroup* g, uint lane) {
+#pragma OPENCL FP_CONTRACT OFF
+  const uint kx = g->axis[0][lane], ky = g->axis[1][lane], kz = g->axis[2][lane];
+  const float8 ax = vload8(0, block->vertex[0][kx]), ay = vload8(0, block->vertex[0][ky]), az = vload8(0, block->vertex[0][kz]);
+  const float8 bx = vload8(0, block->vertex[1][kx]) - ax, by = vload8(0, block->vertex[1][ky]) - ay, bz = vload8(0, block->vertex[1][kz]) - az;
+  const float8 cx = vload8(0, block->vertex[2][kx]) - ax, cy = vload8(0, block->vertex[2][ky]) - ay, cz = vload8(0, block->vertex[2][kz]) - az;
+  const float8 nx = PRELIGHT_DIFFERENCE_OF_PRODUCTS(by, cz, bz, cy);
+  const float8 ny = PRELIGHT_DIFFERENCE_OF_PRODUCTS(bz, cx, bx, cz);
+  const float8 nz = PRELIGHT_DIFFERENCE_OF_PRODUCTS(bx, cy, by, cx);
+  const float8 height = nx * (ax - g->origin[kx][lane]) + ny * (ay - g->origin[ky][lane]) + nz * (az - g->origin[kz][lane]);
+  return height / (nx * g->shear[0][lane] + ny * g->shear[1][lane] + nz) * g->shear[2][lane];
+}
+
 // Watertight ray-triangle test: Woop, Benthin and Wald 2013; see intersect_funcs.cl.
 // Lanes of the returned mask are hits in [0, tMax] that are not the source.
 uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint lane, float tMax, BlockHits* hits) {
@@ -56,7 +71,14 @@ uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint
   const int8 inside = ((smallest >= zero) | (largest <= zero)) & (determinant != zero);
   if (laneMask8(inside) == 0u) return 0u;
   const float8 inverse = 1.0f / determinant;
-  const float8 t = (eu * az + ev * bz + ew * cz) * g->shear[2][lane] * inverse;
+  float8 t = (eu * az + ev * bz + ew * cz) * g->shear[2][lane] * inverse;
+  const float8 low = least8(least8(az, bz), cz), high = most8(most8(az, bz), cz);
+  const float8 extent = fabs(ax) + fabs(bx) + fabs(cx) + fabs(ay) + fabs(by) + fabs(cy);
+  const int8 cancels = inside & (low < zero) & (high > zero) & (fabs(determinant) < PRELIGHT_NEEDLE * extent * (extent + high - low));
+  if (laneMask8(cancels) != 0u) {
+    const float8 plane = planeDistances(block, g, lane), first = low * g->shear[2][lane], last = high * g->shear[2][lane];
+    t = select(t, plane, cancels & (plane >= least8(first, last)) & (plane <= most8(first, last)));
+  }
   const int8 hit = inside & (t >= zero) & (t <= tMax) & (as_int8(vload8(0, block->triangle)) != (int)g->source[lane]);
   const uint mask = laneMask8(hit);
   if (mask == 0u) return 0u;

@@ -9,7 +9,7 @@
 // [..][lane]; lanes beyond the count repeat the last ray and are never read from.
 typedef struct RayGroup {
   float origin[3][PRELIGHT_GROUP];
-  float inverse[3][PRELIGHT_GROUP];  // of the direction; finite: components below 1e-20 count as 1e-20
+  float inverse[3][PRELIGHT_GROUP];  // of the direction; finite: components below 1e-20 of its largest count as that
   float shear[3][PRELIGHT_GROUP];    // Woop's Sx, Sy, Sz
   uint axis[3][PRELIGHT_GROUP];      // Woop's kx, ky, kz; kz the dominant one
   uint entry[3][PRELIGHT_GROUP];     // where in a WideNode, in floats, the planes lie that the ray enters by
@@ -25,7 +25,7 @@ typedef struct HitGroup {
   float v[PRELIGHT_GROUP];
 } HitGroup;
 
-float16 safeInverse16(float16 d) { return 1.0f / copysign(most16(fabs(d), (float16)(1e-20f)), d); }
+float16 safeInverse16(float16 d, float16 least) { return 1.0f / copysign(most16(fabs(d), least), d); }
 
 // Shears and axes as in intersect_funcs.cl, sixteen at once.
 void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
@@ -52,7 +52,8 @@ void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
   vstore16(as_uint16(select(kz + 1, (int16)(0), kz == 2)), 0, g->axis[0]);
   vstore16(as_uint16(select(kz - 1, (int16)(2), kz == 0)), 0, g->axis[1]);
   vstore16(as_uint16(kz), 0, g->axis[2]);
-  const float16 ix = safeInverse16(x), iy = safeInverse16(y), iz = safeInverse16(z);
+  const float16 least = clamp(1e-20f * fabs(dz), 1e-37f, 1e18f);
+  const float16 ix = safeInverse16(x, least), iy = safeInverse16(y, least), iz = safeInverse16(z, least);
   vstore16(ix, 0, g->inverse[0]);
   vstore16(iy, 0, g->inverse[1]);
   vstore16(iz, 0, g->inverse[2]);

@@ -2,31 +2,41 @@
 // sheared so that the ray becomes the z axis; the signs of three edge functions then decide. An edge function of two
 // triangles that share the edge is exactly antisymmetric as long as its products are rounded one by one, so
 // contraction is off here. Zeros count as inside on both sides: a ray through an edge or vertex hits, never leaks.
+// t is the mean of the corners' distances, weighted by the edge functions. Where corners lie before and behind the
+// origin and the weights are poor, as those of needles are, that mean cancels: what lies before the origin would be hit
+// behind it, and the ray would leak. There t comes from the plane instead, as long as that lies between the corners.
 #ifndef PRELIGHT_BVH_INTERSECT_FUNCS_CL
 #define PRELIGHT_BVH_INTERSECT_FUNCS_CL
 
 #include "shared/ray_types.h"
 
+// Below this share of its extent squared, a triangle's doubled area yields weights with errors from about 2^-14 on.
+#define PRELIGHT_NEEDLE 0.0009765625f
+
 // A ray prepared for the triangle and box tests.
 typedef struct PreparedRay {
   float3 origin;
-  float3 inverseDirection;  // finite: components of the direction below 1e-20 count as 1e-20
+  float3 inverseDirection;  // finite: components of the direction below 1e-20 of its largest count as that
   int kx, ky, kz;           // axes, kz the dominant one
   float sx, sy, sz;         // shear
   float tMax;
   uint sourceTriangle;
 } PreparedRay;
 
+// a b - c d to about an ulp, by Kahan's method: the normal of a needle is a small difference of large products.
+#define PRELIGHT_DIFFERENCE_OF_PRODUCTS(a, b, c, d) (fma(a, b, -((c) * (d))) + fma(-(c), d, (c) * (d)))
+
 float axisOf(float3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
-float safeInverse(float d) { return 1.0f / copysign(fmax(fabs(d), 1e-20f), d); }
+float safeInverse(float d, float least) { return 1.0f / copysign(fmax(fabs(d), least), d); }
 
 PreparedRay prepareRay(Ray ray) {
   PreparedRay r;
   const float3 d = (float3)(ray.direction[0], ray.direction[1], ray.direction[2]);
   const float3 size = fabs(d);
   r.origin = (float3)(ray.origin[0], ray.origin[1], ray.origin[2]);
-  r.inverseDirection = (float3)(safeInverse(d.x), safeInverse(d.y), safeInverse(d.z));
+  const float least = clamp(1e-20f * fmax(size.x, fmax(size.y, size.z)), 1e-37f, 1e18f);
+  r.inverseDirection = (float3)(safeInverse(d.x, least), safeInverse(d.y, least), safeInverse(d.z, least));
   r.kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   r.kx = r.kz == 2 ? 0 : r.kz + 1;
   r.ky = r.kx == 2 ? 0 : r.kx + 1;

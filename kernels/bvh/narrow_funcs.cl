@@ -22,6 +22,17 @@ bool intersectBox(__global const float* lower, __global const float* upper, cons
   return *tNear <= tFar;
 }
 
+// Distance to the triangle's plane in units of the direction; a NaN or infinity when it is seen edge-on.
+float planeDistance(__global const NarrowTriangle* triangle, const PreparedRay* r) {
+#pragma OPENCL FP_CONTRACT OFF
+  const float ax = triangle->vertex[0][r->kx], ay = triangle->vertex[0][r->ky], az = triangle->vertex[0][r->kz];
+  const float bx = triangle->vertex[1][r->kx] - ax, by = triangle->vertex[1][r->ky] - ay, bz = triangle->vertex[1][r->kz] - az;
+  const float cx = triangle->vertex[2][r->kx] - ax, cy = triangle->vertex[2][r->ky] - ay, cz = triangle->vertex[2][r->kz] - az;
+  const float nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
+  const float ox = axisOf(r->origin, r->kx), oy = axisOf(r->origin, r->ky), oz = axisOf(r->origin, r->kz);
+  return (nx * (ax - ox) + ny * (ay - oy) + nz * (az - oz)) / (nx * r->sx + ny * r->sy + nz) * r->sz;
+}
+
 bool intersectTriangle(__global const NarrowTriangle* triangle, const PreparedRay* r, float tMax, float* t, float* u, float* v) {
 #pragma OPENCL FP_CONTRACT OFF
   const float ox = axisOf(r->origin, r->kx), oy = axisOf(r->origin, r->ky), oz = axisOf(r->origin, r->kz);
@@ -44,6 +55,12 @@ bool intersectTriangle(__global const NarrowTriangle* triangle, const PreparedRa
   *u = ev * inverse;
   *v = ew * inverse;
   *t = (eu * az + ev * bz + ew * cz) * r->sz * inverse;
+  const float low = fmin(fmin(az, bz), cz), high = fmax(fmax(az, bz), cz);
+  const float extent = fabs(ax) + fabs(bx) + fabs(cx) + fabs(ay) + fabs(by) + fabs(cy);
+  if (low < 0.0f && high > 0.0f && fabs(determinant) < PRELIGHT_NEEDLE * extent * (extent + high - low)) {
+    const float plane = planeDistance(triangle, r);
+    if (plane >= fmin(low * r->sz, high * r->sz) && plane <= fmax(low * r->sz, high * r->sz)) *t = plane;
+  }
   return *t >= 0.0f && *t <= tMax;
 }
 
