@@ -28,7 +28,9 @@ float planeDistance(__global const NarrowTriangle* triangle, const PreparedRay* 
   const float ax = triangle->vertex[0][r->kx], ay = triangle->vertex[0][r->ky], az = triangle->vertex[0][r->kz];
   const float bx = triangle->vertex[1][r->kx] - ax, by = triangle->vertex[1][r->ky] - ay, bz = triangle->vertex[1][r->kz] - az;
   const float cx = triangle->vertex[2][r->kx] - ax, cy = triangle->vertex[2][r->ky] - ay, cz = triangle->vertex[2][r->kz] - az;
-  const float nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
+  const float nx = PRELIGHT_DIFFERENCE_OF_PRODUCTS(by, cz, bz, cy);
+  const float ny = PRELIGHT_DIFFERENCE_OF_PRODUCTS(bz, cx, bx, cz);
+  const float nz = PRELIGHT_DIFFERENCE_OF_PRODUCTS(bx, cy, by, cx);
   const float ox = axisOf(r->origin, r->kx), oy = axisOf(r->origin, r->ky), oz = axisOf(r->origin, r->kz);
   return (nx * (ax - ox) + ny * (ay - oy) + nz * (az - oz)) / (nx * r->sx + ny * r->sy + nz) * r->sz;
 }
