@@ -15,9 +15,30 @@ namespace {
 /// ulp.
 constexpr double liftPerMagnitude = 0x1p-19;
 
-/// Samples are drawn this share of the way to the centroid: one that rounding put beyond the edge would see
-/// past the wall that meets it there.
-constexpr double inset = 0x1p-10;
+/// Samples are drawn this share of the way to the centroid at least: one that rounding put beyond the edge
+/// would see past the wall that meets it there.
+constexpr double leastInset = 0x1p-10;
+
+/// Rounding of a position, in units of the largest coordinate.
+constexpr double roundingPerMagnitude = 0x1p-22;
+
+double largestCoordinate(const CompiledScene& scene, std::uint32_t triangle) {
+  const auto& t = scene.triangles[triangle];
+  const glm::vec3 most = glm::max(glm::abs(scene.positions[t.x]),
+                                  glm::max(glm::abs(scene.positions[t.y]), glm::abs(scene.positions[t.z])));
+  return std::max({most.x, most.y, most.z});
+}
+
+/// The share that keeps samples of a triangle off its edges by more than rounding: a sample with the share i
+/// is at least i / 3 of a height off each.
+double insetOf(const CompiledScene& scene, std::uint32_t triangle, double area) {
+  const auto& t = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[t.x]), b(scene.positions[t.y]), c(scene.positions[t.z]);
+  const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+  const double leastHeight = 2.0 * area / longest;
+  const double share = 3.0 * roundingPerMagnitude * largestCoordinate(scene, triangle) / leastHeight;
+  return std::clamp(share, leastInset, 0.5);
+}
 
 /// Bits 0, 1, 2 ... of x to places 0, stride, 2 stride ...
 std::uint64_t spread(std::uint64_t x, unsigned bits, unsigned stride) {
@@ -100,6 +121,7 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
     const auto chosen = static_cast<std::uint64_t>(sum) - before;
     const std::uint32_t sequence = t * replicates_ + replicate;
     choosePlaces(sequence, chosen);
+    const double inset = insetOf(scene_, t, areas_[t]);
     for (const Place& chosenPlace : places_) {
       const glm::dvec2 b =
           glm::mix(sampling::uniformTriangle(chosenPlace.point), glm::dvec2(1.0 / 3.0), inset);
@@ -135,8 +157,7 @@ device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_
     const double length = glm::length(normal);
     normal = length > 1e-6 ? normal / length * (side_ == Side::Front ? 1.0 : -1.0) : side;
   }
-  const glm::dvec3 most = glm::max(glm::abs(p0), glm::max(glm::abs(p1), glm::abs(p2)));
-  const double lift = liftPerMagnitude * std::max({most.x, most.y, most.z});
+  const double lift = liftPerMagnitude * largestCoordinate(scene_, sample.triangle);
   const glm::vec3 position(b0 * p0 + b1 * p1 + b2 * p2 + lift * side);
   const glm::vec3 n(normal), g(side);
   return {{position.x, position.y, position.z},
