@@ -39,6 +39,33 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${packages[@]}" </dev/null >&2
 }
 
+# A second OpenCL implementation beside PoCL, for tests/portability alone: Intel's runtime for x86-64 CPUs, from PyPI,
+# in build/opencl. Its folder `vendors` is for OCL_ICD_VENDORS; `lib` holds its TBB, which is newer than Debian's and
+# must be found first. Without a package index those tests are skipped.
+install_second_opencl() {
+  local folder=build/opencl packages
+  mapfile -t packages < <(sed 's/#.*//' .ci/opencl-packages.txt | tr -d ' ' | sed '/^$/d')
+  if [ "$(uname -m)" != x86_64 ]; then
+    echo "setup: no second OpenCL for $(uname -m); tests of portability will be skipped" >&2
+    return
+  fi
+  if [ -f "$folder/complete" ] && cmp -s .ci/opencl-packages.txt "$folder/complete"; then return; fi
+  rm -rf "$folder"
+  python3 -m venv "$folder/python" >&2
+  if ! "$folder/python/bin/pip" index versions --retries 2 --timeout 20 "${packages[0]%%=*}" >/dev/null 2>&1; then
+    echo "setup: pip reaches no package index; tests of portability will be skipped" >&2
+    rm -rf "$folder"
+    return
+  fi
+  echo "setup: installing ${packages[*]} into $folder" >&2
+  "$folder/python/bin/pip" install -q --no-cache-dir --disable-pip-version-check "${packages[@]}" >&2
+  mkdir -p "$folder/vendors" "$folder/lib"
+  ln -s ../python/lib/libtbb.so.12 "$folder/lib/"
+  cp /etc/OpenCL/vendors/*.icd "$folder/vendors/"
+  echo "$PWD/$folder/python/lib/libintelocl.so" >"$folder/vendors/intel.icd"
+  cp .ci/opencl-packages.txt "$folder/complete"
+}
+
 build() {
   # Ninja configures again by itself when a CMake file has changed.
   if [ ! -f build/build.ninja ]; then
@@ -49,3 +76,5 @@ build() {
 
 install_packages
 build "$@"
+# Whoever builds everything is going to test it.
+if [ $# -eq 0 ]; then install_second_opencl; fi

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "device/device.h"
+
+namespace prelight::test {
+
+/// Every device of every platform, opened once; the first is the one that the others are compared with.
+const std::vector<Device>& allDevices();
+
+/// "platform, device", for messages.
+std::string nameOf(const Device& device);
+
+/// Skips the running test with a reason when there is one device only.
+#define PRELIGHT_NEEDS_TWO_DEVICES()                                                                        \
+  if (::prelight::test::allDevices().size() < 2)                                                            \
+  GTEST_SKIP() << "only one OpenCL device (" << ::prelight::test::nameOf(::prelight::test::allDevices()[0]) \
+               << "); .ci/setup.sh installs a second implementation where pip reaches a package index"
+
+}  // namespace prelight::test
