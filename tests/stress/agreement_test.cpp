@@ -55,8 +55,10 @@ class AgreementTest : public ::testing::Test {
       const glm::vec3 share(random.uniform(), random.uniform(), random.uniform());
       return glm::mix(scene.boundsMin, scene.boundsMax, 1.4f * share - 0.2f);
     };
+    glm::vec3 from(0);
     for (std::size_t i = 0; i < count; ++i) {
-      const glm::vec3 from = somewhere();
+      // The second half in bundles of 16 from one point.
+      if (i < count / 2 || i % 16 == 0) from = somewhere();
       rays.push_back(test::makeRay(from, glm::normalize(somewhere() - from)));
     }
     return rays;

@@ -148,7 +148,8 @@ std::vector<ClosedMesh> closedObjectsOfBuiltinScenes(const glm::dmat4& transform
 
 device::Ray aimedRay(const ClosedMesh& mesh, std::uint64_t index, std::uint64_t seed) {
   Counter random(seed + (index << 8));
-  const glm::vec3 from = mesh.inside[random.below(mesh.inside.size())];
+  const std::uint64_t group = (index >> 10) % 2 == 0 ? index : index >> 4;
+  const glm::vec3 from = mesh.inside[Counter(seed + (group << 8)).below(mesh.inside.size())];
   const auto& t = mesh.scene.triangles[random.below(mesh.scene.triangles.size())];
   const int first = static_cast<int>(random.below(3));
   const glm::vec3 a = mesh.scene.positions[t[first]], b = mesh.scene.positions[t[(first + 1) % 3]],

@@ -34,8 +34,12 @@ class OddRaysTest : public ::testing::TestWithParam<BvhLayout> {
 std::vector<Ray> raysIntoSoup(std::size_t count) {
   test::Counter random(11);
   std::vector<Ray> rays;
-  for (std::size_t i = 0; i < count; ++i)
-    rays.push_back(test::makeRay({random.uniform(), random.uniform(), random.uniform()}, random.direction()));
+  glm::vec3 from(0);
+  for (std::size_t i = 0; i < count; ++i) {
+    // The second half in bundles of 16 from one point.
+    if (i < count / 2 || i % 16 == 0) from = {random.uniform(), random.uniform(), random.uniform()};
+    rays.push_back(test::makeRay(from, random.direction()));
+  }
   return rays;
 }
 
