@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <memory>
 
 #include "base/error.h"
+#include "device/host_memory.h"
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
 
@@ -31,6 +33,16 @@ void dump(const std::filesystem::path& folder, const std::string& file, const st
   if (!out.flush())
     throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(),
                 "cannot write the kernel sources");
+}
+
+/// A buffer in memory of the host, which it gives back when it is released.
+cl::Buffer allocateOnHugePages(const cl::Context& context, cl_mem_flags flags, std::size_t bytes) {
+  std::unique_ptr<void, void (*)(void*)> memory(allocateHostMemory(bytes), releaseHostMemory);
+  if (!memory) throw cl::Error(CL_OUT_OF_HOST_MEMORY, "aligned_alloc");
+  cl::Buffer buffer(context, flags | CL_MEM_USE_HOST_PTR, bytes, memory.get());
+  buffer.setDestructorCallback([](cl_mem, void* owned) { releaseHostMemory(owned); }, memory.get());
+  memory.release();
+  return buffer;
 }
 
 }  // namespace
@@ -91,6 +103,8 @@ cl::Buffer DeviceContext::allocate(std::size_t bytes, cl_mem_flags flags) {
   };
   if (bytes > info_.maxAllocation) throw fail();
   try {
+    if (info_.kind == DeviceKind::Cpu && bytes >= hugePageSize)
+      return allocateOnHugePages(context_, flags, bytes);
     return cl::Buffer(context_, flags, bytes);
   } catch (const cl::Error& error) {
     if (error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_RESOURCES ||
