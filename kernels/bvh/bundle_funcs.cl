@@ -16,11 +16,18 @@ typedef struct AxisInterval {
 // So many rays are tested one by one against the eight boxes of a node; more, together against each box.
 #define PRELIGHT_FEW 6
 
+typedef struct BundleEntry {
+  uint child;
+  uint entry;  // bits of a distance that no ray of the bundle undercuts
+  uint rays;   // mask
+  uint pad;
+} BundleEntry;
+
 typedef struct Bundle {
   RayGroup rays;
   HitGroup hits;
   AxisInterval axis[3];
-  uint4 stack[PRELIGHT_STACK_SIZE];  // x: child, y: bits of the bundle's entry distance, z: mask of rays
+  BundleEntry stack[PRELIGHT_STACK_SIZE];  // nearest on top
   uint depth;
 } Bundle;
 
@@ -88,13 +95,30 @@ uint intersectBundle(const RelativeBoxes* boxes, uint child, const RayGroup* g, 
   return lessOrEqualMask16(entry, exit * PRELIGHT_BOX_SLACK);
 }
 
-void pushSorted(Bundle* b, uint first, uint4 entry) {
+void pushSorted(Bundle* b, uint first, BundleEntry entry) {
   uint at = b->depth++;
-  while (at > first && b->stack[at - 1].y < entry.y) {
+  while (at > first && b->stack[at - 1].entry < entry.entry) {
     b->stack[at] = b->stack[at - 1];
     --at;
   }
   b->stack[at] = entry;
+}
+
+// Children that the only ray left meets.
+void visitWithOne(__global const WideNode* node, Bundle* b, uint mask) {
+  const uint lane = lowestLane(mask);
+  float8 near8;
+  uint children = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &near8);
+  if (children == 0u) return;
+  float near[PRELIGHT_WIDTH];
+  vstore8(near8, 0, near);
+  const uint first = b->depth;
+  while (children != 0u) {
+    const uint child = lowestLane(children);
+    children &= children - 1u;
+    const BundleEntry entry = {node->child[child], as_uint(near[child]), mask, 0u};
+    pushSorted(b, first, entry);
+  }
 }
 
 // Children that some of a few rays meet, each ray tested against the eight boxes.
@@ -120,7 +144,10 @@ void visitWithFew(__global const WideNode* node, Bundle* b, uint mask) {
     children &= children - 1u;
     uint meeting = 0;
     for (uint i = 0; i < count; ++i) meeting |= ((met[i] >> child) & 1u) << lanes[i];
-    pushSorted(b, first, (uint4)(node->child[child], as_uint(near[child]), meeting, 0u));
+    {
+      const BundleEntry entry = {node->child[child], as_uint(near[child]), meeting, 0u};
+      pushSorted(b, first, entry);
+    }
   }
 }
 
@@ -136,39 +163,45 @@ void visitWithMany(__global const WideNode* node, Bundle* b, uint mask, float16 
     const uint child = lowestLane(children);
     children &= children - 1u;
     const uint meeting = mask & intersectBundle(&boxes, child, &b->rays, t);
-    if (meeting != 0u) pushSorted(b, first, (uint4)(node->child[child], as_uint(near[child]), meeting, 0u));
+    if (meeting != 0u) {
+      const BundleEntry entry = {node->child[child], as_uint(near[child]), meeting, 0u};
+      pushSorted(b, first, entry);
+    }
   }
 }
 
 void startBundle(Bundle* b, uint rays) {
   for (uint a = 0; a < 3; ++a) b->axis[a] = boundAxis(b->rays.inverse[a]);
-  b->stack[0] = (uint4)(0u, 0u, rays, 0u);
+  const BundleEntry root = {0u, 0u, rays, 0u};
+  b->stack[0] = root;
   b->depth = 1;
 }
 
 // One visit for a bundle. False when there is nothing left to visit.
 bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
   const float16 t = vload16(0, b->hits.t);
-  uint4 top;
+  BundleEntry top;
   uint mask;
   do {
     if (b->depth == 0u) return false;
     top = b->stack[--b->depth];
-    mask = top.z & lessOrEqualMask16((float16)(as_float(top.y)), t * PRELIGHT_BOX_SLACK);
+    mask = top.rays & lessOrEqualMask16((float16)(as_float(top.entry)), t * PRELIGHT_BOX_SLACK);
   } while (mask == 0u);
-  if (top.x & PRELIGHT_LEAF_BIT) {
-    __global const TriangleBlock* block = bvh.blocks + (top.x & ~PRELIGHT_LEAF_BIT);
+  if (top.child & PRELIGHT_LEAF_BIT) {
+    __global const TriangleBlock* block = bvh.blocks + (top.child & ~PRELIGHT_LEAF_BIT);
     while (mask != 0u) {
       visitBlock(surface, block, &b->rays, lowestLane(mask), &b->hits);
       mask &= mask - 1u;
     }
+  } else if ((mask & (mask - 1u)) == 0u) {
+    visitWithOne(bvh.nodes + top.child, b, mask);
   } else if (popcount(mask) <= PRELIGHT_FEW) {
-    visitWithFew(bvh.nodes + top.x, b, mask);
+    visitWithFew(bvh.nodes + top.child, b, mask);
   } else {
-    visitWithMany(bvh.nodes + top.x, b, mask, t);
+    visitWithMany(bvh.nodes + top.child, b, mask, t);
   }
   if (b->depth == 0u) return false;
-  prefetchChild(bvh, b->stack[b->depth - 1u].x);
+  prefetchChild(bvh, b->stack[b->depth - 1u].child);
   return true;
 }
 

@@ -44,8 +44,8 @@ uint lessOrEqualMask16(float16 a, float16 b) {
 #endif
 }
 
-// Index of the lowest bit of a mask that is not 0.
-uint lowestLane(uint mask) { return 31u - clz(mask & (0u - mask)); }
+// Index of the lowest bit of a mask that is not 0: written so that compilers see a count of trailing zeros.
+uint lowestLane(uint mask) { return popcount(~mask & (mask - 1u)); }
 
 // Asks for the cache lines of `bytes` from `address` on.
 void prefetchBytes(__global const char* address, uint bytes) {

@@ -18,8 +18,14 @@ void prefetchChild(Bvh bvh, uint child) {
     prefetchBytes((__global const char*)(bvh.nodes + child), sizeof(WideNode));
 }
 
+// Entry distances are not negative: they sort as their bits do.
+typedef struct WalkEntry {
+  uint child;
+  uint entry;  // bits of the distance
+} WalkEntry;
+
 typedef struct Walk {
-  uint2 stack[PRELIGHT_STACK_SIZE];  // x: child, y: bits of its entry distance; nearest on top
+  WalkEntry stack[PRELIGHT_STACK_SIZE];  // nearest on top
   uint depth;
   uint ray;  // in the batch
 } Walk;
@@ -29,8 +35,8 @@ typedef struct Walk {
 // Next of the stack that is not beyond `t`.
 uint popWalk(Walk* walk, float t) {
   while (walk->depth != 0u) {
-    const uint2 top = walk->stack[--walk->depth];
-    if (as_float(top.y) <= t * PRELIGHT_BOX_SLACK) return top.x;
+    const WalkEntry top = walk->stack[--walk->depth];
+    if (as_float(top.entry) <= t * PRELIGHT_BOX_SLACK) return top.child;
   }
   return PRELIGHT_NOWHERE;
 }
@@ -43,11 +49,10 @@ void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* 
   while (mask != 0u) {
     const uint child = lowestLane(mask);
     mask &= mask - 1u;
-    const uint2 entry = (uint2)(node->child[child], as_uint(near[child]));
+    const WalkEntry entry = {node->child[child], as_uint(near[child])};
     uint at = walk->depth++;
 #ifndef PRELIGHT_ANY_HIT
-    // Entry distances are not negative: they sort as their bits do.
-    while (at > first && walk->stack[at - 1u].y < entry.y) {
+    while (at > first && walk->stack[at - 1u].entry < entry.entry) {
       walk->stack[at] = walk->stack[at - 1u];
       --at;
     }
@@ -57,7 +62,8 @@ void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* 
 }
 
 void startWalk(Walk* walk, uint ray) {
-  walk->stack[0] = (uint2)(0u, 0u);
+  const WalkEntry root = {0u, 0u};
+  walk->stack[0] = root;
   walk->depth = 1u;
   walk->ray = ray;
 }
@@ -75,7 +81,7 @@ bool stepWalk(Bvh bvh, Surface surface, const RayGroup* g, uint lane, Walk* walk
     pushChildren(node, mask, near8, walk);
   }
   if (walk->depth == 0u) return false;
-  prefetchChild(bvh, walk->stack[walk->depth - 1u].x);
+  prefetchChild(bvh, walk->stack[walk->depth - 1u].child);
   return true;
 }
 
