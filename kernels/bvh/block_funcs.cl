@@ -73,11 +73,14 @@ uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint
   const float8 inverse = 1.0f / determinant;
   float8 t = (eu * az + ev * bz + ew * cz) * g->shear[2][lane] * inverse;
   const float8 low = least8(least8(az, bz), cz), high = most8(most8(az, bz), cz);
-  const float8 extent = fabs(ax) + fabs(bx) + fabs(cx) + fabs(ay) + fabs(by) + fabs(cy);
-  const int8 cancels = inside & (low < zero) & (high > zero) & (fabs(determinant) < PRELIGHT_NEEDLE * extent * (extent + high - low));
-  if (laneMask8(cancels) != 0u) {
-    const float8 plane = planeDistances(block, g, lane), first = low * g->shear[2][lane], last = high * g->shear[2][lane];
-    t = select(t, plane, cancels & (plane >= least8(first, last)) & (plane <= most8(first, last)));
+  const int8 straddles = inside & (low < zero) & (high > zero);
+  if (laneMask8(straddles) != 0u) {
+    const float8 extent = fabs(ax) + fabs(bx) + fabs(cx) + fabs(ay) + fabs(by) + fabs(cy);
+    const int8 cancels = straddles & (fabs(determinant) < PRELIGHT_NEEDLE * extent * (extent + high - low));
+    if (laneMask8(cancels) != 0u) {
+      const float8 plane = planeDistances(block, g, lane), first = low * g->shear[2][lane], last = high * g->shear[2][lane];
+      t = select(t, plane, cancels & (plane >= least8(first, last)) & (plane <= most8(first, last)));
+    }
   }
   const int8 hit = inside & (t >= zero) & (t <= tMax) & (as_int8(vload8(0, block->triangle)) != (int)g->source[lane]);
   const uint mask = laneMask8(hit);
