@@ -10,7 +10,7 @@
 #define PRELIGHT_BOX_SLACK 1.0000004f
 
 // Entry distances of the eight boxes; returns the mask of those that the ray meets in [0, tMax].
-uint intersectBoxes(__global const WideNode* node, const RayGroup* g, uint lane, float tMax, float8* tNear) {
+PRELIGHT_INLINE uint intersectBoxes(__global const WideNode* node, const RayGroup* g, uint lane, float tMax, float8* tNear) {
   __global const float* planes = (__global const float*)node;
   const uint opposite = 3u * PRELIGHT_WIDTH;
   const uint nx = g->entry[0][lane], ny = g->entry[1][lane], nz = g->entry[2][lane];
@@ -48,7 +48,7 @@ float8 planeDistances(__global const TriangleBlock* block, const RayGroup* g, ui
 
 // Watertight ray-triangle test: Woop, Benthin and Wald 2013; see intersect_funcs.cl.
 // Lanes of the returned mask are hits in [0, tMax] that are not the source.
-uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint lane, float tMax, BlockHits* hits) {
+PRELIGHT_INLINE uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint lane, float tMax, BlockHits* hits) {
 #pragma OPENCL FP_CONTRACT OFF
   const uint kx = g->axis[0][lane], ky = g->axis[1][lane], kz = g->axis[2][lane];
   const float8 ox = (float8)(g->origin[kx][lane]), oy = (float8)(g->origin[ky][lane]), oz = (float8)(g->origin[kz][lane]);
@@ -93,7 +93,7 @@ uint intersectBlock(__global const TriangleBlock* block, const RayGroup* g, uint
 
 #ifdef PRELIGHT_ANY_HIT
 // A hit that is there ends the ray: nothing lies in [0, -1]. A hit only says that there is one: triangle 0.
-void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
+PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
   while (mask != 0u) {
     const uint i = lowestLane(mask);
     mask &= mask - 1u;
@@ -106,7 +106,7 @@ void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask,
 }
 #else
 // Keeps the nearest hit that is there; equal distances go to the lower index, whatever the order of visits.
-void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
+PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
   while (mask != 0u) {
     const uint i = lowestLane(mask);
     mask &= mask - 1u;
@@ -124,7 +124,7 @@ void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask,
 #endif
 
 // Tests one ray of a group against a block and takes the hits into account.
-void visitBlock(Surface surface, __global const TriangleBlock* block, const RayGroup* g, uint lane, HitGroup* hits) {
+PRELIGHT_INLINE void visitBlock(Surface surface, __global const TriangleBlock* block, const RayGroup* g, uint lane, HitGroup* hits) {
   BlockHits found;
   const uint mask = intersectBlock(block, g, lane, hits->t[lane], &found);
   if (mask != 0u) acceptHits(surface, block, mask, &found, lane, hits);

@@ -105,7 +105,7 @@ void pushSorted(Bundle* b, uint first, BundleEntry entry) {
 }
 
 // Children that the only ray left meets.
-void visitWithOne(__global const WideNode* node, Bundle* b, uint mask) {
+PRELIGHT_INLINE void visitWithOne(__global const WideNode* node, Bundle* b, uint mask) {
   const uint lane = lowestLane(mask);
   float8 near8;
   uint children = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &near8);
@@ -122,7 +122,7 @@ void visitWithOne(__global const WideNode* node, Bundle* b, uint mask) {
 }
 
 // Children that some of a few rays meet, each ray tested against the eight boxes.
-void visitWithFew(__global const WideNode* node, Bundle* b, uint mask) {
+PRELIGHT_INLINE void visitWithFew(__global const WideNode* node, Bundle* b, uint mask) {
   uint met[PRELIGHT_FEW], lanes[PRELIGHT_FEW];
   uint count = 0, children = 0;
   float8 near8 = (float8)(INFINITY);
@@ -151,7 +151,7 @@ void visitWithFew(__global const WideNode* node, Bundle* b, uint mask) {
   }
 }
 
-void visitWithMany(__global const WideNode* node, Bundle* b, uint mask, float16 t) {
+PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b, uint mask, float16 t) {
   RelativeBoxes boxes;
   float8 near8;
   uint children = intersectInterval(node, b, &boxes, &near8);
@@ -178,7 +178,7 @@ void startBundle(Bundle* b, uint rays) {
 }
 
 // One visit for a bundle. False when there is nothing left to visit.
-bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
+PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
   const float16 t = vload16(0, b->hits.t);
   BundleEntry top;
   uint mask;

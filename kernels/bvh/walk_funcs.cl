@@ -69,7 +69,7 @@ void startWalk(Walk* walk, uint ray) {
 }
 
 // One visit. False when there is nothing left to visit.
-bool stepWalk(Bvh bvh, Surface surface, const RayGroup* g, uint lane, Walk* walk, HitGroup* hits) {
+PRELIGHT_INLINE bool stepWalk(Bvh bvh, Surface surface, const RayGroup* g, uint lane, Walk* walk, HitGroup* hits) {
   const uint current = popWalk(walk, hits->t[lane]);
   if (current == PRELIGHT_NOWHERE) return false;
   if (current & PRELIGHT_LEAF_BIT) {
