@@ -10,6 +10,7 @@ namespace prelight::cli {
 
 void addBakeCommand(CLI::App& program, Context& context);
 void addRenderCommand(CLI::App& program, Context& context);
+void addReferenceCommand(CLI::App& program, Context& context);
 void addViewCommand(CLI::App& program, Context& context);
 void addInfoCommand(CLI::App& program, Context& context);
 void addSceneCommand(CLI::App& program, Context& context);

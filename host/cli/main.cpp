@@ -32,6 +32,7 @@ void addGlobalOptions(CLI::App& program, GlobalOptions& global) {
 void addCommands(CLI::App& program, Context& context) {
   addBakeCommand(program, context);
   addRenderCommand(program, context);
+  addReferenceCommand(program, context);
   addViewCommand(program, context);
   addInfoCommand(program, context);
   addSceneCommand(program, context);

@@ -17,6 +17,8 @@ void addMissingCommand(CLI::App& program, const std::string& name) {
 
 void addRenderCommand(CLI::App& program, Context&) { addMissingCommand(program, "render"); }
 
+void addReferenceCommand(CLI::App& program, Context&) { addMissingCommand(program, "reference"); }
+
 void addViewCommand(CLI::App& program, Context&) { addMissingCommand(program, "view"); }
 
 }  // namespace prelight::cli

@@ -7,6 +7,7 @@
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
+#include "shared/reference_types.h"
 #include "shared/scene_types.h"
 
 namespace prelight {
@@ -29,6 +30,11 @@ static_assert(isShared<DeviceTriangle, 16>);
 static_assert(isShared<Receiver, 48>);
 static_assert(isShared<CastParameters, 32>);
 static_assert(isShared<Sender, 8>);
+static_assert(isShared<ReferenceParameters, 128> && offsetof(ReferenceParameters, skyTurn) == 120);
+static_assert(isShared<ReferenceMaterial, 64>);
+static_assert(isShared<ReferenceLight, 64>);
+static_assert(isShared<PathState, 48>);
+static_assert(isShared<ShadowItem, 16>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -48,7 +54,12 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<DeviceTriangle>("DeviceTriangle", offsetof(DeviceTriangle, material)),
           layoutOf<Receiver>("Receiver", offsetof(Receiver, firstSample)),
           layoutOf<CastParameters>("CastParameters", offsetof(CastParameters, firstStored)),
-          layoutOf<Sender>("Sender", offsetof(Sender, albedo))};
+          layoutOf<Sender>("Sender", offsetof(Sender, albedo)),
+          layoutOf<ReferenceParameters>("ReferenceParameters", offsetof(ReferenceParameters, rouletteDepth)),
+          layoutOf<ReferenceMaterial>("ReferenceMaterial", offsetof(ReferenceMaterial, flags)),
+          layoutOf<ReferenceLight>("ReferenceLight", offsetof(ReferenceLight, coneOffset)),
+          layoutOf<PathState>("PathState", offsetof(PathState, diffuseBounces)),
+          layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

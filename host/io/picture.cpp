@@ -66,6 +66,24 @@ std::vector<std::uint8_t> encode(const Picture& picture) {
   return bytes;
 }
 
+void writeExr(const std::filesystem::path& path, const Picture& picture,
+              const std::vector<PictureChannel>& channels) {
+  const std::size_t count = 3 + channels.size();
+  OIIO::ImageSpec spec(picture.width, picture.height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
+  spec.attribute("compression", "zip");
+  spec.attribute("DateTime",
+                 "");  // else OpenImageIO notes the time, and equal pictures would be unequal files
+  for (std::size_t c = 0; c < channels.size(); ++c) spec.channelnames[3 + c] = channels[c].name;
+  std::vector<float> values(picture.pixels.size() * count);
+  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) values[i * count + c] = picture.pixels[i][static_cast<int>(c)];
+    for (std::size_t c = 0; c < channels.size(); ++c) values[i * count + 3 + c] = channels[c].values[i];
+  }
+  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
+    writePixels(path, temporary, spec, OIIO::TypeDesc::FLOAT, values.data());
+  });
+}
+
 }  // namespace
 
 void writePicture(const std::filesystem::path& path, const Picture& picture) {
@@ -73,17 +91,21 @@ void writePicture(const std::filesystem::path& path, const Picture& picture) {
   if (extension != ".exr" && extension != ".png") {
     throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
   }
+  if (extension == ".exr") return writeExr(path, picture, {});
   writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
-    if (extension == ".exr") {
-      OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
-      spec.attribute("compression", "zip");
-      writePixels(path, temporary, spec, OIIO::TypeDesc::FLOAT, picture.pixels.data());
-    } else {
-      OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-      spec.attribute("oiio:ColorSpace", "sRGB");
-      writePixels(path, temporary, spec, OIIO::TypeDesc::UINT8, encode(picture).data());
-    }
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    writePixels(path, temporary, spec, OIIO::TypeDesc::UINT8, encode(picture).data());
   });
+}
+
+void writePicture(const std::filesystem::path& path, const Picture& picture,
+                  const std::vector<PictureChannel>& channels) {
+  const std::string extension = lowerExtension(path);
+  if (extension != ".exr")
+    throw UsageError(path.string(),
+                     "a picture of several layers is written as .exr, got '" + extension + "'");
+  writeExr(path, picture, channels);
 }
 
 Picture readPicture(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 namespace prelight {
@@ -13,9 +14,19 @@ struct Picture {
   std::vector<glm::vec3> pixels;  ///< [row][column]
 };
 
+/// A further channel of an .exr file, one value a pixel.
+struct PictureChannel {
+  std::string name;           ///< "variance.Y"
+  std::vector<float> values;  ///< [row][column]
+};
+
 /// Writes by extension: .exr is linear radiance (R,G,B, 32-bit float), .png is tone-mapped (toneMap) 8-bit
 /// sRGB. Writes beside and renames. Throws UsageError for another extension, Error when it cannot be written.
 void writePicture(const std::filesystem::path& path, const Picture& picture);
+
+/// Writes an .exr file of R, G, B and further channels.
+void writePicture(const std::filesystem::path& path, const Picture& picture,
+                  const std::vector<PictureChannel>& channels);
 
 /// Reads .exr, .hdr as linear radiance and .png, .jpg as sRGB decoded to linear. Throws InputError.
 Picture readPicture(const std::filesystem::path& path);

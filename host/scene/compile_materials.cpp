@@ -53,9 +53,9 @@ float metalnessAt(const Image& image, const TextureRef& ref, int x, int y, int w
   return std::lerp(top, bottom, fv);
 }
 
-float meanMetalness(const Image& image) {
+float meanChannel(const Image& image, std::size_t channel) {
   double sum = 0.0;
-  for (std::size_t i = 2; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+  for (std::size_t i = channel; i < image.rgba.size(); i += 4) sum += image.rgba[i];
   return static_cast<float>(sum / (255.0 * static_cast<double>(image.rgba.size() / 4)));
 }
 
@@ -107,6 +107,7 @@ class MaterialCompiler {
       setAlbedo(material, compiled, coordinates);
       setEmission(material, compiled);
     }
+    setScattering(material, compiled, coordinates);
     setCoverage(material, compiled, coordinates);
     result_.materials.push_back(compiled);
     result_.coordinates.push_back(coordinates);
@@ -128,7 +129,7 @@ class MaterialCompiler {
           fmt::format("material \"{}\": metalness uses other texture coordinates than the base "
                       "colour; its mean is taken for light transport",
                       material.name));
-      metallic *= meanMetalness(image(metal));
+      metallic *= meanChannel(image(metal), 2);
       metal.image = -1;
     }
     if (metallic == 0.0f) metal.image = -1;
@@ -163,6 +164,65 @@ class MaterialCompiler {
     auto [found, isNew] = meanEmissionOf_.try_emplace(index, 0.0f);
     if (isNew) found->second = meanEmission(image(material.emissiveTexture));
     compiled.emission *= found->second;
+  }
+
+  /// What the reference renderer needs beyond albedo and emission.
+  void setScattering(const Material& material, CompiledMaterial& compiled, TextureRef& coordinates) {
+    compiled.unlit = material.unlit;
+    compiled.baseColor = glm::vec3(material.baseColor);
+    compiled.roughness = material.roughness;
+    compiled.ior = material.ior;
+    if (material.unlit) coordinates = material.baseColorTexture;
+    if (coordinates.image < 0 && !material.unlit)
+      coordinates = material.metallicRoughnessTexture.image >= 0 ? material.metallicRoughnessTexture
+                                                                 : material.emissiveTexture;
+    setBaseImage(material, compiled);
+    if (material.unlit) return;
+    compiled.metallic = material.metallic;
+    compiled.transmission = material.transmission;
+    compiled.solid = material.thickness > 0.0f;
+    compiled.specular = material.specular;
+    compiled.specularColor = material.specularColor;
+    compiled.emissionFactor = material.emission;
+    for (int c = 0; c < 3; ++c)
+      compiled.absorption[c] = absorption(material.attenuationColor[c], material.attenuationDistance);
+    setLayers(material, compiled, coordinates);
+  }
+
+  void setBaseImage(const Material& material, CompiledMaterial& compiled) {
+    if (material.baseColorTexture.image < 0) return;
+    CompiledMaterial plain;
+    addImage(material.baseColorTexture, TextureRef{}, 0.0f, plain, material.baseColorTexture);
+    compiled.baseColorImage = plain.albedoImage;
+    compiled.wrapS = plain.wrapS;
+    compiled.wrapT = plain.wrapT;
+  }
+
+  /// A texture that lies elsewhere on the surface than the base colour counts with its mean.
+  void setLayers(const Material& material, CompiledMaterial& compiled, const TextureRef& coordinates) {
+    const auto lies = [&](const TextureRef& ref) {
+      return ref.texCoord == coordinates.texCoord && ref.transform == coordinates.transform;
+    };
+    const TextureRef& surface = material.metallicRoughnessTexture;
+    if (surface.image >= 0 && lies(surface)) {
+      compiled.surfaceTexture = {surface.image, surface.wrapS, surface.wrapT};
+    } else if (surface.image >= 0) {
+      compiled.metallic *= meanChannel(image(surface), 2);
+      compiled.roughness *= meanChannel(image(surface), 1);
+    }
+    const TextureRef& emissive = material.emissiveTexture;
+    if (!material.isEmissive() || emissive.image < 0) return;
+    if (lies(emissive)) {
+      compiled.emissionTexture = {emissive.image, emissive.wrapS, emissive.wrapT};
+    } else {
+      compiled.emissionFactor = compiled.emission;
+    }
+  }
+
+  /// Coefficient that leaves `color` of white light after `distance` (KHR_materials_volume).
+  static float absorption(float color, float distance) {
+    if (!std::isfinite(distance) || color >= 1.0f) return 0.0f;
+    return std::min(-std::log(std::max(color, 1e-6f)) / distance, 1e30f);
   }
 
   /// MASK is cut at its cutoff. BLEND, which light transport cannot blend, at one half. A material that is

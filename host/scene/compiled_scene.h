@@ -22,7 +22,15 @@ struct PrimitiveRange {
   std::uint32_t triangleCount = 0;
 };
 
-/// What light transport needs to know of a material: Lambertian albedo, emission and coverage.
+/// An image that is looked up with the texture coordinates of the albedo image.
+struct LayerTexture {
+  int image = -1;  ///< into Scene::images; -1: none, or folded into the factor as its mean
+  WrapMode wrapS = WrapMode::Repeat;
+  WrapMode wrapT = WrapMode::Repeat;
+};
+
+/// What light transport needs to know of a material. Bakes read the Lambertian albedo, the mean emission and
+/// the coverage; the rest is for the reference renderer.
 struct CompiledMaterial {
   glm::vec3 albedo{
       0.0f};  ///< baseColor (1 - metallic)(1 - transmission); multiplies the texture and vertex colour
@@ -33,6 +41,21 @@ struct CompiledMaterial {
   float alphaCutoff = -1.0f;  ///< < 0: opaque; otherwise texels with alpha below it are holes
   float alphaFactor = 1.0f;   ///< multiplies the texture's alpha
   bool doubleSided = false;
+
+  glm::vec3 baseColor{0.0f};  ///< linear; multiplies its texture and vertex colour
+  int baseColorImage = -1;    ///< into CompiledScene::albedoImages; the same coordinates as the albedo's
+  float metallic = 0.0f;
+  float roughness = 1.0f;
+  LayerTexture surfaceTexture;     ///< linear: G multiplies roughness, B metallic
+  glm::vec3 emissionFactor{0.0f};  ///< W/(m2 sr); `emission` without the mean of its texture
+  LayerTexture emissionTexture;    ///< sRGB, multiplies emissionFactor
+  float transmission = 0.0f;       ///< share of the dielectric that is glass
+  bool solid = false;              ///< glass with an inside, which refracts
+  float ior = 1.5f;                ///< 0: infinite
+  glm::vec3 absorption{0.0f};      ///< inside solid glass, 1/m
+  float specular = 0.0f;           ///< strength of a dielectric's reflection; 0: pure Lambert
+  glm::vec3 specularColor{1.0f};
+  bool unlit = false;
 };
 
 /// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area

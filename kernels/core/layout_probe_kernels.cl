@@ -4,6 +4,7 @@
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
+#include "shared/reference_types.h"
 #include "shared/scene_types.h"
 
 #define PROBE(index, Type, field)                         \
@@ -24,4 +25,9 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(8, Receiver, firstSample);
   PROBE(9, CastParameters, firstStored);
   PROBE(10, Sender, albedo);
+  PROBE(11, ReferenceParameters, rouletteDepth);
+  PROBE(12, ReferenceMaterial, flags);
+  PROBE(13, ReferenceLight, coneOffset);
+  PROBE(14, PathState, diffuseBounces);
+  PROBE(15, ShadowItem, path);
 }

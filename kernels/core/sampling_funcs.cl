@@ -41,12 +41,27 @@ uint sobolSecond(uint index) {
   return x;  // bit-reversed: the least significant bit weighs 1/2
 }
 
-// Point `index` of the Owen-scrambled (0,2)-sequence of `seed`, in [0,1)^2.
-float2 sampleSobol(uint index, uint seed) {
+// Point `index` of the Owen-scrambled (0,2)-sequence of `seed`, both coordinates as fractions of 2^32.
+uint2 sampleSobolBits(uint index, uint seed) {
   const uint a = reverseBits(scrambleReversed(index, hashInteger(seed)));
   const uint b = reverseBits(scrambleReversed(sobolSecond(index), hashInteger(seed ^ 0x9e3779b9u)));
-  // 24 bits, so that the float stays below 1.
-  return (float2)((float)(a >> 8), (float)(b >> 8)) * 5.9604644775390625e-8f;
+  return (uint2)(a, b);
+}
+
+// Fraction of 2^32 as a float in [0,1): 24 bits, so that it stays below 1.
+float unitFloat(uint bits) { return (float)(bits >> 8) * 5.9604644775390625e-8f; }
+
+// The same point in [0,1)^2.
+float2 sampleSobol(uint index, uint seed) {
+  const uint2 bits = sampleSobolBits(index, seed);
+  return (float2)(unitFloat(bits.x), unitFloat(bits.y));
+}
+
+// As sampleSobolBits, in an order that the seed shuffles: sequences of different seeds can be the coordinate pairs of
+// one point of many dimensions ("padding"; Burley 2020, section 5).
+uint2 samplePaddedBits(uint index, uint seed) {
+  const uint shuffled = reverseBits(scrambleReversed(reverseBits(index), hashInteger(seed ^ 0x85ebca6bu)));
+  return sampleSobolBits(shuffled, seed);
 }
 
 // Orthonormal frame around unit n (Duff et al. 2017).

@@ -1,0 +1,266 @@
+#include "reference/reference.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "cli/report.h"
+#include "cli/session.h"
+#include "cli/values.h"
+#include "io/environment.h"
+#include "io/picture.h"
+#include "reference/partial_file.h"
+#include "viewer/camera.h"
+#include "viewer/light_option.h"
+
+namespace prelight::cli {
+namespace {
+
+using reference::Film;
+using reference::ReferenceReport;
+using reference::ReferenceRequest;
+
+constexpr int defaultHeight = 720;
+constexpr std::uint64_t maxCameraIndex = 1u << 20;
+
+struct ReferenceCommand {
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  std::filesystem::path environment;
+  double skyRotationDegrees = 0.0;
+  std::optional<int> camera;
+  PictureSize size{std::nullopt, defaultHeight};
+  std::optional<std::vector<Light>> lights;
+  ReferenceRequest request;
+  bool resume = false;
+};
+
+/// A finished picture with all that is known of how it was made.
+struct ReferenceRun {
+  ReferenceRequest request;
+  Film film;
+  ReferenceReport report;
+  DeviceInfo device;
+};
+
+std::string effortText(const ReferenceRequest& request) {
+  if (request.error) return fmt::format("--error {}", *request.error);
+  if (request.seconds) return fmt::format("--time {}", *request.seconds);
+  return fmt::format("--spp {}", request.samples);
+}
+
+std::uint64_t samplesTaken(const ReferenceRun& run) {
+  return run.film.passes * reference::samplesPerPass(run.request);
+}
+
+nlohmann::ordered_json referenceReport(const ReferenceCommand& command, const ReferenceRun& run,
+                                       Session& session) {
+  nlohmann::ordered_json plan = nlohmann::ordered_json::array();
+  for (const PlannedPass& pass : run.report.plan)
+    plan.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
+  const double seconds = run.report.seconds;
+  nlohmann::ordered_json report = {
+      {"command", "reference"},
+      {"version", PRELIGHT_VERSION},
+      {"scene", command.scene.string()},
+      {"output", command.output.string()},
+      {"integrator", reference::integratorName(run.request.integrator)},
+      {"depth", run.request.depth},
+      {"effort", effortText(run.request)},
+      {"seed", run.request.seed},
+      {"width", run.request.width},
+      {"height", run.request.height},
+      {"spp", samplesTaken(run)},
+      {"passes", run.film.passes},
+      {"error", run.film.passes < 2 ? nlohmann::ordered_json(nullptr)
+                                    : nlohmann::ordered_json(run.film.relativeError())},
+      {"rays", run.report.rays},
+      {"raysPerSecond", seconds > 0.0 ? static_cast<double>(run.report.rays) / seconds : 0.0},
+      {"seconds", session.times().total()},
+      {"stages", toJson(session.times())},
+      {"device", toJson(run.device)},
+      {"plan", plan},
+      {"notes", run.report.notes},
+      {"warnings", session.warnings()}};
+  return report;
+}
+
+void printSummary(const ReferenceCommand& command, const ReferenceRun& run, Session& session) {
+  const Console& console = session.console();
+  console.line("device", run.device.name);
+  const double seconds = run.report.seconds;
+  console.line(
+      "traced",
+      fmt::format("{} samples a pixel, {} rays{}", samplesTaken(run),
+                  shortCount(static_cast<double>(run.report.rays)),
+                  seconds > 0.0 ? fmt::format(", {} a second",
+                                              shortCount(static_cast<double>(run.report.rays) / seconds))
+                                : ""));
+  if (run.film.passes >= 2)
+    console.line("error", fmt::format("{:.4f} of the mean (rms standard error of a pixel's luminance)",
+                                      run.film.relativeError()));
+  if (console.detailsWanted()) {
+    for (const auto& [stage, time] : session.times().stages())
+      console.line("", fmt::format("{:<12}{:8.3f} s", stage, time));
+    for (const PlannedPass& pass : run.report.plan)
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
+  }
+  console.line("wrote",
+               fmt::format("{}: {}x{}, {} integrator, in {}", command.output.string(), run.request.width,
+                           run.request.height, reference::integratorName(run.request.integrator),
+                           shortSeconds(session.times().total())));
+}
+
+void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, Session& session) {
+  std::vector<PictureChannel> channels;
+  if (std::vector<float> variance = run.film.variance(); !variance.empty())
+    channels.push_back({"variance.Y", std::move(variance)});
+  else
+    session.console().note("one sample a pixel tells no variance: the picture has no variance.Y");
+  writePicture(command.output, run.film.picture(), channels);
+}
+
+/// Goes on with an interrupted picture if there is one.
+void takeUp(const std::filesystem::path& partial, const nlohmann::ordered_json& identity, ReferenceRun& run,
+            Session& session) {
+  std::optional<Film> film = reference::readPartial(partial, identity);
+  if (!film) {
+    session.console().note(fmt::format("--resume: there is no {}, starting anew", partial.string()));
+    return;
+  }
+  run.film = std::move(*film);
+  session.console().note(fmt::format("resuming after {} samples a pixel", samplesTaken(run)));
+}
+
+/// What is done is kept in `partial`, now and then and when the user stops it.
+void traceResumably(const reference::ReferenceInputs& inputs, const Device& device,
+                    const std::filesystem::path& partial, const nlohmann::ordered_json& identity,
+                    ReferenceRun& run, Session& session) {
+  const auto keep = [&] { reference::writePartial(partial, identity, run.film); };
+  try {
+    reference::renderReference(inputs, run.request, device, session.progress(), keep, run.film, run.report);
+  } catch (const Interrupted&) {
+    session.progress().clear();
+    keep();
+    session.console().note(
+        fmt::format("what is done is kept in {}; --resume goes on with it", partial.string()));
+    throw;
+  }
+}
+
+void runReference(const ReferenceCommand& command, Context& context) {
+  Session session(context);
+  const LoadedScene loaded = session.load(command.scene);
+  requireTriangles(loaded);
+  std::optional<Environment> sky;
+  if (!command.environment.empty())
+    sky = session.times().measure("sky", [&] { return readEnvironment(command.environment); });
+  checkOutputFile("-o", command.output, {".exr"});
+
+  const reference::ReferenceInputs inputs{loaded.compiled,
+                                          loaded.scene.images,
+                                          command.lights.value_or(loaded.scene.lights),
+                                          viewer::chooseCamera(loaded.scene, loaded.compiled, command.camera),
+                                          sky ? &*sky : nullptr,
+                                          command.skyRotationDegrees * std::numbers::pi / 180.0};
+  ReferenceRun run;
+  run.request = command.request;
+  run.request.height = command.size.height;
+  run.request.width = command.size.width.value_or(viewer::pictureWidth(inputs.camera, command.size.height));
+  run.film = Film(run.request.width, run.request.height);
+  session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
+  const Device device =
+      session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
+  run.device = device.info();
+  const nlohmann::ordered_json identity = reference::identityOf(inputs, run.request, run.device);
+  const std::filesystem::path partial = reference::partialPath(command.output);
+  if (command.resume) takeUp(partial, identity, run, session);
+  session.times().measure("trace", [&] { traceResumably(inputs, device, partial, identity, run, session); });
+  session.progress().clear();
+  session.times().measure("write", [&] { writeFilm(command, run, session); });
+  std::error_code ignored;
+  std::filesystem::remove(partial, ignored);
+  for (const std::string& note : run.report.notes) session.console().note(note);
+  printSummary(command, run, session);
+  session.console().json(referenceReport(command, run, session));
+}
+
+void addPathOptions(CLI::App& app, ReferenceCommand& command) {
+  ReferenceRequest& request = command.request;
+  app.add_option_function<std::string>(
+         "--integrator",
+         [&](const std::string& name) { request.integrator = reference::parseIntegrator(name); },
+         "path (all light), distributed (one diffuse bounce) or whitted (no diffuse bounce); default: path")
+      ->type_name("NAME");
+  addWholeNumber(
+      app, "--depth", {1, ReferenceRequest::maxDepth},
+      [&](std::uint64_t n) { request.depth = static_cast<int>(n); },
+      fmt::format("most segments of a path from camera to light (default {})", request.depth));
+  CLI::Option* samples = addWholeNumber(
+      app, "--spp", {1, ReferenceRequest::maxSamples}, [&](std::uint64_t n) { request.samples = n; },
+      fmt::format("samples a pixel (default {})", request.samples));
+  CLI::Option* error = addRealNumber(
+      app, "--error", {1e-6, 1.0}, [&](double value) { request.error = value; },
+      "stop when the rms standard error of a pixel is below this share of the picture's mean");
+  CLI::Option* time = addRealNumber(
+      app, "--time", {1e-3, 1e7}, [&](double value) { request.seconds = value; },
+      "stop at the end of the first pass beyond this many seconds");
+  samples->excludes(error)->excludes(time);
+  error->excludes(time);
+  addWholeNumber(
+      app, "--seed", {0, std::numeric_limits<std::uint64_t>::max()},
+      [&](std::uint64_t n) { request.seed = n; },
+      "seed of the random numbers (default 0); the same seed gives the same bytes");
+}
+
+void addViewOptions(CLI::App& app, ReferenceCommand& command) {
+  addWholeNumber(
+      app, "--camera", {0, maxCameraIndex}, [&](std::uint64_t n) { command.camera = static_cast<int>(n); },
+      "camera of the file, counted from 0 (default: the first, or one that frames the scene)");
+  addPictureSize(
+      app, "--size", [&](PictureSize size) { command.size = size; },
+      fmt::format("pixels; one number is the height (default {})", defaultHeight));
+  app.add_option("--env", command.environment, "sky: equirectangular .hdr or .exr")->type_name("MAP");
+  addRealNumber(
+      app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { command.skyRotationDegrees = degrees; },
+      "turn the sky by this many degrees, counter-clockwise seen from above")
+      ->type_name("DEG");
+  app.add_option_function<std::vector<std::string>>(
+         "--light",
+         [&](const std::vector<std::string>& texts) {
+           if (!command.lights) command.lights.emplace();
+           for (const std::string& text : texts)
+             if (text != "none") command.lights->push_back(viewer::parseLight(text));
+         },
+         "replaces the file's punctual lights, once for each light: point:x,y,z:r,g,b, "
+         "directional:dx,dy,dz:r,g,b, "
+         "spot:x,y,z:dx,dy,dz:inner,outer:r,g,b or none")
+      ->type_name("LIGHT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+}  // namespace
+
+void addReferenceCommand(CLI::App& program, Context& context) {
+  const auto command = std::make_shared<ReferenceCommand>();
+  CLI::App* app = program.add_subcommand("reference", "Trace a picture that others can be measured against");
+  app->add_option("SCENE", command->scene, "glTF file (.gltf or .glb)")->required()->type_name("");
+  app->add_option("-o,--output", command->output, "picture to write (.exr): linear radiance, and variance.Y")
+      ->required()
+      ->type_name("IMG.exr");
+  addPathOptions(*app, *command);
+  app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.partial)");
+  addViewOptions(*app, *command);
+  app->footer(
+      "Examples:\n"
+      "  prelight reference cornell.glb -o truth.exr --spp 1024 --size 256\n"
+      "  prelight reference level.glb -o truth.exr --error 0.01 --env sky.hdr --depth 8");
+  app->callback([command, &context] { runReference(*command, context); });
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,175 @@
+#include "reference/scene_upload.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "scene/compile_parts.h"
+
+namespace prelight::reference {
+
+namespace {
+
+using device::DeviceMaterial;
+using device::ReferenceMaterial;
+
+/// Radiance beyond this is no light of this world; below, no product along a path leaves float's range.
+constexpr float brightest = 1e12f;
+
+std::uint32_t deviceWrap(WrapMode mode) {
+  switch (mode) {
+    case WrapMode::ClampToEdge:
+      return PRELIGHT_WRAP_CLAMP;
+    case WrapMode::MirroredRepeat:
+      return PRELIGHT_WRAP_MIRROR;
+    case WrapMode::Repeat:
+      break;
+  }
+  return PRELIGHT_WRAP_REPEAT;
+}
+
+void setTexture(DeviceMaterial& d, const Image& image, std::uint32_t offset, WrapMode s, WrapMode t) {
+  d.texelOffset = offset;
+  d.width = static_cast<std::uint32_t>(image.width);
+  d.height = static_cast<std::uint32_t>(image.height);
+  d.wrapS = deviceWrap(s);
+  d.wrapT = deviceWrap(t);
+}
+
+DeviceMaterial untextured() {
+  DeviceMaterial d{};
+  for (float& channel : d.albedo) channel = 1.0f;
+  d.alphaCutoff = -1.0f;
+  d.alphaFactor = 1.0f;
+  d.texelOffset = PRELIGHT_NO_TEXTURE;
+  return d;
+}
+
+/// Reflectance of a dielectric along its normal, and what KHR_materials_specular makes of it.
+void setSpecular(const CompiledMaterial& m, ReferenceMaterial& r) {
+  const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
+  for (int c = 0; c < 3; ++c) r.f0[c] = m.specular * std::min(root * root * m.specularColor[c], 1.0f);
+  r.f90 = m.specular;
+}
+
+class LayerUpload {
+ public:
+  explicit LayerUpload(const std::vector<Image>& images) : images_(images) {}
+
+  DeviceMaterial add(const LayerTexture& texture, bool srgb) {
+    DeviceMaterial d = untextured();
+    if (texture.image < 0) return d;
+    const Image& image = images_[static_cast<std::size_t>(texture.image)];
+    const auto [found, isNew] =
+        offsets_.try_emplace({texture.image, srgb}, static_cast<std::uint32_t>(texels_.size()));
+    if (isNew) addTexels(image, srgb);
+    setTexture(d, image, found->second, texture.wrapS, texture.wrapT);
+    return d;
+  }
+
+  std::vector<glm::u16vec4> take() { return std::move(texels_); }
+
+ private:
+  void addTexels(const Image& image, bool srgb) {
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+      glm::u16vec4 texel(0);
+      for (int c = 0; c < 4; ++c) {
+        const std::uint8_t byte = image.rgba[i + static_cast<std::size_t>(c)];
+        texel[c] = srgb && c < 3 ? static_cast<std::uint16_t>(std::lround(65535.0f * linearFromSrgb(byte)))
+                                 : static_cast<std::uint16_t>(257 * byte);
+      }
+      texels_.push_back(texel);
+    }
+  }
+
+  const std::vector<Image>& images_;
+  std::map<std::pair<int, bool>, std::uint32_t> offsets_;
+  std::vector<glm::u16vec4> texels_;
+};
+
+void store(float (&out)[3], const glm::dvec3& v) {
+  for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(v[c]);
+}
+
+}  // namespace
+
+std::vector<float> interleaveVertices(const CompiledScene& scene) {
+  std::vector<float> values;
+  values.reserve(6 * std::size_t{scene.vertexCount()});
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const glm::vec3 &p = scene.positions[v], &n = scene.normals[v];
+    values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
+  }
+  return values;
+}
+
+std::vector<DeviceMaterial> makeBaseMaterials(const CompiledScene& scene) {
+  std::vector<std::uint32_t> offsets;
+  std::uint32_t texels = 0;
+  for (const Image& image : scene.albedoImages) {
+    offsets.push_back(texels);
+    texels += static_cast<std::uint32_t>(image.rgba.size() / 4);
+  }
+  std::vector<DeviceMaterial> materials;
+  for (const CompiledMaterial& m : scene.materials) {
+    DeviceMaterial d = untextured();
+    for (int c = 0; c < 3; ++c) d.albedo[c] = m.baseColor[c];
+    if (m.baseColorImage >= 0) {
+      const auto image = static_cast<std::size_t>(m.baseColorImage);
+      setTexture(d, scene.albedoImages[image], offsets[image], m.wrapS, m.wrapT);
+    }
+    materials.push_back(d);
+  }
+  return materials;
+}
+
+std::vector<ReferenceMaterial> makeReferenceMaterials(const CompiledScene& scene) {
+  std::vector<ReferenceMaterial> materials;
+  for (const CompiledMaterial& m : scene.materials) {
+    ReferenceMaterial r{};
+    for (int c = 0; c < 3; ++c) {
+      r.absorption[c] = m.absorption[c];
+      r.emission[c] = std::min(m.emissionFactor[c], brightest);
+    }
+    if (!m.unlit) setSpecular(m, r);
+    r.ior = m.ior;
+    r.metallic = m.metallic;
+    r.roughness = m.roughness;
+    r.transmission = m.transmission;
+    r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
+              (m.unlit ? PRELIGHT_UNLIT : 0u);
+    materials.push_back(r);
+  }
+  return materials;
+}
+
+Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images) {
+  LayerUpload upload(images);
+  Layers layers;
+  for (const CompiledMaterial& m : scene.materials) {
+    layers.materials.push_back(upload.add(m.surfaceTexture, false));
+    layers.materials.push_back(upload.add(m.emissionTexture, true));
+  }
+  layers.texels = upload.take();
+  return layers;
+}
+
+void setCamera(const Camera& camera, const CompiledScene& scene, int width, int height,
+               device::ReferenceParameters& p) {
+  const double aspect = static_cast<double>(width) / height;
+  const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
+  store(p.eye, glm::dvec3(camera.world[3]) - scene.origin);
+  store(p.right, halfHeight * aspect * glm::normalize(glm::dvec3(camera.world[0])));
+  store(p.up, halfHeight * glm::normalize(glm::dvec3(camera.world[1])));
+  store(p.forward, -glm::normalize(glm::dvec3(camera.world[2])));
+  p.perspective = camera.perspective ? 1 : 0;
+  p.zNear = static_cast<float>(camera.zNear);
+  p.zFar = camera.zFar > 0.0 && camera.zFar < 1e30 ? static_cast<float>(camera.zFar)
+                                                   : std::numeric_limits<float>::max();
+  p.width = static_cast<std::uint32_t>(width);
+  p.height = static_cast<std::uint32_t>(height);
+}
+
+}  // namespace prelight::reference

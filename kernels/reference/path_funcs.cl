@@ -1,0 +1,38 @@
+// Random numbers of a path and the weights of its two ways to find light.
+// Options: PRELIGHT_LIGHTS_ONLY, PRELIGHT_SCATTER_ONLY: only one of the two (for tests; whitted finds lights only by
+// sampling them).
+#ifndef PRELIGHT_REFERENCE_PATH_FUNCS_CL
+#define PRELIGHT_REFERENCE_PATH_FUNCS_CL
+
+#include "reference/light_funcs.cl"
+
+// Coordinate pairs of a path's point: one for the place in the pixel, then these for every vertex.
+#define PRELIGHT_PAIR_PIXEL 0u
+#define PRELIGHT_PAIR_LOBE 1u       // lobe, roulette
+#define PRELIGHT_PAIR_DIRECTION 2u
+#define PRELIGHT_PAIR_LIGHT 3u      // group, emitter
+#define PRELIGHT_PAIR_PLACE 4u      // on the emitter, in the sky
+#define PRELIGHT_PAIRS_A_VERTEX 4u
+
+uint2 pathBits(__constant const ReferenceParameters* p, uint path, uint pair) {
+  const uint pixel = p->firstPixel + path / p->samplesPerPass;
+  const uint seed = hashInteger(pixel + hashInteger(p->pass + hashInteger(p->seed)));
+  return samplePaddedBits(path % p->samplesPerPass, hashInteger(seed + pair * 0x9e3779b9u));
+}
+
+float2 pathPoint(__constant const ReferenceParameters* p, uint path, uint pair) {
+  const uint2 bits = pathBits(p, path, pair);
+  return (float2)(unitFloat(bits.x), unitFloat(bits.y));
+}
+
+// Power heuristic (Veach 1995, eq. 9.13) for a sample of density `used`, which the other way draws with `other`.
+float misWeight(float used, float other) {
+  const float ratio = other / used;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+float3 absorbed(PathScene s, uint medium, float distance) {
+  return exp(-vload3(0, s.materials[medium].absorption) * distance);
+}
+
+#endif

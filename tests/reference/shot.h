@@ -1,0 +1,45 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "reference/reference.h"
+#include "support/scenes.h"
+
+namespace prelight::test {
+
+/// A scene with what the reference renderer needs besides, and a picture of it.
+struct Shot {
+  CompiledScene scene;
+  std::vector<Light> lights;
+  std::optional<Environment> sky;
+  Camera camera;
+  reference::ReferenceRequest request;
+
+  reference::ReferenceInputs inputs() const;
+  reference::Film render() const;
+};
+
+/// A perspective camera.
+Camera cameraAt(const glm::dvec3& eye, const glm::dvec3& target, double yFov);
+
+/// An orthographic camera of half width and height `extent`.
+Camera orthographicCamera(const glm::dvec3& eye, const glm::dvec3& target, double extent);
+
+/// A shot of `scene` with a small square picture.
+Shot shotOf(CompiledScene scene, const Camera& camera, int size, std::uint64_t samples);
+
+/// Lambertian surface of an albedo, for the reference renderer and bakes alike.
+CompiledMaterial lambert(float albedo);
+CompiledMaterial metal(float reflectance, float roughness);
+CompiledMaterial glass(float ior, bool solid);
+CompiledMaterial emitter(const glm::vec3& radiance);
+
+/// Mean luminance of a film and the standard error of that mean, as its passes tell.
+struct MeanAndError {
+  double mean = 0.0;
+  double error = 0.0;
+};
+MeanAndError meanOf(const reference::Film& film);
+
+}  // namespace prelight::test
