@@ -13,7 +13,7 @@
 #include "cli/values.h"
 #include "io/environment.h"
 #include "io/picture.h"
-#include "reference/partial_file.h"
+#include "reference/film_state.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
 
@@ -125,29 +125,28 @@ void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, Session
 }
 
 /// Goes on with an interrupted picture if there is one.
-void takeUp(const std::filesystem::path& partial, const nlohmann::ordered_json& identity, ReferenceRun& run,
-            Session& session) {
-  std::optional<Film> film = reference::readPartial(partial, identity);
+void takeUp(const std::filesystem::path& state, const StateKey& key, ReferenceRun& run, Session& session) {
+  std::optional<Film> film = reference::readFilmState(state, key);
   if (!film) {
-    session.console().note(fmt::format("--resume: there is no {}, starting anew", partial.string()));
+    session.console().note(fmt::format("--resume: there is no {}, starting anew", state.string()));
     return;
   }
   run.film = std::move(*film);
   session.console().note(fmt::format("resuming after {} samples a pixel", samplesTaken(run)));
 }
 
-/// What is done is kept in `partial`, now and then and when the user stops it.
+/// What is done is kept in `state`, now and then and when the user stops it.
 void traceResumably(const reference::ReferenceInputs& inputs, const Device& device,
-                    const std::filesystem::path& partial, const nlohmann::ordered_json& identity,
-                    ReferenceRun& run, Session& session) {
-  const auto keep = [&] { reference::writePartial(partial, identity, run.film); };
+                    const std::filesystem::path& state, const StateKey& key, ReferenceRun& run,
+                    Session& session) {
+  const auto keep = [&] { reference::writeFilmState(state, key, run.film); };
   try {
     reference::renderReference(inputs, run.request, device, session.progress(), keep, run.film, run.report);
   } catch (const Interrupted&) {
     session.progress().clear();
     keep();
     session.console().note(
-        fmt::format("what is done is kept in {}; --resume goes on with it", partial.string()));
+        fmt::format("what is done is kept in {}; --resume goes on with it", state.string()));
     throw;
   }
 }
@@ -176,14 +175,14 @@ void runReference(const ReferenceCommand& command, Context& context) {
   const Device device =
       session.times().measure("device", [&] { return Device::open(session.deviceOptions()); });
   run.device = device.info();
-  const nlohmann::ordered_json identity = reference::identityOf(inputs, run.request, run.device);
-  const std::filesystem::path partial = reference::partialPath(command.output);
-  if (command.resume) takeUp(partial, identity, run, session);
-  session.times().measure("trace", [&] { traceResumably(inputs, device, partial, identity, run, session); });
+  const StateKey key = reference::filmKey(inputs, run.request, run.device);
+  const std::filesystem::path state = stateFileOf(command.output);
+  if (command.resume) takeUp(state, key, run, session);
+  session.times().measure("trace", [&] { traceResumably(inputs, device, state, key, run, session); });
   session.progress().clear();
   session.times().measure("write", [&] { writeFilm(command, run, session); });
   std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
+  std::filesystem::remove(state, ignored);
   for (const std::string& note : run.report.notes) session.console().note(note);
   printSummary(command, run, session);
   session.console().json(referenceReport(command, run, session));
@@ -254,7 +253,7 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       ->required()
       ->type_name("IMG.exr");
   addPathOptions(*app, *command);
-  app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.partial)");
+  app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.state)");
   addViewOptions(*app, *command);
   app->footer(
       "Examples:\n"

@@ -60,16 +60,16 @@ TEST_F(CliReference, Interrupted_IsResumedToTheSameBytes) {
   const ProcessResult stopped = prelight(command("a.exr", options), {.signalAfterOutput = SIGINT});
   if (stopped.exitCode == interrupted) {
     EXPECT_EQ(files().count("a.exr"), 0u);
-    EXPECT_EQ(files().count("a.exr.partial"), 1u);
+    EXPECT_EQ(files().count("a.exr.state"), 1u);
     EXPECT_THAT(stopped.errors, HasSubstr("--resume"));
     std::vector<std::string> other{"--size", "96x64", "--spp", "2048", "--seed", "5", "--resume"};
-    expectFailure(badInput, command("a.exr", other), {"a.exr.partial", "seed (was 0, is 5)"});
+    expectFailure(badUsage, command("a.exr", other), {"a.exr.state", "--seed"});
   }
   std::vector<std::string> resumed = options;
   resumed.push_back("--resume");
   prelightDone(command("a.exr", resumed));
   EXPECT_EQ(readFile("a.exr"), readFile("whole.exr"));
-  EXPECT_EQ(files().count("a.exr.partial"), 0u);
+  EXPECT_EQ(files().count("a.exr.state"), 0u);
 }
 
 TEST_F(CliReference, ResumeWithoutState_StartsAnewAndSaysSo) {
@@ -105,8 +105,8 @@ TEST_F(CliReference, Inputs_MissingOrBroken_AreRefused) {
   expectFailure(badInput, command("a.exr", {"--env", "none.exr"}), {"none.exr"});
   writeFile("empty.glb", emptyScene().bytes());
   expectFailure(badInput, {"reference", "empty.glb", "-o", "a.exr"}, {"empty.glb", "triangles"});
-  writeFile("a.exr.partial", "not a state");
-  expectFailure(badInput, command("a.exr", {"--size", "8x8", "--resume"}), {"a.exr.partial"});
+  writeFile("a.exr.state", "not a state");
+  expectFailure(badInput, command("a.exr", {"--size", "8x8", "--resume"}), {"a.exr.state"});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "reference/partial_file.h"
+#include "reference/film_state.h"
 #include "reference/shot.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"
@@ -128,7 +128,7 @@ TEST(Reference, Interrupted_GoesOnToTheSameBits) {
   shot.request.depth = 3;
   const Film whole = shot.render();
   const TemporaryFolder folder;
-  const auto identity = reference::identityOf(shot.inputs(), shot.request, sharedDevice().info());
+  const auto key = reference::filmKey(shot.inputs(), shot.request, sharedDevice().info());
   reference::ReferenceReport report;
   bool withinPass = false;
   Film film(160, 160);
@@ -140,48 +140,54 @@ TEST(Reference, Interrupted_GoesOnToTheSameBits) {
       break;
     } catch (const Interrupted&) {
       withinPass = withinPass || film.blockPixels > 0;
-      reference::writePartial(folder / "a.exr.partial", identity, film);
-      film = reference::readPartial(folder / "a.exr.partial", identity).value();
+      reference::writeFilmState(folder / "a.exr.state", key, film);
+      film = reference::readFilmState(folder / "a.exr.state", key).value();
     }
   }
   EXPECT_TRUE(withinPass);
   EXPECT_TRUE(same(film, whole));
 }
 
-TEST(PartialFile, OfAnotherPicture_NamesTheDifference) {
+TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
   Shot shot = cornerShot();
   const TemporaryFolder folder;
-  const auto path = folder / "a.exr.partial";
-  const auto identity = [&] {
-    return reference::identityOf(shot.inputs(), shot.request, sharedDevice().info());
+  const auto path = folder / "a.exr.state";
+  const auto key = [&] { return reference::filmKey(shot.inputs(), shot.request, sharedDevice().info()); };
+  EXPECT_FALSE(reference::readFilmState(path, key()).has_value());
+  reference::writeFilmState(path, key(), Film(10, 10));
+  EXPECT_TRUE(reference::readFilmState(path, key()).has_value());
+  const auto refusal = [&]() -> std::string {
+    try {
+      (void)reference::readFilmState(path, key());
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
   };
-  EXPECT_FALSE(reference::readPartial(path, identity()).has_value());
-  reference::writePartial(path, identity(), Film(10, 10));
-  EXPECT_TRUE(reference::readPartial(path, identity()).has_value());
-  const auto refusal = [&] { return inputErrorOf([&] { (void)reference::readPartial(path, identity()); }); };
   shot.request.depth = 7;
   shot.request.seed = 3;
-  EXPECT_NE(refusal().find("depth (was 16, is 7)"), std::string::npos) << refusal();
-  EXPECT_NE(refusal().find("seed (was 0, is 3)"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("--depth"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("--seed"), std::string::npos) << refusal();
+  EXPECT_EQ(refusal().find("--size"), std::string::npos) << refusal();
   shot = cornerShot();
   shot.scene.materials[0].baseColor.x = 0.1f;
-  EXPECT_NE(refusal().find("scene"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("the scene"), std::string::npos) << refusal();
   shot = cornerShot();
   shot.sky = constantEnvironment(glm::vec3(1.0f));
-  EXPECT_NE(refusal().find("env"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("--env"), std::string::npos) << refusal();
 }
 
-TEST(PartialFile, BrokenOrCutShort_IsRefused) {
+TEST(FilmState, BrokenOrCutShort_IsRefused) {
   const Shot shot = cornerShot();
   const TemporaryFolder folder;
-  const auto path = folder / "a.exr.partial";
-  const auto identity = reference::identityOf(shot.inputs(), shot.request, sharedDevice().info());
-  reference::writePartial(path, identity, Film(10, 10));
+  const auto path = folder / "a.exr.state";
+  const auto key = reference::filmKey(shot.inputs(), shot.request, sharedDevice().info());
+  reference::writeFilmState(path, key, Film(10, 10));
   const std::string whole = readBytes(path);
   for (const std::string& bytes : {std::string(), whole.substr(0, 30), whole.substr(0, whole.size() / 2),
                                    whole.substr(0, whole.size() - 1), whole + "x"}) {
     writeBytes(path, bytes);
-    EXPECT_NE(inputErrorOf([&] { (void)reference::readPartial(path, identity); }), "") << bytes.size();
+    EXPECT_NE(inputErrorOf([&] { (void)reference::readFilmState(path, key); }), "") << bytes.size();
   }
 }
 
