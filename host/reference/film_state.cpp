@@ -18,9 +18,10 @@ void addMaterial(StateHash& hash, const CompiledMaterial& m) {
   for (const float v :
        {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior, m.specular})
     hash.value(v);
-  for (const int v : {m.albedoImage, m.baseColorImage, static_cast<int>(m.wrapS), static_cast<int>(m.wrapT),
+  for (const int v : {m.albedoImage, static_cast<int>(m.wrapS), static_cast<int>(m.wrapT),
                       m.doubleSided ? 1 : 0, m.solid ? 1 : 0, m.unlit ? 1 : 0})
     hash.value(v);
+  addLayer(hash, m.baseColorTexture);
   addLayer(hash, m.surfaceTexture);
   addLayer(hash, m.emissionTexture);
 }

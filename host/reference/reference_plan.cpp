@@ -37,7 +37,8 @@ Features findFeatures(const ReferenceInputs& inputs, const LightTables& lights) 
     f.mirror = f.mirror || (specular && mayBeSmooth(m));
     f.glossy = f.glossy || (specular && m.roughness >= smoothBelow);
     f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
-    f.layerTextures = f.layerTextures || m.surfaceTexture.image >= 0 || m.emissionTexture.image >= 0;
+    f.layerTextures = f.layerTextures || m.baseColorTexture.image >= 0 || m.surfaceTexture.image >= 0 ||
+                      m.emissionTexture.image >= 0;
     f.scatters = f.scatters || (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
   }
   return f;
@@ -64,8 +65,7 @@ std::vector<PlannedPass> explainFeatures(const Features& f, const ReferenceReque
                "no surface reflects with roughness"),
           pass("glass", f.glass, "some material transmits", "no material transmits"),
           pass("absorption", f.absorption, "some solid glass attenuates", "no solid glass attenuates"),
-          pass("textures of roughness, metalness and emission", f.layerTextures, "some material has one",
-               "no material has one")};
+          pass("textures", f.layerTextures, "some material has one", "no material has one")};
 }
 
 BuildOptions buildOptions(const Features& f, const ReferenceRequest& request, BuildOptions options) {

@@ -106,21 +106,10 @@ std::vector<float> interleaveVertices(const CompiledScene& scene) {
 }
 
 std::vector<DeviceMaterial> makeBaseMaterials(const CompiledScene& scene) {
-  std::vector<std::uint32_t> offsets;
-  std::uint32_t texels = 0;
-  for (const Image& image : scene.albedoImages) {
-    offsets.push_back(texels);
-    texels += static_cast<std::uint32_t>(image.rgba.size() / 4);
-  }
   std::vector<DeviceMaterial> materials;
   for (const CompiledMaterial& m : scene.materials) {
-    DeviceMaterial d = untextured();
-    for (int c = 0; c < 3; ++c) d.albedo[c] = m.baseColor[c];
-    if (m.baseColorImage >= 0) {
-      const auto image = static_cast<std::size_t>(m.baseColorImage);
-      setTexture(d, scene.albedoImages[image], offsets[image], m.wrapS, m.wrapT);
-    }
-    materials.push_back(d);
+    materials.push_back(untextured());
+    for (int c = 0; c < 3; ++c) materials.back().albedo[c] = m.baseColor[c];
   }
   return materials;
 }
@@ -149,6 +138,7 @@ Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images) 
   LayerUpload upload(images);
   Layers layers;
   for (const CompiledMaterial& m : scene.materials) {
+    layers.materials.push_back(upload.add(m.baseColorTexture, true));
     layers.materials.push_back(upload.add(m.surfaceTexture, false));
     layers.materials.push_back(upload.add(m.emissionTexture, true));
   }

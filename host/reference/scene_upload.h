@@ -13,13 +13,12 @@ namespace prelight::reference {
 /// Position and normal of every vertex, [vertex][6].
 std::vector<float> interleaveVertices(const CompiledScene& scene);
 
-/// Materials for surfaceColor() (kernels/bvh/alpha_funcs.cl) that yield base colours in place of albedos.
-/// Texels are those of the scene's albedo images, one after the other.
+/// Materials for surfaceColor() (kernels/bvh/alpha_funcs.cl) that yield base colours without their textures.
 std::vector<device::DeviceMaterial> makeBaseMaterials(const CompiledScene& scene);
 
 std::vector<device::ReferenceMaterial> makeReferenceMaterials(const CompiledScene& scene);
 
-/// Textures that are no base colours: [material][2] of roughness and metalness, of emission.
+/// Textures, [material][3]: of base colour, of roughness and metalness, of emission.
 struct Layers {
   std::vector<device::DeviceMaterial> materials;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535

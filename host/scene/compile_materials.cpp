@@ -176,7 +176,8 @@ class MaterialCompiler {
     if (coordinates.image < 0 && !material.unlit)
       coordinates = material.metallicRoughnessTexture.image >= 0 ? material.metallicRoughnessTexture
                                                                  : material.emissiveTexture;
-    setBaseImage(material, compiled);
+    const TextureRef& base = material.baseColorTexture;
+    compiled.baseColorTexture = {base.image, base.wrapS, base.wrapT};
     if (material.unlit) return;
     compiled.metallic = material.metallic;
     compiled.transmission = material.transmission;
@@ -187,15 +188,6 @@ class MaterialCompiler {
     for (int c = 0; c < 3; ++c)
       compiled.absorption[c] = absorption(material.attenuationColor[c], material.attenuationDistance);
     setLayers(material, compiled, coordinates);
-  }
-
-  void setBaseImage(const Material& material, CompiledMaterial& compiled) {
-    if (material.baseColorTexture.image < 0) return;
-    CompiledMaterial plain;
-    addImage(material.baseColorTexture, TextureRef{}, 0.0f, plain, material.baseColorTexture);
-    compiled.baseColorImage = plain.albedoImage;
-    compiled.wrapS = plain.wrapS;
-    compiled.wrapT = plain.wrapT;
   }
 
   /// A texture that lies elsewhere on the surface than the base colour counts with its mean.

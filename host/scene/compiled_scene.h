@@ -42,8 +42,8 @@ struct CompiledMaterial {
   float alphaFactor = 1.0f;   ///< multiplies the texture's alpha
   bool doubleSided = false;
 
-  glm::vec3 baseColor{0.0f};  ///< linear; multiplies its texture and vertex colour
-  int baseColorImage = -1;    ///< into CompiledScene::albedoImages; the same coordinates as the albedo's
+  glm::vec3 baseColor{0.0f};      ///< linear; multiplies its texture and vertex colour
+  LayerTexture baseColorTexture;  ///< sRGB
   float metallic = 0.0f;
   float roughness = 1.0f;
   LayerTexture surfaceTexture;     ///< linear: G multiplies roughness, B metallic

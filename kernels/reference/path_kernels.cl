@@ -77,7 +77,7 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const uin
     }
 #endif
     if (depth == 0u && (materials[vertex.material].flags & PRELIGHT_UNLIT) != 0u)
-      radiance = surfaceColor(s.surface, hit.triangle, hit.u, hit.v).xyz;
+      radiance = baseColor(s, hit.triangle, hit.u, hit.v);
   }
   float weight = 1.0f;
   if (scattered > 0.0f) {

@@ -1,5 +1,5 @@
 // What a path finds where it meets the surface.
-// Options: PRELIGHT_LAYER_TEXTURES (some material has a texture of roughness, metalness or emission), and those of the
+// Options: PRELIGHT_LAYER_TEXTURES (some material has a texture), and those of the
 // surface (bvh/alpha_funcs.cl).
 #ifndef PRELIGHT_REFERENCE_VERTEX_FUNCS_CL
 #define PRELIGHT_REFERENCE_VERTEX_FUNCS_CL
@@ -10,12 +10,16 @@
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 
+#define PRELIGHT_LAYER_BASE 0u
+#define PRELIGHT_LAYER_SURFACE 1u  // G roughness, B metalness
+#define PRELIGHT_LAYER_EMISSION 2u
+
 typedef struct PathScene {
-  Surface surface;  // its materials hold base colours
+  Surface surface;  // its materials hold base colours without textures
   __global const float* vertices;  // [vertex][6] position, normal
   __global const uchar* flat;      // [triangle] 1: no shading normals
   __global const ReferenceMaterial* materials;
-  __global const DeviceMaterial* layers;    // [material][2] textures of roughness (G) and metalness (B), of emission
+  __global const DeviceMaterial* layers;    // [material][3] textures: PRELIGHT_LAYER_*
   __global const ushort4* layerTexels;
 } PathScene;
 
@@ -81,7 +85,7 @@ float2 vertexTexCoord(PathScene s, uint triangle, float u, float v) {
 // Texture `layer` of a material at a point; white where there is none.
 float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 #ifdef PRELIGHT_LAYER_TEXTURES
-  __global const DeviceMaterial* m = s.layers + 2 * s.surface.triangles[triangle].material + layer;
+  __global const DeviceMaterial* m = s.layers + 3 * s.surface.triangles[triangle].material + layer;
   if (m->texelOffset != PRELIGHT_NO_TEXTURE) {
     Surface texels = s.surface;
     texels.texels = s.layerTexels;
@@ -95,14 +99,19 @@ float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
   __global const ReferenceMaterial* m = s.materials + s.surface.triangles[triangle].material;
   if (!front && (m->flags & PRELIGHT_DOUBLE_SIDED) == 0u) return (float3)(0.0f);
-  return vload3(0, m->emission) * sampleLayer(s, 1, triangle, u, v).xyz;
+  return vload3(0, m->emission) * sampleLayer(s, PRELIGHT_LAYER_EMISSION, triangle, u, v).xyz;
+}
+
+// Factor, texture and vertex colour of a point.
+float3 baseColor(PathScene s, uint triangle, float u, float v) {
+  return clamp(surfaceColor(s.surface, triangle, u, v).xyz * sampleLayer(s, PRELIGHT_LAYER_BASE, triangle, u, v).xyz,
+               0.0f, 1.0f);
 }
 
 Bsdf loadBsdf(PathScene s, PathVertex p) {
   __global const ReferenceMaterial* m = s.materials + p.material;
-  const float4 layer = sampleLayer(s, 0, p.triangle, p.u, p.v);
-  const float3 base = clamp(surfaceColor(s.surface, p.triangle, p.u, p.v).xyz, 0.0f, 1.0f) *
-                      ((m->flags & PRELIGHT_UNLIT) != 0u ? 0.0f : 1.0f);
+  const float4 layer = sampleLayer(s, PRELIGHT_LAYER_SURFACE, p.triangle, p.u, p.v);
+  const float3 base = baseColor(s, p.triangle, p.u, p.v) * ((m->flags & PRELIGHT_UNLIT) != 0u ? 0.0f : 1.0f);
   const float metallic = m->metallic * layer.z;
   const float roughness = m->roughness * layer.y;
   const float opaque = (1.0f - metallic) * (1.0f - m->transmission);
