@@ -164,6 +164,7 @@ class EmbreePeer final : public RayPeer {
  public:
   EmbreePeer(const CompiledScene& scene, PeerQuality quality, std::size_t threads)
       : pool_(threads), device_(rtcNewDevice(fmt::format("threads={}", threads).c_str())) {
+    const DenormalsFlushed flushed;
     if (!device_) fail(rtcGetDeviceError(nullptr));
     rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
     positions_ = scene.positions;
