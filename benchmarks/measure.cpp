@@ -10,20 +10,6 @@
 
 namespace prelight::benchmarks {
 
-namespace {
-
-/// Passes on the wish to stop and nothing else.
-class StopOnly final : public Progress {
- public:
-  explicit StopOnly(const Progress& outer) : outer_(outer) {}
-  bool stopRequested() const override { return outer_.stopRequested(); }
-
- private:
-  const Progress& outer_;
-};
-
-}  // namespace
-
 BenchmarkScene loadBuiltinScene(const std::string& name) {
   Warnings warnings;
   BenchmarkScene result;

@@ -44,6 +44,16 @@ struct TimedBake {
 TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, const Device& device,
                     const Progress& progress);
 
+/// Passes on the wish to stop and nothing else: a benchmark's bar counts its own steps.
+class StopOnly final : public Progress {
+ public:
+  explicit StopOnly(const Progress& outer) : outer_(outer) {}
+  bool stopRequested() const override { return outer_.stopRequested(); }
+
+ private:
+  const Progress& outer_;
+};
+
 /// Tells `progress` how many of a suite's equal steps are done, and stops when the user wants to.
 class StepCounter {
  public:

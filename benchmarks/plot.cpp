@@ -180,6 +180,18 @@ std::string errorPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+std::string referencePlot(const Results& results, const std::string& subtitle) {
+  std::vector<SceneResults> scenes;
+  for (const BenchmarkResult& result : results)
+    if (const auto [scene, label] = splitCase(result.case_); !label.starts_with("long run"))
+      groupNamed(scenes, scene).results.push_back(result);
+  CurveChart chart{"Error of the reference renderer against time", subtitle, "seconds", "relative MSE", {}};
+  for (const SceneResults& scene : scenes)
+    chart.curves.push_back({scene.name, palette[chart.curves.size() % palette.size()], CurveStyle::Strong,
+                            pointsOf(scene.results, "relMSE")});
+  return drawCurveChart(chart);
+}
+
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
@@ -188,13 +200,14 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 7> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 8> kinds = {{{"cast", "cast", castPlot},
                                           {"rays", "rays", raysPlot},
                                           {"build", "build", buildPlot},
                                           {"scaling", "scaling", scalingPlot},
                                           {"scaling", "scaling-build", scalingBuildPlot},
                                           {"bake", "bake", bakePlot},
-                                          {"error", "error", errorPlot}}};
+                                          {"error", "error", errorPlot},
+                                          {"reference", "reference", referencePlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

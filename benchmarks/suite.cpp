@@ -27,6 +27,8 @@ const std::vector<Entry>& entries() {
        runBakeSuite},
       {{"error", "error of AO against time, and the error that a bake reports against the measured one"},
        runErrorSuite},
+      {{"reference", "error of the reference renderer against time, and the error that it reports"},
+       runReferenceSuite},
   };
   return list;
 }
@@ -42,7 +44,10 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .scalingTriangles = {1000, 2000},
           .bakeRays = 16,
           .errorRays = {16, 32},
-          .errorReferenceRays = 64};
+          .errorReferenceRays = 64,
+          .referenceSize = 16,
+          .referenceSamples = {2, 4},
+          .referenceLongRun = 16};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
@@ -55,7 +60,10 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"rayPeer", embreeVersion().empty() ? "none" : embreeVersion()},
           {"bakeRays", bakeRays},
           {"errorRays", errorRays},
-          {"errorReferenceRays", errorReferenceRays}};
+          {"errorReferenceRays", errorReferenceRays},
+          {"referenceSize", referenceSize},
+          {"referenceSamples", referenceSamples},
+          {"referenceLongRun", referenceLongRun}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

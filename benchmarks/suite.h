@@ -33,6 +33,9 @@ struct BenchmarkOptions {
   std::uint64_t bakeRays = 256;                                                            ///< a vertex
   std::vector<std::uint64_t> errorRays = {64, 128, 256, 512, 1024};  ///< a vertex, ascending
   std::uint64_t errorReferenceRays = 4096;                           ///< a vertex
+  int referenceSize = 64;  ///< pixels, of the square pictures of `reference`
+  std::vector<std::uint64_t> referenceSamples = {2, 8, 32, 128};  ///< a pixel, ascending
+  std::uint64_t referenceLongRun = 2048;                          ///< a pixel
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

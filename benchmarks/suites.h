@@ -31,4 +31,8 @@ std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkO
 std::vector<BenchmarkResult> runErrorSuite(const Device& device, const BenchmarkOptions& options,
                                            Progress& progress);
 
+/// Error and time of the reference renderer for growing numbers of samples, and the error that it reports.
+std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 }  // namespace prelight::benchmarks
