@@ -49,6 +49,25 @@ bool isClosed(const CompiledScene& mesh) {
   return true;
 }
 
+namespace {
+
+/// A point within rounding of the surface sees it at t = 0, or not.
+bool isWellInside(const CompiledScene& mesh, const glm::dvec3& point) {
+  const glm::vec3 most = glm::max(glm::abs(mesh.boundsMin), glm::abs(mesh.boundsMax));
+  const double rounding = 0x1p-22 * std::max({most.x, most.y, most.z});
+  const int around = windings(mesh, point);
+  if (around == 0) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-rounding, rounding}) {
+      glm::dvec3 beside = point;
+      beside[axis] += side;
+      if (windings(mesh, beside) != around) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
 ClosedMesh closedMesh(const std::string& name, const CompiledScene& scene, std::size_t points) {
   ClosedMesh mesh{name, scene, {}};
   EXPECT_TRUE(isClosed(scene)) << name;
@@ -56,7 +75,7 @@ ClosedMesh closedMesh(const std::string& name, const CompiledScene& scene, std::
   for (int attempt = 0; attempt < 20000 && mesh.inside.size() < points; ++attempt) {
     const glm::vec3 share(random.uniform(), random.uniform(), random.uniform());
     const glm::vec3 p = glm::mix(scene.boundsMin, scene.boundsMax, share);
-    if (windings(scene, glm::dvec3(p)) != 0) mesh.inside.push_back(p);
+    if (isWellInside(scene, glm::dvec3(p))) mesh.inside.push_back(p);
   }
   EXPECT_GE(mesh.inside.size(), points / 4) << name;
   return mesh;

@@ -16,7 +16,8 @@ int windings(const CompiledScene& mesh, const glm::dvec3& point);
 /// Whether every edge is met by as many triangles one way as the other, vertices being told apart by place.
 bool isClosed(const CompiledScene& mesh);
 
-/// A mesh without holes and points inside of it, from which no ray may escape.
+/// A mesh without holes and points inside of it, off the surface by more than rounding, from which no ray may
+/// escape.
 struct ClosedMesh {
   std::string name;
   CompiledScene scene;
