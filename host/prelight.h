@@ -24,6 +24,7 @@
 #include "io/baked_file.h"
 #include "io/environment.h"
 #include "io/picture.h"
+#include "io/state_file.h"
 #include "plan/plan.h"
 #include "scene/builtin.h"
 #include "scene/compiled_scene.h"

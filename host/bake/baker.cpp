@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bake/bounce.h"
-#include "bake/side_cast.h"
+#include "bake/scene_cast.h"
 #include "bvh/tracer.h"
 
 namespace prelight {
@@ -55,43 +55,19 @@ std::vector<double> directTransfer(const SideCast& cast, const std::vector<doubl
   return transfer;
 }
 
-/// The backs that rays have seen, cast like fronts.
-struct BackCast {
-  SideCast cast;
-  std::vector<std::uint8_t> seen;  ///< [triangle]
-};
-
-constexpr int maxBackRounds = 4;  // backs seen from backs, and so on; what lies deeper reflects nothing
-
-/// Casts from the backs that rays have met, and from those that these meet. nullptr when there are none.
-std::unique_ptr<BackCast> castBacks(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                                    const Schedule& schedule, const SideCast& front, std::uint32_t capacity,
-                                    Progress& progress, BakeReport& report) {
-  std::unique_ptr<BackCast> back;
-  for (int round = 0; round < maxBackRounds; ++round) {
-    std::vector<std::uint8_t> fresh = caster.backMarks();
-    for (std::size_t t = 0; back && t < fresh.size(); ++t) fresh[t] = fresh[t] && !back->seen[t];
-    if (std::count(fresh.begin(), fresh.end(), 1) == 0) break;
-    if (!back)
-      back.reset(new BackCast{SideCast(scene, mesh, caster, schedule, Side::Back),
-                              std::vector<std::uint8_t>(scene.triangleCount(), 0)});
-    for (std::size_t t = 0; t < fresh.size(); ++t) back->seen[t] |= fresh[t];
-    back->cast.active() = std::move(fresh);
-    back->cast.run(progress, front.storedCount(), capacity - front.storedCount());
-  }
-  report.notes.push_back(
-      back ? fmt::format("back faces: {} triangles are seen from behind and reflect there too",
-                         std::count(back->seen.begin(), back->seen.end(), 1))
-           : "back faces: skipped, no ray meets one that reflects");
-  return back;
+std::string backNote(const SceneCast& cast) {
+  return cast.back() != nullptr
+             ? fmt::format("back faces: {} triangles are seen from behind and reflect there too",
+                           std::count(cast.backSeen().begin(), cast.backSeen().end(), 1))
+             : "back faces: skipped, no ray meets one that reflects";
 }
 
 /// Direct transfer of the backs; 0 where none was cast.
-std::vector<double> backTransfer(const BackCast& back, const FitMesh& mesh) {
-  std::vector<double> transfer = directTransfer(back.cast, back.cast.solve(), mesh.slotCount());
+std::vector<double> backTransfer(const SceneCast& cast, const FitMesh& mesh) {
+  std::vector<double> transfer = directTransfer(*cast.back(), cast.back()->solve(), mesh.slotCount());
   std::vector<std::uint8_t> covered(mesh.slotCount(), 0);
-  for (std::size_t t = 0; t < back.seen.size(); ++t)
-    for (const std::uint32_t slot : mesh.triangles[t]) covered[slot] |= back.seen[t];
+  for (std::size_t t = 0; t < cast.backSeen().size(); ++t)
+    for (const std::uint32_t slot : mesh.triangles[t]) covered[slot] |= cast.backSeen()[t];
   const std::size_t row = transfer.size() / mesh.slotCount();
   for (std::size_t slot = 0; slot < covered.size(); ++slot)
     if (!covered[slot]) std::fill_n(transfer.begin() + static_cast<std::ptrdiff_t>(slot * row), row, 0.0);
@@ -100,14 +76,15 @@ std::vector<double> backTransfer(const BackCast& back, const FitMesh& mesh) {
 
 /// Sum of direct transfer and all bounces of the front, [slot][3][n].
 std::vector<double> bounceAll(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
-                              int count, const SideCast& front, const std::vector<double>& fitted,
-                              const BackCast* back, Progress& progress, BakeReport& report) {
-  BounceSide frontSide{&front, directTransfer(front, fitted, mesh.slotCount())};
+                              int count, const SceneCast& cast, const std::vector<double>& fitted,
+                              Progress& progress, BakeReport& report) {
+  BounceSide frontSide{&cast.front(), directTransfer(cast.front(), fitted, mesh.slotCount())};
   BounceSide backSide;
-  if (back != nullptr) backSide = {&back->cast, backTransfer(*back, mesh)};
+  if (cast.back() != nullptr) backSide = {cast.back(), backTransfer(cast, mesh)};
   std::vector<double> total = frontSide.transfer;
   for (int b = 0; b < count; ++b) {
-    bounceOnce(scene, mesh, caster, shOrder, frontSide, back != nullptr ? &backSide : nullptr, progress);
+    bounceOnce(scene, mesh, caster, shOrder, frontSide, backSide.cast != nullptr ? &backSide : nullptr,
+               progress);
     double most = 0.0;
     for (std::size_t i = 0; i < total.size(); ++i) {
       total[i] += frontSide.transfer[i];
@@ -164,14 +141,80 @@ void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const Comp
   }
 }
 
+/// The stages of a bake after its parts are made.
+class BakeRunner {
+ public:
+  BakeRunner(const CompiledScene& scene, const BakeRequest& request, const FitMesh& mesh, Caster& caster,
+             SceneCast& cast, Progress& progress, BakeReport& report, StageClock& clock)
+      : scene_(scene),
+        request_(request),
+        mesh_(mesh),
+        caster_(caster),
+        cast_(cast),
+        progress_(progress),
+        report_(report),
+        clock_(clock) {}
+
+  /// Everything but the info.
+  Bake run(bool withBounces) {
+    cast_.run(progress_);
+    if (withBounces) report_.notes.push_back(backNote(cast_));
+    clock_.mark("cast");
+    const std::vector<double> fitted = cast_.front().solve();
+    const ErrorEstimate error = cast_.front().estimateError();
+    report_.aoErrorRms = error.rms;
+    report_.aoErrorMax = error.max;
+    clock_.mark("fit");
+    Bake bake;
+    if (request_.ao) packAo(mesh_, cast_.front(), fitted, scene_, bake);
+    if (request_.shOrder > 0) makeSh(fitted, withBounces, bake);
+    return bake;
+  }
+
+ private:
+  void makeSh(const std::vector<double>& fitted, bool withBounces, Bake& bake) {
+    const auto transfer = withBounces ? bounceAll(scene_, mesh_, caster_, request_.shOrder, request_.bounces,
+                                                  cast_, fitted, progress_, report_)
+                                      : directTransfer(cast_.front(), fitted, mesh_.slotCount());
+    packSh(mesh_, transfer, scene_, withBounces ? 3 : 1, request_.shOrder, bake);
+    bake.sh->bounces = withBounces ? request_.bounces : 0;
+    clock_.mark("bounce");
+  }
+
+  const CompiledScene& scene_;
+  const BakeRequest& request_;
+  const FitMesh& mesh_;
+  Caster& caster_;
+  SceneCast& cast_;
+  Progress& progress_;
+  BakeReport& report_;
+  StageClock& clock_;
+};
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void saveTo(BakeCheckpoint& checkpoint, const SceneCast& cast, Clock::time_point start) {
+  if (cast.receivers() == 0) return;
+  StateWriter state;
+  state.value(secondsSince(start));
+  cast.save(state);
+  checkpoint.save(state.payload());
+}
+
 }  // namespace
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report) {
+               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
-  const auto start = Clock::now();
+  std::optional<StateReader> saved = checkpoint != nullptr ? checkpoint->load() : std::nullopt;
+  double earlierSeconds = 0.0;
+  if (saved) saved->value(earlierSeconds);
+  const auto start = Clock::now() - std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(earlierSeconds));
   StageClock clock(report);
   const bool withBounces = bounces(request, plan);
   const FitMesh mesh = makeFitMesh(scene);
@@ -180,44 +223,26 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const std::uint32_t capacity = withBounces ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
   Caster caster(scene, tracer, {request.shOrder, schedule.raysPerReceiver, capacity});
   report.bytesBvh = tracer.bvhBytes();
+  SceneCast cast(scene, mesh, caster, schedule, capacity);
+  if (saved) cast.load(*saved);
+  saved.reset();
   clock.mark("prepare");
 
-  SideCast front(scene, mesh, caster, schedule, Side::Front);
-  front.run(progress, 0, capacity);
-  std::unique_ptr<BackCast> back;
-  if (withBounces) back = castBacks(scene, mesh, caster, schedule, front, capacity, progress, report);
-  clock.mark("cast");
-
-  const std::vector<double> fitted = front.solve();
-  const ErrorEstimate error = front.estimateError();
-  clock.mark("fit");
-
   Bake bake;
-  if (request.ao) packAo(mesh, front, fitted, scene, bake);
-  if (request.shOrder > 0) {
-    const auto transfer = withBounces ? bounceAll(scene, mesh, caster, request.shOrder, request.bounces,
-                                                  front, fitted, back.get(), progress, report)
-                                      : directTransfer(front, fitted, mesh.slotCount());
-    packSh(mesh, transfer, scene, withBounces ? 3 : 1, request.shOrder, bake);
-    bake.sh->bounces = withBounces ? request.bounces : 0;
-    clock.mark("bounce");
+  try {
+    bake = BakeRunner(scene, request, mesh, caster, cast, progress, report, clock).run(withBounces);
+  } catch (const Interrupted&) {
+    if (checkpoint != nullptr) saveTo(*checkpoint, cast, start);
+    throw;
   }
-
-  report.rays = front.rays() + (back ? back->cast.rays() : 0);
-  report.receivers = front.receivers() + (back ? back->cast.receivers() : 0);
-  report.aoErrorRms = error.rms;
-  report.aoErrorMax = error.max;
+  report.rays = cast.rays();
+  report.receivers = cast.receivers();
   if (!request.error && !request.seconds)
     report.skippedRayFraction =
-        std::max(0.0, 1.0 - double(front.receivers()) / (schedule.receiversPerPass * schedule.passes));
-  bake.info = {std::string("Prelight ") + PRELIGHT_VERSION,
-               request.seed,
-               report.rays,
-               error.rms,
-               withBounces ? request.bounces : 0,
-               plan.toJson(),
-               device.info().name,
-               std::chrono::duration<double>(Clock::now() - start).count()};
+        std::max(0.0, 1.0 - double(cast.front().receivers()) / (schedule.receiversPerPass * schedule.passes));
+  bake.info = {
+      std::string("Prelight ") + PRELIGHT_VERSION, request.seed,  report.rays,        report.aoErrorRms,
+      withBounces ? request.bounces : 0,           plan.toJson(), device.info().name, secondsSince(start)};
   return bake;
 }
 

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "bake/bake.h"
 #include "base/progress.h"
 #include "device/device.h"
+#include "io/state_file.h"
 #include "plan/plan.h"
 
 namespace prelight {
@@ -22,10 +26,26 @@ struct BakeReport {
   std::vector<std::string> notes;
 };
 
+/// Where an interrupted bake leaves what it has done, and finds it again.
+class BakeCheckpoint {
+ public:
+  virtual ~BakeCheckpoint() = default;
+
+  /// The state of an earlier run of the same bake (see bakeKey), if one is to be continued.
+  virtual std::optional<StateReader> load() = 0;
+
+  /// Keeps the state of an interrupted run. Not called before the first rays are cast.
+  virtual void save(std::span<const std::byte> payload) = 0;
+};
+
+/// What a bake's state depends on: scene, options, seed and device.
+StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const DeviceInfo& device);
+
 /// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.
 /// Same scene, request and seed give the same bytes on the same device, whatever the thread count.
+/// However often it was interrupted and continued in between, too, unless it bakes against time.
 /// Throws Error (a scene without triangles, device failure, out of memory) and Interrupted.
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report);
+               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint = nullptr);
 
 }  // namespace prelight

@@ -100,6 +100,33 @@ void Caster::store(std::uint32_t receivers) {
   device_.launch(store_, std::size_t{receivers} * options_.raysPerReceiver, groupSize);
 }
 
+void Caster::save(StateWriter& state, std::uint32_t rows) const {
+  state.value(rows);
+  std::vector<Sender> part;
+  for (std::uint32_t row = 0; row < rows; row += blockSize_) {
+    part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
+    senders_.read(std::span(part), std::size_t{row} * options_.raysPerReceiver);
+    state.values(part);
+  }
+  if (options_.storedReceivers > 0) state.values(marks_.read());
+}
+
+void Caster::load(StateReader& state) {
+  std::uint32_t rows = 0;
+  state.value(rows);
+  if (rows > options_.storedReceivers) state.damaged();
+  std::vector<Sender> part;
+  for (std::uint32_t row = 0; row < rows; row += blockSize_) {
+    part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
+    state.sameSize(part);
+    senders_.write(std::span<const Sender>(part), std::size_t{row} * options_.raysPerReceiver);
+  }
+  if (options_.storedReceivers == 0) return;
+  std::vector<std::uint8_t> marks(marks_.size());
+  state.sameSize(marks);
+  marks_.write(std::span<const std::uint8_t>(marks));
+}
+
 void Caster::setTransfer(const std::vector<float>& transfer) {
   if (transfer_.size() != transfer.size()) transfer_ = Buffer<float>(device_, transfer.size());
   transfer_.write(std::span<const float>(transfer));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bvh/tracer.h"
+#include "io/state_file.h"
 #include "shared/cast_types.h"
 
 namespace prelight {
@@ -33,6 +34,10 @@ class Caster {
   /// that row on.
   void cast(std::span<const device::Receiver> receivers, std::vector<float>& values,
             const std::uint32_t* storedRow);
+
+  /// The first `rows` stored rows and the marks, for a bake that will go on later.
+  void save(StateWriter& state, std::uint32_t rows) const;
+  void load(StateReader& state);
 
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }

@@ -74,4 +74,20 @@ FitMesh makeFitMesh(const CompiledScene& scene) {
   return mesh;
 }
 
+std::vector<std::uint32_t> componentsOf(const FitMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.slotCount());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t slot) {
+    while (parent[slot] != slot) slot = parent[slot] = parent[parent[slot]];
+    return slot;
+  };
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 1; k < 3; ++k) {
+      const std::uint32_t a = root(t[0]), b = root(t[k]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) parent[slot] = root(slot);
+  return parent;
+}
+
 }  // namespace prelight

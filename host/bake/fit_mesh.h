@@ -22,4 +22,7 @@ struct FitMesh {
 
 FitMesh makeFitMesh(const CompiledScene& scene);
 
+/// [slot], the lowest slot that triangles join it to.
+std::vector<std::uint32_t> componentsOf(const FitMesh& mesh);
+
 }  // namespace prelight

@@ -27,6 +27,7 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
   schedule.shOrder = request.shOrder;
   schedule.bentNormal = request.ao;
   schedule.passes = errorGroups;
+  if (request.error || request.seconds) schedule.replicates = errorGroups;
   if (request.error) {
     // Small receivers and a small first round: what is easy costs little.
     schedule.raysPerReceiver = 16;

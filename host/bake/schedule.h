@@ -16,6 +16,7 @@ struct Schedule {
   std::uint32_t raysPerReceiver = 64;  ///< 8..64, a power of two
   double receiversPerPass = 0.0;
   std::uint32_t passes = 8;         ///< at least; a multiple of errorGroups
+  std::uint32_t replicates = 1;     ///< independent sequences that passes take turns with: 1 or errorGroups
   std::optional<double> error;      ///< go on, on the triangles that need it, until this standard error
   std::uint32_t maxDoublings = 10;  ///< with error: give up after so many
   std::optional<std::chrono::steady_clock::time_point> deadline;  ///< go on until then

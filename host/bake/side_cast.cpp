@@ -6,8 +6,9 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t pilotPasses = 2;       // after which entirely open neighbourhoods stop
+constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, before fewer are cast there
 constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
+constexpr double leastReceivers = 4.0;         // of a component, in the first round
 constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; an error target gives up there
 
 }  // namespace
@@ -18,47 +19,77 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
-      sampler_(scene, schedule.seed, side, schedule.error ? errorGroups : 1),
+      sampler_(scene, schedule.seed, side, schedule.replicates),
       baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
       fit_(emptyFit(baseline_.columns())),
-      blocked_(mesh.slotCount(), 0),
+      seen_(mesh.slotCount(), 0),
+      slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
+  sampler_.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
   if (schedule.bentNormal && side == Side::Front) bentFit_.emplace(emptyFit(3));
+}
+
+void SideCast::start() {
+  running_ = true;
+  round_ = passInRound_ = 0;
+  receiversPerPass_ = schedule_.receiversPerPass;
 }
 
 void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {
   storedFirst_ = storedFirst;
   storedCapacity_ = storedCapacity;
-  double receivers = schedule_.receiversPerPass;
-  for (std::uint32_t round = 0;; ++round) {
-    for (std::uint32_t i = 0; i < schedule_.passes; ++i) {
+  if (!running_) start();
+  for (bool ended = false; !ended;) {
+    for (; passInRound_ < schedule_.passes; ++passInRound_) {
       // The first round is owed: without it, there would be nothing to fit.
-      if (round > 0 && schedule_.deadline && std::chrono::steady_clock::now() >= *schedule_.deadline) return;
-      castPass(receivers, progress);
-      if (pass_ == pilotPasses) dropOpenTriangles();
+      if (round_ > 0 && schedule_.deadline && std::chrono::steady_clock::now() >= *schedule_.deadline) break;
+      castPass(progress);
+      thinPlainTriangles();
     }
-    if (schedule_.error) {
-      if (dropAccurateTriangles() == 0 || round == schedule_.maxDoublings || records_.size() == maxRecords)
-        return;
-      if (round > 0) receivers *= 2.0;  // every round doubles what its triangles have had
-    } else if (!schedule_.deadline) {
-      return;
-    }
+    ended = passInRound_ < schedule_.passes || endRound();
   }
+  running_ = false;
 }
 
-void SideCast::castPass(double receivers, Progress& progress) {
+// True when the schedule is fulfilled.
+bool SideCast::endRound() {
+  if (schedule_.error) {
+    if (dropAccurateTriangles() == 0 || round_ == schedule_.maxDoublings || records_.size() == maxRecords)
+      return true;
+    if (round_ > 0) receiversPerPass_ *= 2.0;  // every round doubles what its triangles have had
+  } else if (!schedule_.deadline) {
+    return true;
+  }
+  ++round_;
+  passInRound_ = 0;
+  return false;
+}
+
+// A pass that was interrupted is walked again, without what has been cast of it.
+void SideCast::castPass(Progress& progress) {
+  if (!inPass_) {
+    passStart_ = sampler_.position();
+    doneInPass_ = 0;
+    inPass_ = true;
+  }
+  sampler_.restore(passStart_);
   const auto flushAndReport = [&] {
     flush();
     progress.check();
   };
-  sampler_.pass(receivers, schedule_.raysPerReceiver,
+  std::uint64_t known = doneInPass_;
+  sampler_.pass(receiversPerPass_, schedule_.raysPerReceiver,
                 [&](const SurfaceSample& sample, const device::Receiver& receiver) {
+                  if (known > 0) {
+                    --known;
+                    return;
+                  }
                   pendingSamples_.push_back(sample);
                   pendingReceivers_.push_back(receiver);
                   if (pendingReceivers_.size() == caster_.blockSize()) flushAndReport();
                 });
   flushAndReport();
+  inPass_ = false;
   ++pass_;
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
 }
@@ -74,6 +105,7 @@ void SideCast::flush() {
   if (stores) storedCount_ += count;
   for (std::size_t i = 0; i < count; ++i) addReceiver(i);
   receivers_ += count;
+  doneInPass_ += count;
   pendingSamples_.clear();
   pendingReceivers_.clear();
 }
@@ -97,8 +129,7 @@ void SideCast::addReceiver(std::size_t i) {
   // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
   if (bentFit_)
     addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
-  if (open < 1.0)
-    for (const std::uint32_t slot : slots) blocked_[slot] = 1;
+  markSlots(sample, open);
   if (records_.size() < maxRecords) records_.push_back({sample, values[0], pass_ % errorGroups});
 }
 
@@ -119,12 +150,26 @@ void SideCast::addBentNormal(const SurfaceSample& sample, const glm::dvec3& mean
   bentFit_->add(weighted, std::span(&residual.x, 3));
 }
 
-// Where every ray of every receiver around escaped, the closed form is the answer: no further rays.
-void SideCast::dropOpenTriangles() {
-  auto& active = sampler_.active();
-  for (std::size_t t = 0; t < active.size(); ++t) {
-    const auto& slots = mesh_.triangles[t];
-    if (!blocked_[slots[0]] && !blocked_[slots[1]] && !blocked_[slots[2]]) active[t] = 0;
+void SideCast::markSlots(const SurfaceSample& sample, double open) {
+  for (const std::uint32_t slot : mesh_.triangles[sample.triangle]) {
+    seen_[slot] |= static_cast<std::uint8_t>((open > 0.0 ? 1 : 0) | (open < 1.0 ? 2 : 0));
+    slotRays_[slot] += std::min(schedule_.raysPerReceiver, ~slotRays_[slot]);
+  }
+}
+
+// Where every ray around escaped, the closed form is most likely the answer, and where every one was blocked,
+// 0. A few more rays are cast there all the same, each for many: were there none, what the first rays missed
+// would be missed on average, too. Blocked rays carry light in bounces, so that those are thinned only
+// without.
+void SideCast::thinPlainTriangles() {
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    std::uint8_t seen = 0;
+    bool enough = true;
+    for (const std::uint32_t slot : mesh_.triangles[t]) {
+      seen |= seen_[slot];
+      enough = enough && slotRays_[slot] >= plainRays;
+    }
+    sampler_.thinned()[t] = enough && (seen == 1 || (seen == 2 && storedCapacity_ == 0));
   }
 }
 
@@ -154,8 +199,64 @@ VertexFit SideCast::emptyFit(std::size_t columns) const {
   return schedule_.error ? VertexFit(mesh_, columns, sampler_.areas()) : VertexFit(mesh_, columns);
 }
 
+// Rays that all met the same say little of what they missed: of n that all escaped, the next is blocked with
+// a probability whose posterior has a standard deviation of about 1 / (n + 2) (at 95 %, it is below 3 / n).
 ErrorEstimate SideCast::estimateError() const {
-  return estimateAoError(mesh_, fit_, fit_.solveColumns(defaultSmoothing, 0, 1), records_);
+  ErrorEstimate estimate =
+      estimateAoError(mesh_, emptyFit(1), sampler_.areas(), records_, receivers_, schedule_.replicates > 1);
+  for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
+    const bool used = mesh_.rowStart[s] < mesh_.rowStart[s + 1];
+    if (used && seen_[s] != 3) estimate.slots[s] = std::max(estimate.slots[s], 1.0 / (slotRays_[s] + 2.0));
+    estimate.max = std::max(estimate.max, estimate.slots[s]);
+  }
+  return estimate;
+}
+
+void SideCast::save(StateWriter& state) const {
+  fit_.save(state);
+  if (bentFit_) bentFit_->save(state);
+  state.values(records_);
+  state.values(seen_);
+  state.values(slotRays_);
+  state.values(sampler_.active());
+  state.values(sampler_.thinned());
+  const SurfaceSampler::Position& position = inPass_ ? passStart_ : sampler_.position();
+  state.values(position.taken);
+  state.value(position.passes);
+  state.value(storedFirst_);
+  state.value(storedCount_);
+  state.value(receivers_);
+  state.value(pass_);
+  state.value(running_);
+  state.value(round_);
+  state.value(passInRound_);
+  state.value(receiversPerPass_);
+  state.value(inPass_);
+  state.value(doneInPass_);
+}
+
+void SideCast::load(StateReader& state) {
+  fit_.load(state);
+  if (bentFit_) bentFit_->load(state);
+  state.values(records_);
+  state.sameSize(seen_);
+  state.sameSize(slotRays_);
+  state.sameSize(sampler_.active());
+  state.sameSize(sampler_.thinned());
+  passStart_ = sampler_.position();
+  state.sameSize(passStart_.taken);
+  state.value(passStart_.passes);
+  sampler_.restore(passStart_);
+  state.value(storedFirst_);
+  state.value(storedCount_);
+  state.value(receivers_);
+  state.value(pass_);
+  state.value(running_);
+  state.value(round_);
+  state.value(passInRound_);
+  state.value(receiversPerPass_);
+  state.value(inPass_);
+  state.value(doneInPass_);
 }
 
 }  // namespace prelight

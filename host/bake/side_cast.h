@@ -23,8 +23,15 @@ class SideCast {
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }
 
-  /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill.
+  /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill. After
+  /// load(), goes on where the saved run was interrupted.
   void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
+
+  /// True between the start of a run and its end, so also after one that was interrupted.
+  bool running() const { return running_; }
+
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
 
   /// Fitted values relative to the baseline, [slot][column].
   std::vector<double> solve() const { return fit_.solve(defaultSmoothing); }
@@ -45,11 +52,14 @@ class SideCast {
   std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }
 
  private:
-  void castPass(double receivers, Progress& progress);
+  void start();
+  bool endRound();
+  void castPass(Progress& progress);
   void flush();
   void addReceiver(std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
-  void dropOpenTriangles();
+  void markSlots(const SurfaceSample& sample, double open);
+  void thinPlainTriangles();
   std::size_t dropAccurateTriangles();
 
   const CompiledScene& scene_;
@@ -61,7 +71,8 @@ class SideCast {
   VertexFit fit_;
   std::optional<VertexFit> bentFit_;
   std::vector<SampleRecord> records_;
-  std::vector<std::uint8_t> blocked_;  ///< [slot], 1 once a receiver near it was not entirely open
+  std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
+  std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
   std::vector<SurfaceSample> pendingSamples_;
   std::vector<device::Receiver> pendingReceivers_;
   std::vector<float> values_;
@@ -71,6 +82,13 @@ class SideCast {
   std::uint32_t storedCount_ = 0;
   std::uint64_t receivers_ = 0;
   std::uint32_t pass_ = 0;
+  bool running_ = false;
+  std::uint32_t round_ = 0;
+  std::uint32_t passInRound_ = 0;
+  double receiversPerPass_ = 0.0;
+  bool inPass_ = false;
+  SurfaceSampler::Position passStart_;  ///< where the sequences stood when the pass at hand began
+  std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
 };
 
 }  // namespace prelight

@@ -91,11 +91,24 @@ SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, S
       order_(mortonOrder(scene)),
       active_(scene.triangleCount(), 1),
       replicates_(replicates),
-      taken_(std::size_t{scene.triangleCount()} * replicates, 0) {
+      thinned_(scene.triangleCount(), 0),
+      position_{std::vector<std::uint32_t>(std::size_t{scene.triangleCount()} * replicates, 0), 0} {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     areas_[t] = 0.5 * glm::length(geometricNormal(scene, t));
     totalArea_ += areas_[t];
   }
+  for (const double area : areas_)
+    shares_.push_back(0.5 * (area / totalArea_ + 1.0 / static_cast<double>(areas_.size())));
+}
+
+void SurfaceSampler::coverComponents(const FitMesh& mesh, double receivers, double least) {
+  const std::vector<std::uint32_t> components = componentsOf(mesh);
+  std::vector<double> sums(mesh.slotCount(), 0.0);
+  const auto sumOf = [&](std::size_t t) -> double& { return sums[components[mesh.triangles[t][0]]]; };
+  for (std::size_t t = 0; t < shares_.size(); ++t) sumOf(t) += shares_[t];
+  std::vector<double> raised = shares_;
+  for (std::size_t t = 0; t < shares_.size(); ++t) raised[t] *= std::max(1.0, least / (receivers * sumOf(t)));
+  shares_ = std::move(raised);
 }
 
 glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
@@ -107,14 +120,13 @@ glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
 
 void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink) {
   // Systematic sampling: a comb of unit spacing over the running sum of expected counts, shifted a pass.
-  const double shift = sampling::sobol(passes_, seed_).x;
-  const double count = scene_.triangleCount();
+  const double shift = sampling::sobol(position_.passes, seed_).x;
   double sum = shift;
-  const std::uint32_t replicate = passes_ % replicates_;
-  ++passes_;
+  const std::uint32_t replicate = position_.passes % replicates_;
+  ++position_.passes;
   for (const std::uint32_t t : order_) {
     if (!active_[t]) continue;
-    const double share = 0.5 * (areas_[t] / totalArea_ + 1.0 / count);
+    const double share = thinned_[t] ? shares_[t] / thinning : shares_[t];
     const double expected = receivers * share;
     const auto before = static_cast<std::uint64_t>(sum);
     sum += expected;
@@ -135,7 +147,7 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
 void SurfaceSampler::choosePlaces(std::uint32_t sequence, std::uint64_t count) {
   places_.clear();
   for (std::uint64_t i = 0; i < count; ++i) {
-    const std::uint32_t index = taken_[sequence]++;
+    const std::uint32_t index = position_.taken[sequence]++;
     const glm::dvec2 point = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * sequence));
     places_.push_back({index, mortonCode(point), point});
   }

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "bake/fit_mesh.h"
 #include "scene/compiled_scene.h"
 #include "shared/cast_types.h"
 
@@ -15,8 +16,7 @@ struct SurfaceSample {
   std::uint32_t triangle = 0;
   float b1 = 0.0f;  ///< barycentric weight of vertex 1
   float b2 = 0.0f;
-  float weight =
-      0.0f;  ///< surface over receivers of its triangle, relative to the scene's mean; alike in all passes
+  float weight = 0.0f;  ///< surface that a receiver of its triangle and pass stands for, relative to the mean
 };
 
 enum class Side : std::uint8_t { Front, Back };
@@ -28,7 +28,7 @@ glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle);
 /// triangle alike, so that large triangles are covered and small ones are not starved. Positions within a
 /// triangle are low-discrepancy over all passes. Triangles, and places within one, follow Morton curves, so
 /// that consecutive receivers see much the same. What a pass yields depends on the passes before it, the seed
-/// and the set of active triangles alone.
+/// and the sets of active and of thinned triangles alone.
 class SurfaceSampler {
  public:
   SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side, std::uint32_t replicates = 1);
@@ -37,12 +37,30 @@ class SurfaceSampler {
   std::vector<std::uint8_t>& active() { return active_; }
   const std::vector<std::uint8_t>& active() const { return active_; }
 
+  /// [triangle], 1: further passes place a `thinning`th of the receivers there, each of which stands for that
+  /// much more. Whatever decides it, the expectation of a pass's weighted samples stays the same.
+  std::vector<std::uint8_t>& thinned() { return thinned_; }
+  const std::vector<std::uint8_t>& thinned() const { return thinned_; }
+  static constexpr double thinning = 4.0;
+
+  /// How far the sequences have been used.
+  struct Position {
+    std::vector<std::uint32_t> taken;  ///< [triangle][replicate], receivers so far
+    std::uint32_t passes = 0;
+  };
+  const Position& position() const { return position_; }
+  void restore(const Position& position) { position_ = position; }
+
+  /// Raises the share of small stretches of surface, so that about `least` of `receivers` fall on each that
+  /// hangs together through slots: nothing else would say what one without a receiver looks like.
+  void coverComponents(const FitMesh& mesh, double receivers, double least);
+
   /// [triangle], m2.
   const std::vector<double>& areas() const { return areas_; }
 
   using Sink = std::function<void(const SurfaceSample&, const device::Receiver&)>;
 
-  /// Yields about `receivers` receivers, fewer by the share of inactive triangles.
+  /// Yields about `receivers` receivers, fewer by the share of inactive and of thinned triangles.
   /// Each looks along `raysPerReceiver` directions of its triangle's sequence.
   void pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink);
 
@@ -63,11 +81,12 @@ class SurfaceSampler {
   Side side_;
   std::vector<double> areas_;
   double totalArea_ = 0.0;
+  std::vector<double> shares_;        ///< [triangle], of a pass's receivers
   std::vector<std::uint32_t> order_;  ///< triangles along a Morton curve of their centroids
   std::vector<std::uint8_t> active_;
   std::uint32_t replicates_;
-  std::vector<std::uint32_t> taken_;  ///< [triangle][replicate], receivers so far
-  std::uint32_t passes_ = 0;
+  std::vector<std::uint8_t> thinned_;
+  Position position_;
   std::vector<Place> places_;  ///< of the triangle at hand
 };
 

@@ -227,25 +227,32 @@ void VertexFit::add(const SurfaceSample& sample, std::span<const double> values)
   }
 }
 
+void VertexFit::save(StateWriter& state) const {
+  state.values(mass_);
+  state.values(right_);
+}
+
+void VertexFit::load(StateReader& state) {
+  state.sameSize(mass_);
+  state.sameSize(right_);
+}
+
 double VertexFit::scaleOf(std::size_t triangle) const {
   if (triangleWeights_.empty()) return 1.0;
   const double weight = totalWeight(mass_[triangle]);
   return weight > 0.0 ? triangleWeights_[triangle] / weight : 0.0;
 }
 
-std::vector<double> VertexFit::solveColumns(double lambda, std::size_t first, std::size_t count) const {
-  std::vector<double> right(mesh_.slotCount() * count, 0.0);
-  const auto addRow = [&](std::size_t slot, std::size_t row, double scale) {
-    for (std::size_t c = 0; c < count; ++c)
-      right[slot * count + c] += scale * right_[row * columns_ + first + c];
-  };
-  if (triangleWeights_.empty()) {
-    for (std::size_t s = 0; s < mesh_.slotCount(); ++s) addRow(s, s, 1.0);
-  } else {
-    for (std::size_t t = 0; t < mass_.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) addRow(mesh_.triangles[t][k], 3 * t + k, scaleOf(t));
+std::vector<double> VertexFit::solve(double lambda) const {
+  if (triangleWeights_.empty()) return solve(lambda, right_, columns_);
+  std::vector<double> right(mesh_.slotCount() * columns_, 0.0);
+  for (std::size_t t = 0; t < mass_.size(); ++t) {
+    const double scale = scaleOf(t);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t c = 0; c < columns_; ++c)
+        right[mesh_.triangles[t][k] * columns_ + c] += scale * right_[(3 * t + k) * columns_ + c];
   }
-  return solve(lambda, right, count);
+  return solve(lambda, right, columns_);
 }
 
 std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide,

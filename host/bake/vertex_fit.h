@@ -7,6 +7,7 @@
 
 #include "bake/fit_mesh.h"
 #include "bake/surface_sampler.h"
+#include "io/state_file.h"
 
 namespace prelight {
 
@@ -28,14 +29,14 @@ class VertexFit {
 
   std::size_t columns() const { return columns_; }
 
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
+
   /// What a sample weighs in the fit.
   double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
 
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
-  std::vector<double> solve(double lambda) const { return solveColumns(lambda, 0, columns_); }
-
-  /// The same for `count` columns from `first` on.
-  std::vector<double> solveColumns(double lambda, std::size_t first, std::size_t count) const;
+  std::vector<double> solve(double lambda) const;
 
   /// Solves for another right-hand side [slot][column] with this fit's samples.
   std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;

@@ -49,7 +49,8 @@ class UsageError : public Error {
 /// The user pressed Ctrl-C (or sent SIGTERM) and the work stopped at a safe point.
 class Interrupted : public Error {
  public:
-  Interrupted() : Error(ExitCode::Interrupted, "prelight", "interrupted; no output was written") {}
+  explicit Interrupted(const std::string& what = "interrupted; no output was written")
+      : Error(ExitCode::Interrupted, "prelight", what) {}
 };
 
 }  // namespace prelight

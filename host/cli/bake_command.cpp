@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/bake_options.h"
+#include "cli/bake_state.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -18,6 +19,7 @@ struct BakeCommand {
   std::filesystem::path output;
   std::filesystem::path report;
   std::filesystem::path environment;
+  bool resume = false;
   BakeOptions bake;
 };
 
@@ -40,6 +42,15 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   return request;
 }
 
+BakeRun bakeKeepingState(Session& session, const LoadedScene& loaded, const BakeRequest& request,
+                         const DeviceOptions& deviceOptions, BakeStateFile& state) {
+  try {
+    return session.bake(loaded, request, deviceOptions, &state);
+  } catch (const Interrupted&) {
+    throw Interrupted(state.message());
+  }
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
@@ -54,12 +65,14 @@ void runBake(const BakeCommand& command, Context& context) {
   DeviceOptions deviceOptions = session.deviceOptions();
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
-  const BakeRun run = session.bake(loaded, request, deviceOptions);
+  BakeStateFile state(command.output, command.resume, session.console());
+  const BakeRun run = bakeKeepingState(session, loaded, request, deviceOptions, state);
+  // From here on it is sooner finished than saved, whoever asks to stop.
   session.times().measure("write", [&] {
     embedBake(loaded.document, loaded.compiled, run.bake);
-    session.progress().check();
     writeGlb(command.output, loaded.document);
   });
+  state.remove();
 
   printBakeSummary(session.console(), request, run, session.times());
   session.console().line(
@@ -88,6 +101,8 @@ void addBakeCommand(CLI::App& program, Context& context) {
                   "accepted for scripts; the transfer does not depend on the sky")
       ->type_name("MAP");
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
+  app->add_flag("--resume", command->resume,
+                "go on with an interrupted bake of the same scene and options (OUT.glb.state)");
   addKernelOptions(*app, command->bake);
   app->footer(
       "Without --ao and --sh the bake is --ao --sh 3 --bounces 1.\n\n"

@@ -123,15 +123,25 @@ int run(int argumentCount, const char* const* arguments, Context& context) {
   return static_cast<int>(ExitCode::Done);
 }
 
-/// Says what went wrong and returns the exit code for it.
-int reportFailure(const std::exception_ptr& failure, const Context& context) {
-  // Whatever fails once a stop was asked for is the stop.
-  if (context.signals.stopRequested()) {
-    fmt::print(stderr, "prelight: interrupted; no half-written output is left\n");
-    return static_cast<int>(ExitCode::Interrupted);
-  }
+[[noreturn]] void throwAsInterrupted(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (...) {
+    throw Interrupted("interrupted; no half-written output is left");
+  }
+}
+
+/// Says what went wrong and returns the exit code for it.
+int reportFailure(const std::exception_ptr& failure, const Context& context) {
+  try {
+    // Whatever fails once a stop was asked for is the stop.
+    if (context.signals.stopRequested()) throwAsInterrupted(failure);
+    std::rethrow_exception(failure);
+  } catch (const Interrupted& interrupted) {
+    fmt::print(stderr, "{}\n", interrupted.what());
+    return static_cast<int>(ExitCode::Interrupted);
   } catch (const Error& error) {
     printError(error.what());
     return static_cast<int>(error.code());

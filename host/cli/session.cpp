@@ -30,13 +30,14 @@ LoadedScene Session::load(const std::filesystem::path& path) {
 }
 
 BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
-                      const DeviceOptions& deviceOptions) {
+                      const DeviceOptions& deviceOptions, BakeStateFile* state) {
   requireTriangles(loaded);
   BakeRun run;
   run.plan = times_.measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
   const Device device = times_.measure("device", [&] { return Device::open(deviceOptions); });
   run.device = device.info();
-  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report);
+  if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
+  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state);
   progress_.clear();
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
   return run;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bake/baker.h"
+#include "cli/bake_state.h"
 #include "cli/console.h"
 #include "cli/context.h"
 #include "cli/stage_times.h"
@@ -53,7 +54,8 @@ class Session {
   LoadedScene load(const std::filesystem::path& path);
 
   /// Plans and bakes. Throws InputError for a scene without triangles.
-  BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions);
+  BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
+               BakeStateFile* state = nullptr);
 
   /// The options of the device layer, with what --device says.
   DeviceOptions deviceOptions() const;

@@ -176,8 +176,96 @@ TEST_F(CliBake, Interrupt_StopsWithoutOutput) {
                  {.signalAfterOutput = signal});
     EXPECT_EQ(result.exitCode, interrupted) << result.errors;
     EXPECT_THAT(result.errors, HasSubstr("interrupted"));
-    EXPECT_EQ(files(), before);
+    std::set<std::string> after = files();
+    after.erase("out.glb.state");  // there once rays have been cast
+    EXPECT_EQ(after, before);
   }
+}
+
+class CliResume : public CliBake {
+ protected:
+  void SetUp() override {
+    CliBake::SetUp();
+    prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  }
+
+  ProcessResult bakeCornell(const std::string& output, const std::vector<std::string>& options,
+                            std::optional<int> signal = {}) const {
+    std::vector<std::string> arguments = {"bake", "cornell.glb", "-o", output, "--ao", "--sh", "2"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return prelight(arguments, {.signalAfterOutput = signal});
+  }
+
+  bool stateExists() const { return std::filesystem::exists(path("out.glb.state")); }
+
+  /// Bakes with options that take far longer than it waits, until a state is there.
+  void interruptLongBake(const std::vector<std::string>& options) const {
+    for (int attempt = 0; attempt < 5 && !stateExists(); ++attempt)
+      EXPECT_EQ(bakeCornell("out.glb", options, SIGINT).exitCode, interrupted);
+    ASSERT_TRUE(stateExists());
+  }
+
+  /// All that a baked file holds but how long it took.
+  static std::pair<nlohmann::ordered_json, std::string> content(const GlbScene& scene) {
+    nlohmann::ordered_json json = scene.json;
+    json.at("extensions").at("PRELIGHT_transfer").erase("seconds");
+    return {json, scene.bin};
+  }
+};
+
+TEST_F(CliResume, InterruptedAndContinued_EndsAsIfNeverInterrupted) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--bounces", "1", "--rays", "3072"}, {"--error", "0.01", "--seed", "3"}}) {
+    EXPECT_EQ(bakeCornell("whole.glb", options).exitCode, 0);
+    std::vector<std::string> resuming = options;
+    resuming.emplace_back("--resume");
+    int interruptions = 0, states = 0;
+    ProcessResult result;
+    do {
+      result =
+          bakeCornell("out.glb", resuming, interruptions < 3 ? std::optional<int>(SIGINT) : std::nullopt);
+      interruptions += result.exitCode == interrupted;
+      if (result.exitCode == interrupted) states += stateExists();
+    } while (result.exitCode == interrupted);
+    EXPECT_EQ(result.exitCode, 0) << result.errors;
+    EXPECT_GT(states, 0) << "no run came as far as casting before it was interrupted";
+    EXPECT_THAT(result.errors, HasSubstr("going on with"));
+    EXPECT_FALSE(stateExists()) << "done, the state is of no more use";
+    EXPECT_EQ(content(parseGlb(readFile("out.glb"))), content(parseGlb(readFile("whole.glb"))));
+  }
+}
+
+TEST_F(CliResume, StateOfAnotherBake_IsBadUsage) {
+  interruptLongBake({"--rays", "1048576", "--seed", "1"});
+  const std::string state = readFile("out.glb.state");
+  const ProcessResult seed = bakeCornell("out.glb", {"--rays", "1048576", "--seed", "2", "--resume"});
+  EXPECT_EQ(seed.exitCode, 2);
+  EXPECT_THAT(seed.errors, HasSubstr("another seed"));
+  const ProcessResult options = bakeCornell("out.glb", {"--rays", "64", "--seed", "1", "--resume"});
+  EXPECT_EQ(options.exitCode, 2);
+  EXPECT_THAT(options.errors, HasSubstr("another options"));
+  prelightDone({"scene", "shapes", "-o", "cornell.glb"});
+  const ProcessResult scene = bakeCornell("out.glb", {"--rays", "1048576", "--seed", "1", "--resume"});
+  EXPECT_EQ(scene.exitCode, 2);
+  EXPECT_THAT(scene.errors, HasSubstr("another scene"));
+  EXPECT_EQ(readFile("out.glb.state"), state) << "a refusal leaves the state alone";
+}
+
+TEST_F(CliResume, DamagedState_IsBadInput) {
+  interruptLongBake({"--rays", "1048576"});
+  std::string state = readFile("out.glb.state");
+  state[state.size() / 2] = static_cast<char>(state[state.size() / 2] ^ 1);
+  writeFile("out.glb.state", state);
+  const ProcessResult result = bakeCornell("out.glb", {"--rays", "1048576", "--resume"});
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_THAT(result.errors, HasSubstr("out.glb.state"));
+  EXPECT_THAT(result.errors, HasSubstr("damaged"));
+}
+
+TEST_F(CliResume, NoState_StartsFromTheBeginningAndSaysSo) {
+  const ProcessResult result = bakeCornell("out.glb", {"--rays", "16", "--resume"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.errors, HasSubstr("from the beginning"));
 }
 
 TEST_F(CliBake, Interrupt_WhileKernelsCompile_IsAnInterruptToo) {

@@ -1,0 +1,43 @@
+#include "bake/baker.h"
+
+namespace prelight {
+
+namespace {
+
+std::uint64_t hashOf(const CompiledScene& scene) {
+  StateHash hash;
+  hash.values(scene.positions).values(scene.normals).values(scene.texCoords).values(scene.colors);
+  hash.values(scene.triangles).values(scene.triangleMaterials).values(scene.triangleFlat);
+  for (const CompiledMaterial& m : scene.materials) {
+    for (int c = 0; c < 3; ++c) hash.value(m.albedo[c]);
+    hash.value(m.albedoImage).value(m.wrapS).value(m.wrapT).value(m.alphaCutoff).value(m.alphaFactor);
+  }
+  for (const Image& image : scene.albedoImages)
+    hash.value(image.width).value(image.height).values(image.rgba);
+  return hash.result();
+}
+
+std::uint64_t hashOf(const BakeRequest& request) {
+  StateHash hash;
+  hash.value(request.ao).value(request.shOrder).value(request.bounces).value(request.maxMemory);
+  // Rays a vertex are ignored beside the two others.
+  hash.value(request.error.value_or(0.0)).value(request.seconds.value_or(0.0));
+  hash.value(request.error || request.seconds ? 0 : request.rays);
+  return hash.result();
+}
+
+std::uint64_t hashOf(const DeviceInfo& device) {
+  return StateHash().text(device.name).text(device.platformVersion).text(device.driverVersion).result();
+}
+
+}  // namespace
+
+StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const DeviceInfo& device) {
+  return {{"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()},
+          {"scene", hashOf(scene)},
+          {"options", hashOf(request)},
+          {"seed", StateHash().value(request.seed).result()},
+          {"device", hashOf(device)}};
+}
+
+}  // namespace prelight

@@ -1,0 +1,75 @@
+#include "bake/scene_cast.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t maxBackRounds =
+    4;  // backs seen from backs, and so on; what lies deeper reflects nothing
+
+}  // namespace
+
+SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                     const Schedule& schedule, std::uint32_t capacity)
+    : scene_(scene),
+      mesh_(mesh),
+      caster_(caster),
+      schedule_(schedule),
+      capacity_(capacity),
+      front_(scene, mesh, caster, schedule, Side::Front) {}
+
+void SceneCast::run(Progress& progress) {
+  if (!frontDone_) front_.run(progress, 0, capacity_);
+  frontDone_ = true;
+  for (; capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
+    const bool goesOn = back_ && back_->running();
+    if (!goesOn && !markFreshBacks()) return;
+    back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
+  }
+}
+
+void SceneCast::makeBack() {
+  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, Side::Back);
+  backSeen_.assign(scene_.triangleCount(), 0);
+}
+
+// Makes the backs active that no round has cast from yet; false when there are none.
+bool SceneCast::markFreshBacks() {
+  std::vector<std::uint8_t> fresh = caster_.backMarks();
+  for (std::size_t t = 0; back_ && t < fresh.size(); ++t) fresh[t] = fresh[t] && !backSeen_[t];
+  if (std::count(fresh.begin(), fresh.end(), 1) == 0) return false;
+  if (!back_) makeBack();
+  for (std::size_t t = 0; t < fresh.size(); ++t) backSeen_[t] |= fresh[t];
+  back_->active() = std::move(fresh);
+  return true;
+}
+
+void SceneCast::save(StateWriter& state) const {
+  state.value(frontDone_);
+  state.value(backRounds_);
+  state.value(static_cast<std::uint8_t>(back_ != nullptr));
+  front_.save(state);
+  if (back_) {
+    state.values(backSeen_);
+    back_->save(state);
+  }
+  caster_.save(state, front_.storedCount() + (back_ ? back_->storedCount() : 0));
+}
+
+void SceneCast::load(StateReader& state) {
+  std::uint8_t withBack = 0;
+  state.value(frontDone_);
+  state.value(backRounds_);
+  state.value(withBack);
+  front_.load(state);
+  if (withBack != 0) {
+    makeBack();
+    state.sameSize(backSeen_);
+    back_->load(state);
+  }
+  caster_.load(state);
+}
+
+}  // namespace prelight
