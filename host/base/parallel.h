@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <thread>
@@ -11,19 +12,20 @@ namespace prelight {
 /// Threads that the machine runs at once, at least 1.
 inline std::size_t hardwareThreads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-/// Calls work(begin, end) for consecutive ranges that cover [0, count), on all cores. The ranges depend on
-/// `grain` alone, never on the number of threads, so that sums over ranges are reproducible. `work` must not
-/// throw.
+/// Calls work(begin, end) for consecutive ranges that cover [0, count), on all cores or on `threads` of them.
+/// The ranges depend on `grain` alone, never on the number of threads, so that sums over ranges are
+/// reproducible; who is free takes the next. `work` must not throw.
 inline void parallelRanges(std::size_t count, std::size_t grain,
-                           const std::function<void(std::size_t begin, std::size_t end)>& work) {
+                           const std::function<void(std::size_t begin, std::size_t end)>& work,
+                           std::size_t threads = hardwareThreads()) {
   const std::size_t ranges = (count + grain - 1) / grain;
-  const std::size_t threads = std::min(hardwareThreads(), ranges);
-  const auto run = [&](std::size_t first) {
-    for (std::size_t r = first; r < ranges; r += threads) work(r * grain, std::min(count, (r + 1) * grain));
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&] {
+    for (std::size_t r = next++; r < ranges; r = next++) work(r * grain, std::min(count, (r + 1) * grain));
   };
   std::vector<std::jthread> others;
-  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(run, t);
-  if (ranges > 0) run(0);
+  for (std::size_t t = 1; t < std::min(threads, ranges); ++t) others.emplace_back(run);
+  run();
 }
 
 }  // namespace prelight

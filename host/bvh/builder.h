@@ -1,52 +1,35 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
-#include <span>
-#include <vector>
 
+#include "base/parallel.h"
+#include "bvh/binary_bvh.h"
 #include "scene/compiled_scene.h"
 
 namespace prelight {
 
-struct Box {
-  glm::vec3 lower{3.4e38f};
-  glm::vec3 upper{-3.4e38f};
-
-  void grow(const glm::vec3& p) {
-    lower = glm::min(lower, p);
-    upper = glm::max(upper, p);
-  }
-  void grow(const Box& b) {
-    lower = glm::min(lower, b.lower);
-    upper = glm::max(upper, b.upper);
-  }
-  /// Half of the surface area; 0 for an empty box.
-  float halfArea() const {
-    const glm::vec3 d = glm::max(upper - lower, glm::vec3(0.0f));
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-  }
+/// How much time goes into a tree, against how fast rays are traced through it; docs/bvh.md has the numbers.
+enum class BuildQuality : std::uint8_t {
+  Fast,      ///< for scenes that are edited: sorted along a space-filling curve (Lauterbach 2009)
+  Balanced,  ///< from the top down by the surface area heuristic
+  High,      ///< for bakes: with spatial splits, which let triangles be in several leaves
 };
 
-/// A binary tree over the triangles of a scene, from which the device layouts are made.
-struct BinaryBvh {
-  struct Node {
-    Box bounds;
-    std::uint32_t left = 0;  ///< children, when count is 0
-    std::uint32_t right = 0;
-    std::uint32_t first = 0;  ///< leaf: triangleOrder[first .. first + count)
-    std::uint32_t count = 0;  ///< 1..maxLeafSize in a leaf
-  };
-  static constexpr std::uint32_t maxLeafSize = 8;
-  static constexpr std::uint32_t maxDepth = 64;
+/// Which layout a tree is made for: what its leaves cost, and whether eight-wide nodes are chosen.
+enum class BvhTarget : std::uint8_t { Wide, Narrow };
 
-  std::vector<Node> nodes;                   ///< root is node 0; some slots are unused
-  std::vector<std::uint32_t> triangleOrder;  ///< triangle indices of the scene, leaf by leaf
-  std::uint32_t depth = 0;                   ///< levels
+struct BvhOptions {
+  BuildQuality quality = BuildQuality::High;
+  BvhTarget target = BvhTarget::Wide;
+  std::size_t threads = hardwareThreads();  ///< the tree does not depend on it
 };
 
-/// Binned SAH (Wald 2007) with 32 bins an axis; a leaf is priced by blocks of eight triangles, as it is
-/// tested. The tree depends on the scene alone, not on the number of threads. The scene must have a triangle.
-BinaryBvh buildBvh(const CompiledScene& scene);
+/// Builds a tree whose depth is at most BinaryBvh::maxDepth. It depends on scene, quality and target alone.
+/// The scene must have a triangle; positions must be finite.
+BinaryBvh buildBvh(const CompiledScene& scene, const BvhOptions& options = {});
+
+/// Fits the boxes of a tree to the scene's triangles where they are now; the tree stays what it was. The
+/// scene must have the triangles that the tree was built from, wherever their vertices went.
+void refitBvh(BinaryBvh& bvh, const CompiledScene& scene);
 
 }  // namespace prelight

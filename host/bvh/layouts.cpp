@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -52,25 +53,27 @@ class WideCollapse {
     std::uint32_t count = 0;
   };
 
+  /// What hangs below a wide node: the nearest leaves and wide nodes under it.
   Children gatherChildren(std::uint32_t root) const {
     Children children;
-    children.node[children.count++] = root;
-    while (children.count < PRELIGHT_WIDTH) {
-      std::uint32_t widest = absent;
-      float area = -1.0f;
-      for (std::uint32_t i = 0; i < children.count; ++i) {
-        const auto& node = bvh_.nodes[children.node[i]];
-        if (node.count == 0 && node.bounds.halfArea() > area) {
-          widest = i;
-          area = node.bounds.halfArea();
-        }
-      }
-      if (widest == absent) break;
-      const auto& opened = bvh_.nodes[children.node[widest]];
-      children.node[widest] = opened.left;
-      children.node[children.count++] = opened.right;
+    if (bvh_.nodes[root].count > 0) {
+      children.node[children.count++] = root;
+    } else {
+      gather(bvh_.nodes[root].left, children);
+      gather(bvh_.nodes[root].right, children);
     }
     return children;
+  }
+
+  void gather(std::uint32_t index, Children& children) const {
+    const auto& node = bvh_.nodes[index];
+    if (node.count > 0 || node.wideRoot) {
+      assert(children.count < PRELIGHT_WIDTH);
+      children.node[children.count++] = index;
+      return;
+    }
+    gather(node.left, children);
+    gather(node.right, children);
   }
 
   void fillNode(std::uint32_t slot, const Children& children, std::uint32_t level) {

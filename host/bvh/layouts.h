@@ -22,7 +22,7 @@ struct NarrowBvh {
   std::uint32_t stackSize = 0;
 };
 
-/// Collapses the binary tree: the child of the largest surface is opened until there are eight.
+/// The nodes that are marked as wide roots become nodes.
 WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene);
 
 NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene);

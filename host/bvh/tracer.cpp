@@ -71,14 +71,14 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
 
 }  // namespace
 
-Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout)
+Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout, BuildQuality quality)
     : context_(&device.context()),
       layout_(layout != BvhLayout::Automatic          ? layout
               : device.info().kind == DeviceKind::Cpu ? BvhLayout::Wide
                                                       : BvhLayout::Narrow),
       alphaTest_(scene.hasAlphaMask()),
       vertexColors_(scene.hasVertexColors()) {
-  uploadTree(scene);
+  uploadTree(scene, quality);
   uploadSurface(scene);
 }
 
@@ -102,8 +102,9 @@ BuildOptions Tracer::surfaceOptions() const {
       .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS");
 }
 
-void Tracer::uploadTree(const CompiledScene& scene) {
-  const BinaryBvh tree = buildBvh(scene);
+void Tracer::uploadTree(const CompiledScene& scene, BuildQuality quality) {
+  const BvhTarget target = layout_ == BvhLayout::Wide ? BvhTarget::Wide : BvhTarget::Narrow;
+  const BinaryBvh tree = buildBvh(scene, {.quality = quality, .target = target});
   const auto keep = [this](const auto& bvh, const auto& triangles) {
     nodes_ = upload(*context_, bvh.nodes);
     triangles_ = upload(*context_, triangles);

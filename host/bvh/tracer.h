@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "bvh/builder.h"
 #include "device/buffer.h"
 #include "device/device.h"
 #include "scene/compiled_scene.h"
@@ -21,7 +22,8 @@ enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 class Tracer {
  public:
   /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
-  Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic);
+  Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic,
+         BuildQuality quality = BuildQuality::High);
 
   /// Closest hit of each of the first `count` rays.
   void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
@@ -47,7 +49,7 @@ class Tracer {
  private:
   enum class Query : std::uint8_t { Closest, Any };
 
-  void uploadTree(const CompiledScene& scene);
+  void uploadTree(const CompiledScene& scene, BuildQuality quality);
   void uploadSurface(const CompiledScene& scene);
   cl::Kernel& kernel(Query query);
   void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);

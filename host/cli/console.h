@@ -17,6 +17,7 @@ class Console {
 
   bool textWanted() const { return !options_.quiet && !options_.json; }
   bool detailsWanted() const { return textWanted() && options_.verbose; }
+  bool jsonWanted() const { return options_.json; }
 
   /// A line of the result: a label and what there is to say. Nothing with --quiet or --json.
   void line(std::string_view label, std::string_view text) const;

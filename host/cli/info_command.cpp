@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
+#include "bvh/bvh_report.h"
 #include "cli/bake_options.h"
 #include "cli/commands.h"
 #include "cli/report.h"
@@ -121,6 +123,30 @@ void printContents(const Console& console, const LoadedScene& loaded) {
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
 }
 
+/// The tree that a bake would trace rays through.
+BvhReport reportTree(Session& session, const CompiledScene& scene) {
+  return session.times().measure("tree", [&] { return reportOf(buildBvh(scene), scene.triangleCount()); });
+}
+
+Json treeJson(const BvhReport& tree) {
+  return {{"cost", tree.sahCost},
+          {"depth", tree.depth},
+          {"nodes", tree.nodes},
+          {"leaves", tree.leaves},
+          {"leafFill", tree.meanLeafFill},
+          {"duplicates", tree.duplicates},
+          {"bytesPerTriangle", tree.bytesPerTriangle},
+          {"seconds", tree.seconds}};
+}
+
+std::string treeText(const BvhReport& tree) {
+  return fmt::format(
+      "{} nodes, {} leaves {:.0f} % full, {} levels; a ray's expected cost {:.1f}; {:.1f} bytes a triangle, "
+      "{:.1f} % of them twice; {:.3f} s",
+      tree.nodes, tree.leaves, 100.0 * tree.meanLeafFill, tree.depth, tree.sahCost, tree.bytesPerTriangle,
+      100.0 * tree.duplicates, tree.seconds);
+}
+
 void runInfo(const InfoCommand& command, Context& context) {
   Session session(context);
   const LoadedScene loaded = session.load(command.scene);
@@ -131,7 +157,11 @@ void runInfo(const InfoCommand& command, Context& context) {
       session.times().measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
 
   const Console& console = session.console();
+  std::optional<BvhReport> tree;
+  if (loaded.compiled.triangleCount() > 0 && (console.detailsWanted() || console.jsonWanted()))
+    tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
+  if (tree) console.line("tree", treeText(*tree));
   console.line("baked", bake ? bakedText(*bake) : "nothing");
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
   printPlan(console, plan);
@@ -139,6 +169,7 @@ void runInfo(const InfoCommand& command, Context& context) {
                 {"version", PRELIGHT_VERSION},
                 {"scene", command.scene.string()},
                 {"contents", contentsJson(loaded)},
+                {"tree", tree ? treeJson(*tree) : Json(nullptr)},
                 {"baked", bake ? bakedJson(*bake) : Json(nullptr)},
                 {"options", toJson(request)},
                 {"plan", plan.toJson()},

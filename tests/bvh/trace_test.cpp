@@ -266,41 +266,27 @@ TEST_P(TracerTest, NotANumber_InARay_HitsNothingAndEnds) {
     for (const Hit& hit : hits) EXPECT_EQ(hit.triangle, PRELIGHT_NO_TRIANGLE);
 }
 
+TEST_P(TracerTest, ClosestHit_AnyBuildQuality_IsTheSame) {
+  const CompiledScene scene = test::randomSoup(3000, 0.3f, 21);
+  const auto rays = randomRays(20000, 22);
+  const auto hitsOf = [&](BuildQuality quality) {
+    return Tracer(scene, test::sharedDevice(), GetParam(), quality).traceClosest(rays);
+  };
+  const auto high = hitsOf(BuildQuality::High);
+  for (const auto& hits : {hitsOf(BuildQuality::Fast), hitsOf(BuildQuality::Balanced)})
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ASSERT_EQ(hits[i].triangle, high[i].triangle) << "ray " << i;
+      ASSERT_EQ(hits[i].t, high[i].t) << "ray " << i;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Layouts, TracerTest, ::testing::Values(BvhLayout::Wide, BvhLayout::Narrow),
                          [](const auto& test) { return test.param == BvhLayout::Wide ? "Wide" : "Narrow"; });
 
-TEST(Bvh, EveryTriangle_IsInOneLeafWithinItsBounds) {
-  const CompiledScene scene = test::randomSoup(5000, 0.1f, 2);
-  const BinaryBvh bvh = buildBvh(scene);
-  std::vector<int> seen(scene.triangleCount(), 0);
-  std::vector<std::uint32_t> open{0};
-  while (!open.empty()) {
-    const auto node = bvh.nodes[open.back()];
-    open.pop_back();
-    if (node.count == 0) {
-      open.push_back(node.left);
-      open.push_back(node.right);
-      continue;
-    }
-    ASSERT_LE(node.count, BinaryBvh::maxLeafSize);
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      ++seen[bvh.triangleOrder[i]];
-      for (int k = 0; k < 3; ++k) {
-        const glm::vec3 p = scene.positions[scene.triangles[bvh.triangleOrder[i]][k]];
-        EXPECT_TRUE(glm::all(glm::lessThanEqual(node.bounds.lower, p)) &&
-                    glm::all(glm::lessThanEqual(p, node.bounds.upper)));
-      }
-    }
-  }
-  for (const int count : seen) EXPECT_EQ(count, 1);
-}
-
-TEST(Bvh, CoincidentTriangles_DepthStaysBounded) {
-  std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  const CompiledScene scene = test::sceneOf(positions, std::vector<glm::uvec3>(20000, {0, 1, 2}));
-  const BinaryBvh bvh = buildBvh(scene);
-  EXPECT_LE(bvh.depth, BinaryBvh::maxDepth);
-  EXPECT_LE(makeWideBvh(bvh, scene).stackSize, 256u);
+TEST(WideBvh, CoincidentTriangles_StackStaysBounded) {
+  const CompiledScene scene =
+      test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, std::vector<glm::uvec3>(20000, {0, 1, 2}));
+  EXPECT_LE(makeWideBvh(buildBvh(scene), scene).stackSize, 256u);
 }
 
 }  // namespace

@@ -1,0 +1,58 @@
+#include "bvh/bvh_report.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "shared/bvh_types.h"
+
+namespace prelight {
+
+namespace {
+
+/// Levels of layout nodes and leaves under and with a node.
+std::uint32_t layoutDepth(const BinaryBvh& bvh, BvhTarget target) {
+  std::vector<std::uint32_t> levels(bvh.nodes.size(), 1);
+  std::uint32_t deepest = 1;
+  for (std::size_t n = 0; n < bvh.nodes.size(); ++n) {
+    const BinaryBvh::Node& node = bvh.nodes[n];
+    deepest = std::max(deepest, levels[n]);
+    if (node.count > 0) continue;
+    for (const std::uint32_t child : {node.left, node.right}) {
+      const bool own = target == BvhTarget::Narrow || bvh.nodes[child].count > 0 || bvh.nodes[child].wideRoot;
+      levels[child] = levels[n] + (own ? 1 : 0);
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+
+BvhReport reportOf(const BinaryBvh& bvh, std::size_t sceneTriangles, BvhTarget target) {
+  const bool wide = target == BvhTarget::Wide;
+  BvhReport report;
+  double area = 0.0;
+  for (const BinaryBvh::Node& node : bvh.nodes) {
+    if (node.count > 0) {
+      ++report.leaves;
+      area += node.bounds.halfArea() * (wide ? 1.0 : static_cast<double>(node.count));
+    } else if (!wide || node.wideRoot) {
+      ++report.nodes;
+      area += node.bounds.halfArea();
+    }
+  }
+  const double rootArea = bvh.nodes[0].bounds.halfArea();
+  const auto named = static_cast<double>(bvh.triangleOrder.size());
+  const auto triangles = static_cast<double>(sceneTriangles);
+  const auto nodes = static_cast<double>(report.nodes), leaves = static_cast<double>(report.leaves);
+  const double bytes = wide ? nodes * sizeof(device::WideNode) + leaves * sizeof(device::TriangleBlock)
+                            : nodes * sizeof(device::NarrowNode) + named * sizeof(device::NarrowTriangle);
+  report.sahCost = rootArea > 0.0 ? area / rootArea : 0.0;
+  report.depth = layoutDepth(bvh, target);
+  report.meanLeafFill = named / (leaves * BinaryBvh::maxLeafSize);
+  report.duplicates = named / triangles - 1.0;
+  report.bytesPerTriangle = bytes / triangles;
+  report.seconds = bvh.buildSeconds;
+  return report;
+}
+
+}  // namespace prelight

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "bvh/binary_bvh.h"
+
+namespace prelight {
+
+/// What a traversal step costs, whatever the unit: leaves cost `leaf` plus `triangle` for each triangle.
+struct TraversalCosts {
+  double node = 1.0;
+  double leaf = 0.0;
+  double triangle = 0.0;
+
+  double ofLeaf(std::uint32_t triangles) const { return leaf + triangle * triangles; }
+};
+
+/// Chooses leaves and eight-wide nodes together, by dynamic programming over the binary tree (Ylitie, Karras
+/// and Laine 2017, section 3): of all ways to cut it, the one with the least expected cost of a ray. Subtrees
+/// of at most eight triangles may become leaves, inner nodes that are wide nodes are marked `wideRoot`; the
+/// root always is one when it is no leaf. Returns a compact tree, with each triangle once a leaf.
+BinaryBvh collapseToWide(const BinaryBvh& bvh, const TraversalCosts& costs, std::size_t threads);
+
+/// Chooses leaves alone: a subtree of at most eight triangles becomes one where that is cheaper.
+BinaryBvh collapseLeaves(const BinaryBvh& bvh, const TraversalCosts& costs, std::size_t threads);
+
+}  // namespace prelight

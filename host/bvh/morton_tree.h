@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+#include "bvh/binary_bvh.h"
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// Sorts triangles by the Morton codes of their boxes' centres and splits ranges where the highest bit of the
+/// codes changes (Lauterbach et al. 2009), down to leaves of at most eight triangles. The fastest build, and
+/// a tree that rays take more steps in. The tree depends on the scene alone. The scene must have a triangle.
+BinaryBvh buildMortonTree(const CompiledScene& scene, std::size_t threads);
+
+}  // namespace prelight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/binary_bvh.h"
+#include "bvh/reference.h"
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// What a leaf is priced by, as the layout tests its triangles.
+enum class LeafPrice : std::uint8_t { Blocks, Triangles };
+
+struct TopDownOptions {
+  bool fine = true;  ///< 32 bins an axis, else 16; 8 for small ranges
+  LeafPrice price = LeafPrice::Blocks;
+  std::uint32_t leafSize = 8;  ///< ranges of at most this many references become leaves, others never; 1..8
+  double splitBudget = 0.0;    ///< references that spatial splits may add, as a share of the triangles
+  std::size_t threads = 1;
+};
+
+/// A reference for each triangle, in the order of the triangles.
+std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t threads);
+
+/// Binned SAH from the root down (Wald 2007), with spatial splits where object splits overlap (Stich 2009).
+/// The tree depends on the scene and on the options but `threads`. The scene must have a triangle.
+BinaryBvh buildTopDown(const CompiledScene& scene, const TopDownOptions& options);
+
+}  // namespace prelight
