@@ -4,6 +4,7 @@
 #include <bit>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/parallel.h"
 #include "bvh/object_split.h"
@@ -45,10 +46,11 @@ int longestAxis(const LaneBox& box) {
 
 class Builder {
  public:
-  Builder(const CompiledScene& scene, const TopDownOptions& options)
+  /// `scene` may be null when nothing is split spatially.
+  Builder(std::vector<Reference> references, const CompiledScene* scene, const TopDownOptions& options)
       : scene_(scene),
         options_(options),
-        references_(makeReferences(scene, options.threads)),
+        references_(std::move(references)),
         price_(options.price == LeafPrice::Blocks ? 3 : 0) {
     const auto count = static_cast<std::uint32_t>(references_.size());
     root_ = {0, count, count + static_cast<std::size_t>(options.splitBudget * count)};
@@ -199,7 +201,7 @@ class Builder {
     const SpatialSplit spatial = level < sahDepth_ ? bestSpatial(range, bounds, object) : SpatialSplit{};
     if (spatial.cost < object.cost) {
       const auto [left, right] = partitionSpatially(
-          scene_, std::span(references_).subspan(range.first, range.capacity), range.count, spatial);
+          *scene_, std::span(references_).subspan(range.first, range.capacity), range.count, spatial);
       if (left > 0 && right > 0 && left < range.count && right < range.count)
         return shareRoom(range, left, right);
       // Room ran out: the references were moved but none is lost; halve what is there.
@@ -250,7 +252,7 @@ class Builder {
     if (range.capacity == range.count || range.count <= minSpatial) return {};
     if (object.axis >= 0 && !(object.overlap > minOverlap * rootArea_)) return {};
     const SpatialSplit split =
-        bestSpatialSplit(scene_, used(range), bounds.bounds, price_, isLarge(range) ? options_.threads : 1);
+        bestSpatialSplit(*scene_, used(range), bounds.bounds, price_, isLarge(range) ? options_.threads : 1);
     const std::size_t added = std::size_t{split.leftCount} + split.rightCount - range.count;
     return split.axis >= 0 && range.count + added <= range.capacity ? split : SpatialSplit{};
   }
@@ -279,7 +281,7 @@ class Builder {
     return shareRoom(range, left, range.count - left);
   }
 
-  const CompiledScene& scene_;
+  const CompiledScene* scene_;
   TopDownOptions options_;
   std::vector<Reference> references_;
   BlockPrice price_;
@@ -310,7 +312,16 @@ std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t th
 }
 
 BinaryBvh buildTopDown(const CompiledScene& scene, const TopDownOptions& options) {
-  return Builder(scene, options).build();
+  return Builder(makeReferences(scene, options.threads), &scene, options).build();
+}
+
+BinaryBvh buildOverBoxes(std::span<const Box> boxes, const TopDownOptions& options) {
+  std::vector<Reference> references;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    references.emplace_back(boxes[i], static_cast<std::uint32_t>(i));
+  TopDownOptions withoutSplits = options;
+  withoutSplits.splitBudget = 0.0;
+  return Builder(std::move(references), nullptr, withoutSplits).build();
 }
 
 }  // namespace prelight

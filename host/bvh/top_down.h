@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bvh/binary_bvh.h"
@@ -27,5 +28,9 @@ std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t th
 /// Binned SAH from the root down (Wald 2007), with spatial splits where object splits overlap (Stich 2009).
 /// The tree depends on the scene and on the options but `threads`. The scene must have a triangle.
 BinaryBvh buildTopDown(const CompiledScene& scene, const TopDownOptions& options);
+
+/// The same over boxes that are not those of triangles: triangleOrder names boxes. Without spatial splits,
+/// whatever the options say. There must be a box.
+BinaryBvh buildOverBoxes(std::span<const Box> boxes, const TopDownOptions& options);
 
 }  // namespace prelight
