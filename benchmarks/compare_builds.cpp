@@ -66,7 +66,9 @@ double layOut(const BinaryBvh& tree, const CompiledScene& scene, const Device& d
 BinaryBvh buildOnce(BuildRecord& record, const CompiledScene& scene, const Device& device) {
   BinaryBvh tree;
   record.seconds.push_back(secondsOf([&] {
-    tree = buildBvh(scene);
+    const bool cpu = device.info().kind == DeviceKind::Cpu;  // as Tracer chooses
+    tree = buildBvh(scene,
+                    {.quality = BuildQuality::Balanced, .target = cpu ? BvhTarget::Wide : BvhTarget::Narrow});
     record.bytes = layOut(tree, scene, device);
   }));
   return tree;

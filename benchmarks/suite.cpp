@@ -20,6 +20,7 @@ const std::vector<Entry>& entries() {
       {{"cast", "rays a second in bake order and in random order, wide tree against narrow"}, runCastSuite},
       {{"rays", "rays a second of bakes, photons and cameras through many triangles, against Embree"},
        runRaysSuite},
+      {{"trees", "seconds, bytes and steps a ray of the trees of each build quality"}, runTreesSuite},
       {{"build", "seconds and bytes of the tree over many triangles, against Embree"}, runBuildSuite},
       {{"scaling", "rays a second and the tree, from a thousand triangles to ten million, against Embree"},
        runScalingSuite},

@@ -18,6 +18,10 @@ std::vector<BenchmarkResult> runRaysSuite(const Device& device, const BenchmarkO
 std::vector<BenchmarkResult> runBuildSuite(const Device& device, const BenchmarkOptions& options,
                                            Progress& progress);
 
+/// Seconds, bytes and the steps that rays take, of the tree of each build quality.
+std::vector<BenchmarkResult> runTreesSuite(const Device& device, const BenchmarkOptions& options,
+                                           Progress& progress);
+
 /// Rays a second, and seconds and bytes of the tree, from a thousand triangles to ten million, against
 /// Embree.
 std::vector<BenchmarkResult> runScalingSuite(const Device& device, const BenchmarkOptions& options,

@@ -41,7 +41,7 @@ void expectReport(const nlohmann::json& report) {
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
   for (const char* part :
-       {"cast", "rays", "build", "scaling", "bake", "error", "reference", "Examples:", "prelight bench"})
+       {"cast", "rays", "trees", "build", "scaling", "bake", "error", "reference", "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -89,8 +89,8 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  EXPECT_EQ(measured,
-            (std::set<std::string>{"bake", "build", "cast", "error", "rays", "reference", "scaling"}));
+  EXPECT_EQ(measured, (std::set<std::string>{"bake", "build", "cast", "error", "rays", "reference", "scaling",
+                                             "trees"}));
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }
