@@ -29,6 +29,10 @@ class AgreementTest : public ::testing::Test {
     return {tracer.traceClosest(rays), tracer.traceAny(rays)};
   }
 
+  static bool isMetEdgeOn(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
+    return hit.triangle != PRELIGHT_NO_TRIANGLE && test::crossingOf(scene, hit.triangle, ray).degenerate;
+  }
+
   // Returns the number of hits.
   static std::size_t expectAgreement(const std::string& name, const CompiledScene& scene,
                                      const std::vector<Ray>& rays) {
@@ -36,14 +40,17 @@ class AgreementTest : public ::testing::Test {
     std::size_t hits = 0, different = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
       hits += wide.closest[i].triangle != PRELIGHT_NO_TRIANGLE;
-      different += wide.closest[i].triangle != narrow.closest[i].triangle ||
-                   wide.any[i].triangle != narrow.any[i].triangle;
+      const bool same = wide.closest[i].triangle == narrow.closest[i].triangle &&
+                        wide.any[i].triangle == narrow.any[i].triangle;
+      different += !same && !isMetEdgeOn(scene, rays[i], wide.closest[i]) &&
+                   !isMetEdgeOn(scene, rays[i], narrow.closest[i]);
       EXPECT_EQ(test::disagreement(scene, rays[i], wide.closest[i], wide.any[i]), "")
           << name << ", wide, ray " << i;
       EXPECT_EQ(test::disagreement(scene, rays[i], narrow.closest[i], narrow.any[i]), "")
           << name << ", narrow, ray " << i;
     }
-    // One test of triangles in two trees: what one hits the other hits.
+    // One test of triangles in two trees: what one hits the other hits, unless it is met edge-on or has no
+    // area. Then rounding decides where it is, and so whether a box around more or less of it is met before.
     EXPECT_EQ(different, 0u) << name;
     return hits;
   }
