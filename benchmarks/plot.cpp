@@ -88,6 +88,20 @@ std::string buildPlot(const Results& results, const std::string& subtitle) {
   return drawBarChart(chart);
 }
 
+std::string treesPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"Steps of a ray through the tree", subtitle, "steps a ray", {}, {}};
+  chart.legend = {{"nodes", palette[0]}, {"blocks of triangles", palette[1]}};
+  for (const BenchmarkResult& result : results) {
+    const auto [scene, quality] = splitCase(result.case_);
+    std::vector<Bar>& bars = groupNamed(chart.groups, scene).bars;
+    if (bars.empty() || bars.back().label != quality) bars.push_back({quality, {}, 0.0, {}});
+    if (result.metric == "build") bars.back().note = fmt::format("built in {:.3g} s", result.value);
+    if (result.metric == "nodes") bars.back().parts.push_back({result.value, palette[0]});
+    if (result.metric == "blocks") bars.back().parts.push_back({result.value, palette[1]});
+  }
+  return drawBarChart(chart);
+}
+
 /// "250k" -> 250000.
 double triangleCount(const std::string& size) { return std::stod(size) * (size.ends_with('M') ? 1e6 : 1e3); }
 
@@ -200,8 +214,9 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 8> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 9> kinds = {{{"cast", "cast", castPlot},
                                           {"rays", "rays", raysPlot},
+                                          {"trees", "trees", treesPlot},
                                           {"build", "build", buildPlot},
                                           {"scaling", "scaling", scalingPlot},
                                           {"scaling", "scaling-build", scalingBuildPlot},

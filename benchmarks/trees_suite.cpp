@@ -46,7 +46,7 @@ void measureTrees(const BenchmarkScene& scene, const Device& device, int runs,
       seconds.push_back(tree.buildSeconds);
     }
     tree.buildSeconds = median(seconds);
-    addTree(std::string(quality.name) + " " + scene.name, reportOf(tree, scene.compiled.triangleCount()),
+    addTree(scene.name + "/" + quality.name, reportOf(tree, scene.compiled.triangleCount()),
             countSteps(tree, scene.compiled, rays, false), results);
   }
 }

@@ -40,8 +40,8 @@ void expectReport(const nlohmann::json& report) {
 
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
-  for (const char* part :
-       {"cast", "rays", "trees", "build", "scaling", "bake", "error", "reference", "Examples:", "prelight bench"})
+  for (const char* part : {"cast", "rays", "trees", "build", "scaling", "bake", "error", "reference",
+                           "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
