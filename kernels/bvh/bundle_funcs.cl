@@ -1,6 +1,5 @@
-// Traversal of the wide layout by a bundle: a group of rays that leave one point, as a receiver's do. A node is read
-// once for all of them. Its eight boxes are first tested against the interval of the bundle's directions, then each
-// that is left against the sixteen rays; blocks of triangles are tested ray by ray.
+// Traversal of the wide tree by a bundle: a group of rays that leave one point, as a receiver's do. A node or block is
+// read once for all rays that meet it.
 #ifndef PRELIGHT_BVH_BUNDLE_FUNCS_CL
 #define PRELIGHT_BVH_BUNDLE_FUNCS_CL
 
@@ -13,8 +12,10 @@ typedef struct AxisInterval {
   float lowerExit, upperExit, exit;
 } AxisInterval;
 
-// So many rays are tested one by one against the eight boxes of a node; more, together against each box.
-#define PRELIGHT_FEW 6
+// From so many rays on, a bundle's boxes are first tested against the interval of its directions; each ray is then tested
+// against one box after the other where so few boxes are left. Wide cones leave more.
+#define PRELIGHT_MANY_RAYS 7
+#define PRELIGHT_FEW_BOXES 2
 
 typedef struct BundleEntry {
   uint child;
@@ -121,41 +122,43 @@ PRELIGHT_INLINE void visitWithOne(__global const WideNode* node, Bundle* b, uint
   }
 }
 
-// Children that some of a few rays meet, each ray tested against the eight boxes.
-PRELIGHT_INLINE void visitWithFew(__global const WideNode* node, Bundle* b, uint mask) {
-  uint met[PRELIGHT_FEW], lanes[PRELIGHT_FEW];
-  uint count = 0, children = 0;
+// Children that some of the rays meet, each ray tested against the eight boxes.
+PRELIGHT_INLINE void visitWithSeveral(__global const WideNode* node, Bundle* b, uint mask) {
+  uchar met[PRELIGHT_GROUP];  // [ray], mask of children
+  vstore16((uchar16)(0), 0, met);
+  uint children = 0;
   float8 near8 = (float8)(INFINITY);
   while (mask != 0u) {
     const uint lane = lowestLane(mask);
     mask &= mask - 1u;
     float8 n;
-    met[count] = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &n);
-    children |= met[count];
-    lanes[count++] = lane;
+    const uint m = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &n);
+    met[lane] = (uchar)m;
+    children |= m;
     near8 = least8(near8, n);
   }
   if (children == 0u) return;
+  const uchar16 metByRay = vload16(0, met);
   float near[PRELIGHT_WIDTH];
   vstore8(near8, 0, near);
   const uint first = b->depth;
   while (children != 0u) {
     const uint child = lowestLane(children);
     children &= children - 1u;
-    uint meeting = 0;
-    for (uint i = 0; i < count; ++i) meeting |= ((met[i] >> child) & 1u) << lanes[i];
-    {
-      const BundleEntry entry = {node->child[child], as_uint(near[child]), meeting, 0u};
-      pushSorted(b, first, entry);
-    }
+    const BundleEntry entry = {node->child[child], as_uint(near[child]), byteMask16(metByRay, child), 0u};
+    pushSorted(b, first, entry);
   }
 }
 
+// Children that some of many rays meet.
 PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b, uint mask, float16 t) {
   RelativeBoxes boxes;
   float8 near8;
   uint children = intersectInterval(node, b, &boxes, &near8);
-  if (children == 0u) return;
+  if (popcount(children) > PRELIGHT_FEW_BOXES) {
+    visitWithSeveral(node, b, mask);
+    return;
+  }
   float near[PRELIGHT_WIDTH];
   vstore8(near8, 0, near);
   const uint first = b->depth;
@@ -195,8 +198,8 @@ PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
     }
   } else if ((mask & (mask - 1u)) == 0u) {
     visitWithOne(bvh.nodes + top.child, b, mask);
-  } else if (popcount(mask) <= PRELIGHT_FEW) {
-    visitWithFew(bvh.nodes + top.child, b, mask);
+  } else if (popcount(mask) < PRELIGHT_MANY_RAYS) {
+    visitWithSeveral(bvh.nodes + top.child, b, mask);
   } else {
     visitWithMany(bvh.nodes + top.child, b, mask, t);
   }

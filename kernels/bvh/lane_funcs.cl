@@ -8,6 +8,9 @@
 #if defined(__AVX__) && __has_builtin(__builtin_ia32_movmskps256)
 #define PRELIGHT_AVX_LANES
 #endif
+#if defined(__SSE2__) && __has_builtin(__builtin_ia32_pmovmskb128)
+#define PRELIGHT_SSE2_LANES
+#endif
 #if defined(__AVX512F__) && __has_builtin(__builtin_ia32_cmpps512_mask)
 #define PRELIGHT_AVX512_LANES
 #endif
@@ -44,6 +47,21 @@ uint lessOrEqualMask16(float16 a, float16 b) {
 #else
   const int16 lanes = a <= b;
   return laneMask8(lanes.lo) | (laneMask8(lanes.hi) << 8);
+#endif
+}
+
+// Bit i set: bit `bit` of byte i is set.
+uint byteMask16(uchar16 bytes, uint bit) {
+#ifdef PRELIGHT_SSE2_LANES
+  // What a shift carries from a byte into its neighbour lies below the sign that is taken.
+  return (uint)__builtin_ia32_pmovmskb128(as_char16(as_ushort8(bytes) << (ushort8)(7u - bit)));
+#else
+  const ushort16 found = (convert_ushort16(bytes) >> (ushort16)(bit)) & (ushort16)(1);
+  const ushort16 bits = found << (ushort16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const ushort8 a = bits.lo | bits.hi;
+  const ushort4 b = a.lo | a.hi;
+  const ushort2 c = b.lo | b.hi;
+  return (uint)(c.x | c.y);
 #endif
 }
 
