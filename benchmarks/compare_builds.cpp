@@ -1,12 +1,12 @@
 #include "benchmarks/compare_builds.h"
 
-#include <algorithm>
 #include <functional>
 
 #include "benchmarks/compare_rays.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/take_turns.h"
 #include "bvh/builder.h"
+#include "bvh/bvh_report.h"
 #include "bvh/layouts.h"
 
 namespace prelight::benchmarks {
@@ -18,32 +18,21 @@ const char* qualityName(PeerQuality quality) {
   return quality == PeerQuality::Medium ? "Embree (medium)" : "Embree (high)";
 }
 
-/// What random lines through the bounds meet of a tree (MacDonald and Booth 1990): the sum of surfaces over
-/// that of the root.
-struct SahCounts {
-  double nodes = 0.0;
-  double leaves = 0.0;  ///< blocks of triangles
-};
+/// Prelight's quality of about the same effort.
+BuildQuality ownQuality(PeerQuality quality) {
+  if (quality == PeerQuality::Low) return BuildQuality::Fast;
+  return quality == PeerQuality::Medium ? BuildQuality::Balanced : BuildQuality::High;
+}
 
-SahCounts sahCounts(const BinaryBvh& tree) {
-  SahCounts counts;
-  std::vector<std::uint32_t> open = {0};
-  while (!open.empty()) {
-    const BinaryBvh::Node& node = tree.nodes[open.back()];
-    open.pop_back();
-    const std::uint32_t blocks = (node.count + BinaryBvh::maxLeafSize - 1) / BinaryBvh::maxLeafSize;
-    (node.count > 0 ? counts.leaves : counts.nodes) +=
-        static_cast<double>(node.bounds.halfArea()) * std::max(1u, blocks);
-    if (node.count == 0) open.insert(open.end(), {node.left, node.right});
-  }
-  const auto root = static_cast<double>(tree.nodes[0].bounds.halfArea());
-  return {counts.nodes / root, counts.leaves / root};
+const char* ownName(PeerQuality quality) {
+  if (quality == PeerQuality::Low) return "fast";
+  return quality == PeerQuality::Medium ? "balanced" : "high";
 }
 
 /// A way to build, Prelight's or the peer's, and what came of it.
 struct BuildRecord {
   std::string name;
-  PeerQuality quality = PeerQuality::Medium;  ///< Prelight's: of the peer at about the same effort
+  PeerQuality quality = PeerQuality::Medium;  ///< the effort, in the peer's terms
   std::vector<double> seconds = {};           ///< [round]
   double bytes = 0.0;
 };
@@ -53,9 +42,14 @@ double bytesOf(const std::vector<T>& data) {
   return static_cast<double>(data.size() * sizeof(T));
 }
 
-/// Bytes of the layout that a tree is given to the device in.
-double layOut(const BinaryBvh& tree, const CompiledScene& scene, const Device& device) {
-  if (device.info().kind == DeviceKind::Cpu) {  // as Tracer chooses
+/// The layout that the device is given, as Tracer chooses it.
+BvhTarget targetOf(const Device& device) {
+  return device.info().kind == DeviceKind::Cpu ? BvhTarget::Wide : BvhTarget::Narrow;
+}
+
+/// Bytes of the layout.
+double layOut(const BinaryBvh& tree, const CompiledScene& scene, BvhTarget target) {
+  if (target == BvhTarget::Wide) {
     const WideBvh wide = makeWideBvh(tree, scene);
     return bytesOf(wide.nodes) + bytesOf(wide.blocks);
   }
@@ -63,23 +57,20 @@ double layOut(const BinaryBvh& tree, const CompiledScene& scene, const Device& d
   return bytesOf(narrow.nodes) + bytesOf(narrow.triangles);
 }
 
-BinaryBvh buildOnce(BuildRecord& record, const CompiledScene& scene, const Device& device) {
+BvhReport buildOnce(BuildRecord& record, const CompiledScene& scene, BvhTarget target) {
   BinaryBvh tree;
   record.seconds.push_back(secondsOf([&] {
-    const bool cpu = device.info().kind == DeviceKind::Cpu;  // as Tracer chooses
-    tree = buildBvh(scene,
-                    {.quality = BuildQuality::Balanced, .target = cpu ? BvhTarget::Wide : BvhTarget::Narrow});
-    record.bytes = layOut(tree, scene, device);
+    tree = buildBvh(scene, {.quality = ownQuality(record.quality), .target = target});
+    record.bytes = layOut(tree, scene, target);
   }));
-  return tree;
+  return reportOf(tree, scene.triangleCount(), target);
 }
 
-void buildPeers(std::vector<BuildRecord>& peers, const CompiledScene& scene, const Device& device) {
-  for (BuildRecord& record : peers)
-    for (const PeerTree& tree : makePeerTrees(scene, {record.quality}, device.info())) {
-      record.seconds.push_back(tree.peer->buildSeconds());
-      record.bytes = static_cast<double>(tree.peer->bytes());
-    }
+void buildPeer(BuildRecord& record, const CompiledScene& scene, const Device& device) {
+  for (const PeerTree& tree : makePeerTrees(scene, {record.quality}, device.info())) {
+    record.seconds.push_back(tree.peer->buildSeconds());
+    record.bytes = static_cast<double>(tree.peer->bytes());
+  }
 }
 
 class BuildReport {
@@ -88,27 +79,19 @@ class BuildReport {
               std::vector<BenchmarkResult>& results)
       : suite_(std::move(suite)), size_(std::move(size)), triangles_(triangles), results_(results) {}
 
-  void addTree(const BuildRecord& own, const BinaryBvh& tree) {
-    const SahCounts sah = sahCounts(tree);
+  void addTree(const BuildRecord& own, const BvhReport& tree) {
+    add(own, "SAH cost", tree.sahCost, "a line");
     add(own, "depth", tree.depth, "levels");
-    add(own, "SAH nodes", sah.nodes, "a line");
-    add(own, "SAH leaves", sah.leaves, "a line");
+    add(own, "leaf fill", tree.meanLeafFill, "of eight");
+    add(own, "duplicates", tree.duplicates, "of triangles");
   }
 
-  void addComparison(const BuildRecord& own, const std::vector<BuildRecord>& peers) {
-    const auto equal = std::find_if(peers.begin(), peers.end(),
-                                    [&](const BuildRecord& peer) { return peer.quality == own.quality; });
-    const BuildRecord* peer = equal != peers.end() && !equal->seconds.empty() ? &*equal : nullptr;
-    add(own, "build", median(own.seconds), "s", peer,
-        [&] { return medianRatio(own.seconds, peer->seconds); });
-    add(own, "size", own.bytes / triangles_, "bytes/triangle", peer, [&] { return peer->bytes / own.bytes; });
-    for (const BuildRecord& other : peers) {
-      if (other.seconds.empty()) continue;
-      add(own, "peer build", median(other.seconds), "s", &other,
-          [&] { return medianRatio(own.seconds, other.seconds); });
-      add(own, "peer size", other.bytes / triangles_, "bytes/triangle", &other,
-          [&] { return other.bytes / own.bytes; });
-    }
+  /// Of Prelight and, where it was built, the peer at about the same effort.
+  void addComparison(const BuildRecord& own, const BuildRecord& peer) {
+    const BuildRecord* other = peer.seconds.empty() ? nullptr : &peer;
+    add(own, "build", median(own.seconds), "s", other,
+        [&] { return medianRatio(own.seconds, peer.seconds); });
+    add(own, "size", own.bytes / triangles_, "bytes/triangle", other, [&] { return peer.bytes / own.bytes; });
   }
 
  private:
@@ -133,16 +116,22 @@ void compareBuilds(const std::string& suite, const std::string& size, const Comp
                    const Device& device, const std::vector<PeerQuality>& qualities, int rounds,
                    const Progress& progress, std::vector<BenchmarkResult>& results) {
   BuildReport report(suite, size, scene.triangleCount(), results);
-  BuildRecord own{"build", PeerQuality::Medium};
-  std::vector<BuildRecord> peers;
-  for (const PeerQuality quality : qualities) peers.push_back({qualityName(quality), quality});
-  for (int round = 0; round < rounds; ++round) {
-    progress.check();
-    const BinaryBvh tree = buildOnce(own, scene, device);
-    if (round == 0) report.addTree(own, tree);
-    buildPeers(peers, scene, device);
+  std::vector<BuildRecord> owns, peers;
+  for (const PeerQuality quality : qualities) {
+    owns.push_back({ownName(quality), quality});
+    peers.push_back({qualityName(quality), quality});
   }
-  report.addComparison(own, peers);
+  std::vector<BvhReport> trees(owns.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t q = 0; q < qualities.size(); ++q) {
+      progress.check();
+      trees[q] = buildOnce(owns[q], scene, targetOf(device));
+      buildPeer(peers[q], scene, device);
+    }
+  for (std::size_t q = 0; q < qualities.size(); ++q) {
+    report.addTree(owns[q], trees[q]);
+    report.addComparison(owns[q], peers[q]);
+  }
 }
 
 }  // namespace prelight::benchmarks

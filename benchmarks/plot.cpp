@@ -74,16 +74,17 @@ std::string raysPlot(const Results& results, const std::string& subtitle) {
 
 std::string buildPlot(const Results& results, const std::string& subtitle) {
   BarChart chart{"Seconds to build the tree over detailed rooms", subtitle, "seconds", {}, {}};
-  chart.legend = {{"Prelight", palette[0]}, {"Embree", palette[1]}};
+  chart.legend = {{"Prelight", palette[0]}};
   for (const BenchmarkResult& result : results) {
-    const auto [build, size] = splitSize(result.case_);
-    std::vector<Bar>& bars = groupNamed(chart.groups, size).bars;
-    const bool own = result.metric == "build";
-    const std::string label = own ? build : result.peer;
-    if (!own && result.metric != "peer build") continue;
-    if (std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) { return bar.label == label; })) continue;
-    bars.push_back(
-        {label, {{result.value, palette[own ? 0 : 1]}}, 0.0, fmt::format("{:.3g} s", result.value)});
+    if (result.metric != "build") continue;
+    const auto [quality, size] = splitSize(result.case_);
+    Bar bar{quality, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} s", result.value)};
+    if (result.ratio) {
+      bar.peer = result.value * *result.ratio;
+      bar.note += fmt::format(", {:.2f} x", *result.ratio);
+      chart.legend = {{"Prelight", palette[0]}, {"Embree at about the same effort", "#a9b0b8"}};
+    }
+    groupNamed(chart.groups, size).bars.push_back(std::move(bar));
   }
   return drawBarChart(chart);
 }

@@ -29,7 +29,7 @@ std::vector<BenchmarkResult> runScalingSuite(const Device& device, const Benchma
   for (const std::uint64_t triangles : options.scalingTriangles) {
     const BenchmarkScene scene = makeDetailedRooms(triangles);
     const std::vector<PeerQuality> quality = {PeerQuality::Medium};
-    compareBuilds("scaling", scene.name, scene.compiled, device, quality,
+    compareBuilds("scaling", scene.name, scene.compiled, device, {PeerQuality::Medium, PeerQuality::High},
                   triangles < largeScene ? options.runs : 1, progress, results);
     steps.advance();
     Tracer tracer(scene.compiled, device);
