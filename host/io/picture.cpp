@@ -44,15 +44,31 @@ double decodeSrgb(double value) {
 /// Largest radiance that the display transform tells apart from infinity; keeps inf / inf out of it.
 constexpr float brightest = 1e6f;
 
-void writePixels(const std::filesystem::path& shown, const std::filesystem::path& path,
-                 const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+/// One image of a file.
+struct Part {
+  OIIO::ImageSpec spec;
+  OIIO::TypeDesc type;
+  const void* pixels;
+};
+
+void writeParts(const std::filesystem::path& shown, const std::filesystem::path& path,
+                const std::vector<Part>& parts) {
   const auto fail = [&](const std::string& reason) {
     throw Error(ExitCode::RuntimeFailure, shown.string(), "cannot be written: " + reason);
   };
   const auto output = OIIO::ImageOutput::create(path.string());
   if (!output) fail(OIIO::geterror());
-  if (!output->open(path.string(), spec)) fail(output->geterror());
-  if (!output->write_image(type, pixels)) fail(output->geterror());
+  std::vector<OIIO::ImageSpec> specs;
+  for (const Part& part : parts) specs.push_back(part.spec);
+  const bool one = parts.size() == 1;
+  if (!(one ? output->open(path.string(), specs[0])
+            : output->open(path.string(), static_cast<int>(specs.size()), specs.data())))
+    fail(output->geterror());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0 && !output->open(path.string(), specs[i], OIIO::ImageOutput::AppendSubimage))
+      fail(output->geterror());
+    if (!output->write_image(parts[i].type, parts[i].pixels)) fail(output->geterror());
+  }
   if (!output->close()) fail(output->geterror());
 }
 
@@ -66,22 +82,28 @@ std::vector<std::uint8_t> encode(const Picture& picture) {
   return bytes;
 }
 
+OIIO::ImageSpec exrSpec(const Picture& picture, int channels) {
+  OIIO::ImageSpec spec(picture.width, picture.height, channels, OIIO::TypeDesc::FLOAT);
+  spec.attribute("compression", "zip");
+  // Else OpenImageIO notes the time, and equal pictures would be unequal files.
+  spec.attribute("DateTime", "");
+  return spec;
+}
+
+/// R, G, B alone are the first part, so that readers of plain pictures open the file; each further channel is
+/// a part of its own, named after its layer.
 void writeExr(const std::filesystem::path& path, const Picture& picture,
               const std::vector<PictureChannel>& channels) {
-  const std::size_t count = 3 + channels.size();
-  OIIO::ImageSpec spec(picture.width, picture.height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime",
-                 "");  // else OpenImageIO notes the time, and equal pictures would be unequal files
-  for (std::size_t c = 0; c < channels.size(); ++c) spec.channelnames[3 + c] = channels[c].name;
-  std::vector<float> values(picture.pixels.size() * count);
-  for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) values[i * count + c] = picture.pixels[i][static_cast<int>(c)];
-    for (std::size_t c = 0; c < channels.size(); ++c) values[i * count + 3 + c] = channels[c].values[i];
+  std::vector<Part> parts{{exrSpec(picture, 3), OIIO::TypeDesc::FLOAT, picture.pixels.data()}};
+  if (!channels.empty()) parts[0].spec.attribute("oiio:subimagename", "rgb");
+  for (const PictureChannel& channel : channels) {
+    OIIO::ImageSpec spec = exrSpec(picture, 1);
+    spec.channelnames[0] = channel.name;
+    spec.attribute("oiio:subimagename", channel.name.substr(0, channel.name.rfind('.')));
+    parts.push_back({std::move(spec), OIIO::TypeDesc::FLOAT, channel.values.data()});
   }
-  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
-    writePixels(path, temporary, spec, OIIO::TypeDesc::FLOAT, values.data());
-  });
+  writeFileAtomically(path,
+                      [&](const std::filesystem::path& temporary) { writeParts(path, temporary, parts); });
 }
 
 }  // namespace
@@ -95,7 +117,8 @@ void writePicture(const std::filesystem::path& path, const Picture& picture) {
   writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
     OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    writePixels(path, temporary, spec, OIIO::TypeDesc::UINT8, encode(picture).data());
+    const std::vector<std::uint8_t> pixels = encode(picture);
+    writeParts(path, temporary, {{spec, OIIO::TypeDesc::UINT8, pixels.data()}});
   });
 }
 

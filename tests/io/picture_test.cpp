@@ -1,5 +1,6 @@
 #include "io/picture.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +52,23 @@ TEST_F(PictureTest, Exr_RoundTrip_IsExact) {
   ASSERT_EQ(back.height, 9);
   EXPECT_EQ(back.pixels, picture.pixels);
   EXPECT_THAT(files(), testing::ElementsAre("a.exr"));
+}
+
+TEST_F(PictureTest, Exr_WithAFurtherChannel_IsAPlainPictureFirst) {
+  const Picture picture = gradient(5, 3);
+  std::vector<float> variance(15);
+  for (std::size_t i = 0; i < variance.size(); ++i) variance[i] = 0.5f * static_cast<float>(i);
+  const fs::path file = folder_ / "a.exr";
+  writePicture(file, picture, {{"variance.Y", variance}});
+  EXPECT_EQ(readPicture(file).pixels, picture.pixels);
+  const auto input = OIIO::ImageInput::open(file.string());
+  ASSERT_TRUE(input);
+  EXPECT_THAT(input->spec().channelnames, testing::ElementsAre("R", "G", "B"));
+  ASSERT_TRUE(input->seek_subimage(1, 0));
+  EXPECT_THAT(input->spec().channelnames, testing::ElementsAre("variance.Y"));
+  std::vector<float> back(15);
+  ASSERT_TRUE(input->read_image(1, 0, 0, 1, OIIO::TypeDesc::FLOAT, back.data()));
+  EXPECT_EQ(back, variance);
 }
 
 TEST_F(PictureTest, Png_Written_HoldsTheToneMappedColours) {
