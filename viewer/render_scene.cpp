@@ -16,7 +16,7 @@ bool sameTexture(const TextureRef& a, const TextureRef& b) {
 }
 
 /// Coefficients in the layout that RenderScene documents.
-std::vector<glm::vec4> packTransfer(const ShTransfer& sh, std::uint32_t vertices) {
+std::vector<glm::vec4> packTransfer(const HarmonicTransfer& sh, std::uint32_t vertices) {
   const int count = sh.order * sh.order;
   const int texels = (count + 3) / 4;
   std::vector<glm::vec4> packed(static_cast<std::size_t>(vertices) * sh.channels * texels, glm::vec4(0.0f));
@@ -152,7 +152,7 @@ void RenderScene::makeBaked(const Bake& bake, std::uint32_t vertices) {
     hasAo_ = true;
   }
   if (bake.sh) {
-    const ShTransfer& sh = *bake.sh;
+    const HarmonicTransfer& sh = *bake.sh;
     if (sh.order < 1 || sh.order > maxShOrder || (sh.channels != 1 && sh.channels != 3)) {
       throw Error(ExitCode::RuntimeFailure, "SH transfer",
                   "order " + std::to_string(sh.order) + " in " + std::to_string(sh.channels) +

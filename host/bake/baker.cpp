@@ -132,7 +132,7 @@ void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double
 void packSh(const FitMesh& mesh, const std::vector<double>& transfer, const CompiledScene& scene,
             int channels, int shOrder, Bake& bake) {
   const auto n = static_cast<std::size_t>(shOrder * shOrder);
-  bake.sh = ShTransfer{shOrder, channels, 0, {}};
+  bake.sh = HarmonicTransfer{shOrder, channels, 0, {}};
   bake.sh->coefficients.reserve(scene.vertexCount() * static_cast<std::size_t>(channels) * n);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
     const std::size_t row = mesh.slotOfVertex[v] * 3 * n;

@@ -159,9 +159,9 @@ class BakeReader {
     if (sh) bake_.sh = readShHeader(*sh);
   }
 
-  static ShTransfer readShHeader(const JsonCursor& json) {
+  static HarmonicTransfer readShHeader(const JsonCursor& json) {
     constexpr std::uint64_t maxOrder = 32;
-    ShTransfer sh;
+    HarmonicTransfer sh;
     const std::uint64_t order = json.at("order").asUnsigned();
     if (order < 1 || order > maxOrder) {
       json.at("order").fail(fmt::format("expected 1..{}, got {}", maxOrder, order), rebake);
@@ -177,8 +177,8 @@ class BakeReader {
   }
 
   void readSh(const JsonCursor& json, const std::vector<PrimitiveRange>& ranges) {
-    const ShTransfer header = readShHeader(json);
-    ShTransfer& sh = *bake_.sh;
+    const HarmonicTransfer header = readShHeader(json);
+    HarmonicTransfer& sh = *bake_.sh;
     if (header.order != sh.order || header.channels != sh.channels || header.bounces != sh.bounces) {
       json.fail("expected the order, channels and bounces of the other primitives", rebake);
     }

@@ -20,7 +20,7 @@ CompiledScene compileDocument(const GltfDocument& document) {
 
 Bake makeBake(const CompiledScene& scene) {
   Bake bake;
-  bake.sh = ShTransfer{2, 3, 1, {}};
+  bake.sh = HarmonicTransfer{2, 3, 1, {}};
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
     bake.ao.push_back(static_cast<float>(v) / static_cast<float>(scene.vertexCount()));
     bake.bentNormals.push_back(scene.normals[v]);

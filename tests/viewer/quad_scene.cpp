@@ -49,7 +49,7 @@ void QuadScene::compile() {
 void QuadScene::bakeOpen(int order, int channels, float accessibility, double openness) {
   bake.ao.assign(compiled.vertexCount(), accessibility);
   bake.bentNormals = compiled.normals;
-  ShTransfer sh{order, channels, 0, {}};
+  HarmonicTransfer sh{order, channels, 0, {}};
   std::vector<double> transfer(sh::coefficientCount(order));
   for (const glm::vec3& normal : compiled.normals) {
     sh::openTransfer(glm::dvec3(normal), order, transfer);
