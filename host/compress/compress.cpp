@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "compress/byte_range.h"
+#include "compress/cluster_fit.h"
+#include "compress/compressed_transfer.h"
+#include "compress/half_float.h"
+
+namespace prelight {
+
+namespace {
+
+std::uint16_t saturatedHalf(double value) {
+  return toHalf(std::clamp(static_cast<float>(value), -halfMax, halfMax));
+}
+
+std::size_t vertexCountOf(const HarmonicTransfer& transfer) {
+  const auto dimension = static_cast<std::size_t>(transfer.channels * transfer.order * transfer.order);
+  if (dimension == 0 || transfer.coefficients.size() % dimension != 0)
+    throw InputError("transfer",
+                     fmt::format("{} coefficients are no whole number of vertices of {} channels "
+                                 "and order {}",
+                                 transfer.coefficients.size(), transfer.channels, transfer.order));
+  for (const float value : transfer.coefficients)
+    if (!std::isfinite(value))
+      throw InputError("transfer", "a coefficient is not finite, expected finite numbers", "bake again");
+  return transfer.coefficients.size() / dimension;
+}
+
+/// Band by band and channel by channel: what lies together varies least (Staniszewski 2005, 3.2).
+void compressBands(const HarmonicTransfer& transfer, std::span<const double> vertexWeights,
+                   CompressedTransfer& out) {
+  const auto order = static_cast<std::size_t>(transfer.order), n = order * order;
+  const auto channels = static_cast<std::size_t>(transfer.channels);
+  out.bytes.resize(transfer.coefficients.size());
+  out.ranges.resize(2 * channels * order);
+  parallelRanges(channels * order, 1, [&](std::size_t group, std::size_t) {
+    const std::size_t channel = group / order, band = group % order, width = 2 * band + 1;
+    std::vector<double> values, weights;
+    for (std::size_t v = 0; v < out.vertexCount; ++v) {
+      const float* first = transfer.coefficients.data() + (v * channels + channel) * n + band * band;
+      values.insert(values.end(), first, first + width);
+      weights.insert(weights.end(), width, vertexWeights.empty() ? 1.0 : vertexWeights[v]);
+    }
+    const ByteRange range = fitByteRange(values, weights);
+    out.ranges[2 * group] = range.offset;
+    out.ranges[2 * group + 1] = range.scale;
+    for (std::size_t v = 0; v < out.vertexCount; ++v)
+      for (std::size_t i = 0; i < width; ++i)
+        out.bytes[(v * channels + channel) * n + band * band + i] = range.encode(values[v * width + i]);
+  });
+}
+
+void storeByteWeights(const ClusterFit& fit, std::span<const double> vertexWeights, CompressedTransfer& out) {
+  const auto k = static_cast<std::size_t>(fit.components), clusters = static_cast<std::size_t>(fit.clusters);
+  std::vector<std::vector<std::size_t>> members(clusters);
+  for (std::size_t v = 0; v < fit.clusterOf.size(); ++v) members[fit.clusterOf[v]].push_back(v);
+  out.weightBytes.resize(fit.weights.size());
+  out.weightRanges.resize(2 * clusters * k);
+  for (std::size_t cluster = 0; cluster < clusters; ++cluster)
+    for (std::size_t j = 0; j < k; ++j) {
+      std::vector<double> values, weights;
+      for (const std::size_t v : members[cluster]) {
+        values.push_back(fit.weights[v * k + j]);
+        weights.push_back(vertexWeights.empty() ? 1.0 : vertexWeights[v]);
+      }
+      const ByteRange range = fitByteRange(values, weights);
+      out.weightRanges[2 * (cluster * k + j)] = range.offset;
+      out.weightRanges[2 * (cluster * k + j) + 1] = range.scale;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        out.weightBytes[members[cluster][i] * k + j] = range.encode(values[i]);
+    }
+}
+
+void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest& request,
+                      std::span<const double> vertexWeights, CompressedTransfer& out) {
+  if (request.components < 0 || static_cast<std::size_t>(request.components) > out.dimension())
+    throw UsageError("--compress",
+                     fmt::format("got {} components, expected at most {}: a vertex has {} "
+                                 "channels of {} coefficients",
+                                 request.components, out.dimension(), out.channels, out.order * out.order));
+  if (request.clusters < 1 || request.clusters > 65536)
+    throw UsageError("--compress", fmt::format("got {} clusters, expected 1 to 65536", request.clusters));
+  if (out.vertexCount == 0) return;
+  const ClusterRequest wanted{request.method == CompressionMethod::Pca ? 1 : request.clusters,
+                              request.method == CompressionMethod::Vq ? 0 : request.components, request.seed,
+                              request.iterations};
+  const ClusterFit fit = fitClusters(transfer.coefficients, out.dimension(), vertexWeights, wanted);
+  out.clusters = fit.clusters;
+  out.components = fit.components;
+  out.means.assign(fit.means.begin(), fit.means.end());
+  out.basis.assign(fit.basis.begin(), fit.basis.end());
+  if (request.method != CompressionMethod::Pca)
+    out.clusterOf.assign(fit.clusterOf.begin(), fit.clusterOf.end());
+  out.weights = request.weights;
+  switch (request.weights) {
+    case WeightStorage::Float:
+      out.weightFloats.assign(fit.weights.begin(), fit.weights.end());
+      break;
+    case WeightStorage::Half:
+      out.weightHalves.resize(fit.weights.size());
+      std::transform(fit.weights.begin(), fit.weights.end(), out.weightHalves.begin(), saturatedHalf);
+      break;
+    case WeightStorage::Byte:
+      storeByteWeights(fit, vertexWeights, out);
+      break;
+  }
+}
+
+void decompressVertex(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
+  const std::size_t d = compressed.dimension(), cluster = compressed.cluster(vertex);
+  const auto k = static_cast<std::size_t>(compressed.components);
+  std::vector<double> sum(d);
+  for (std::size_t i = 0; i < d; ++i) sum[i] = compressed.means[cluster * d + i];
+  for (std::size_t j = 0; j < k; ++j) {
+    const double weight = compressed.weight(vertex, j);
+    for (std::size_t i = 0; i < d; ++i) sum[i] += weight * compressed.basis[(cluster * k + j) * d + i];
+  }
+  for (std::size_t i = 0; i < d; ++i) out[i] = static_cast<float>(sum[i]);
+}
+
+void decompressBands(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
+  const auto order = static_cast<std::size_t>(compressed.order);
+  const std::size_t d = compressed.dimension();
+  std::size_t at = 0;
+  for (std::size_t channel = 0; channel < static_cast<std::size_t>(compressed.channels); ++channel)
+    for (std::size_t band = 0; band < order; ++band) {
+      const std::size_t group = channel * order + band;
+      const ByteRange range{compressed.ranges[2 * group], compressed.ranges[2 * group + 1]};
+      for (std::size_t i = 0; i < 2 * band + 1; ++i, ++at)
+        out[at] = static_cast<float>(range.decode(compressed.bytes[vertex * d + at]));
+    }
+}
+
+}  // namespace
+
+double CompressedTransfer::weight(std::size_t vertex, std::size_t component) const {
+  const auto k = static_cast<std::size_t>(components);
+  const std::size_t at = vertex * k + component;
+  switch (weights) {
+    case WeightStorage::Float:
+      return weightFloats[at];
+    case WeightStorage::Half:
+      return fromHalf(weightHalves[at]);
+    case WeightStorage::Byte: {
+      const std::size_t range = 2 * (cluster(vertex) * k + component);
+      return ByteRange{weightRanges[range], weightRanges[range + 1]}.decode(weightBytes[at]);
+    }
+  }
+  return 0.0;
+}
+
+std::size_t CompressedTransfer::byteCount() const {
+  const auto of = [](const auto& array) { return array.size() * sizeof(array[0]); };
+  return of(halves) + of(bytes) + of(ranges) + of(means) + of(basis) + of(clusterOf) + of(weightFloats) +
+         of(weightHalves) + of(weightBytes) + of(weightRanges);
+}
+
+CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
+                            std::span<const double> vertexWeights) {
+  CompressedTransfer out;
+  out.method = request.method;
+  out.order = transfer.order;
+  out.channels = transfer.channels;
+  out.bounces = transfer.bounces;
+  out.vertexCount = static_cast<std::uint32_t>(vertexCountOf(transfer));
+  assert(vertexWeights.empty() || vertexWeights.size() == out.vertexCount);
+  switch (request.method) {
+    case CompressionMethod::Half:
+      out.halves.resize(transfer.coefficients.size());
+      std::transform(transfer.coefficients.begin(), transfer.coefficients.end(), out.halves.begin(),
+                     [](float value) { return saturatedHalf(value); });
+      break;
+    case CompressionMethod::Band8:
+      compressBands(transfer, vertexWeights, out);
+      break;
+    case CompressionMethod::Pca:
+    case CompressionMethod::Vq:
+    case CompressionMethod::Cpca:
+      compressClusters(transfer, request, vertexWeights, out);
+      break;
+  }
+  return out;
+}
+
+HarmonicTransfer decompress(const CompressedTransfer& compressed) {
+  HarmonicTransfer out{compressed.order, compressed.channels, compressed.bounces, {}};
+  const std::size_t d = compressed.dimension();
+  out.coefficients.resize(compressed.vertexCount * d);
+  if (compressed.method == CompressionMethod::Half) {
+    std::transform(compressed.halves.begin(), compressed.halves.end(), out.coefficients.begin(), fromHalf);
+    return out;
+  }
+  parallelRanges(compressed.vertexCount, 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span<float> vertex(out.coefficients.data() + v * d, d);
+      if (compressed.method == CompressionMethod::Band8)
+        decompressBands(compressed, v, vertex);
+      else
+        decompressVertex(compressed, v, vertex);
+    }
+  });
+  return out;
+}
+
+}  // namespace prelight
