@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bake/sh_table.h"
 #include "bake/surface_sampler.h"
+#include "basis/sh_table.h"
 
 namespace prelight {
 

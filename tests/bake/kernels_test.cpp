@@ -3,8 +3,8 @@
 #include <random>
 
 #include "bake/sampling.h"
-#include "bake/sh_table.h"
 #include "basis/sh.h"
+#include "basis/sh_table.h"
 #include "bvh/tracer.h"
 #include "device/buffer.h"
 #include "device/layout.h"

@@ -1,4 +1,4 @@
-#include "bake/sh_table.h"
+#include "basis/sh_table.h"
 
 #include <cmath>
 #include <numbers>

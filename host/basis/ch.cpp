@@ -1,0 +1,233 @@
+#include "basis/ch.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+
+#include "base/error.h"
+#include "basis/quadrature.h"
+
+// [1] Sherif, section 6.5 and table A.1: the functions and a table of their constants; here the constants
+//     come from a quadrature without error, and the projection is onto the dual basis.
+// [2] Abramowitz and Stegun 22.7.3 and 22.5.33: T_l^(m) is 2^(m-1) (m-1)! l times the Gegenbauer polynomial
+//     C_(l-m)^(m), which gives, for m >= 1,
+//     T_l^(m) = l / (l - m) (2 z T_(l-1)^(m) - (l + m - 2) / (l - 2) T_(l-2)^(m)).
+
+namespace prelight::ch {
+namespace {
+
+using Row = std::array<double, maxOrder>;
+
+/// Factors of [2] that multiply z Q(l-1) and Q(l-2), Q = T_l^(m) / T_m^(m).
+double firstFactor(int l, int m) {
+  if (m == 0) return l == 1 ? 1.0 : 2.0;
+  return 2.0 * l / (l - m);
+}
+
+double secondFactor(int l, int m) {
+  if (l < m + 2) return 0.0;
+  if (m == 0) return 1.0;
+  return static_cast<double>(l) * (l + m - 2) / ((l - m) * (l - 2.0));
+}
+
+/// The recurrence of the normalised functions divided by sin^m: P(l) = a(l,m) z P(l-1) - c(l,m) P(l-2).
+struct Recurrence {
+  std::array<Row, maxOrder> a{};
+  std::array<Row, maxOrder> c{};
+  std::array<Row, maxOrder> norm{};  ///< [l][m] of sin^m Q, with the wave in phi
+
+  Recurrence() {
+    for (int m = 0; m < maxOrder; ++m) fillColumn(m);
+  }
+
+  void fillColumn(int m) {
+    Row sum{};
+    for (const LineSample& s : gaussLegendre(maxOrder)) {  // exact: the degree is 2 l
+      const double weight = s.weight * std::pow((1.0 - s.position) * (1.0 + s.position), m);
+      double before = 0.0;
+      double q = 1.0;
+      for (int l = m; l < maxOrder; ++l) {
+        if (l > m) {
+          const double next = firstFactor(l, m) * s.position * q - secondFactor(l, m) * before;
+          before = q;
+          q = next;
+        }
+        sum[l] += weight * q * q;
+      }
+    }
+    for (int l = m; l < maxOrder; ++l) {
+      norm[l][m] = 1.0 / std::sqrt((m == 0 ? 2.0 : 1.0) * std::numbers::pi * sum[l]);
+      if (l > m) a[l][m] = firstFactor(l, m) * norm[l][m] / norm[l - 1][m];
+      if (l > m + 1) c[l][m] = secondFactor(l, m) * norm[l][m] / norm[l - 2][m];
+    }
+  }
+};
+
+const Recurrence& recurrence() {
+  static const Recurrence table;
+  return table;
+}
+
+/// Calls work(m, signed m) for every column of functions of one m.
+template <typename Work>
+void forEachColumn(int order, Work work) {
+  for (int m = 0; m < order; ++m) {
+    work(m, m);
+    if (m > 0) work(m, -m);
+  }
+}
+
+int at(int l, int m) { return l * (l + 1) + m; }
+
+template <typename Map>
+void throughDouble(std::span<const float> in, std::span<float> out, Map map) {
+  std::vector<double> values(in.begin(), in.end());
+  map(values, values);
+  std::transform(values.begin(), values.end(), out.begin(), [](double v) { return static_cast<float>(v); });
+}
+
+}  // namespace
+
+double constant(int l, int m) {
+  const int k = std::abs(m);
+  if (l < 0 || l >= maxOrder || k > l) {
+    throw UsageError("CH constant", "expected 0 <= |m| <= l < " + std::to_string(maxOrder) +
+                                        ", got l = " + std::to_string(l) + ", m = " + std::to_string(m));
+  }
+  double derivative = 1.0;  // T_m^(m) = 2^(m-1) m!
+  for (int i = 1; i <= k; ++i) derivative *= i == 1 ? 1.0 : 2.0 * i;
+  return recurrence().norm[l][k] / derivative;
+}
+
+void evaluate(const glm::dvec3& direction, int order, std::span<double> values) {
+  assert(order >= 1 && order <= maxOrder && values.size() >= static_cast<std::size_t>(order * order));
+  const Recurrence& table = recurrence();
+  double real = 1.0;  // of (x + iy)^m
+  double imaginary = 0.0;
+  for (int m = 0; m < order; ++m) {
+    if (m > 0) {
+      const double next = real * direction.x - imaginary * direction.y;
+      imaginary = imaginary * direction.x + real * direction.y;
+      real = next;
+    }
+    double before = 0.0;
+    double p = table.norm[m][m];
+    for (int l = m; l < order; ++l) {
+      if (l > m) {
+        const double next = table.a[l][m] * direction.z * p - table.c[l][m] * before;
+        before = p;
+        p = next;
+      }
+      values[at(l, m)] = p * real;
+      if (m > 0) values[at(l, -m)] = p * imaginary;
+    }
+  }
+}
+
+Basis::Basis(int order) : order_(order) {
+  sh::checkOrder(order, "CH");
+  b_.assign(static_cast<std::size_t>(order) * order * order, 0.0);
+  std::vector<double> c(sh::coefficientCount(order));
+  std::vector<double> y(c.size());
+  // At azimuth 0 the waves of m >= 0 are 1; over a turn their square integrates to 2 pi or pi.
+  for (const LineSample& s : gaussLegendre(order)) {
+    const glm::dvec3 w(std::sqrt((1.0 - s.position) * (1.0 + s.position)), 0.0, s.position);
+    evaluate(w, order, c);
+    sh::evaluate(w, order, y);
+    for (int m = 0; m < order; ++m) {
+      const double weight = s.weight * (m == 0 ? 2.0 : 1.0) * std::numbers::pi;
+      for (int l = m; l < order; ++l) {
+        for (int k = l; k >= m; k -= 2) b_[(m * order + l) * order + k] += weight * c[at(l, m)] * y[at(k, m)];
+      }
+    }
+  }
+}
+
+void Basis::fromSh(std::span<const double> sh, std::span<double> ch) const {
+  assert(sh.size() == static_cast<std::size_t>(order_ * order_) && ch.size() == sh.size());
+  // y = B^T a, upper triangular: from the highest band down.
+  forEachColumn(order_, [&](int m, int wave) {
+    for (int l = order_ - 1; l >= m; --l) {
+      double sum = sh[at(l, wave)];
+      for (int k = l + 2; k < order_; k += 2) sum -= b(m, k, l) * ch[at(k, wave)];
+      ch[at(l, wave)] = sum / b(m, l, l);
+    }
+  });
+}
+
+void Basis::toSh(std::span<const double> ch, std::span<double> sh) const {
+  assert(sh.size() == static_cast<std::size_t>(order_ * order_) && ch.size() == sh.size());
+  forEachColumn(order_, [&](int m, int wave) {
+    for (int l = m; l < order_; ++l) {
+      double sum = 0.0;
+      for (int k = l; k < order_; k += 2) sum += b(m, k, l) * ch[at(k, wave)];
+      sh[at(l, wave)] = sum;
+    }
+  });
+}
+
+void Basis::momentsFromSh(std::span<const double> sh, std::span<double> moments) const {
+  assert(sh.size() == static_cast<std::size_t>(order_ * order_) && moments.size() == sh.size());
+  forEachColumn(order_, [&](int m, int wave) {
+    for (int l = order_ - 1; l >= m; --l) {
+      double sum = 0.0;
+      for (int k = l; k >= m; k -= 2) sum += b(m, l, k) * sh[at(k, wave)];
+      moments[at(l, wave)] = sum;
+    }
+  });
+}
+
+void Basis::shFromMoments(std::span<const double> moments, std::span<double> sh) const {
+  assert(sh.size() == static_cast<std::size_t>(order_ * order_) && moments.size() == sh.size());
+  forEachColumn(order_, [&](int m, int wave) {
+    for (int l = m; l < order_; ++l) {
+      double sum = moments[at(l, wave)];
+      for (int k = l - 2; k >= m; k -= 2) sum -= b(m, l, k) * sh[at(k, wave)];
+      sh[at(l, wave)] = sum / b(m, l, l);
+    }
+  });
+}
+
+void Basis::dualFromMoments(std::span<const double> moments, std::span<double> ch) const {
+  shFromMoments(moments, ch);
+  fromSh(ch, ch);
+}
+
+void Basis::momentsFromDual(std::span<const double> ch, std::span<double> moments) const {
+  toSh(ch, moments);
+  momentsFromSh(moments, moments);
+}
+
+void Basis::fromSh(std::span<const float> sh, std::span<float> ch) const {
+  throughDouble(sh, ch, [&](std::span<const double> in, std::span<double> out) { fromSh(in, out); });
+}
+
+void Basis::toSh(std::span<const float> ch, std::span<float> sh) const {
+  throughDouble(ch, sh, [&](std::span<const double> in, std::span<double> out) { toSh(in, out); });
+}
+
+void Basis::momentsFromSh(std::span<const float> sh, std::span<float> moments) const {
+  throughDouble(sh, moments,
+                [&](std::span<const double> in, std::span<double> out) { momentsFromSh(in, out); });
+}
+
+double Basis::shCoefficient(int i, int j) const {
+  assert(i >= 0 && i < order_ * order_ && j >= 0 && j < order_ * order_);
+  const int l = static_cast<int>(std::sqrt(static_cast<double>(i)));
+  const int k = static_cast<int>(std::sqrt(static_cast<double>(j)));
+  const int m = i - l * (l + 1);
+  if (m != j - k * (k + 1) || k > l || (l - k) % 2 == 1) return 0.0;
+  return b(std::abs(m), l, k);
+}
+
+double Basis::gram(int i, int j) const {
+  double sum = 0.0;
+  for (int k = 0; k <= std::min(i, j); ++k) sum += shCoefficient(i, k) * shCoefficient(j, k);
+  return sum;
+}
+
+}  // namespace prelight::ch
