@@ -215,6 +215,17 @@ void Basis::momentsFromSh(std::span<const float> sh, std::span<float> moments) c
                 [&](std::span<const double> in, std::span<double> out) { momentsFromSh(in, out); });
 }
 
+void Basis::rotate(const sh::ShRotation& rotation, std::span<const double> ch,
+                   std::span<double> rotated) const {
+  if (rotation.order() != order_) {
+    throw UsageError("CH rotation", "expected a rotation of order " + std::to_string(order_) + ", got " +
+                                        std::to_string(rotation.order()));
+  }
+  toSh(ch, rotated);
+  rotation.apply(rotated, rotated);
+  fromSh(rotated, rotated);
+}
+
 double Basis::shCoefficient(int i, int j) const {
   assert(i >= 0 && i < order_ * order_ && j >= 0 && j < order_ * order_);
   const int l = static_cast<int>(std::sqrt(static_cast<double>(i)));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "basis/sh_evaluate.h"
+#include "basis/sh_rotation.h"
 
 /// Sherif's "cpherical harmonics": C_lm = K_lm (1 - z^2)^(m/2) T_l^(m)(z) {1, cos(m phi), sin(m phi)}, where
 /// T_l^(m) is the m-th derivative of the Chebyshev polynomial and K_lm > 0 makes the norm over the sphere 1.
@@ -58,6 +59,10 @@ class Basis {
   /// Coefficients from moments, through the inverse of the Gram matrix, and back.
   void dualFromMoments(std::span<const double> moments, std::span<double> ch) const;
   void momentsFromDual(std::span<const double> ch, std::span<double> moments) const;
+
+  /// Coefficients of the rotated function, through SH and back: CH's own matrices are not orthogonal and mix
+  /// bands. Throws UsageError when the rotation is of another order.
+  void rotate(const sh::ShRotation& rotation, std::span<const double> ch, std::span<double> rotated) const;
 
   /// B_ij = <C_i, Y_j>: 0 unless i and j share m and the parity of l, and l_j <= l_i. Indices below order^2.
   double shCoefficient(int i, int j) const;

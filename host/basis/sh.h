@@ -1,8 +1,12 @@
 #pragma once
 
 /// Everything about spherical harmonics, one header a concept.
+#include "basis/sh_dominant_light.h"
 #include "basis/sh_environment.h"
 #include "basis/sh_evaluate.h"
+#include "basis/sh_lights.h"
 #include "basis/sh_products.h"
+#include "basis/sh_projection.h"
 #include "basis/sh_rotation.h"
+#include "basis/sh_windows.h"
 #include "basis/sh_zonal.h"

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace prelight::sh {
+
+using DirectionFunction = std::function<double(const glm::dvec3& direction)>;
+
+/// f_i = integral f Y_i, order^2 entries. Exact up to rounding when f is a polynomial of `degree` in (x, y,
+/// z) on the unit sphere. Throws UsageError for a bad order or a negative degree, Error when f gives what is
+/// not finite.
+std::vector<double> project(const DirectionFunction& f, int degree, int order);
+
+/// What projectWithin found.
+struct Projection {
+  std::vector<double> coefficients;  ///< order^2 entries
+  double error = 0.0;                ///< largest change of a coefficient when the degree was last doubled
+  int degree = 0;                    ///< degree of the last quadrature
+};
+
+/// As project, for a function of unknown degree: doubles the degree until no coefficient changes by more than
+/// `tolerance` (absolute, > 0), or until `largestDegree`. Compare `error` with the tolerance to see which.
+/// For smooth functions the true error is far below `error`; for discontinuous ones it is about `error`.
+Projection projectWithin(const DirectionFunction& f, double tolerance, int order, int largestDegree = 1024);
+
+}  // namespace prelight::sh
