@@ -1,0 +1,149 @@
+#include "basis/cube_overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "basis/cube_map.h"
+
+// [1] Sutherland and Hodgman, "Reentrant polygon clipping", 1974.
+// [2] Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983.
+
+namespace prelight {
+namespace {
+
+constexpr std::size_t maxCorners = 128;
+
+/// A convex polygon. Each half-space that it is clipped by adds a corner at most.
+template <typename Point>
+struct Polygon {
+  std::array<Point, maxCorners + 8> corners;
+  std::size_t count = 0;
+
+  void add(const Point& p) {
+    assert(count < corners.size());
+    corners[count++] = p;
+  }
+};
+
+/// The part where `side`, a linear function of the point, is at least 0 [1].
+template <typename Point, typename Side>
+void clip(const Polygon<Point>& polygon, Side side, Polygon<Point>& part) {
+  part.count = 0;
+  if (polygon.count == 0) return;
+  const Point* from = &polygon.corners[polygon.count - 1];
+  double atFrom = side(*from);
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Point* to = &polygon.corners[i];
+    const double atTo = side(*to);
+    if ((atFrom >= 0.0) != (atTo >= 0.0)) part.add(*from + (atFrom / (atFrom - atTo)) * (*to - *from));
+    if (atTo >= 0.0) part.add(*to);
+    from = to;
+    atFrom = atTo;
+  }
+}
+
+/// Solid angle of a polygon on the plane z = 1, by triangles [2]; their determinants are planar, so that
+/// small ones lose no digits.
+double solidAngle(const Polygon<glm::dvec2>& polygon) {
+  double sum = 0.0;
+  const auto length = [](const glm::dvec2& p) { return std::sqrt(1.0 + glm::dot(p, p)); };
+  const glm::dvec2& o = polygon.corners[0];
+  const double lo = length(o);
+  for (std::size_t i = 1; i + 1 < polygon.count; ++i) {
+    const glm::dvec2& p = polygon.corners[i];
+    const glm::dvec2& q = polygon.corners[i + 1];
+    const double determinant = (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+    const double lp = length(p), lq = length(q);
+    const double cosines = lo * lp * lq + (1.0 + glm::dot(o, p)) * lq + (1.0 + glm::dot(o, q)) * lp +
+                           (1.0 + glm::dot(p, q)) * lo;
+    sum += 2.0 * std::atan2(determinant, cosines);
+  }
+  return std::abs(sum);
+}
+
+struct Range {
+  int first = 0;
+  int last = -1;
+};
+
+/// Texels along an axis that a polygon on the face plane reaches into.
+Range texelsAlong(const Polygon<glm::dvec2>& polygon, int axis, int size) {
+  double least = 1.0, greatest = -1.0;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    least = std::min(least, polygon.corners[i][axis]);
+    greatest = std::max(greatest, polygon.corners[i][axis]);
+  }
+  const auto texel = [&](double p) {
+    return std::clamp(static_cast<int>((p + 1.0) * 0.5 * size), 0, size - 1);
+  };
+  return {texel(least), texel(greatest)};
+}
+
+/// Cuts off the texels of index `k` along an axis.
+void cutStrip(const Polygon<glm::dvec2>& polygon, int axis, int k, int size, Polygon<glm::dvec2>& strip) {
+  Polygon<glm::dvec2> below;
+  const double low = -1.0 + 2.0 * k / size, high = -1.0 + 2.0 * (k + 1) / size;
+  clip(
+      polygon, [&](const glm::dvec2& p) { return p[axis] - low; }, below);
+  clip(
+      below, [&](const glm::dvec2& p) { return high - p[axis]; }, strip);
+}
+
+void overlapFace(const Polygon<glm::dvec2>& polygon, int face, int size,
+                 std::vector<TexelOverlap>& overlaps) {
+  Polygon<glm::dvec2> strip, cell;
+  const Range rows = texelsAlong(polygon, 1, size);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    cutStrip(polygon, 1, row, size, strip);
+    if (strip.count < 3) continue;
+    const Range columns = texelsAlong(strip, 0, size);
+    for (int column = columns.first; column <= columns.last; ++column) {
+      cutStrip(strip, 0, column, size, cell);
+      if (cell.count < 3) continue;
+      const double overlap = solidAngle(cell);
+      if (overlap <= 0.0) continue;
+      overlaps.push_back({static_cast<std::uint32_t>((face * size + row) * size + column), overlap});
+    }
+  }
+}
+
+}  // namespace
+
+void overlapTexels(std::span<const glm::dvec3> corners, int faceSize, std::vector<TexelOverlap>& overlaps) {
+  assert(corners.size() >= 3 && corners.size() <= maxCorners);
+  for (int f = 0; f < cubeFaces; ++f) {
+    const CubeFace& face = cubeFace(f);
+    Polygon<glm::dvec3> part, next;
+    for (const glm::dvec3& corner : corners) part.add(corner);
+    for (const glm::dvec3& side : {face.right, -face.right, face.down, -face.down}) {
+      clip(
+          part, [&](const glm::dvec3& p) { return glm::dot(face.axis + side, p); }, next);
+      std::swap(part, next);
+      if (part.count < 3) break;
+    }
+    if (part.count < 3) continue;
+    Polygon<glm::dvec2> flat;
+    bool degenerate = false;
+    for (std::size_t i = 0; i < part.count; ++i) {
+      const glm::dvec3& p = part.corners[i];
+      const double depth = glm::dot(face.axis, p);
+      degenerate = degenerate || depth <= 0.0;
+      flat.add(glm::dvec2(glm::dot(face.right, p), glm::dot(face.down, p)) / depth);
+    }
+    if (!degenerate) overlapFace(flat, f, faceSize, overlaps);
+  }
+}
+
+std::array<glm::dvec3, 4> texelCorners(std::uint32_t texel, int faceSize) {
+  const auto size = static_cast<std::uint32_t>(faceSize);
+  const CubeFace& face = cubeFace(static_cast<int>(texel / (size * size)));
+  const auto corner = [&](std::uint32_t row, std::uint32_t column) {
+    return face.axis + (2.0 * column / size - 1.0) * face.right + (2.0 * row / size - 1.0) * face.down;
+  };
+  const std::uint32_t row = texel / size % size, column = texel % size;
+  return {corner(row, column), corner(row, column + 1), corner(row + 1, column + 1), corner(row + 1, column)};
+}
+
+}  // namespace prelight
