@@ -1,0 +1,150 @@
+#include "relight/dense_relighter.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "compress/compressed_light.h"
+
+namespace prelight {
+
+namespace {
+
+enum Storage : int { FloatStorage = 0, HalfStorage = 1, ByteStorage = 2 };
+
+std::size_t squareOf(int order) { return static_cast<std::size_t>(order) * static_cast<std::size_t>(order); }
+
+void checkLight(std::span<const double> light, std::size_t count) {
+  if (light.size() != 3 * count)
+    throw UsageError("light", fmt::format("got {} coefficients, expected 3 x {}", light.size(), count));
+}
+
+cl::Kernel denseKernel(DeviceContext& device, const LaneLaunch& launch, std::size_t count,
+                       std::size_t channels, int storage, const char* name) {
+  const BuildOptions options = launch.options()
+                                   .define("PRELIGHT_COUNT", static_cast<int>(count))
+                                   .define("PRELIGHT_CHANNELS", static_cast<int>(channels))
+                                   .define("PRELIGHT_STORAGE", storage);
+  return cl::Kernel(device.program("relight/dense_kernels.cl", options), name);
+}
+
+/// The kernel's light: coefficients, then a constant for each colour.
+std::vector<float> lightArgument(std::span<const double> light) {
+  std::vector<float> values(light.begin(), light.end());
+  values.resize(light.size() + 3, 0.0f);
+  return values;
+}
+
+}  // namespace
+
+DenseRelighter::DenseRelighter(DeviceContext& device, std::size_t count, int channels, int storage,
+                               std::size_t numbers)
+    : device_(device),
+      launch_(device.info()),
+      count_(count),
+      channels_(static_cast<std::size_t>(channels)),
+      vertices_(count == 0 ? 0 : numbers / (count * channels_)),
+      light_(device, 3 * count + 3),
+      kernel_(denseKernel(device, launch_, count, channels_, storage, "relightDense")) {}
+
+DenseRelighter::DenseRelighter(DeviceContext& device, const HarmonicTransfer& transfer)
+    : DenseRelighter(device, squareOf(transfer.order), transfer.channels, FloatStorage,
+                     transfer.coefficients.size()) {
+  const auto tiles = tiled(std::span<const float>(transfer.coefficients), channels_ * count_);
+  floats_ = Buffer<float>(device, std::span<const float>(tiles));
+  transferBytes_ = transfer.coefficients.size() * sizeof(float);
+}
+
+DenseRelighter::DenseRelighter(DeviceContext& device, const LightGroupTransfer& transfer)
+    : DenseRelighter(device, transfer.groups.size(), transfer.channels, FloatStorage,
+                     transfer.coefficients.size()) {
+  const auto tiles = tiled(std::span<const float>(transfer.coefficients), channels_ * count_);
+  floats_ = Buffer<float>(device, std::span<const float>(tiles));
+  transferBytes_ = transfer.coefficients.size() * sizeof(float);
+}
+
+DenseRelighter::DenseRelighter(DeviceContext& device, const CompressedTransfer& transfer)
+    : DenseRelighter(device, squareOf(transfer.order), transfer.channels,
+                     transfer.method == CompressionMethod::Half ? HalfStorage : ByteStorage,
+                     transfer.vertexCount * transfer.dimension()) {
+  const std::size_t rows = channels_ * count_;
+  if (transfer.method == CompressionMethod::Half) {
+    const auto tiles = tiled(std::span<const std::uint16_t>(transfer.halves), rows);
+    halves_ = Buffer<std::uint16_t>(device, std::span<const std::uint16_t>(tiles));
+    transferBytes_ = transfer.halves.size() * sizeof(std::uint16_t);
+  } else if (transfer.method == CompressionMethod::Band8) {
+    const auto tiles = tiled(std::span<const std::uint8_t>(transfer.bytes), rows);
+    bytes_ = Buffer<std::uint8_t>(device, std::span<const std::uint8_t>(tiles));
+    transferBytes_ = transfer.bytes.size();
+    ranges_ = transfer.ranges;
+  } else {
+    throw UsageError("relighting", "got clustered transfer, expected halves or bytes");
+  }
+}
+
+std::size_t DenseRelighter::bytesMoved() const { return transferBytes_ + vertices_ * 3 * sizeof(float); }
+
+void DenseRelighter::setLight(std::span<const double> light) {
+  checkLight(light, count_);
+  std::vector<float> values = lightArgument(light);
+  if (!ranges_.empty()) {
+    CompressedTransfer shape;  // what lightOf() needs of the transfer
+    shape.method = CompressionMethod::Band8;
+    shape.channels = static_cast<int>(channels_);
+    shape.ranges = ranges_;
+    shape.order = static_cast<int>(ranges_.size() / 2 / channels_);
+    const CompressedLight ready = lightOf(shape, light);
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t i = 0; i < count_; ++i)
+        values[c * count_ + i] = ready.terms[1 + i][static_cast<int>(c)];
+      values[3 * count_ + c] = ready.terms[0][static_cast<int>(c)];
+    }
+  }
+  light_.write(std::span<const float>(values));
+}
+
+void DenseRelighter::relight(Buffer<float>& radiance) {
+  const cl::Buffer& transfer = halves_.size() > 0  ? halves_.get()
+                               : bytes_.size() > 0 ? bytes_.get()
+                                                   : floats_.get();
+  setArguments(kernel_, transfer, light_.get(), static_cast<cl_uint>(vertices_), radiance.get());
+  device_.launch(kernel_, launch_.items(vertices_), launch_.groupSize);
+}
+
+KeyframeRelighter::KeyframeRelighter(DeviceContext& device, std::span<const HarmonicTransfer> keys)
+    : device_(device), launch_(device.info()) {
+  if (keys.empty()) throw UsageError("keys", "got none, expected at least one");
+  const HarmonicTransfer& first = keys.front();
+  for (const HarmonicTransfer& key : keys)
+    if (key.order != first.order || key.channels != first.channels ||
+        key.coefficients.size() != first.coefficients.size())
+      throw UsageError("keys", "got keys that differ in order, channels or vertices, expected all alike");
+  count_ = squareOf(first.order);
+  const std::size_t rows = static_cast<std::size_t>(first.channels) * count_;
+  vertices_ = first.coefficients.size() / rows;
+  for (const HarmonicTransfer& key : keys) {
+    const auto tiles = tiled(std::span<const float>(key.coefficients), rows);
+    keys_.emplace_back(device, std::span<const float>(tiles));
+  }
+  light_ = Buffer<float>(device, 3 * count_ + 3);
+  kernel_ = denseKernel(device, launch_, count_, static_cast<std::size_t>(first.channels), FloatStorage,
+                        "relightBetweenKeys");
+}
+
+void KeyframeRelighter::setLight(std::span<const double> light) {
+  checkLight(light, count_);
+  light_.write(std::span<const float>(lightArgument(light)));
+}
+
+void KeyframeRelighter::relight(std::size_t key, double blend, Buffer<float>& radiance) {
+  if (key >= keys_.size() || !(blend >= 0.0 && blend <= 1.0) || (key + 1 == keys_.size() && blend > 0.0))
+    throw UsageError("key",
+                     fmt::format("got key {} with blend {}, expected one of {} and a next one to blend "
+                                 "with in [0,1]",
+                                 key, blend, keys_.size()));
+  const Buffer<float>& next = keys_[key + 1 < keys_.size() ? key + 1 : key];
+  setArguments(kernel_, keys_[key].get(), next.get(), static_cast<cl_float>(blend), light_.get(),
+               static_cast<cl_uint>(vertices_), radiance.get());
+  device_.launch(kernel_, launch_.items(vertices_), launch_.groupSize);
+}
+
+}  // namespace prelight

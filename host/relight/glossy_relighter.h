@@ -1,0 +1,46 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+
+#include "bake/bake.h"
+#include "device/buffer.h"
+#include "relight/tiles.h"
+
+namespace prelight {
+
+/// Glossy transfer on the device: matrices times light once a light, lobes once a view.
+class GlossyRelighter {
+ public:
+  /// The device must outlive the relighter.
+  GlossyRelighter(DeviceContext& device, const GlossyTransfer& transfer);
+
+  std::size_t vertexCount() const { return vertices_; }
+  /// Bytes that light() reads of the matrices and writes.
+  std::size_t bytesMoved() const;
+
+  /// Multiplies every matrix with the light, [channel][i], 3 x order^2: coefficients of what arrives at each
+  /// vertex, kept on the device. Throws UsageError when their number is another. Does not wait.
+  void light(std::span<const double> light);
+
+  /// What arrives, [vertex][3][i]; waits.
+  std::vector<float> arriving() const;
+
+  /// Radiance into `radiance`, [vertex][3], for a zonal lobe about each vertex's direction: sum over bands of
+  /// lobe[l] times the band of what arrives, in that direction. `directions` is [vertex], unit (the view
+  /// reflected at the normal); `lobe` is [band], order long. Does not wait.
+  void shade(Buffer<float>& directions, std::span<const double> lobe, Buffer<float>& radiance);
+
+ private:
+  DeviceContext& device_;
+  LaneLaunch launch_;
+  std::size_t order_, channels_, vertices_;
+  Buffer<float> matrices_;
+  Buffer<float> light_;
+  Buffer<float> arriving_;
+  Buffer<float> lobe_;
+  Buffer<float> table_;
+  cl::Kernel lightKernel_, shadeKernel_;
+};
+
+}  // namespace prelight

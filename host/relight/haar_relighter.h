@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "bake/bake.h"
+#include "device/buffer.h"
+
+namespace prelight {
+
+/// A light's wavelet coefficient that is kept, for all colours.
+struct LitWavelet {
+  std::uint32_t index = 0;  ///< below 6 faceSize^2
+  glm::vec3 color{0.0f};
+};
+
+/// How a vertex's sparse row meets a light of few coefficients.
+enum class HaarForm : std::uint8_t {
+  Columns,  ///< transfer sorted by coefficient in blocks of vertices: only the light's columns are read
+  Rows,     ///< a vertex's whole row against a table of the light, which is 0 for most
+};
+
+/// Relighting of Haar transfer on the device by the coefficients that a light keeps.
+class HaarRelighter {
+ public:
+  /// The device must outlive the relighter.
+  HaarRelighter(DeviceContext& device, const HaarTransfer& transfer, HaarForm form = HaarForm::Columns);
+
+  std::size_t vertexCount() const { return vertices_; }
+  /// Bytes that one relighting with the light that is set reads of the transfer (indices, values, offsets)
+  /// and writes of radiance.
+  std::size_t bytesMoved() const { return bytesMoved_; }
+
+  /// Throws UsageError for an index beyond the cube map.
+  void setLight(std::span<const LitWavelet> light);
+
+  /// Radiance before albedo into `radiance`, [vertex][3]. Does not wait.
+  void relight(Buffer<float>& radiance);
+
+ private:
+  void uploadRows(const HaarTransfer& transfer);
+  void uploadColumns(const HaarTransfer& transfer);
+
+  DeviceContext& device_;
+  HaarForm form_;
+  std::size_t texels_, channels_, vertices_, litCount_ = 0, bytesMoved_ = 0;
+  std::vector<std::uint32_t> columnOffsets_;
+  Buffer<std::uint32_t> offsets_;
+  Buffer<std::uint32_t> indices_;
+  Buffer<std::uint16_t> blockVertices_;
+  Buffer<float> values_;
+  Buffer<std::uint32_t> lit_;
+  Buffer<float> light_;
+  cl::Kernel kernel_;
+};
+
+}  // namespace prelight

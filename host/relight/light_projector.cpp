@@ -1,0 +1,167 @@
+#include "relight/light_projector.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "basis/cube_map.h"
+#include "basis/quadrature.h"
+#include "basis/sh.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t groupSize = 64;
+
+std::size_t sizeOf(int number) { return static_cast<std::size_t>(number); }
+
+/// Turns a frame whose polar axis is the sky's +Y into the world, as sh::projectEnvironment does:
+/// (x', y', z') = (z, x, y).
+glm::dmat3 worldFromSkyFrame() { return {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}; }
+
+/// Integrals over a column of the map of cos(m phi) or, a quarter turn on, of sin(m phi), [m][column]; phi is
+/// the azimuth about +Y from +Z towards +X.
+std::vector<float> columnWaves(int width, int order, bool sine) {
+  std::vector<float> waves;
+  const double step = 2.0 * std::numbers::pi / width;
+  for (int m = 0; m < order; ++m)
+    for (int column = 0; column < width; ++column) {
+      const glm::dvec3 w = Environment::direction((column + 0.5) / width, 0.5);
+      const double phi = m * std::atan2(w.x, w.z);
+      const double integral = m == 0 ? step : 2.0 * std::sin(0.5 * m * step) / m;
+      waves.push_back(static_cast<float>((sine ? std::sin(phi) : std::cos(phi)) * integral));
+    }
+  return waves;
+}
+
+/// Integrals over every row of the functions with m >= 0 at azimuth 0, [l (l + 1) / 2 + m][row].
+std::vector<float> rowIntegrals(int height, int order) {
+  const double step = std::numbers::pi / height;
+  const auto nodes = gaussLegendre(6 + static_cast<int>(std::ceil(order * step)));
+  std::vector<float> table(sizeOf(order) * sizeOf(order + 1) / 2 * sizeOf(height));
+  parallelRanges(sizeOf(height), 16, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> values(sizeOf(order * order)), sums(values.size());
+    for (std::size_t row = begin; row < end; ++row) {
+      std::fill(sums.begin(), sums.end(), 0.0);
+      for (const LineSample& node : nodes) {
+        const double angle = step * (static_cast<double>(row) + 0.5 + 0.5 * node.position);
+        sh::evaluate({std::sin(angle), 0.0, std::cos(angle)}, order, values);
+        for (std::size_t i = 0; i < sums.size(); ++i)
+          sums[i] += 0.5 * step * node.weight * std::sin(angle) * values[i];
+      }
+      for (int l = 0; l < order; ++l)
+        for (int m = 0; m <= l; ++m)
+          table[sizeOf(l * (l + 1) / 2 + m) * sizeOf(height) + row] =
+              static_cast<float>(sums[sizeOf(l * (l + 1) + m)]);
+    }
+  });
+  return table;
+}
+
+Buffer<float> upload(DeviceContext& device, const std::vector<float>& values) {
+  return Buffer<float>(device, std::span<const float>(values));
+}
+
+}  // namespace
+
+std::vector<double> bandRotations(int order, const glm::dmat3& rotation) {
+  assert(order >= 1 && order <= sh::maxOrder);
+  const glm::dmat3 inverse = glm::transpose(rotation);
+  std::vector<double> matrices(sizeOf(order) * sizeOf(4 * order * order - 1) / 3, 0.0);
+  std::vector<double> to(sizeOf(order * order)), from(to.size());
+  // M_ij = integral Y_i(w) Y_j(R^-1 w) dw, a polynomial of degree 2 (order - 1).
+  for (const SphereSample& sample : sphereQuadrature(2 * order - 2)) {
+    sh::evaluate(sample.direction, order, to);
+    sh::evaluate(inverse * sample.direction, order, from);
+    double* entry = matrices.data();
+    for (std::size_t l = 0; l < sizeOf(order); ++l)
+      for (std::size_t i = l * l; i < (l + 1) * (l + 1); ++i)
+        for (std::size_t j = l * l; j < (l + 1) * (l + 1); ++j) *entry++ += sample.weight * to[i] * from[j];
+  }
+  return matrices;
+}
+
+ShRotator::ShRotator(DeviceContext& device, int order)
+    : device_(device),
+      order_(order),
+      matrices_(device, sizeOf(order) * sizeOf(4 * order * order - 1) / 3),
+      kernel_(device.program("relight/light_kernels.cl", {}), "rotateBands") {}
+
+void ShRotator::setRotation(const glm::dmat3& rotation) {
+  const std::vector<double> matrices = bandRotations(order_, rotation);
+  const std::vector<float> rounded(matrices.begin(), matrices.end());
+  matrices_.write(std::span<const float>(rounded));
+}
+
+void ShRotator::rotate(const Buffer<float>& in, Buffer<float>& out, std::size_t functions) {
+  setArguments(kernel_, matrices_.get(), in.get(), static_cast<cl_uint>(order_),
+               static_cast<cl_uint>(functions), out.get());
+  device_.launch(kernel_, functions * sizeOf(order_ * order_), groupSize);
+}
+
+LightProjector::LightProjector(DeviceContext& device, int width, int height, int order)
+    : device_(device),
+      width_(width),
+      height_(height),
+      order_(order),
+      sky_(device, 3 * sizeOf(width) * sizeOf(height)),
+      cosine_(upload(device, columnWaves(width, order, false))),
+      sine_(upload(device, columnWaves(width, order, true))),
+      polar_(upload(device, rowIntegrals(height, order))),
+      moments_(device, 6 * sizeOf(height) * sizeOf(order)),
+      inSkyFrame_(device, 3 * sizeOf(order * order)),
+      coefficients_(device, 3 * sizeOf(order * order)),
+      toWorld_(device, order) {
+  const cl::Program& program = device.program("relight/light_kernels.cl", {});
+  momentsKernel_ = cl::Kernel(program, "skyMoments");
+  coefficientsKernel_ = cl::Kernel(program, "skyCoefficients");
+  cubeKernel_ = cl::Kernel(program, "sampleCube");
+  haarKernel_ = cl::Kernel(program, "haarLevel");
+  toWorld_.setRotation(worldFromSkyFrame());
+}
+
+void LightProjector::setSky(const Environment& sky) {
+  if (sky.width != width_ || sky.height != height_)
+    throw UsageError(
+        "sky", fmt::format("got {} x {} texels, expected {} x {}", sky.width, sky.height, width_, height_));
+  const std::size_t texels = sky.radiance.size();
+  std::vector<float> planes(3 * texels);
+  for (std::size_t i = 0; i < texels; ++i)
+    for (std::size_t c = 0; c < 3; ++c) planes[c * texels + i] = sky.radiance[i][static_cast<int>(c)];
+  sky_.write(std::span<const float>(planes));
+}
+
+std::vector<float> LightProjector::projectSh() {
+  const auto width = static_cast<cl_uint>(width_), height = static_cast<cl_uint>(height_),
+             order = static_cast<cl_uint>(order_);
+  setArguments(momentsKernel_, sky_.get(), cosine_.get(), sine_.get(), width, height, order, moments_.get());
+  device_.launch(momentsKernel_, sizeOf(height_) * sizeOf(order_), groupSize);
+  setArguments(coefficientsKernel_, moments_.get(), polar_.get(), height, order, inSkyFrame_.get());
+  device_.launch(coefficientsKernel_, 3 * sizeOf(order_ * order_), groupSize);
+  toWorld_.rotate(inSkyFrame_, coefficients_, 3);
+  return coefficients_.read();
+}
+
+std::vector<float> LightProjector::projectHaar(int faceSize, int samples) {
+  checkCubeFaceSize(faceSize, "faceSize");
+  const std::size_t texels = cubeTexelCount(faceSize);
+  const auto size = static_cast<cl_uint>(faceSize);
+  Buffer<float> values(device_, 3 * texels);
+  setArguments(cubeKernel_, sky_.get(), static_cast<cl_uint>(width_), static_cast<cl_uint>(height_), size,
+               static_cast<cl_uint>(samples), values.get());
+  device_.launch(cubeKernel_, texels, groupSize);
+  constexpr cl_uint images = 3 * cubeFaces;
+  for (cl_uint half = 1; half < size; half *= 2) {
+    const std::size_t blocks = size / (2 * half);
+    setArguments(haarKernel_, values.get(), images, size, half);
+    device_.launch(haarKernel_, images * blocks * blocks, groupSize);
+  }
+  return values.read();
+}
+
+}  // namespace prelight

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "device/buffer.h"
+#include "io/environment.h"
+
+namespace prelight {
+
+/// Band matrices of a rotation for light coefficients, f'(w) = f(R^-1 w), in double on the host: bands one
+/// after the other, each [2l+1][2l+1]. Exact up to rounding.
+std::vector<double> bandRotations(int order, const glm::dmat3& rotation);
+
+/// Rotates functions in spherical harmonics on the device.
+class ShRotator {
+ public:
+  /// The device must outlive the rotator. `order` from 1 to 32.
+  ShRotator(DeviceContext& device, int order);
+
+  void setRotation(const glm::dmat3& rotation);
+
+  /// `in` and `out`, two buffers, hold [function][i]; the channels of a light are three functions. Does not
+  /// wait.
+  void rotate(const Buffer<float>& in, Buffer<float>& out, std::size_t functions);
+
+ private:
+  DeviceContext& device_;
+  int order_;
+  Buffer<float> matrices_;
+  cl::Kernel kernel_;
+};
+
+/// Projects equirectangular skies of one size on the device, so that a sky may change every frame. Tables are
+/// made once, in double on the host. Sums have a fixed order.
+class LightProjector {
+ public:
+  /// The device must outlive the projector. `order` from 1 to 32.
+  LightProjector(DeviceContext& device, int width, int height, int order);
+
+  /// Uploads a sky. Throws UsageError when its size is another than that of the tables.
+  void setSky(const Environment& sky);
+
+  /// Coefficients of the sky, [channel][i], 3 x order^2, of radiance that is constant over each texel:
+  /// integrals over texels are exact. The sum over a row is made once for each wave cos(m phi), sin(m phi),
+  /// so that the cost grows with texels x order. Waits.
+  std::vector<float> projectSh();
+
+  /// The coefficients on the device, [channel][i]; valid after projectSh().
+  const Buffer<float>& coefficients() const { return coefficients_; }
+
+  /// Haar coefficients of the sky on a cube map, [channel][face S^2 + row S + column] (basis/haar.h): mean
+  /// radiance of samples x samples points of every texel, then lifting in place. `faceSize` is a power of
+  /// two. Waits.
+  std::vector<float> projectHaar(int faceSize, int samples);
+
+ private:
+  DeviceContext& device_;
+  int width_, height_, order_;
+  Buffer<float> sky_;  ///< [channel][row][column]
+  Buffer<float> cosine_, sine_, polar_;
+  Buffer<float> moments_, inSkyFrame_, coefficients_;
+  ShRotator toWorld_;
+  cl::Kernel momentsKernel_, coefficientsKernel_, cubeKernel_, haarKernel_;
+};
+
+}  // namespace prelight

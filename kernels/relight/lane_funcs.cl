@@ -1,0 +1,93 @@
+// Vertices side by side. Arrays of a number for every vertex are stored in tiles of 16 vertices, [tile][row][lane],
+// where a row is one number (a coefficient of a channel) of all of them: a work-item streams through its tile without a
+// gap, and no sum runs across lanes. On a CPU a work-item takes a whole tile as float16; on a GPU it takes one vertex,
+// and neighbours read neighbouring addresses.
+//
+// Options: PRELIGHT_WIDE_LANES  1: a tile a work-item
+//          PRELIGHT_STORAGE     0: float, 1: IEEE half, 2: unsigned byte
+#ifndef PRELIGHT_RELIGHT_LANE_FUNCS_CL
+#define PRELIGHT_RELIGHT_LANE_FUNCS_CL
+
+#define PRELIGHT_TILE 16
+
+#ifndef PRELIGHT_STORAGE
+#define PRELIGHT_STORAGE 0
+#endif
+
+#if PRELIGHT_STORAGE == 0
+typedef float Stored;
+#elif PRELIGHT_STORAGE == 1
+typedef ushort Stored;
+#else
+typedef uchar Stored;
+#endif
+
+#ifdef PRELIGHT_WIDE_LANES
+typedef float16 Lanes;
+typedef ushort16 ShortLanes;
+typedef uint16 UintLanes;
+#define AS_LANES as_float16
+#define CONVERT_LANES convert_float16
+#define CONVERT_UINT_LANES convert_uint16
+#define AS_UINT_LANES as_uint16
+#define LOAD_ROW(pointer) vload16(0, pointer)
+#define PRELIGHT_VERTICES_AN_ITEM PRELIGHT_TILE
+#else
+typedef float Lanes;
+typedef ushort ShortLanes;
+typedef uint UintLanes;
+#define AS_LANES as_float
+#define CONVERT_LANES convert_float
+#define CONVERT_UINT_LANES convert_uint
+#define AS_UINT_LANES as_uint
+#define LOAD_ROW(pointer) (*(pointer))
+#define PRELIGHT_VERTICES_AN_ITEM 1
+#endif
+
+// First number of a work-item's vertices in an array of `rows` rows a tile.
+size_t firstOfItem(size_t item, size_t rows) {
+#ifdef PRELIGHT_WIDE_LANES
+  return item * rows * PRELIGHT_TILE;
+#else
+  return item / PRELIGHT_TILE * rows * PRELIGHT_TILE + item % PRELIGHT_TILE;
+#endif
+}
+
+// Halves by their bits: shifting puts exponent and mantissa where a float has them, and a multiplication corrects the
+// bias, of denormals too. Takes finite halves.
+Lanes lanesOfHalves(ShortLanes halves) {
+  const UintLanes bits = CONVERT_UINT_LANES(halves);
+  const Lanes magnitude = AS_LANES((bits & 0x7fffu) << 13u) * 0x1p112f;
+  return AS_LANES(AS_UINT_LANES(magnitude) | ((bits & 0x8000u) << 16u));
+}
+
+// A row of stored numbers; `row` points at the item's first.
+Lanes loadStored(__global const Stored* row) {
+#if PRELIGHT_STORAGE == 0
+  return LOAD_ROW(row);
+#elif PRELIGHT_STORAGE == 1
+  return lanesOfHalves(LOAD_ROW(row));
+#else
+  return CONVERT_LANES(LOAD_ROW(row));
+#endif
+}
+
+// Writes a colour for each vertex of the item: radiance [vertex][3].
+void storeColors(Lanes red, Lanes green, Lanes blue, size_t item, uint vertexCount, __global float* radiance) {
+#ifdef PRELIGHT_WIDE_LANES
+  float colors[3][PRELIGHT_TILE];
+  vstore16(red, 0, colors[0]);
+  vstore16(green, 0, colors[1]);
+  vstore16(blue, 0, colors[2]);
+  const size_t first = item * PRELIGHT_TILE;
+  const size_t count = min((size_t)PRELIGHT_TILE, vertexCount - first);
+  for (size_t lane = 0; lane < count; ++lane)
+    for (int c = 0; c < 3; ++c) radiance[3 * (first + lane) + c] = colors[c][lane];
+#else
+  radiance[3 * item] = red;
+  radiance[3 * item + 1] = green;
+  radiance[3 * item + 2] = blue;
+#endif
+}
+
+#endif
