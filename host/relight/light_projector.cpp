@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +10,7 @@
 #include "basis/cube_map.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "basis/sh_rotation.h"
 
 namespace prelight {
 
@@ -69,23 +69,6 @@ Buffer<float> upload(DeviceContext& device, const std::vector<float>& values) {
 
 }  // namespace
 
-std::vector<double> bandRotations(int order, const glm::dmat3& rotation) {
-  assert(order >= 1 && order <= sh::maxOrder);
-  const glm::dmat3 inverse = glm::transpose(rotation);
-  std::vector<double> matrices(sizeOf(order) * sizeOf(4 * order * order - 1) / 3, 0.0);
-  std::vector<double> to(sizeOf(order * order)), from(to.size());
-  // M_ij = integral Y_i(w) Y_j(R^-1 w) dw, a polynomial of degree 2 (order - 1).
-  for (const SphereSample& sample : sphereQuadrature(2 * order - 2)) {
-    sh::evaluate(sample.direction, order, to);
-    sh::evaluate(inverse * sample.direction, order, from);
-    double* entry = matrices.data();
-    for (std::size_t l = 0; l < sizeOf(order); ++l)
-      for (std::size_t i = l * l; i < (l + 1) * (l + 1); ++i)
-        for (std::size_t j = l * l; j < (l + 1) * (l + 1); ++j) *entry++ += sample.weight * to[i] * from[j];
-  }
-  return matrices;
-}
-
 ShRotator::ShRotator(DeviceContext& device, int order)
     : device_(device),
       order_(order),
@@ -93,8 +76,12 @@ ShRotator::ShRotator(DeviceContext& device, int order)
       kernel_(device.program("relight/light_kernels.cl", {}), "rotateBands") {}
 
 void ShRotator::setRotation(const glm::dmat3& rotation) {
-  const std::vector<double> matrices = bandRotations(order_, rotation);
-  const std::vector<float> rounded(matrices.begin(), matrices.end());
+  const sh::ShRotation turn(order_, rotation);
+  std::vector<float> rounded;
+  for (int band = 0; band < order_; ++band) {
+    const std::vector<double> matrix = turn.bandMatrix(band);
+    rounded.insert(rounded.end(), matrix.begin(), matrix.end());
+  }
   matrices_.write(std::span<const float>(rounded));
 }
 

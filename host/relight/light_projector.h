@@ -9,16 +9,13 @@
 
 namespace prelight {
 
-/// Band matrices of a rotation for light coefficients, f'(w) = f(R^-1 w), in double on the host: bands one
-/// after the other, each [2l+1][2l+1]. Exact up to rounding.
-std::vector<double> bandRotations(int order, const glm::dmat3& rotation);
-
-/// Rotates functions in spherical harmonics on the device.
+/// Rotates functions in spherical harmonics on the device, f'(w) = f(R^-1 w), by the matrices of bands.
 class ShRotator {
  public:
   /// The device must outlive the rotator. `order` from 1 to 32.
   ShRotator(DeviceContext& device, int order);
 
+  /// Throws UsageError for a matrix that is not orthonormal (sh::ShRotation).
   void setRotation(const glm::dmat3& rotation);
 
   /// `in` and `out`, two buffers, hold [function][i]; the channels of a light are three functions. Does not
