@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_rotation.h"
@@ -80,10 +82,58 @@ void addRow(const Environment& environment, int row, const ColumnWaves& waves, s
   }
 }
 
+void checkEnvironment(const Environment& environment) {
+  const auto count =
+      static_cast<std::size_t>(environment.width) * static_cast<std::size_t>(environment.height);
+  if (environment.width < 1 || environment.height < 1 || environment.radiance.size() != count) {
+    throw InputError("sky", "expected " + std::to_string(environment.width) + " x " +
+                                std::to_string(environment.height) + " texels, at least one, got " +
+                                std::to_string(environment.radiance.size()));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const float value = environment.radiance[i][c];
+      if (std::isfinite(value) && value >= 0.0f) continue;
+      const std::size_t width = environment.width;
+      throw InputError("sky",
+                       "texel at column " + std::to_string(i % width) + ", row " + std::to_string(i / width) +
+                           " holds " + std::to_string(value),
+                       "radiance is finite and not negative");
+    }
+  }
+}
+
+/// Integrals of the functions over a texel of a face seen along +z, u along x and v along y.
+void integrateCubeTexel(int row, int column, int faceSize, std::span<const LineSample> rule, int order,
+                        std::span<double> out) {
+  std::vector<double> values(out.size());
+  std::fill(out.begin(), out.end(), 0.0);
+  const double step = 2.0 / faceSize;
+  for (const LineSample& across : rule) {
+    for (const LineSample& down : rule) {
+      const glm::dvec3 p(step * (column + 0.5 + 0.5 * across.position) - 1.0,
+                         step * (row + 0.5 + 0.5 * down.position) - 1.0, 1.0);
+      const double length = glm::length(p);
+      const double weight = 0.25 * step * step * across.weight * down.weight / (length * length * length);
+      evaluate(p / length, order, values);
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] += weight * values[i];
+    }
+  }
+}
+
+/// Adds a face's part, projected along +z, turned to where the face looks.
+void addFace(int face, std::span<const double> alongZ, int order, std::span<double> out) {
+  const CubeFace& frame = cubeFace(face);
+  std::vector<double> turned(alongZ.size());
+  ShRotation(order, glm::dmat3(frame.right, frame.down, frame.axis)).apply(alongZ, turned);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] += turned[i];
+}
+
 }  // namespace
 
 std::vector<double> projectEnvironment(const Environment& environment, int order) {
-  assert(order >= 1 && order <= maxOrder);
+  checkOrder(order, "sky");
+  checkEnvironment(environment);
   const int count = coefficientCount(order);
   const ColumnWaves waves(environment.width, order);
   std::vector<double> polar(count);
@@ -92,12 +142,32 @@ std::vector<double> projectEnvironment(const Environment& environment, int order
     integrateRow(row, environment.height, order, polar);
     addRow(environment, row, waves, polar, order, inSkyFrame);
   }
-  std::vector<double> result;
-  result.reserve(inSkyFrame.size());
-  for (int c = 0; c < 3; ++c) {
-    const auto channel =
-        rotate(std::span<const double>(inSkyFrame).subspan(c * count, count), order, worldFromSkyFrame());
-    result.insert(result.end(), channel.begin(), channel.end());
+  std::vector<double> result(inSkyFrame.size());
+  ShRotation(order, worldFromSkyFrame()).apply(inSkyFrame, result);
+  return result;
+}
+
+std::vector<double> projectEnvironment(const CubeMap& map, int order) {
+  checkOrder(order, "sky");
+  checkCubeMap(map, "sky");
+  const std::size_t count = coefficientCount(order);
+  const auto texels = static_cast<std::size_t>(map.faceSize) * static_cast<std::size_t>(map.faceSize);
+  // The functions have up to order / pi waves over a unit of the face's plane, and the solid angle bends at
+  // about 1.
+  const auto rule = gaussLegendre(4 + static_cast<int>(std::ceil(2.0 * (order + 16.0) / map.faceSize)));
+  std::vector<double> integrals(count);
+  std::vector<double> faces(cubeFaces * 3 * count, 0.0);  // [face][channel][i]
+  for (std::size_t t = 0; t < texels; ++t) {
+    integrateCubeTexel(static_cast<int>(t) / map.faceSize, static_cast<int>(t) % map.faceSize, map.faceSize,
+                       rule, order, integrals);
+    for (std::size_t k = 0; k < cubeFaces * 3; ++k) {
+      const double radiance = map.radiance[k / 3 * texels + t][static_cast<int>(k % 3)];
+      for (std::size_t i = 0; i < count; ++i) faces[k * count + i] += radiance * integrals[i];
+    }
+  }
+  std::vector<double> result(3 * count, 0.0);
+  for (int face = 0; face < cubeFaces; ++face) {
+    addFace(face, std::span<const double>(faces).subspan(face * 3 * count, 3 * count), order, result);
   }
   return result;
 }

@@ -2,12 +2,17 @@
 
 #include <vector>
 
+#include "basis/cube_map.h"
 #include "io/environment.h"
 
 namespace prelight::sh {
 
 /// Projection of a sky whose radiance is constant over each texel: L_i = sum L(texel) integral_texel Y_i dw,
-/// exact up to rounding however few texels there are. Returns [channel][i], 3 x order^2.
+/// exact up to rounding however few texels there are. Returns [channel][i], 3 x order^2. Throws UsageError
+/// for a bad order, InputError for a map without texels or with a texel that is negative or not finite.
 std::vector<double> projectEnvironment(const Environment& environment, int order);
+
+/// The same for a cube map. Throws as well what checkCubeMap() throws.
+std::vector<double> projectEnvironment(const CubeMap& map, int order);
 
 }  // namespace prelight::sh

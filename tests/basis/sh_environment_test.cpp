@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "base/error.h"
+#include "basis/cube_map.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
 
@@ -104,6 +108,85 @@ TEST(ShEnvironment, Project_AnySky_MatchesTheDefinition) {
     ASSERT_EQ(fast.size(), slow.size());
     for (std::size_t i = 0; i < fast.size(); ++i) EXPECT_NEAR(fast[i], slow[i], 1e-11) << order << " " << i;
   }
+}
+
+/// The definition: radiance of the texel that a direction looks through, by Gauss points of a much finer
+/// grid.
+std::vector<double> projectCubeByDefinition(const CubeMap& map, int order, int pieces) {
+  const int count = sh::coefficientCount(order);
+  std::vector<double> result(3 * static_cast<std::size_t>(count), 0.0);
+  std::vector<double> values(count);
+  const auto rule = gaussLegendre(6);
+  const int cells = map.faceSize * pieces;
+  for (int cell = 0; cell < cubeFaces * cells * cells; ++cell) {
+    for (int node = 0; node < 36; ++node) {
+      const LineSample& across = rule[node % 6];
+      const LineSample& down = rule[node / 6];
+      const double u = (cell % cells + 0.5 + 0.5 * across.position) / cells;
+      const double v = (cell / cells % cells + 0.5 + 0.5 * down.position) / cells;
+      const double r2 = 1.0 + (2 * u - 1) * (2 * u - 1) + (2 * v - 1) * (2 * v - 1);
+      const double area = across.weight * down.weight / (cells * cells) / (r2 * std::sqrt(r2));
+      const glm::dvec3 w = cubeDirection(cell / (cells * cells), u, v);
+      const glm::dvec3 radiance(map.radiance[cubeTexel(w, map.faceSize)]);
+      sh::evaluate(w, order, values);
+      for (int i = 0; i < 3 * count; ++i) result[i] += area * radiance[i / count] * values[i % count];
+    }
+  }
+  return result;
+}
+
+CubeMap makeCube(int faceSize) {
+  CubeMap map{faceSize, {}};
+  for (std::size_t t = 0; t < cubeTexelCount(faceSize); ++t) {
+    const auto wave = static_cast<float>(std::sin(1.7 * static_cast<double>(t)));
+    map.radiance.emplace_back(1.0f + wave, 1.0f - wave, wave * wave);
+  }
+  return map;
+}
+
+TEST(ShEnvironment, Cube_AnySizeAndOrder_MatchesTheDefinition) {
+  for (const auto& [faceSize, order, pieces] : {std::array{1, 6, 8}, std::array{2, 4, 4}, std::array{8, 6, 1},
+                                                std::array{1, 32, 32}, std::array{4, 16, 3}}) {
+    const CubeMap map = makeCube(faceSize);
+    const auto expected = projectCubeByDefinition(map, order, pieces);
+    const auto found = sh::projectEnvironment(map, order);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_NEAR(found[i], expected[i], 1e-11) << faceSize << " " << i;
+  }
+}
+
+TEST(ShEnvironment, Cube_OfASky_ConvergesToTheSkyWithTheSquareOfTheTexel) {
+  const Environment sky = makeSky(
+      64, 32, [](const glm::dvec3& w) { return glm::vec3(1.0 + w.x, 1.0 + w.y * w.z, std::exp(w.z)); });
+  const auto expected = sh::projectEnvironment(sky, 4);
+  const auto worstError = [&](int faceSize) {
+    const auto found = sh::projectEnvironment(cubeFromEnvironment(sky, faceSize), 4);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(found[i] - expected[i]));
+    return worst;
+  };
+  const double coarse = worstError(32);
+  const double fine = worstError(128);
+  EXPECT_LT(fine, 1e-4);
+  EXPECT_NEAR(coarse / fine, 16.0, 2.0);
+}
+
+TEST(ShEnvironment, BadMapsAndOrders_AreErrors) {
+  Environment sky = makeSky(4, 2, [](const glm::dvec3&) { return glm::vec3(1.0f); });
+  EXPECT_THROW(sh::projectEnvironment(sky, 0), UsageError);
+  EXPECT_THROW(sh::projectEnvironment(sky, 33), UsageError);
+  EXPECT_THROW(sh::projectEnvironment(makeCube(2), 33), UsageError);
+  EXPECT_THROW(sh::projectEnvironment(Environment{}, 3), InputError);
+  sky.radiance[5].y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(sh::projectEnvironment(sky, 3), InputError);
+  sky.radiance[5].y = -1.0f;
+  EXPECT_THROW(sh::projectEnvironment(sky, 3), InputError);
+  CubeMap map = makeCube(2);
+  map.radiance[7].z = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(sh::projectEnvironment(map, 3), InputError);
+  map.radiance.pop_back();
+  EXPECT_THROW(sh::projectEnvironment(map, 3), InputError);
 }
 
 }  // namespace
