@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <string>
 
 #include "benchmarks/charts.h"
 
@@ -207,6 +208,34 @@ std::string referencePlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+/// Cases of selection are "select/light/count/how".
+std::string waveletsPlot(const Results& results, const std::string& subtitle) {
+  CurveChart chart{"Error of lighting by Haar wavelets",
+                   subtitle,
+                   "coefficients of the light",
+                   "relative RMS error, %",
+                   {}};
+  std::vector<std::string> lights;
+  for (const BenchmarkResult& result : results) {
+    const auto [kind, rest] = splitCase(result.case_);
+    if (kind != "select" || result.metric != "error" || result.value <= 0.0) continue;
+    const auto [light, setting] = splitCase(rest);
+    const auto [count, how] = splitCase(setting);
+    if (!how.starts_with("transfer")) continue;
+    if (std::find(lights.begin(), lights.end(), light) == lights.end()) {
+      const std::string color = palette[lights.size() % palette.size()];
+      lights.push_back(light);
+      chart.curves.push_back({light + ", fitted", color, CurveStyle::Strong, {}});
+      chart.curves.push_back({light + ", as they are", color, CurveStyle::Thin, {}});
+    }
+    const auto place =
+        static_cast<std::size_t>(std::find(lights.begin(), lights.end(), light) - lights.begin());
+    Curve& curve = chart.curves[2 * place + (how == "transfer" ? 1 : 0)];
+    curve.points.push_back({std::stod(count), result.value});
+  }
+  return drawCurveChart(chart);
+}
+
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
@@ -215,15 +244,16 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 9> kinds = {{{"cast", "cast", castPlot},
-                                          {"rays", "rays", raysPlot},
-                                          {"trees", "trees", treesPlot},
-                                          {"build", "build", buildPlot},
-                                          {"scaling", "scaling", scalingPlot},
-                                          {"scaling", "scaling-build", scalingBuildPlot},
-                                          {"bake", "bake", bakePlot},
-                                          {"error", "error", errorPlot},
-                                          {"reference", "reference", referencePlot}}};
+  constexpr std::array<Kind, 10> kinds = {{{"cast", "cast", castPlot},
+                                           {"rays", "rays", raysPlot},
+                                           {"trees", "trees", treesPlot},
+                                           {"build", "build", buildPlot},
+                                           {"scaling", "scaling", scalingPlot},
+                                           {"scaling", "scaling-build", scalingBuildPlot},
+                                           {"bake", "bake", bakePlot},
+                                           {"error", "error", errorPlot},
+                                           {"reference", "reference", referencePlot},
+                                           {"wavelets", "wavelets", waveletsPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

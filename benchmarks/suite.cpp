@@ -30,6 +30,8 @@ const std::vector<Entry>& entries() {
        runErrorSuite},
       {{"reference", "error of the reference renderer against time, and the error that it reports"},
        runReferenceSuite},
+      {{"wavelets", "error and flicker of Haar wavelets by the number of the light's coefficients"},
+       runWaveletsSuite},
   };
   return list;
 }
@@ -48,10 +50,16 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .errorReferenceRays = 64,
           .referenceSize = 16,
           .referenceSamples = {2, 4},
-          .referenceLongRun = 16};
+          .referenceLongRun = 16,
+          .waveletFaceSize = 8,
+          .waveletReceivers = 12,
+          .waveletFrames = 3,
+          .waveletCounts = {5, 20}};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
+  std::vector<std::string> skyNames;
+  for (const std::filesystem::path& sky : skies) skyNames.push_back(sky.filename().string());
   return {{"runs", runs},
           {"castRays", castRays},
           {"rayCount", rayCount},
@@ -64,7 +72,12 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"errorReferenceRays", errorReferenceRays},
           {"referenceSize", referenceSize},
           {"referenceSamples", referenceSamples},
-          {"referenceLongRun", referenceLongRun}};
+          {"referenceLongRun", referenceLongRun},
+          {"waveletFaceSize", waveletFaceSize},
+          {"waveletReceivers", waveletReceivers},
+          {"waveletFrames", waveletFrames},
+          {"waveletCounts", waveletCounts},
+          {"skies", skyNames}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -36,6 +38,12 @@ struct BenchmarkOptions {
   int referenceSize = 64;  ///< pixels, of the square pictures of `reference`
   std::vector<std::uint64_t> referenceSamples = {2, 8, 32, 128};  ///< a pixel, ascending
   std::uint64_t referenceLongRun = 2048;                          ///< a pixel
+  int waveletFaceSize = 64;                                       ///< texels, a power of two from 4 to 512
+  int waveletReceivers = 300;
+  int waveletFrames = 61;                                             ///< of a degree each
+  std::vector<std::size_t> waveletCounts = {10, 30, 100, 300, 1000};  ///< of the light's coefficients
+  std::vector<std::filesystem::path> skies =
+      {};  ///< .hdr or .exr, that `wavelets` uses beside its own lights
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

@@ -39,4 +39,9 @@ std::vector<BenchmarkResult> runErrorSuite(const Device& device, const Benchmark
 std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const BenchmarkOptions& options,
                                                Progress& progress);
 
+/// Error, flicker and row sizes of Haar wavelets, by how the light's coefficients are chosen and turned; the
+/// quincunx lattice beside them.
+std::vector<BenchmarkResult> runWaveletsSuite(const Device& device, const BenchmarkOptions& options,
+                                              Progress& progress);
+
 }  // namespace prelight::benchmarks

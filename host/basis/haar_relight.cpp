@@ -120,6 +120,17 @@ HaarTransfer gatherBounce(const HaarTransfer& previous, std::span<const std::vec
   return result;
 }
 
+HaarTransfer keepRows(const HaarTransfer& transfer, double relativeError) {
+  HaarTransfer result{transfer.faceSize, transfer.channels, transfer.bounces, {0}, {}, {}};
+  for (std::size_t row = 0; row < rowCount(transfer); ++row) {
+    const std::size_t begin = transfer.offsets[row], size = transfer.offsets[row + 1] - begin;
+    SparseRow kept = keepError(std::span(transfer.values).subspan(begin, size), relativeError);
+    for (std::uint32_t& index : kept.indices) index = transfer.indices[begin + index];
+    appendRow(result, kept);
+  }
+  return result;
+}
+
 HaarTransfer addTransfer(const HaarTransfer& a, const HaarTransfer& b) {
   assert(a.faceSize == b.faceSize);
   const int channels = std::max(a.channels, b.channels);

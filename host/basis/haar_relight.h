@@ -38,6 +38,9 @@ struct Link {
 HaarTransfer gatherBounce(const HaarTransfer& previous, std::span<const std::vector<Link>> links,
                           double relativeError);
 
+/// Drops coefficients of every row as keepError() does.
+HaarTransfer keepRows(const HaarTransfer& transfer, double relativeError);
+
 /// Sum of two transfers of as many vertices, with as many channels as the one that has more.
 HaarTransfer addTransfer(const HaarTransfer& a, const HaarTransfer& b);
 

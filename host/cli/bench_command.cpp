@@ -26,6 +26,7 @@ struct BenchCommand {
   std::string suite;  ///< empty: all
   std::filesystem::path json;
   std::filesystem::path plots;
+  std::vector<std::filesystem::path> skies;
   bool quick = false;
 };
 
@@ -94,7 +95,8 @@ void runBench(const BenchCommand& command, Context& context) {
   Session session(context);
   const std::vector<std::string> suites = chosenSuites(command.suite);
   checkOutputs(command);
-  const BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
+  BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
+  options.skies = command.skies;
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
@@ -135,6 +137,8 @@ void addBenchCommand(CLI::App& program, Context& context) {
                           ->type_name("[FILE]")
                           ->expected(0, 1);
   app->add_option("--plot", command->plots, "write a chart of each suite (.svg)")->type_name("DIR");
+  app->add_option("--env", command->skies, "skies that `wavelets` uses beside its own lights")
+      ->type_name("MAP");
   app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
   app->footer(suitesText() +
               "\nExamples:\n"

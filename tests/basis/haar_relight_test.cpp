@@ -135,6 +135,14 @@ TEST(HaarRelight, GatheredBounce_DropsUpToItsError) {
   EXPECT_NEAR(std::sqrt(1.0 - kept / total), 0.045, 0.005 + 1e-6);
 }
 
+TEST(HaarRelight, KeptRows_AreThoseThatKeepErrorLeaves) {
+  const OccludedReceivers whole(16, 5, 10), sparse(16, 5, 10, 0.1);
+  const HaarTransfer kept = haar::keepRows(whole.transfer, 0.1);
+  EXPECT_EQ(kept.offsets, sparse.transfer.offsets);
+  EXPECT_EQ(kept.indices, sparse.transfer.indices);
+  EXPECT_EQ(kept.values, sparse.transfer.values);
+}
+
 TEST(HaarRelight, ChooseBasis_TakesHarmonicsForSmoothLightsAndWaveletsForSmall) {
   const OccludedReceivers receivers(32, 100, 7);
   const std::vector<float> weights = haar::coefficientRms(receivers.transfer);

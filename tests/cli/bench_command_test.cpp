@@ -90,7 +90,7 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
   EXPECT_EQ(measured, (std::set<std::string>{"bake", "build", "cast", "error", "rays", "reference", "scaling",
-                                             "trees"}));
+                                             "trees", "wavelets"}));
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }
