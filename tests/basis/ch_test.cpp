@@ -193,6 +193,36 @@ TEST(Ch, ClampedCosine_Order14_NaiveIsFarOffAndDualIsAsSh) {
   EXPECT_LT(clampedCosineError(dual, order, normal), 0.012);
 }
 
+// Both projections are sums over the same scattered samples, as a bake makes them, stored in float.
+TEST(Ch, DualFromTheSameSamples_EveryOrderTo14_ReconstructsWhatShDoes) {
+  for (int order = 1; order <= 14; ++order) {
+    std::mt19937 random(order);
+    std::normal_distribution<double> normal;
+    const int count = order * order;
+    std::vector<double> y(count, 0.0);
+    std::vector<double> moments(count, 0.0);
+    std::vector<double> values(count);
+    constexpr int samples = 500;
+    for (int s = 0; s < samples; ++s) {
+      const glm::dvec3 w = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+      const double weight = 4.0 * pi / samples * std::max(w.x, 0.0) * (w.y > -0.3 ? 1.0 : 0.0);
+      sh::evaluate(w, order, values);
+      for (int i = 0; i < count; ++i) y[i] += weight * values[i];
+      ch::evaluate(w, order, values);
+      for (int i = 0; i < count; ++i) moments[i] += weight * values[i];
+    }
+    std::vector<double> dual(count);
+    ch::Basis(order).dualFromMoments(moments, dual);
+    const std::vector<float> stored(dual.begin(), dual.end());
+    const std::vector<double> a(stored.begin(), stored.end());
+    for (const SphereSample& s : sphereQuadrature(2 * order)) {
+      EXPECT_NEAR(reconstruct(dual, order, s.direction), sh::reconstruct(y, order, s.direction), 1e-12)
+          << order;
+      EXPECT_NEAR(reconstruct(a, order, s.direction), sh::reconstruct(y, order, s.direction), 1e-6) << order;
+    }
+  }
+}
+
 TEST(Ch, Floats_MatchDoubles) {
   constexpr int order = 14;
   const ch::Basis basis(order);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <random>
+
+#include "device/device.h"
+
+namespace prelight {
+
+/// Each prints a table of docs/bases.md as Markdown to standard output.
+void printOrthonormality(const Device& device);
+void printRotationDrift();
+void printRotationTimes();
+void printChTable();
+void printChReconstruction();
+
+/// A rotation of uniform distribution.
+glm::dmat3 randomRotation(std::mt19937& random);
+
+}  // namespace prelight
