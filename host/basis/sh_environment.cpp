@@ -181,8 +181,9 @@ std::vector<double> projectEnvironment(const CubeMap& map, int order) {
     }
   }
   std::vector<double> result(3 * count, 0.0);
-  for (int face = 0; face < cubeFaces; ++face) {
-    addFace(face, std::span<const double>(faces).subspan(face * 3 * count, 3 * count), order, result);
+  for (std::size_t face = 0; face < cubeFaces; ++face) {
+    addFace(static_cast<int>(face), std::span<const double>(faces).subspan(face * 3 * count, 3 * count),
+            order, result);
   }
   return result;
 }
