@@ -236,6 +236,56 @@ std::string waveletsPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+/// "cpca:64:8" -> "cpca"; what has components of its own a number of clusters is a curve of its own.
+std::string methodFamily(const std::string& method) {
+  const std::size_t colon = method.find(':');
+  if (colon == std::string::npos) return method;
+  const std::string family = method.substr(0, colon);
+  return family == "cpca" ? method.substr(0, method.find(':', colon + 1)) : family;
+}
+
+std::string compressPlot(const Results& results, const std::string& subtitle) {
+  CurveChart chart{"Error of compressed transfer against its size",
+                   subtitle,
+                   "bytes a vertex, everything counted",
+                   "relative RMS error of vectors",
+                   {}};
+  for (const BenchmarkResult& size : results)
+    for (const BenchmarkResult& error : results) {
+      if (size.metric != "bytes a vertex" || error.metric != "vector error" || size.case_ != error.case_ ||
+          !(error.value > 0.0))
+        continue;
+      const auto [scene, method] = splitCase(size.case_);
+      if (method.ends_with(":byte")) continue;
+      const std::string name = fmt::format("{}, {}", scene, methodFamily(method));
+      auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
+                                [&](const Curve& c) { return c.name == name; });
+      if (curve == chart.curves.end())
+        curve = chart.curves.insert(
+            chart.curves.end(),
+            {name, palette[chart.curves.size() % palette.size()], CurveStyle::Strong, {}});
+      const auto place = std::find_if(curve->points.begin(), curve->points.end(),
+                                      [&](const Point& p) { return p.x > size.value; });
+      curve->points.insert(place, {size.value, error.value});
+    }
+  return drawCurveChart(chart);
+}
+
+std::string relightPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"Bytes a second of processor time, against copying", subtitle, "GB/s a core", {}, {}};
+  chart.legend = {{"kernel", palette[0]}, {"copy", "#a9b0b8"}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "bandwidth a core" || !result.ratio) continue;
+    const double gigabytes = result.value * 1e-9;
+    groupNamed(chart.groups, "")
+        .bars.push_back({result.case_,
+                         {{gigabytes, palette[0]}},
+                         gigabytes / *result.ratio,
+                         fmt::format("{:.3g}, {:.2f} x", gigabytes, *result.ratio)});
+  }
+  return drawBarChart(chart);
+}
+
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
@@ -244,7 +294,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 10> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 12> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -253,7 +303,9 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"bake", "bake", bakePlot},
                                            {"error", "error", errorPlot},
                                            {"reference", "reference", referencePlot},
-                                           {"wavelets", "wavelets", waveletsPlot}}};
+                                           {"wavelets", "wavelets", waveletsPlot},
+                                           {"relight", "relight", relightPlot},
+                                           {"compress", "compress", compressPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

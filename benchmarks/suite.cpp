@@ -32,6 +32,9 @@ const std::vector<Entry>& entries() {
        runReferenceSuite},
       {{"wavelets", "error and flicker of Haar wavelets by the number of the light's coefficients"},
        runWaveletsSuite},
+      {{"relight", "bytes a second of relighting and light projection on the device, against copying"},
+       runRelightSuite},
+      {{"compress", "error and bytes of transfer in each compressed form"}, runCompressSuite},
   };
   return list;
 }
@@ -54,7 +57,13 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .waveletFaceSize = 8,
           .waveletReceivers = 12,
           .waveletFrames = 3,
-          .waveletCounts = {5, 20}};
+          .waveletCounts = {5, 20},
+          .relightVertices = 200,
+          .relightSkyRows = 16,
+          .relightRounds = 3,
+          .compressOrder = 2,
+          .compressBounces = 0,
+          .compressMethods = {"half", "band8", "pca:2", "vq:8", "cpca:4:2"}};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
@@ -77,7 +86,13 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"waveletReceivers", waveletReceivers},
           {"waveletFrames", waveletFrames},
           {"waveletCounts", waveletCounts},
-          {"skies", skyNames}};
+          {"skies", skyNames},
+          {"relightVertices", relightVertices},
+          {"relightSkyRows", relightSkyRows},
+          {"relightRounds", relightRounds},
+          {"compressOrder", compressOrder},
+          {"compressBounces", compressBounces},
+          {"compressMethods", compressMethods}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

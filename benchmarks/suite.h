@@ -43,7 +43,16 @@ struct BenchmarkOptions {
   int waveletFrames = 61;                                             ///< of a degree each
   std::vector<std::size_t> waveletCounts = {10, 30, 100, 300, 1000};  ///< of the light's coefficients
   std::vector<std::filesystem::path> skies =
-      {};  ///< .hdr or .exr, that `wavelets` uses beside its own lights
+      {};                                  ///< .hdr or .exr, that `wavelets` uses beside its own lights
+  std::uint64_t relightVertices = 100000;  ///< of `relight`
+  int relightSkyRows = 512;                ///< of the sky of `relight`
+  int relightRounds = 40;                  ///< short ones, in which kernels and copies take turns
+  int compressOrder = 6;                   ///< of the transfer of `compress`
+  int compressBounces = 2;
+  std::vector<std::string> compressMethods = {
+      "half",      "band8",      "pca:4",      "pca:8",      "pca:16",         "pca:24",
+      "vq:64",     "vq:256",     "vq:1024",    "cpca:16:4",  "cpca:16:8",      "cpca:64:4",
+      "cpca:64:8", "cpca:64:16", "cpca:256:4", "cpca:256:8", "cpca:64:8:byte", "pca:16:byte"};
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

@@ -44,4 +44,12 @@ std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const Bench
 std::vector<BenchmarkResult> runWaveletsSuite(const Device& device, const BenchmarkOptions& options,
                                               Progress& progress);
 
+/// Bytes a second of relighting and of projecting lights on the device, against copying, and their errors.
+std::vector<BenchmarkResult> runRelightSuite(const Device& device, const BenchmarkOptions& options,
+                                             Progress& progress);
+
+/// Error and bytes of each compression of baked transfer.
+std::vector<BenchmarkResult> runCompressSuite(const Device& device, const BenchmarkOptions& options,
+                                              Progress& progress);
+
 }  // namespace prelight::benchmarks

@@ -13,18 +13,21 @@
 
 #if PRELIGHT_STORAGE == 0
 typedef float Weight;
+#define WEIGHTS_4(stored) (stored)
+#define WEIGHT(stored) (stored)
 #elif PRELIGHT_STORAGE == 1
-typedef half Weight;
+typedef short Weight;
+#define WEIGHTS_4(stored) floatsOfHalves(stored)
+#define WEIGHT(stored) floatsOfHalves((short4)(stored)).x
 #else
 typedef uchar Weight;
+#define WEIGHTS_4(stored) convert_float4(stored)
+#define WEIGHT(stored) (float)(stored)
 #endif
 
-float loadWeight(__global const Weight* weights, size_t at) {
-#if PRELIGHT_STORAGE == 1
-  return vload_half(at, weights);
-#else
-  return (float)weights[at];
-#endif
+// As lanesOfHalves in lane_funcs.cl.
+float4 __attribute__((always_inline)) floatsOfHalves(short4 halves) {
+  return as_float4((convert_int4(halves) << 13) & (int)0x8fffe000) * 0x1p112f;
 }
 
 // A vertex a work-item. terms [cluster][1 + component], rgb and a 0; clusters [vertex]; weights [vertex][component]
@@ -36,9 +39,16 @@ __kernel void relightClusters(__global const float4* terms, __global const ushor
 #ifdef PRELIGHT_CLUSTERED
   terms += (size_t)clusters[vertex] * (1 + PRELIGHT_COMPONENTS);
 #endif
+  weights += vertex * PRELIGHT_COMPONENTS;
   float4 color = terms[0];
-#pragma unroll
-  for (int j = 0; j < PRELIGHT_COMPONENTS; ++j)
-    color += loadWeight(weights, vertex * PRELIGHT_COMPONENTS + j) * terms[1 + j];
+  int j = 0;
+  for (; j + 4 <= PRELIGHT_COMPONENTS; j += 4) {
+    const float4 weight = WEIGHTS_4(vload4(0, weights + j));
+    color += weight.x * terms[1 + j];
+    color += weight.y * terms[2 + j];
+    color += weight.z * terms[3 + j];
+    color += weight.w * terms[4 + j];
+  }
+  for (; j < PRELIGHT_COMPONENTS; ++j) color += WEIGHT(weights[j]) * terms[1 + j];
   vstore3(color.xyz, vertex, radiance);
 }

@@ -12,20 +12,33 @@
 
 #define ROWS (PRELIGHT_CHANNELS * PRELIGHT_COUNT)
 
-// Radiance before albedo. light: [channel][i], then a constant for each colour.
-void dotProducts(__global const Stored* transfer, __constant const float* light, Lanes* color) {
-  for (int c = 0; c < 3; ++c) color[c] = light[3 * PRELIGHT_COUNT + c];
+typedef struct Colors {
+  Lanes red, green, blue;
+} Colors;
+
 #if PRELIGHT_CHANNELS == 3
-  for (int c = 0; c < 3; ++c)
-#pragma unroll 4
-    for (int i = 0; i < PRELIGHT_COUNT; ++i)
-      color[c] += loadStored(transfer + (c * PRELIGHT_COUNT + i) * PRELIGHT_TILE) * light[c * PRELIGHT_COUNT + i];
+#define CHANNEL_ROWS PRELIGHT_COUNT
 #else
-  for (int i = 0; i < PRELIGHT_COUNT; ++i) {
-    const Lanes value = loadStored(transfer + i * PRELIGHT_TILE);
-    for (int c = 0; c < 3; ++c) color[c] += value * light[c * PRELIGHT_COUNT + i];
-  }
+#define CHANNEL_ROWS 0
 #endif
+
+// Radiance before albedo. light: [channel][i], then a constant for each colour. The sums stay in registers: adding
+// through a pointer, which the compiler must write back each time, halves the rate. Walking through the channels side
+// by side gives the memory three streams to fetch ahead of, a tenth more than one.
+Colors __attribute__((always_inline)) dotProducts(__global const Stored* transfer, __constant const float* light) {
+  __constant const float* constants = light + 3 * PRELIGHT_COUNT;
+  Colors sum;
+  sum.red = constants[0];
+  sum.green = constants[1];
+  sum.blue = constants[2];
+#pragma unroll 4
+  for (int i = 0; i < PRELIGHT_COUNT; ++i) {
+    __global const Stored* row = transfer + i * PRELIGHT_TILE;
+    sum.red += loadStored(row) * light[i];
+    sum.green += loadStored(row + CHANNEL_ROWS * PRELIGHT_TILE) * light[PRELIGHT_COUNT + i];
+    sum.blue += loadStored(row + 2 * CHANNEL_ROWS * PRELIGHT_TILE) * light[2 * PRELIGHT_COUNT + i];
+  }
+  return sum;
 }
 
 // A work-item takes PRELIGHT_VERTICES_AN_ITEM vertices. transfer [tile][channel][i][lane], light as above ->
@@ -34,9 +47,8 @@ __kernel void relightDense(__global const Stored* transfer, __constant const flo
                            __global float* radiance) {
   const size_t item = get_global_id(0);
   if (item * PRELIGHT_VERTICES_AN_ITEM >= vertexCount) return;
-  Lanes color[3];
-  dotProducts(transfer + firstOfItem(item, ROWS), light, color);
-  storeColors(color[0], color[1], color[2], item, vertexCount, radiance);
+  const Colors color = dotProducts(transfer + firstOfItem(item, ROWS), light);
+  storeColors(color.red, color.green, color.blue, item, vertexCount, radiance);
 }
 
 // The same between two keys of an animation: (1 - blend) x the first + blend x the second.
@@ -44,9 +56,8 @@ __kernel void relightBetweenKeys(__global const Stored* first, __global const St
                                  __constant const float* light, uint vertexCount, __global float* radiance) {
   const size_t item = get_global_id(0);
   if (item * PRELIGHT_VERTICES_AN_ITEM >= vertexCount) return;
-  Lanes before[3], after[3];
-  dotProducts(first + firstOfItem(item, ROWS), light, before);
-  dotProducts(second + firstOfItem(item, ROWS), light, after);
-  for (int c = 0; c < 3; ++c) before[c] += blend * (after[c] - before[c]);
-  storeColors(before[0], before[1], before[2], item, vertexCount, radiance);
+  const Colors before = dotProducts(first + firstOfItem(item, ROWS), light);
+  const Colors after = dotProducts(second + firstOfItem(item, ROWS), light);
+  storeColors(before.red + blend * (after.red - before.red), before.green + blend * (after.green - before.green),
+              before.blue + blend * (after.blue - before.blue), item, vertexCount, radiance);
 }

@@ -53,7 +53,8 @@ __kernel void lightMatrices(__global const Stored* matrices, __constant const fl
 }
 
 // A coordinate of a direction of each of the item's vertices.
-Lanes loadCoordinate(__global const float* directions, int axis, size_t item, uint vertexCount) {
+Lanes __attribute__((always_inline))
+loadCoordinate(__global const float* directions, int axis, size_t item, uint vertexCount) {
 #ifdef PRELIGHT_WIDE_LANES
   float values[PRELIGHT_TILE];
   for (size_t lane = 0; lane < PRELIGHT_TILE; ++lane)

@@ -17,29 +17,25 @@
 #if PRELIGHT_STORAGE == 0
 typedef float Stored;
 #elif PRELIGHT_STORAGE == 1
-typedef ushort Stored;
+typedef short Stored;
 #else
 typedef uchar Stored;
 #endif
 
 #ifdef PRELIGHT_WIDE_LANES
 typedef float16 Lanes;
-typedef ushort16 ShortLanes;
-typedef uint16 UintLanes;
+typedef short16 ShortLanes;
 #define AS_LANES as_float16
 #define CONVERT_LANES convert_float16
-#define CONVERT_UINT_LANES convert_uint16
-#define AS_UINT_LANES as_uint16
+#define CONVERT_INT_LANES convert_int16
 #define LOAD_ROW(pointer) vload16(0, pointer)
 #define PRELIGHT_VERTICES_AN_ITEM PRELIGHT_TILE
 #else
 typedef float Lanes;
-typedef ushort ShortLanes;
-typedef uint UintLanes;
+typedef short ShortLanes;
 #define AS_LANES as_float
 #define CONVERT_LANES convert_float
-#define CONVERT_UINT_LANES convert_uint
-#define AS_UINT_LANES as_uint
+#define CONVERT_INT_LANES convert_int
 #define LOAD_ROW(pointer) (*(pointer))
 #define PRELIGHT_VERTICES_AN_ITEM 1
 #endif
@@ -53,16 +49,15 @@ size_t firstOfItem(size_t item, size_t rows) {
 #endif
 }
 
-// Halves by their bits: shifting puts exponent and mantissa where a float has them, and a multiplication corrects the
-// bias, of denormals too. Takes finite halves.
-Lanes lanesOfHalves(ShortLanes halves) {
-  const UintLanes bits = CONVERT_UINT_LANES(halves);
-  const Lanes magnitude = AS_LANES((bits & 0x7fffu) << 13u) * 0x1p112f;
-  return AS_LANES(AS_UINT_LANES(magnitude) | ((bits & 0x8000u) << 16u));
+// Halves by their bits: shifting the sign-extended number puts sign, exponent and mantissa where a float has them, and
+// a multiplication corrects the bias, of denormals too. Takes finite halves. (vload_half would do, but PoCL 3.1 converts
+// bit by bit, a number at a time.)
+Lanes __attribute__((always_inline)) lanesOfHalves(ShortLanes halves) {
+  return AS_LANES((CONVERT_INT_LANES(halves) << 13) & (int)0x8fffe000) * 0x1p112f;
 }
 
 // A row of stored numbers; `row` points at the item's first.
-Lanes loadStored(__global const Stored* row) {
+Lanes __attribute__((always_inline)) loadStored(__global const Stored* row) {
 #if PRELIGHT_STORAGE == 0
   return LOAD_ROW(row);
 #elif PRELIGHT_STORAGE == 1
@@ -73,7 +68,8 @@ Lanes loadStored(__global const Stored* row) {
 }
 
 // Writes a colour for each vertex of the item: radiance [vertex][3].
-void storeColors(Lanes red, Lanes green, Lanes blue, size_t item, uint vertexCount, __global float* radiance) {
+void __attribute__((always_inline))
+storeColors(Lanes red, Lanes green, Lanes blue, size_t item, uint vertexCount, __global float* radiance) {
 #ifdef PRELIGHT_WIDE_LANES
   float colors[3][PRELIGHT_TILE];
   vstore16(red, 0, colors[0]);

@@ -3,8 +3,8 @@
 
 // A row and a wave a work-item. sky [channel][row][column]; cosine, sine [m][column], integrals of the waves over a
 // column -> moments [row][m][even, odd][channel]. Sixteen columns side by side, added up at the end.
-__kernel void skyMoments(__global const float* sky, __global const float* cosine, __global const float* sine, uint width,
-                         uint height, uint order, __global float* moments) {
+__kernel void skyMoments(__global const float* sky, __global const float* cosine, __global const float* sine,
+                         uint width, uint height, uint order, __global float* moments) {
   const size_t row = get_global_id(0) / order, m = get_global_id(0) % order;
   if (row >= height) return;
   cosine += m * width;

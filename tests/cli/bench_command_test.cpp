@@ -41,7 +41,7 @@ void expectReport(const nlohmann::json& report) {
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
   for (const char* part : {"cast", "rays", "trees", "build", "scaling", "bake", "error", "reference",
-                           "Examples:", "prelight bench"})
+                           "relight", "compress", "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -73,6 +73,36 @@ TEST_F(CliBench, Rays_ThroughATreeAndItsPeer_HitTheSame) {
   }
   EXPECT_EQ(cases, (std::set<std::string>{"bake-order 2k", "random 2k", "bake-order-any 2k", "random-any 2k",
                                           "bake-order-near 2k", "photon 2k", "camera 2k"}));
+}
+
+TEST_F(CliBench, Relight_EveryKernel_AgreesWithItsReference) {
+  prelightDone({"bench", "relight", "--quick", "--quiet", "--json", "relight.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("relight.json"));
+  expectReport(report);
+  std::size_t compared = 0;
+  for (const auto& entry : report["results"])
+    if (entry["metric"] == "relative error") {
+      // Noise on a cube is sampled, not integrated.
+      const bool sampled = entry["case"].get<std::string>().starts_with("sky to Haar");
+      EXPECT_LT(entry["value"], sampled ? 0.3 : 1e-6) << entry;
+      ++compared;
+    }
+  EXPECT_GE(compared, 15u);
+}
+
+TEST_F(CliBench, Compress_EveryMethod_IsSmallerThanFloats) {
+  prelightDone({"bench", "compress", "--quick", "--quiet", "--json", "compress.json", "--plot", "plots"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("compress.json"));
+  expectReport(report);
+  std::set<std::string> cases;
+  for (const auto& entry : report["results"]) {
+    cases.insert(entry["case"].get<std::string>());
+    if (entry["metric"] == "bytes a vertex") {
+      EXPECT_GT(entry["ratio"], 1.0) << entry;
+    }
+  }
+  EXPECT_EQ(cases.size(), 10u);
+  EXPECT_THAT(readFile("plots/compress.svg"), StartsWith("<svg"));
 }
 
 TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "benchmarks/measure.h"
+#include "benchmarks/suites.h"
+#include "compress/compressed_transfer.h"
+#include "compress/compression_error.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+HarmonicTransfer bakedTransfer(const BenchmarkScene& scene, const Device& device,
+                               const BenchmarkOptions& options, const Progress& progress) {
+  BakeRequest request;
+  request.shOrder = options.compressOrder;
+  request.bounces = options.compressBounces;
+  request.rays = options.bakeRays;
+  return timedBake(scene, request, device, progress).bake.sh.value();
+}
+
+void measureMethod(const std::string& scene, const std::string& method, const HarmonicTransfer& transfer,
+                   std::span<const double> surface, std::vector<BenchmarkResult>& results) {
+  CompressedTransfer compressed;
+  const double seconds =
+      secondsOf([&] { compressed = compress(transfer, parseCompression(method), surface); });
+  const CompressionError error = compressionError(transfer, decompress(compressed), surface);
+  const auto vertices = static_cast<double>(compressed.vertexCount);
+  const double bytes = static_cast<double>(compressed.byteCount());
+  const auto add = [&](const char* metric, double value, const char* unit) {
+    results.push_back({"compress", scene + "/" + method, metric, value, unit, {}, {}});
+  };
+  results.push_back({"compress", scene + "/" + method, "bytes a vertex", bytes / vertices, "B", "float",
+                     double(transfer.coefficients.size() * sizeof(float)) / bytes});
+  add("squared error", error.squared, "m2");
+  add("vector error", error.vectorRms, "1");
+  add("lighting error", error.lightingRms, "1");
+  add("worst lighting error", error.worstLightingRms, "1");
+  add("time", seconds, "s");
+}
+
+}  // namespace
+
+std::vector<BenchmarkResult> runCompressSuite(const Device& device, const BenchmarkOptions& options,
+                                              Progress& progress) {
+  constexpr std::array<const char*, 2> scenes = {"shapes", "cornell"};
+  StepCounter steps(progress, "bench compress", scenes.size() * (1 + options.compressMethods.size()));
+  std::vector<BenchmarkResult> results;
+  for (const char* name : scenes) {
+    const BenchmarkScene scene = loadBuiltinScene(name);
+    const HarmonicTransfer transfer = bakedTransfer(scene, device, options, progress);
+    const std::vector<double> surface = surfaceOfVertices(scene.compiled);
+    steps.advance();
+    for (const std::string& method : options.compressMethods) {
+      measureMethod(name, method, transfer, surface, results);
+      steps.advance();
+    }
+  }
+  return results;
+}
+
+}  // namespace prelight::benchmarks
