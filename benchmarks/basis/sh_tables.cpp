@@ -109,14 +109,15 @@ std::vector<double> unitCoefficients(int order) {
 
 /// Distance between a unit function turned `count` times and the same turned once by the product.
 template <typename Number>
-double drift(int order, int count) {
+double drift(int order, int count,
+             const std::function<void(const sh::ShRotation&, std::vector<Number>&)>& apply) {
   std::mt19937 random(5);
   const auto f = unitCoefficients(order);
   std::vector<Number> values(f.begin(), f.end());
   glm::dmat3 total(1.0);
   for (int i = 0; i < count; ++i) {
     const glm::dmat3 rotation = randomRotation(random);
-    sh::ShRotation(order, rotation).apply(std::span<const Number>(values), std::span<Number>(values));
+    apply(sh::ShRotation(order, rotation), values);
     total = rotation * total;
   }
   std::vector<double> expected(f.size());
@@ -125,6 +126,20 @@ double drift(int order, int count) {
   for (std::size_t i = 0; i < f.size(); ++i)
     square += std::pow(static_cast<double>(values[i]) - expected[i], 2);
   return std::sqrt(square);
+}
+
+/// Turns f by the matrices of its bands, rounded to float, with sums in float: as a device does.
+void applyInFloat(const sh::ShRotation& rotation, std::vector<float>& f) {
+  for (int l = 0; l < rotation.order(); ++l) {
+    const auto matrix = rotation.bandMatrix(l);
+    const int width = 2 * l + 1;
+    const std::vector<float> before(f.begin() + l * l, f.begin() + l * l + width);
+    for (int m = 0; m < width; ++m) {
+      float sum = 0.0f;
+      for (int k = 0; k < width; ++k) sum += static_cast<float>(matrix[m * width + k]) * before[k];
+      f[l * l + m] = sum;
+    }
+  }
 }
 
 double projectionDifference(int order) {
@@ -183,11 +198,17 @@ void printRotationDrift() {
       "rotations\n"
       "from the one by their product, for a function of norm 1\n\n");
   fmt::print(
-      "| order | one rotation | 1000, double | 1000, stored as float | 10 000, stored as float |\n"
-      "|---|---|---|---|---|\n");
+      "| order | one rotation | 1000, double | 1000, stored as float | 10 000, stored as float | 1000, all "
+      "in float "
+      "|\n|---|---|---|---|---|---|\n");
+  const auto inDouble = [](const sh::ShRotation& rotation, std::vector<double>& f) { rotation.apply(f, f); };
+  const auto stored = [](const sh::ShRotation& rotation, std::vector<float>& f) {
+    rotation.apply(std::span<const float>(f), std::span<float>(f));
+  };
   for (const int order : {2, 3, 6, 14, 32}) {
-    fmt::print("| {} | {:.1e} | {:.1e} | {:.1e} | {:.1e} |\n", order, projectionDifference(order),
-               drift<double>(order, 1000), drift<float>(order, 1000), drift<float>(order, 10000));
+    fmt::print("| {} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.1e} |\n", order, projectionDifference(order),
+               drift<double>(order, 1000, inDouble), drift<float>(order, 1000, stored),
+               drift<float>(order, 10000, stored), drift<float>(order, 1000, applyInFloat));
   }
   fmt::print("\n");
 }

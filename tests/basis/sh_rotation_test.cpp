@@ -137,6 +137,39 @@ TEST(ShRotation, ThousandSuccessive_LargestOrder_DoNotDrift) {
   EXPECT_LT(driftAfterThousand<float>(sh::maxOrder), 1e-5);
 }
 
+// As a device does it: matrices of the bands rounded to float, sums in float.
+TEST(ShRotation, ThousandSuccessive_MatricesAndSumsInFloat_DoNotDrift) {
+  constexpr int order = sh::maxOrder;
+  std::mt19937 random(5);
+  const auto f = randomCoefficients(order, 6);
+  std::vector<float> values(f.begin(), f.end());
+  glm::dmat3 total(1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dmat3 matrix = randomRotation(random);
+    const sh::ShRotation rotation(order, matrix);
+    for (int l = 0; l < order; ++l) {
+      const auto band = rotation.bandMatrix(l);
+      const int width = 2 * l + 1;
+      const std::vector<float> before(values.begin() + l * l, values.begin() + l * l + width);
+      for (int m = 0; m < width; ++m) {
+        float sum = 0.0f;
+        for (int k = 0; k < width; ++k) sum += static_cast<float>(band[m * width + k]) * before[k];
+        values[l * l + m] = sum;
+      }
+    }
+    total = matrix * total;
+  }
+  std::vector<double> expected(f.size());
+  sh::ShRotation(order, total).apply(f, expected);
+  double difference = 0.0;
+  double norm = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    difference += std::pow(values[i] - expected[i], 2);
+    norm += f[i] * f[i];
+  }
+  EXPECT_LT(std::sqrt(difference / norm), 1e-5);
+}
+
 TEST(ShRotation, BandMatrix_IsOrthogonalAndWhatApplyDoes) {
   constexpr int order = 7;
   std::mt19937 random(9);
