@@ -19,6 +19,7 @@
 #include "base/diagnostics.h"
 #include "base/error.h"
 #include "base/progress.h"
+#include "basis/ch.h"
 #include "basis/sh.h"
 #include "compress/compressed_light.h"
 #include "compress/compressed_transfer.h"

@@ -104,7 +104,8 @@ double constant(int l, int m) {
 }
 
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values) {
-  assert(order >= 1 && order <= maxOrder && values.size() >= static_cast<std::size_t>(order * order));
+  sh::checkOrder(order, "CH");
+  assert(values.size() >= static_cast<std::size_t>(order * order));
   const Recurrence& table = recurrence();
   double real = 1.0;  // of (x + iy)^m
   double imaginary = 0.0;

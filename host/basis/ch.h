@@ -26,6 +26,7 @@ constexpr int maxOrder = sh::maxOrder;
 double constant(int l, int m);
 
 /// Values of all n^2 functions in a unit direction, by a recurrence in l. `values` has order^2 entries.
+/// Throws UsageError for a bad order.
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values);
 
 /// Exact maps between SH and CH of one order. C = B Y with B lower triangular per m and parity of l: every

@@ -121,6 +121,23 @@ void integrateCubeTexel(int row, int column, int faceSize, std::span<const LineS
   }
 }
 
+/// The fewest nodes along a texel's side with which the integrals over a face's middle and corner are exact
+/// up to rounding: two more change nothing.
+int cubeTexelNodes(int faceSize, int order) {
+  std::vector<double> few(coefficientCount(order));
+  std::vector<double> more(few.size());
+  const double roundingOfTexel = 1e-14 * 4.0 / (static_cast<double>(faceSize) * faceSize);
+  for (int nodes = 2;; ++nodes) {
+    double worst = 0.0;
+    for (const int texel : {0, faceSize / 2}) {
+      integrateCubeTexel(texel, texel, faceSize, gaussLegendre(nodes), order, few);
+      integrateCubeTexel(texel, texel, faceSize, gaussLegendre(nodes + 2), order, more);
+      for (std::size_t i = 0; i < few.size(); ++i) worst = std::max(worst, std::abs(few[i] - more[i]));
+    }
+    if (worst <= roundingOfTexel) return nodes;
+  }
+}
+
 /// Adds a face's part, projected along +z, turned to where the face looks.
 void addFace(int face, std::span<const double> alongZ, int order, std::span<double> out) {
   const CubeFace& frame = cubeFace(face);
@@ -152,9 +169,7 @@ std::vector<double> projectEnvironment(const CubeMap& map, int order) {
   checkCubeMap(map, "sky");
   const std::size_t count = coefficientCount(order);
   const auto texels = static_cast<std::size_t>(map.faceSize) * static_cast<std::size_t>(map.faceSize);
-  // The functions have up to order / pi waves over a unit of the face's plane, and the solid angle bends at
-  // about 1.
-  const auto rule = gaussLegendre(4 + static_cast<int>(std::ceil(2.0 * (order + 16.0) / map.faceSize)));
+  const auto rule = gaussLegendre(cubeTexelNodes(map.faceSize, order));
   std::vector<double> integrals(count);
   std::vector<double> faces(cubeFaces * 3 * count, 0.0);  // [face][channel][i]
   for (std::size_t t = 0; t < texels; ++t) {
@@ -166,8 +181,9 @@ std::vector<double> projectEnvironment(const CubeMap& map, int order) {
     }
   }
   std::vector<double> result(3 * count, 0.0);
-  for (int face = 0; face < cubeFaces; ++face) {
-    addFace(face, std::span<const double>(faces).subspan(face * 3 * count, 3 * count), order, result);
+  for (std::size_t face = 0; face < cubeFaces; ++face) {
+    addFace(static_cast<int>(face), std::span<const double>(faces).subspan(face * 3 * count, 3 * count),
+            order, result);
   }
   return result;
 }

@@ -63,8 +63,8 @@ void checkCoefficients(std::span<const double> coefficients, std::size_t expecte
 }
 
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values) {
-  assert(order >= 1 && order <= maxOrder &&
-         values.size() >= static_cast<std::size_t>(coefficientCount(order)));
+  checkOrder(order, "spherical harmonics");
+  assert(values.size() >= static_cast<std::size_t>(coefficientCount(order)));
   const Recurrence& table = recurrence();
   double real = 1.0;  // of (x + iy)^m [2]
   double imaginary = 0.0;
@@ -90,8 +90,8 @@ void evaluate(const glm::dvec3& direction, int order, std::span<double> values) 
 
 void evaluateDerivative(const glm::dvec3& direction, const glm::dvec3& tangent, int order,
                         std::span<double> values) {
-  assert(order >= 1 && order <= maxOrder &&
-         values.size() >= static_cast<std::size_t>(coefficientCount(order)));
+  checkOrder(order, "spherical harmonics");
+  assert(values.size() >= static_cast<std::size_t>(coefficientCount(order)));
   const Recurrence& table = recurrence();
   double real = 1.0;
   double imaginary = 0.0;
@@ -127,6 +127,7 @@ void evaluateDerivative(const glm::dvec3& direction, const glm::dvec3& tangent, 
 }
 
 double reconstruct(std::span<const double> coefficients, int order, const glm::dvec3& direction) {
+  checkOrder(order, "spherical harmonics");
   assert(coefficients.size() >= static_cast<std::size_t>(coefficientCount(order)));
   std::array<double, coefficientCount(maxOrder)> values;
   evaluate(direction, order, values);

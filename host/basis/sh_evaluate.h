@@ -18,7 +18,7 @@ void checkOrder(int order, const char* where);
 void checkCoefficients(std::span<const double> coefficients, std::size_t expected, const char* where);
 
 /// Values of all n^2 functions in a unit direction, by recurrence in l and Cartesian sectoral terms (no
-/// trigonometry). `values` has order^2 entries.
+/// trigonometry). `values` has order^2 entries. Throws UsageError for a bad order, as the others here do.
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values);
 
 /// Derivatives of all n^2 functions along `tangent`, a vector at right angles to the unit `direction`: per

@@ -21,7 +21,7 @@ struct TripleProduct {
 std::vector<TripleProduct> tripleProducts(int order, int kOrder);
 
 /// Products with functions of `fOrder` bands, seen as linear maps of functions of `order` bands. Holds the
-/// sparse Gamma (about order^5 / 3 entries of 12 bytes): make it once, convert many f. Bands of f above 2
+/// sparse Gamma (about 0.4 order^5 entries of 12 bytes): make it once, convert many f. Bands of f above 2
 /// order - 2 do not matter.
 class ShProduct {
  public:

@@ -162,7 +162,9 @@ void ShRotation::apply(std::span<const double> in, std::span<double> out) const 
   assert(in.size() == out.size() && in.size() % count == 0);
   std::copy(in.begin(), in.end(), out.begin());
   for (std::size_t function = 0; function < out.size(); function += count) {
-    for (int l = 0; l < order_; ++l) applyBand(l, out.subspan(function + l * l, 2 * l + 1));
+    for (std::size_t l = 0; l < static_cast<std::size_t>(order_); ++l) {
+      applyBand(static_cast<int>(l), out.subspan(function + l * l, 2 * l + 1));
+    }
   }
 }
 
@@ -171,11 +173,11 @@ void ShRotation::apply(std::span<const float> in, std::span<float> out) const {
   assert(in.size() == out.size() && in.size() % count == 0);
   std::array<double, 2 * maxOrder> values;
   for (std::size_t function = 0; function < out.size(); function += count) {
-    for (int l = 0; l < order_; ++l) {
+    for (std::size_t l = 0; l < static_cast<std::size_t>(order_); ++l) {
       const std::size_t begin = function + l * l;
       const std::size_t width = 2 * l + 1;
       std::copy_n(in.begin() + begin, width, values.begin());
-      applyBand(l, std::span(values).first(width));
+      applyBand(static_cast<int>(l), std::span(values).first(width));
       for (std::size_t i = 0; i < width; ++i) out[begin + i] = static_cast<float>(values[i]);
     }
   }

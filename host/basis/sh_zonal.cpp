@@ -1,5 +1,6 @@
 #include "basis/sh_zonal.h"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -80,12 +81,13 @@ void cosinePowerZonal(double exponent, std::span<double> zonal) {
   }
   // I_l = integral_0^1 x^s P_l dx: I_l = I_(l-2) (s - l + 2) / (s + l + 1), I_0 = 1 / (s + 1), I_1 = 1 / (s +
   // 2).
+  std::array<double, 2> integral = {
+      1.0, (exponent + 1.0) / (exponent + 2.0)};  // of even and odd bands, times s + 1
   for (std::size_t band = 0; band < zonal.size(); ++band) {
     const auto l = static_cast<double>(band);
-    double integral = band % 2 == 0 ? 1.0 : (exponent + 1.0) / (exponent + 2.0);
-    for (double k = band % 2 == 0 ? 2.0 : 3.0; k <= l; k += 2.0)
-      integral *= (exponent - k + 2.0) / (exponent + k + 1.0);
-    zonal[band] = integral * poleValue(static_cast<int>(band));
+    double& value = integral[band % 2];
+    if (band > 1) value *= (exponent - l + 2.0) / (exponent + l + 1.0);
+    zonal[band] = value * poleValue(static_cast<int>(band));
   }
 }
 

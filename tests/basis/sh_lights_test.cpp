@@ -176,6 +176,39 @@ TEST(ShLights, Polygon_Rectangles_MatchTheAreaIntegral) {
   }
 }
 
+/// The same for a triangle of unit vectors that does not hold the origin: points of its chord plane, looked
+/// at from 0.
+Coefficients triangleByArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, int nodes) {
+  Coefficients out(count, 0.0);
+  Coefficients values(count);
+  const double volume = std::abs(glm::dot(a, glm::cross(b, c)));
+  const auto rule = gaussLegendre(nodes);
+  for (const LineSample& u : rule) {
+    for (const LineSample& v : rule) {
+      const double s = 0.5 * (1.0 + u.position);
+      const double t = 0.5 * (1.0 + v.position);
+      const glm::dvec3 p = (1.0 - s) * a + s * (1.0 - t) * b + s * t * c;
+      const double r = glm::length(p);
+      sh::evaluate(p / r, order, values);
+      const double weight = 0.25 * u.weight * v.weight * s * volume / (r * r * r);
+      for (int i = 0; i < count; ++i) out[i] += weight * values[i];
+    }
+  }
+  return out;
+}
+
+TEST(ShLights, Polygon_TrianglesOfAllShapes_MatchTheAreaIntegral) {
+  const auto unit = [](double x, double y, double z) { return glm::normalize(glm::dvec3(x, y, z)); };
+  const std::vector<glm::dvec3> triangles[] = {
+      {unit(1.0, 0.0, 0.3), unit(-0.5, 0.87, 0.3), unit(-0.5, -0.87, 0.3)},  // almost a hemisphere
+      {unit(1.0, 0.0, 0.0), unit(-0.9, 0.3, 0.1), unit(0.0, -0.2, 1.0)},     // an edge of almost half a turn
+      {unit(0.3, 0.4, -1.0), unit(0.31, 0.4, -1.0), unit(-0.8, 0.9, 0.2)},   // a sliver
+      {unit(0.0, 0.0, -1.0), unit(1e-9, 1.0, 0.0), unit(-1.0, -1e-9, -0.5)}};  // a pole for a corner
+  for (const auto& t : triangles) {
+    EXPECT_LT(worstDifference(polygon(t), triangleByArea(t[0], t[1], t[2], 320)), 1e-12) << t[0].x;
+  }
+}
+
 TEST(ShLights, Polygon_Reversed_IsTheSame) {
   const glm::dvec3 a(0.2, -0.4, 1.0);
   const glm::dvec3 b(1.0, 0.5, 0.1);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/error.h"
 #include "basis/quadrature.h"
 
 namespace prelight {
@@ -140,6 +141,30 @@ TEST(Sh, Rotate_PointEvaluation_FollowsTheDirection) {
   sh::evaluate(turn * w, order, expected);
   const auto rotated = sh::rotate(delta, order, turn);
   for (int i = 0; i < order * order; ++i) EXPECT_NEAR(rotated[i], expected[i], 1e-13) << i;
+}
+
+TEST(Sh, EvaluateDerivative_LargestOrder_MatchesDifferences) {
+  const glm::dvec3 w = glm::normalize(glm::dvec3(0.6, -0.2, 0.4));
+  const glm::dvec3 t = glm::normalize(glm::cross(w, glm::dvec3(0.1, 0.7, 0.3)));
+  constexpr int count = sh::maxOrder * sh::maxOrder;
+  constexpr double step = 1e-5;
+  std::vector<double> slope(count);
+  std::vector<double> ahead(count);
+  std::vector<double> behind(count);
+  sh::evaluateDerivative(w, t, sh::maxOrder, slope);
+  sh::evaluate(std::cos(step) * w + std::sin(step) * t, sh::maxOrder, ahead);
+  sh::evaluate(std::cos(step) * w - std::sin(step) * t, sh::maxOrder, behind);
+  // Central differences: step^2 l^3 / 6 and rounding of 1e-15 over the step.
+  for (int i = 0; i < count; ++i) EXPECT_NEAR(slope[i], (ahead[i] - behind[i]) / (2.0 * step), 2e-6) << i;
+}
+
+TEST(Sh, BadOrders_AreUsageErrors) {
+  std::vector<double> values(4);
+  EXPECT_THROW(sh::evaluate({0.0, 0.0, 1.0}, 0, values), UsageError);
+  EXPECT_THROW(sh::evaluate({0.0, 0.0, 1.0}, 33, values), UsageError);
+  EXPECT_THROW(sh::evaluateDerivative({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, -1, values), UsageError);
+  EXPECT_THROW(sh::openTransfer({0.0, 0.0, 1.0}, 33, values), UsageError);
+  EXPECT_THROW(sh::reconstruct(values, 33, {0.0, 0.0, 1.0}), UsageError);
 }
 
 }  // namespace
