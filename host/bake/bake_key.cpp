@@ -10,8 +10,17 @@ std::uint64_t hashOf(const CompiledScene& scene) {
   hash.values(scene.triangles).values(scene.triangleMaterials).values(scene.triangleFlat);
   for (const CompiledMaterial& m : scene.materials) {
     for (int c = 0; c < 3; ++c) hash.value(m.albedo[c]);
+    for (int c = 0; c < 3; ++c) hash.value(m.emission[c]);
+    hash.value(m.doubleSided);
     hash.value(m.albedoImage).value(m.wrapS).value(m.wrapT).value(m.alphaCutoff).value(m.alphaFactor);
   }
+  for (const Light& light : scene.lights) {
+    hash.text(light.name).value(light.type).value(light.range);
+    hash.value(light.innerConeAngle).value(light.outerConeAngle);
+    for (int c = 0; c < 3; ++c)
+      hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
+  }
+  for (const PrimitiveRange& range : scene.primitives) hash.text(range.name);
   for (const Image& image : scene.albedoImages)
     hash.value(image.width).value(image.height).values(image.rgba);
   return hash.result();
@@ -20,6 +29,13 @@ std::uint64_t hashOf(const CompiledScene& scene) {
 std::uint64_t hashOf(const BakeRequest& request) {
   StateHash hash;
   hash.value(request.ao).value(request.shOrder).value(request.bounces).value(request.maxMemory);
+  hash.value(request.chOrder).value(request.chNaive).value(request.haarSize).value(request.haarError);
+  hash.value(request.glossyOrder).value(request.lightGroups);
+  for (const LightGroupRequest& group : request.namedGroups) {
+    hash.text(group.name);
+    for (const std::string& pattern : group.patterns) hash.text(pattern);
+  }
+  hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
   // Rays a vertex are ignored beside the two others.
   hash.value(request.error.value_or(0.0)).value(request.seconds.value_or(0.0));
   hash.value(request.error || request.seconds ? 0 : request.rays);

@@ -31,9 +31,9 @@ std::vector<double> fitRows(Caster& caster, const SideCast& cast, std::size_t co
 
 }  // namespace
 
-void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, int shOrder,
-                BounceSide& front, BounceSide* back, Progress& progress) {
-  const std::size_t columns = 3 * static_cast<std::size_t>(shOrder * shOrder);
+void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                std::size_t columnsPerChannel, BounceSide& front, BounceSide* back, Progress& progress) {
+  const std::size_t columns = 3 * columnsPerChannel;
   std::vector<float> transfer(std::size_t{scene.vertexCount()} * columns * (back != nullptr ? 2 : 1));
   scatter(mesh, front.transfer, columns, transfer.data());
   if (back != nullptr)

@@ -29,6 +29,12 @@ std::vector<float> orientedNormals(const CompiledScene& scene) {
   return normals;
 }
 
+/// Where rays end: nothing that obscures lies farther than where obscurance has faded out.
+double reachOf(const CastLimits& limits) {
+  if (limits.obscurance <= 0.0) return limits.farLimit;
+  return limits.farLimit > 0.0 ? std::min(limits.farLimit, limits.obscurance) : limits.obscurance;
+}
+
 }  // namespace
 
 Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options)
@@ -43,13 +49,18 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       receivers_(device_, blockSize_),
       rays_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
       hits_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
-      values_(device_, std::size_t{blockSize_} * std::max(valueCount_, 3 * (valueCount_ - 4))) {
-  const auto shOrder = [&] { return BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder); };
+      values_(device_,
+              std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, 3 * options.bounceColumns)) {
+  const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
   generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
-  project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder()), "projectHits");
+  project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder), "projectHits");
+  if (options_.lights != nullptr) lights_.emplace(scene, *options_.lights, tracer_, blockSize_);
+  if (options_.texelFaceSize > 0) {
+    texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
+    texels_ = Buffer<std::uint32_t>(device_, rays_.size());
+  }
   if (options_.storedReceivers == 0) return;
-  const auto& transport = device_.program(
-      "cast/transport_kernels.cl", tracer_.surfaceOptions().define("PRELIGHT_SH_ORDER", options_.shOrder));
+  const auto& transport = device_.program("cast/transport_kernels.cl", transportOptions());
   store_ = cl::Kernel(transport, "storeSenders");
   gather_ = cl::Kernel(transport, "gatherBounce");
   geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
@@ -58,29 +69,51 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   marks_.fill(0);
 }
 
+BuildOptions Caster::transportOptions() const {
+  return tracer_.surfaceOptions().define("PRELIGHT_COLUMNS", static_cast<int>(options_.bounceColumns));
+}
+
 void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
-  const CastParameters parameters{receivers, options_.raysPerReceiver, valueCount_, vertexCount_, firstStored,
-                                  {}};
+  const CastParameters parameters{receivers,
+                                  options_.raysPerReceiver,
+                                  valueCount_,
+                                  vertexCount_,
+                                  firstStored,
+                                  static_cast<float>(options_.limits.nearLimit),
+                                  static_cast<float>(reachOf(options_.limits)),
+                                  static_cast<float>(options_.limits.obscurance)};
   parameters_.write(std::span(&parameters, 1));
 }
 
-void Caster::cast(std::span<const Receiver> receivers, std::vector<float>& values,
-                  const std::uint32_t* storedRow) {
+void Caster::generate(std::span<const Receiver> receivers) {
+  receivers_.write(receivers);
+  setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
+  device_.launch(generate_, receivers.size() * options_.raysPerReceiver / 8, groupSize);
+}
+
+void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const std::uint32_t* storedRow) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   setParameters(count, storedRow != nullptr ? *storedRow : 0);
-  receivers_.write(receivers);
+  generate(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
-  setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
-  device_.launch(generate_, rayCount / 8, groupSize);
-  if (storedRow != nullptr) {
-    tracer_.traceClosest(rays_, hits_, rayCount);
-    store(count);
-  } else {
-    tracer_.traceAny(rays_, hits_, rayCount);
-  }
+  const bool closest =
+      storedRow != nullptr || options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
+  closest ? tracer_.traceClosest(rays_, hits_, rayCount) : tracer_.traceAny(rays_, hits_, rayCount);
+  if (storedRow != nullptr) store(count);
   project(count);
-  values.resize(std::size_t{count} * valueCount_);
-  values_.read(std::span(values));
+  values.values.resize(std::size_t{count} * valueCount_);
+  values_.read(std::span(values.values));
+  if (options_.texelFaceSize > 0) codeTexels(count, values.texels);
+  if (lights_) lights_->cast({parameters_, receivers_, rays_, hits_}, count, values.lights);
+}
+
+void Caster::codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels) {
+  const std::size_t rayCount = std::size_t{receivers} * options_.raysPerReceiver;
+  setArguments(texelCodes_, parameters_.get(), static_cast<cl_uint>(options_.texelFaceSize), rays_.get(),
+               hits_.get(), texels_.get());
+  device_.launch(texelCodes_, rayCount, groupSize);
+  texels.resize(rayCount);
+  texels_.read(std::span(texels));
 }
 
 void Caster::project(std::uint32_t receivers) {
@@ -136,8 +169,28 @@ void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>
   setParameters(count, first);
   setArguments(gather_, parameters_.get(), senders_.get(), transfer_.get(), values_.get());
   device_.launch(gather_, count, groupSize);
-  values.resize(std::size_t{count} * 3 * (valueCount_ - 4));
+  values.resize(std::size_t{count} * 3 * options_.bounceColumns);
   values_.read(std::span(values));
+}
+
+void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t first, int order,
+                          std::size_t columns, std::vector<float>& values) {
+  const std::size_t width = static_cast<std::size_t>(order * order) * 3 * columns;
+  const auto options = tracer_.surfaceOptions()
+                           .define("PRELIGHT_COLUMNS", static_cast<int>(columns))
+                           .define("PRELIGHT_GLOSSY_ORDER", order);
+  glossy_ = cl::Kernel(device_.program("cast/transport_kernels.cl", options), "gatherGlossy");
+  if (glossyTable_.size() == 0)
+    glossyTable_ = Buffer<float>(device_, std::span<const float>(makeShTable(order)));
+  if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(device_, blockSize_ * width);
+  const auto count = static_cast<std::uint32_t>(receivers.size());
+  setParameters(count, first);
+  generate(receivers);
+  setArguments(glossy_, parameters_.get(), glossyTable_.get(), rays_.get(), senders_.get(), transfer_.get(),
+               glossyValues_.get());
+  device_.launch(glossy_, count, groupSize);
+  values.resize(count * width);
+  glossyValues_.read(std::span(values));
 }
 
 }  // namespace prelight

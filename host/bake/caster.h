@@ -1,19 +1,40 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "bake/light_caster.h"
 #include "bvh/tracer.h"
 #include "io/state_file.h"
 #include "shared/cast_types.h"
 
 namespace prelight {
 
+/// Where rays begin and end, and how occlusion fades; metres, as in BakeRequest.
+struct CastLimits {
+  double nearLimit = 0.0;
+  double farLimit = 0.0;
+  double obscurance = 0.0;
+};
+
 struct CastOptions {
-  int shOrder = 0;                     ///< 0: no SH
-  std::uint32_t raysPerReceiver = 64;  ///< a power of two, 8 to 256
-  std::uint32_t storedReceivers = 0;   ///< rows of senders to keep room for; 0: no bounces follow
+  int shOrder = 0;                        ///< 0: no SH
+  std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256
+  std::uint32_t storedReceivers = 0;      ///< rows of senders to keep room for; 0: no bounces follow
+  std::size_t bounceColumns = 0;          ///< values a channel that bounces carry
+  int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
+  const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
+  CastLimits limits;
+};
+
+/// What a block's receivers saw.
+struct CastValues {
+  std::vector<float> values;  ///< [receiver][valueCount]
+  std::vector<std::uint32_t>
+      texels;                 ///< [receiver][raysPerReceiver], texel x 256 + blocked part of 255; or empty
+  std::vector<float> lights;  ///< [receiver][3][group], see LightCaster; or empty
 };
 
 /// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored
@@ -30,10 +51,11 @@ class Caster {
   /// kernels/project/project_kernels.cl.
   std::uint32_t valueCount() const { return valueCount_; }
 
-  /// Casts a block. `values` gets [receiver][valueCount]. With `storedRow`, its rows of senders are kept from
-  /// that row on.
-  void cast(std::span<const device::Receiver> receivers, std::vector<float>& values,
-            const std::uint32_t* storedRow);
+  /// Casts a block. With `storedRow`, its rows of senders are kept from that row on.
+  void cast(std::span<const device::Receiver> receivers, CastValues& values, const std::uint32_t* storedRow);
+
+  std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
+  std::uint32_t groupCount() const { return lights_ ? lights_->groupCount() : 0; }
 
   /// The first `rows` stored rows and the marks, for a bake that will go on later.
   void save(StateWriter& state, std::uint32_t rows) const;
@@ -42,15 +64,24 @@ class Caster {
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
 
-  /// Transfer that gather() reads: [slot][3][order^2], slots are vertices, then vertices' backs.
+  /// Transfer that gather() reads: [slot][3][columns], slots are vertices, then vertices' backs.
   void setTransfer(const std::vector<float>& transfer);
 
   /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
-  /// [row][3][order^2].
+  /// [row][3][bounceColumns].
   void gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values);
+
+  /// The same into transfer matrices: mean of Y_i(direction) x albedo x transfer, [row][i][3][columns] with i
+  /// below order^2. `receivers` are those of the rows from `first` on, at most a block; the transfer has
+  /// `columns` values a channel, at most 8.
+  void gatherGlossy(std::span<const device::Receiver> receivers, std::uint32_t first, int order,
+                    std::size_t columns, std::vector<float>& values);
 
  private:
   void setParameters(std::uint32_t receivers, std::uint32_t firstStored);
+  BuildOptions transportOptions() const;
+  void generate(std::span<const device::Receiver> receivers);
+  void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
   void project(std::uint32_t receivers);
   void store(std::uint32_t receivers);
 
@@ -70,7 +101,11 @@ class Caster {
   Buffer<device::Sender> senders_;
   Buffer<std::uint8_t> marks_;
   Buffer<float> transfer_;
-  cl::Kernel generate_, project_, store_, gather_;
+  Buffer<std::uint32_t> texels_;
+  std::optional<LightCaster> lights_;
+  cl::Kernel generate_, project_, store_, gather_, texelCodes_, glossy_;
+  Buffer<float> glossyTable_;
+  Buffer<float> glossyValues_;
 };
 
 }  // namespace prelight

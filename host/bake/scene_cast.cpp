@@ -12,13 +12,14 @@ constexpr std::uint32_t maxBackRounds =
 }  // namespace
 
 SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                     const Schedule& schedule, std::uint32_t capacity)
+                     const Schedule& schedule, const Projections& projections, std::uint32_t capacity)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
+      projections_(projections),
       capacity_(capacity),
-      front_(scene, mesh, caster, schedule, Side::Front) {}
+      front_(scene, mesh, caster, schedule, projections, Side::Front) {}
 
 void SceneCast::run(Progress& progress) {
   if (!frontDone_) front_.run(progress, 0, capacity_);
@@ -31,7 +32,7 @@ void SceneCast::run(Progress& progress) {
 }
 
 void SceneCast::makeBack() {
-  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, Side::Back);
+  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections_, Side::Back);
   backSeen_.assign(scene_.triangleCount(), 0);
 }
 

@@ -18,7 +18,7 @@ class SceneCast {
  public:
   /// Keeps up to `capacity` receivers' rows of senders for bounces; 0: none follow, backs stay out.
   SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-            std::uint32_t capacity);
+            const Projections& projections, std::uint32_t capacity);
 
   /// Throws Interrupted; run() again goes on.
   void run(Progress& progress);
@@ -45,6 +45,7 @@ class SceneCast {
   const FitMesh& mesh_;
   Caster& caster_;
   const Schedule& schedule_;
+  Projections projections_;
   std::uint32_t capacity_;
   SideCast front_;
   std::unique_ptr<SideCast> back_;

@@ -24,8 +24,6 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
                       std::chrono::steady_clock::time_point start) {
   Schedule schedule;
   schedule.seed = request.seed;
-  schedule.shOrder = request.shOrder;
-  schedule.bentNormal = request.ao;
   schedule.passes = errorGroups;
   if (request.error || request.seconds) schedule.replicates = errorGroups;
   if (request.error) {

@@ -11,8 +11,6 @@ namespace prelight {
 /// How a request's rays are spread over receivers and passes.
 struct Schedule {
   std::uint64_t seed = 0;
-  int shOrder = 0;
-  bool bentNormal = false;             ///< fitted for fronts only
   std::uint32_t raysPerReceiver = 64;  ///< 8..64, a power of two
   double receiversPerPass = 0.0;
   std::uint32_t passes = 8;         ///< at least; a multiple of errorGroups

@@ -14,19 +14,25 @@ constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; an error ta
 }  // namespace
 
 SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-                   Side side)
+                   const Projections& projections, Side side)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
+      projections_(projections),
       sampler_(scene, schedule.seed, side, schedule.replicates),
-      baseline_(scene, mesh, schedule.shOrder, side == Side::Front ? 1.0 : -1.0),
+      baseline_(scene, mesh, projections.shOrder, side == Side::Front ? 1.0 : -1.0),
       fit_(emptyFit(baseline_.columns())),
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
   sampler_.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
-  if (schedule.bentNormal && side == Side::Front) bentFit_.emplace(emptyFit(3));
+  if (side == Side::Back) {
+    projections_.bentNormal = projections_.receivers = false;
+    projections_.texelRows = 0;
+  }
+  if (projections_.bentNormal) bentFit_.emplace(emptyFit(3));
+  if (projections_.groups > 0) lightFit_.emplace(emptyFit(3 * projections_.groups));
 }
 
 void SideCast::start() {
@@ -103,6 +109,8 @@ void SideCast::flush() {
                       receivers_ + count <= maxRecords;
   caster_.cast(pendingReceivers_, values_, stores ? &row : nullptr);
   if (stores) storedCount_ += count;
+  if (stores && projections_.receivers)
+    storedReceivers_.insert(storedReceivers_.end(), pendingReceivers_.begin(), pendingReceivers_.end());
   for (std::size_t i = 0; i < count; ++i) addReceiver(i);
   receivers_ += count;
   doneInPass_ += count;
@@ -115,7 +123,7 @@ void SideCast::flush() {
 void SideCast::addReceiver(std::size_t i) {
   const SurfaceSample& sample = pendingSamples_[i];
   const device::Receiver& receiver = pendingReceivers_[i];
-  const float* values = &values_[i * caster_.valueCount()];
+  const float* values = &values_.values[i * caster_.valueCount()];
   const double open = values[0];
   const glm::dvec3 normal(receiver.normal[0], receiver.normal[1], receiver.normal[2]);
   baseline_.evaluate(normal, residual_.data());
@@ -129,8 +137,20 @@ void SideCast::addReceiver(std::size_t i) {
   // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
   if (bentFit_)
     addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
+  if (lightFit_) addLights(sample, i);
   markSlots(sample, open);
-  if (records_.size() < maxRecords) records_.push_back({sample, values[0], pass_ % errorGroups});
+  if (records_.size() == maxRecords) return;
+  records_.push_back({sample, values[0], pass_ % errorGroups});
+  const std::size_t rays = caster_.raysPerReceiver();
+  if (projections_.texelRows > 0)
+    texelRows_.add(std::span(values_.texels).subspan(i * rays, rays), projections_.texelRows);
+}
+
+void SideCast::addLights(const SurfaceSample& sample, std::size_t i) {
+  const std::size_t columns = lightFit_->columns();
+  lightRow_.assign(values_.lights.begin() + static_cast<std::ptrdiff_t>(i * columns),
+                   values_.lights.begin() + static_cast<std::ptrdiff_t>((i + 1) * columns));
+  lightFit_->add(sample, lightRow_);
 }
 
 // Directions are fitted, not the mean vectors that they come from: otherwise what is bright at one corner of
@@ -215,6 +235,9 @@ ErrorEstimate SideCast::estimateError() const {
 void SideCast::save(StateWriter& state) const {
   fit_.save(state);
   if (bentFit_) bentFit_->save(state);
+  if (lightFit_) lightFit_->save(state);
+  texelRows_.save(state);
+  state.values(storedReceivers_);
   state.values(records_);
   state.values(seen_);
   state.values(slotRays_);
@@ -238,6 +261,9 @@ void SideCast::save(StateWriter& state) const {
 void SideCast::load(StateReader& state) {
   fit_.load(state);
   if (bentFit_) bentFit_->load(state);
+  if (lightFit_) lightFit_->load(state);
+  texelRows_.load(state);
+  state.values(storedReceivers_);
   state.values(records_);
   state.sameSize(seen_);
   state.sameSize(slotRays_);

@@ -7,8 +7,10 @@
 #include "bake/baseline.h"
 #include "bake/caster.h"
 #include "bake/error_estimate.h"
+#include "bake/projections.h"
 #include "bake/schedule.h"
 #include "bake/surface_sampler.h"
+#include "bake/texel_rows.h"
 #include "bake/vertex_fit.h"
 #include "base/progress.h"
 
@@ -18,7 +20,7 @@ namespace prelight {
 class SideCast {
  public:
   SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-           Side side);
+           const Projections& projections, Side side);
 
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }
@@ -39,6 +41,18 @@ class SideCast {
   /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
   std::vector<double> solveBentNormal() const { return bentFit_.value().solve(defaultSmoothing); }
 
+  /// Fitted direct light of groups of lights, [slot][3][group]. Only where the projections ask for it.
+  std::vector<double> solveLights() const { return lightFit_.value().solve(defaultSmoothing); }
+
+  /// The fit itself, for those who project the rays by themselves.
+  const VertexFit& fit() const { return fit_; }
+
+  /// Rays texel by texel, parallel to records().
+  const TexelRows& texelRows() const { return texelRows_; }
+
+  /// Of the stored rows, parallel to records(). Only where the projections ask for them.
+  const std::vector<device::Receiver>& storedReceivers() const { return storedReceivers_; }
+
   ErrorEstimate estimateError() const;
 
   /// A fit without samples that weighs them as this side's own does.
@@ -49,7 +63,7 @@ class SideCast {
   std::uint32_t storedFirst() const { return storedFirst_; }
   std::uint32_t storedCount() const { return storedCount_; }
   std::uint64_t receivers() const { return receivers_; }
-  std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }
+  std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:
   void start();
@@ -58,6 +72,7 @@ class SideCast {
   void flush();
   void addReceiver(std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
+  void addLights(const SurfaceSample& sample, std::size_t i);
   void markSlots(const SurfaceSample& sample, double open);
   void thinPlainTriangles();
   std::size_t dropAccurateTriangles();
@@ -66,17 +81,22 @@ class SideCast {
   const FitMesh& mesh_;
   Caster& caster_;
   const Schedule& schedule_;
+  Projections projections_;
   SurfaceSampler sampler_;
   Baseline baseline_;
   VertexFit fit_;
   std::optional<VertexFit> bentFit_;
+  std::optional<VertexFit> lightFit_;
   std::vector<SampleRecord> records_;
+  TexelRows texelRows_;
+  std::vector<device::Receiver> storedReceivers_;
   std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
   std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
   std::vector<SurfaceSample> pendingSamples_;
   std::vector<device::Receiver> pendingReceivers_;
-  std::vector<float> values_;
+  CastValues values_;
   std::vector<double> residual_;
+  std::vector<double> lightRow_;
   std::uint32_t storedFirst_ = 0;
   std::uint32_t storedCapacity_ = 0;
   std::uint32_t storedCount_ = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bake/fit_mesh.h"
+#include "bake/normal_equations.h"
 #include "bake/surface_sampler.h"
 #include "io/state_file.h"
 
@@ -38,11 +39,15 @@ class VertexFit {
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
   std::vector<double> solve(double lambda) const;
 
+  /// The equations that solve() solves, for those who want rows of their inverse.
+  NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda}; }
+
   /// Solves for another right-hand side [slot][column] with this fit's samples.
   std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
 
  private:
   double scaleOf(std::size_t triangle) const;
+  std::vector<std::array<double, 6>> scaledMass() const;
 
   const FitMesh& mesh_;
   std::size_t columns_;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint64_t bvhBytesPerTriangle = 100;  // nodes and blocks, measured 70 to 95 on built-in scenes
 constexpr std::uint64_t senderBytes = 8;
+constexpr std::uint64_t texelCodeBytes = 4;
+constexpr int haarBounceOrder = 6;  // bands that carry what bounces add to wavelets
 constexpr std::uint64_t blockBytes = std::uint64_t{16} << 20;
 
 bool reflects(const CompiledScene& scene) {
@@ -24,18 +26,43 @@ std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {
 }
 
 PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) {
-  if (request.shOrder == 0) return {"bounces", false, "no SH transfer is asked for"};
+  if (!request.carriesLight()) return {"bounces", false, "no technique that is asked for carries light"};
   if (request.bounces == 0) return {"bounces", false, "none are asked for"};
   if (!reflects(scene))
     return {"bounces", false, "no surface has a diffuse albedo above 0, so nothing is reflected"};
   return {"bounces", true, fmt::format("{} from stored transport, without new rays", request.bounces)};
 }
 
-PlannedPass planSh(const BakeRequest& request, bool bounces) {
-  if (request.shOrder == 0) return {"sh transfer", false, "not asked for"};
-  return {"sh transfer", true,
-          fmt::format("order {}, {} coefficients, {}", request.shOrder, request.shOrder * request.shOrder,
-                      bounces ? "3 channels" : "1 channel because nothing colours the light")};
+std::string channelsText(bool bounces) {
+  return bounces ? "3 channels" : "1 channel because nothing colours the light";
+}
+
+PlannedPass planHarmonics(const std::string& name, int order, bool bounces, const std::string& how) {
+  if (order == 0) return {name, false, "not asked for"};
+  return {name, true,
+          fmt::format("order {}, {} coefficients, {}{}", order, order * order, channelsText(bounces), how)};
+}
+
+PlannedPass planHaar(const BakeRequest& request, bool bounces) {
+  if (request.haarSize == 0) return {"haar transfer", false, "not asked for"};
+  return {
+      "haar transfer", true,
+      fmt::format("cube map of 6 x {0} x {0}, {1}, from the rays of the same cast{2}", request.haarSize,
+                  channelsText(bounces),
+                  bounces ? fmt::format("; bounces through SH of order {}", transferOrder(request)) : "")};
+}
+
+PlannedPass planGlossy(const BakeRequest& request, bool bounces) {
+  if (request.glossyOrder == 0) return {"glossy transfer", false, "not asked for"};
+  return {"glossy transfer", true,
+          fmt::format("order {}, {} entries a matrix, {}; from SH transfer of order {}", request.glossyOrder,
+                      request.glossyOrder * request.glossyOrder * request.glossyOrder * request.glossyOrder,
+                      channelsText(bounces), 2 * request.glossyOrder - 1)};
+}
+
+PlannedPass planLightGroups(const BakeRequest& request) {
+  if (!request.lightGroups) return {"light groups", false, "not asked for"};
+  return {"light groups", true, "shadow rays from every receiver to every light"};
 }
 
 std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
@@ -46,15 +73,20 @@ std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
 
 void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool bounces, Plan& plan) {
   const std::uint64_t vertices = scene.vertexCount(), triangles = scene.triangleCount();
-  const std::uint64_t coefficients = static_cast<std::uint64_t>(request.shOrder * request.shOrder);
+  const auto order = static_cast<std::uint64_t>(castOrder(request));
+  const std::uint64_t coefficients = order * order;
+  const auto glossy = static_cast<std::uint64_t>(request.glossyOrder);
   std::uint64_t texels = 0;
   for (const Image& image : scene.albedoImages) texels += 2 * image.rgba.size();
   plan.transportBytes = bounces ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2) : 0;
+  if (request.haarSize > 0)
+    plan.texelBytes = std::min(castRays(scene, request) * texelCodeBytes, request.maxMemory / 4);
   plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes +
                      plan.transportBytes + (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
   const std::uint64_t fitColumns = std::max<std::uint64_t>(4 + coefficients, bounces ? 3 * coefficients : 0);
   plan.hostBytes = triangles * (48 + 16 + 120) + vertices * (60 + fitColumns * 8 * 8) +
-                   std::min<std::uint64_t>(castRays(scene, request) / 64, std::uint64_t{1} << 24) * 24;
+                   std::min<std::uint64_t>(castRays(scene, request) / 64, std::uint64_t{1} << 24) * 24 +
+                   plan.texelBytes + vertices * glossy * glossy * glossy * glossy * 4 * (bounces ? 6 : 2);
 }
 
 }  // namespace
@@ -69,14 +101,25 @@ nlohmann::ordered_json Plan::toJson() const {
   json["passes"] = nlohmann::ordered_json::array();
   for (const auto& pass : passes)
     json["passes"].push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
-  json["memory"] = {
-      {"hostBytes", hostBytes}, {"deviceBytes", deviceBytes}, {"transportBytes", transportBytes}};
+  json["memory"] = {{"hostBytes", hostBytes},
+                    {"deviceBytes", deviceBytes},
+                    {"transportBytes", transportBytes},
+                    {"texelBytes", texelBytes}};
   return json;
+}
+
+int transferOrder(const BakeRequest& request) {
+  return std::max({request.shOrder, request.chOrder, request.glossyOrder,
+                   request.haarSize > 0 && request.bounces > 0 ? haarBounceOrder : 0});
+}
+
+int castOrder(const BakeRequest& request) {
+  return std::max(transferOrder(request), 2 * request.glossyOrder - 1);
 }
 
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
   Plan plan;
-  const bool anything = compiled.triangleCount() > 0 && (request.ao || request.shOrder > 0);
+  const bool anything = compiled.triangleCount() > 0 && request.anything();
   const std::string nothing =
       compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
   const PlannedPass bounces =
@@ -85,11 +128,18 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.name, false, nothing});
   };
   add({"cast", true,
-       bounces.runs ? "closest hits, because bounces need to know what was hit"
-                    : "any hit is enough, because nothing bounces"});
+       bounces.runs               ? "closest hits, because bounces need to know what was hit"
+       : request.obscurance > 0.0 ? "closest hits, because obscurance fades with the distance"
+       : request.lightGroups      ? "closest hits where a group has emitters"
+                                  : "any hit is enough, because nothing bounces"});
   add({"ambient occlusion", request.ao,
        request.ao ? "with bent normal, from the same cast" : "not asked for"});
-  add(planSh(request, bounces.runs));
+  add(planHarmonics("sh transfer", request.shOrder, bounces.runs, ""));
+  add(planHarmonics("ch transfer", request.chOrder, bounces.runs,
+                    request.chNaive ? ", naive inner products" : ", an exact map of the SH transfer"));
+  add(planHaar(request, bounces.runs));
+  add(planGlossy(request, bounces.runs));
+  add(planLightGroups(request));
   add(bounces);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});

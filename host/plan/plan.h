@@ -11,18 +11,42 @@
 
 namespace prelight {
 
+/// Lights that are to be one group: those whose name, or whose node's, a pattern matches (* and ?).
+struct LightGroupRequest {
+  std::string name;
+  std::vector<std::string> patterns;
+};
+
 /// What the user asked a bake for.
 struct BakeRequest {
-  bool ao = false;                ///< ambient occlusion and bent normal
-  int shOrder = 0;                ///< 0: none; 1..8
-  int bounces = 0;                ///< diffuse interreflections in the SH transfer, 0..16
+  bool ao = false;           ///< ambient occlusion and bent normal
+  int shOrder = 0;           ///< 0: none; 1..maxShOrder
+  int chOrder = 0;           ///< 0: none; 1..maxShOrder
+  bool chNaive = false;      ///< store inner products instead of dual coefficients, to show what that costs
+  int haarSize = 0;          ///< 0: none; a power of two up to maxHaarSize
+  double haarError = 0.02;   ///< relative L2 error that sparse storage may make, 0..1
+  int glossyOrder = 0;       ///< 0: none; 1..maxGlossyOrder
+  bool lightGroups = false;  ///< transfer of the scene's own lights
+  std::vector<LightGroupRequest> namedGroups;  ///< lights that none of these names are groups of their own
+  int bounces = 0;                             ///< diffuse interreflections, 0..16
+  double nearLimit = 0.0;                      ///< m, >= 0; what is nearer to a receiver occludes nothing
+  double farLimit = 0.0;                       ///< m; what is farther occludes nothing; 0: no limit
+  double obscurance = 0.0;        ///< m; occlusion fades out linearly up to this distance; 0: it does not
   std::uint64_t rays = 1024;      ///< rays a vertex, on average; ignored with error or seconds
   std::optional<double> error;    ///< stop when AO's estimated standard error is below this at every vertex
   std::optional<double> seconds;  ///< stop after this time
   std::uint64_t seed = 0;
   std::uint64_t maxMemory = std::uint64_t{2} << 30;  ///< bytes that the bake's own buffers may take
 
-  static constexpr int maxShOrder = 8;
+  /// Anything that light is carried by, other than AO.
+  bool carriesLight() const {
+    return shOrder > 0 || chOrder > 0 || haarSize > 0 || glossyOrder > 0 || lightGroups;
+  }
+  bool anything() const { return ao || carriesLight(); }
+
+  static constexpr int maxShOrder = 32;
+  static constexpr int maxGlossyOrder = 8;
+  static constexpr int maxHaarSize = 128;
   static constexpr int maxBounces = 16;
   static constexpr std::uint64_t maxRays = 1u << 20;
 };
@@ -40,10 +64,17 @@ struct Plan {
   std::uint64_t hostBytes = 0;
   std::uint64_t deviceBytes = 0;
   std::uint64_t transportBytes = 0;  ///< part of the above: stored hits that feed the bounces
+  std::uint64_t texelBytes = 0;      ///< part of the above: rays that are kept texel by texel
 
   bool runs(const std::string& pass) const;
   nlohmann::ordered_json toJson() const;
 };
+
+/// Bands of SH that bounces carry, for every technique that has them: 0 when only AO or lights are asked for.
+int transferOrder(const BakeRequest& request);
+
+/// Bands of SH that rays are projected to.
+int castOrder(const BakeRequest& request);
 
 /// Decides what a bake does. Never throws; a scene without triangles gives a plan that runs nothing.
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);

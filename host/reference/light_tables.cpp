@@ -7,12 +7,11 @@
 #include <numeric>
 
 #include "reference/film.h"
+#include "scene/punctual_light.h"
 
 namespace prelight::reference {
 
 namespace {
-
-using device::ReferenceLight;
 
 constexpr double pi = std::numbers::pi;
 constexpr double wholeRange = 4294967296.0;
@@ -32,26 +31,6 @@ double power(const Light& light, double sceneRadius) {
       break;
   }
   return strength * 4.0 * pi;
-}
-
-ReferenceLight deviceLight(const Light& light, const CompiledScene& scene) {
-  ReferenceLight d{};
-  const glm::vec3 position(light.position - scene.origin);
-  for (int c = 0; c < 3; ++c) {
-    d.position[c] = position[c];
-    d.intensity[c] = light.intensity[c];
-    d.direction[c] = static_cast<float>(light.direction[c]);
-  }
-  d.kind = light.type == LightType::Directional ? PRELIGHT_DIRECTIONAL_LIGHT
-           : light.type == LightType::Spot      ? PRELIGHT_SPOT_LIGHT
-                                                : PRELIGHT_POINT_LIGHT;
-  d.inverseRange = light.range > 0.0f ? 1.0f / light.range : 0.0f;
-  // KHR_lights_punctual, "Inner and outer cone angles".
-  const double outer = std::cos(static_cast<double>(light.outerConeAngle));
-  const double scale = 1.0 / std::max(0.001, std::cos(static_cast<double>(light.innerConeAngle)) - outer);
-  d.coneScale = static_cast<float>(scale);
-  d.coneOffset = static_cast<float>(-outer * scale);
-  return d;
 }
 
 bool shines(const glm::vec3& radiance) { return radiance.x > 0.0f || radiance.y > 0.0f || radiance.z > 0.0f; }

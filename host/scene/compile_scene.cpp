@@ -47,6 +47,7 @@ std::vector<Draw> listDraws(const Scene& scene) {
         const Primitive& primitive = mesh.primitives[p];
         Draw draw{&node, &primitive, {}, node.transforms[instance]};
         draw.range.node = node.node;
+        draw.range.name = node.name;
         draw.range.primitive = static_cast<int>(p);
         draw.range.instance = static_cast<int>(instance);
         draw.range.firstVertex = static_cast<std::uint32_t>(vertices);
@@ -237,6 +238,7 @@ glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
 
 CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   CompiledScene compiled;
+  compiled.lights = scene.lights;
   CompiledMaterials materials = compileMaterials(scene, warnings);
   std::vector<Draw> draws = listDraws(scene);
   const Bounds bounds = worldBounds(draws);

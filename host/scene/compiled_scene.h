@@ -20,6 +20,7 @@ struct PrimitiveRange {
   std::uint32_t vertexCount = 0;
   std::uint32_t firstTriangle = 0;
   std::uint32_t triangleCount = 0;
+  std::string name = {};  ///< of the node; may be empty
 };
 
 /// An image that is looked up with the texture coordinates of the albedo image.
@@ -75,6 +76,7 @@ struct CompiledScene {
   std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
   std::vector<Image> albedoImages;          ///< sRGB RGB albedo (metalness applied), linear alpha
   std::vector<PrimitiveRange> primitives;
+  std::vector<Light> lights;  ///< punctual, in world space as in Scene
   glm::vec3 boundsMin{0.0f};  ///< relative to origin
   glm::vec3 boundsMax{0.0f};
   std::uint64_t droppedTriangles = 0;  ///< zero area

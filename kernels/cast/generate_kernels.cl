@@ -36,17 +36,19 @@ __kernel void generateRays(__constant const CastParameters* parameters, __global
   vstore8(dz, 0, directions[2]);
   vstore8(source, 0, sources);
   const float3 origin = vload3(0, r->position);
+  const float near = parameters->nearLimit;
+  const float reach = parameters->farLimit > 0.0f ? parameters->farLimit - near : MAXFLOAT;
   rays += i * 8;
   for (int k = 0; k < 8; ++k) {
     Ray ray;
-    ray.origin[0] = origin.x;
-    ray.origin[1] = origin.y;
-    ray.origin[2] = origin.z;
+    ray.origin[0] = origin.x + near * directions[0][k];
+    ray.origin[1] = origin.y + near * directions[1][k];
+    ray.origin[2] = origin.z + near * directions[2][k];
     ray.sourceTriangle = sources[k];
     ray.direction[0] = directions[0][k];
     ray.direction[1] = directions[1][k];
     ray.direction[2] = directions[2][k];
-    ray.tMax = MAXFLOAT;
+    ray.tMax = reach;
     rays[k] = ray;
   }
 }

@@ -1,8 +1,22 @@
 // Rows of stored transport: what each receiver's rays hit, kept so that bounces need no new rays.
 #include "bvh/alpha_funcs.cl"
+#include "cast/visibility_funcs.cl"
 #include "core/sampling_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
+
+// Options: PRELIGHT_COLUMNS, values a channel that a bounce carries; PRELIGHT_GLOSSY_ORDER, of transfer matrices.
+#ifndef PRELIGHT_COLUMNS
+#define PRELIGHT_COLUMNS 1
+#endif
+
+#ifdef PRELIGHT_GLOSSY_ORDER
+#define PRELIGHT_SH_ORDER PRELIGHT_GLOSSY_ORDER
+#include "project/sh_funcs.cl"
+#endif
+
+// Of channel c: 0 red, 1 green, 2 blue.
+float senderAlbedo(Sender s, uint c) { return (float)((s.albedo >> (10 * c)) & 1023u) * (1.0f / 1023.0f); }
 
 // A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows
 // from firstStored on; marks [triangle] is set to 1
@@ -21,7 +35,8 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __global
   Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
     const Surface surface = {triangles, materials, texCoords, colors, texels};
-    const float3 albedo = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
+    const float blocked = 1.0f - visibilityOf(parameters, hit);
+    const float3 albedo = blocked * clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
     const uint3 packed = convert_uint3_rte(albedo * 1023.0f);
     const uint bits = packed.x | (packed.y << 10) | (packed.z << 20);
     if (bits != 0u) {
@@ -38,25 +53,52 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __global
   senders[(size_t)parameters->firstStored * parameters->raysPerReceiver + i] = sender;
 }
 
-// A receiver a work-item. senders [firstStored + receiver][raysPerReceiver], transfer [slot][3][coefficients] of the previous
-// bounce -> values [receiver][3][coefficients], the mean over the receiver's rays of albedo x transfer.
-// Option: PRELIGHT_SH_ORDER.
+// A receiver a work-item. senders [firstStored + receiver][raysPerReceiver], transfer [slot][3][PRELIGHT_COLUMNS] of
+// the previous bounce -> values [receiver][3][PRELIGHT_COLUMNS], the mean over the receiver's rays of albedo x transfer.
 __kernel void gatherBounce(__constant const CastParameters* parameters, __global const Sender* senders,
                            __global const float* transfer, __global float* values) {
   const size_t receiver = get_global_id(0);
   if (receiver >= parameters->receiverCount) return;
-  const uint n = PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER;
-  float sum[3 * PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER];
-  for (uint i = 0; i < 3 * n; ++i) sum[i] = 0.0f;
+  float sum[3 * PRELIGHT_COLUMNS];
+  for (uint i = 0; i < 3 * PRELIGHT_COLUMNS; ++i) sum[i] = 0.0f;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const Sender s = senders[((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver + j];
     if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
-    __global const float* t = transfer + (size_t)s.slot * 3 * n;
+    __global const float* t = transfer + (size_t)s.slot * 3 * PRELIGHT_COLUMNS;
     for (uint c = 0; c < 3; ++c) {
-      const float albedo = (float)((s.albedo >> (10 * c)) & 1023u) * (1.0f / 1023.0f);
-      for (uint i = 0; i < n; ++i) sum[c * n + i] += albedo * t[c * n + i];
+      const float albedo = senderAlbedo(s, c);
+      for (uint i = 0; i < PRELIGHT_COLUMNS; ++i) sum[c * PRELIGHT_COLUMNS + i] += albedo * t[c * PRELIGHT_COLUMNS + i];
     }
   }
   const float scale = 1.0f / (float)parameters->raysPerReceiver;
-  for (uint i = 0; i < 3 * n; ++i) values[receiver * 3 * n + i] = sum[i] * scale;
+  for (uint i = 0; i < 3 * PRELIGHT_COLUMNS; ++i) values[receiver * 3 * PRELIGHT_COLUMNS + i] = sum[i] * scale;
 }
+
+#ifdef PRELIGHT_GLOSSY_ORDER
+// A receiver a work-item. senders as above; rays [receiver][raysPerReceiver], those that met them; transfer
+// [slot][3][PRELIGHT_COLUMNS], a part of the light's coefficients -> values [receiver][i][3][PRELIGHT_COLUMNS] with i
+// below PRELIGHT_GLOSSY_ORDER^2: the mean over rays of Y_i(direction) x albedo x transfer. shTable as in sh_funcs.cl.
+__kernel void gatherGlossy(__constant const CastParameters* parameters, __constant const float* shTable,
+                           __global const Ray* rays, __global const Sender* senders,
+                           __global const float* transfer, __global float* values) {
+  const size_t receiver = get_global_id(0);
+  if (receiver >= parameters->receiverCount) return;
+  const uint rows = PRELIGHT_GLOSSY_ORDER * PRELIGHT_GLOSSY_ORDER, width = 3 * PRELIGHT_COLUMNS;
+  values += receiver * rows * width;
+  for (uint i = 0; i < rows * width; ++i) values[i] = 0.0f;
+  const float scale = 1.0f / (float)parameters->raysPerReceiver;
+  for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
+    const Sender s = senders[((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver + j];
+    if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
+    __global const float* t = transfer + (size_t)s.slot * width;
+    float sent[3 * PRELIGHT_COLUMNS];
+    for (uint c = 0; c < 3; ++c)
+      for (uint k = 0; k < PRELIGHT_COLUMNS; ++k)
+        sent[c * PRELIGHT_COLUMNS + k] = scale * senderAlbedo(s, c) * t[c * PRELIGHT_COLUMNS + k];
+    float basis[PRELIGHT_GLOSSY_ORDER * PRELIGHT_GLOSSY_ORDER];
+    evaluateSh(shTable, vload3(0, rays[receiver * parameters->raysPerReceiver + j].direction), basis);
+    for (uint i = 0; i < rows; ++i)
+      for (uint k = 0; k < width; ++k) values[i * width + k] += basis[i] * sent[k];
+  }
+}
+#endif

@@ -1,5 +1,6 @@
 // Projectors: the hits of a receiver become ambient occlusion, bent normal and SH transfer.
 // Option: PRELIGHT_SH_ORDER, 0 when no SH is asked for.
+#include "cast/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
@@ -18,9 +19,9 @@ float sum8(float8 v) {
 }
 
 // Visibility of eight rays: 1 open, 0 blocked.
-float8 openLanes(__global const Hit* hits) {
+float8 openLanes(__constant const CastParameters* parameters, __global const Hit* hits) {
   float open[8];
-  for (int k = 0; k < 8; ++k) open[k] = hits[k].triangle == PRELIGHT_NO_TRIANGLE ? 1.0f : 0.0f;
+  for (int k = 0; k < 8; ++k) open[k] = visibilityOf(parameters, hits[k]);
   return vload8(0, open);
 }
 
@@ -39,10 +40,10 @@ __kernel void projectHits(__constant const CastParameters* parameters, __constan
   hits += receiver * count;
   values += receiver * parameters->valueCount;
 
-  uint open = 0;
-  for (uint j = 0; j < count; ++j) open += hits[j].triangle == PRELIGHT_NO_TRIANGLE ? 1u : 0u;
+  float open = 0.0f;
+  for (uint j = 0; j < count; ++j) open += visibilityOf(parameters, hits[j]);
   const float scale = 1.0f / (float)count;
-  const float k = (float)open * scale;
+  const float k = open * scale;
 
   float8 sumX = 0.0f, sumY = 0.0f, sumZ = 0.0f;
 #if PRELIGHT_SH_ORDER > 0
@@ -50,7 +51,7 @@ __kernel void projectHits(__constant const CastParameters* parameters, __constan
   for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) sum[i] = 0.0f;
 #endif
   // An entirely open or closed receiver has all weights 0.
-  const bool mixed = open > 0 && open < count;
+  const bool mixed = open > 0.0f && open < (float)count;
   for (uint j = 0; mixed && j < count; j += 8) {
     float x[8], y[8], z[8];
     for (int i = 0; i < 8; ++i) {
@@ -59,7 +60,7 @@ __kernel void projectHits(__constant const CastParameters* parameters, __constan
       z[i] = rays[j + i].direction[2];
     }
     const float8 dx = vload8(0, x), dy = vload8(0, y), dz = vload8(0, z);
-    const float8 weight = openLanes(hits + j) - k;
+    const float8 weight = openLanes(parameters, hits + j) - k;
     sumX += weight * dx;
     sumY += weight * dy;
     sumZ += weight * dz;

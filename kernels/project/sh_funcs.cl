@@ -33,4 +33,30 @@ void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, f
   }
 }
 
+// values[i] = Y_i(w) for all PRELIGHT_SH_ORDER^2 functions.
+void evaluateSh(__constant const float* table, float3 w, float* values) {
+  float cosine = 1.0f, sine = 0.0f;
+#pragma unroll
+  for (int m = 0; m < PRELIGHT_SH_ORDER; ++m) {
+    if (m > 0) {
+      const float c = cosine * w.x - sine * w.y;
+      sine = sine * w.x + cosine * w.y;
+      cosine = c;
+    }
+    float before = 0.0f;
+    float value = table[2 * m];
+#pragma unroll
+    for (int l = m; l < PRELIGHT_SH_ORDER; ++l) {
+      if (l > m) {
+        const int at = 2 * (PRELIGHT_SH_ORDER + l * PRELIGHT_SH_ORDER + m);
+        const float next = table[at] * w.z * value - table[at + 1] * before;
+        before = value;
+        value = next;
+      }
+      values[l * (l + 1) + m] = value * cosine;
+      if (m > 0) values[l * (l + 1) - m] = value * sine;
+    }
+  }
+}
+
 #endif

@@ -3,6 +3,7 @@
 #ifndef PRELIGHT_REFERENCE_LIGHT_FUNCS_CL
 #define PRELIGHT_REFERENCE_LIGHT_FUNCS_CL
 
+#include "core/punctual_funcs.cl"
 #include "reference/vertex_funcs.cl"
 
 typedef struct Lights {
@@ -48,32 +49,14 @@ float entryProbability(__global const uint* bounds, uint count, uint entry) {
 }
 
 #ifdef PRELIGHT_PUNCTUAL
-// KHR_lights_punctual.
 bool arriveFromPunctual(__global const ReferenceLight* light, float3 point, Arrival* a) {
-  const float3 travel = vload3(0, light->direction);
+  float falloff;
+  if (!seePunctual(light, point, &a->direction, &a->distance, &falloff)) return false;
   a->punctual = true;
   a->surface = false;
   a->density = 1.0f;
-  a->radiance = vload3(0, light->intensity);
-  if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {
-    a->direction = -travel;
-    a->distance = MAXFLOAT;
-    return true;
-  }
-  const float3 way = vload3(0, light->position) - point;
-  const float distance = length(way);
-  if (!(distance > 1e-9f)) return false;  // a nanometre: the light lies on the surface
-  a->direction = way / distance;
-  a->distance = distance;
-  float falloff = 1.0f / (distance * distance);
-  const float ratio = distance * light->inverseRange;
-  falloff *= clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
-  if (light->kind == PRELIGHT_SPOT_LIGHT) {
-    const float angular = clamp(-dot(a->direction, travel) * light->coneScale + light->coneOffset, 0.0f, 1.0f);
-    falloff *= angular * angular;
-  }
-  a->radiance *= falloff;
-  return falloff > 0.0f;
+  a->radiance = falloff * vload3(0, light->intensity);
+  return true;
 }
 #endif
 

@@ -22,7 +22,9 @@ typedef struct CastParameters {
   uint valueCount;       ///< floats a receiver that a projector writes
   uint vertexCount;      ///< of the scene; sender slots of back faces start here
   uint firstStored;      ///< of the rows of senders, in receivers
-  uint pad[3];
+  float nearLimit;       ///< m; what is nearer occludes nothing
+  float farLimit;        ///< m; what is farther occludes nothing; 0: no limit
+  float obscurance;      ///< m; a surface at distance d lets min(d / obscurance, 1) of the light through; 0: nothing
 } CastParameters;
 
 /// A sender: the vertex (chosen by the barycentric weights) of the triangle that a ray hit, and its albedo there.

@@ -41,7 +41,7 @@ std::vector<Receiver> someReceivers(std::size_t count, std::uint32_t rays = rays
 
 std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& receivers,
                           std::uint32_t count = raysPerReceiver) {
-  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()), count, 4, 0, 0, {}};
+  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()), count, 4, 0, 0, 0.0f, 0.0f, 0.0f};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
   Buffer<Ray> rays(device, receivers.size() * count);
@@ -210,7 +210,9 @@ TEST_P(ProjectHits, RandomHits_AgreeWithDoubleReference) {
                                   static_cast<std::uint32_t>(4 + n),
                                   0,
                                   0,
-                                  {}};
+                                  0.0f,
+                                  0.0f,
+                                  0.0f};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<float> table(device, std::span<const float>(makeShTable(std::max(1, order))));
   Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
@@ -276,7 +278,7 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
                     1e30f});  // backs of triangle 1
     hits.push_back({1, triangle, 0.5f, 0.125f});
   }
-  const CastParameters parameters{receivers, raysPerReceiver, 4, scene_.vertexCount(), 2, {}};
+  const CastParameters parameters{receivers, raysPerReceiver, 4, scene_.vertexCount(), 2, 0.0f, 0.0f, 0.0f};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
   Buffer<Hit> hitBuffer(device, std::span<const Hit>(hits));
@@ -286,7 +288,7 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
   Buffer<std::uint8_t> marks(device, 2);
   marks.fill(0);
   cl::Kernel kernel(
-      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_SH_ORDER", 1)),
+      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", 1)),
       "storeSenders");
   kernel.setArg(0, parameterBuffer.get());
   kernel.setArg(1, rayBuffer.get());
@@ -332,13 +334,13 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
   for (Sender& s : senders)
     s = {random() % 3 == 0 ? PRELIGHT_NO_TRIANGLE : static_cast<std::uint32_t>(random() % 12),
          static_cast<std::uint32_t>(random()) & 0x3fffffffu};
-  const CastParameters parameters{receivers, raysPerReceiver, 4 + n, scene_.vertexCount(), first, {}};
+  const CastParameters parameters{receivers, raysPerReceiver, 4 + n, scene_.vertexCount(), first, 0.0f, 0.0f, 0.0f};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   Buffer<float> values(device, receivers * 3 * n);
   cl::Kernel kernel(
-      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_SH_ORDER", order)),
+      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order)),
       "gatherBounce");
   setArguments(kernel, parameterBuffer.get(), senderBuffer.get(), transferBuffer.get(), values.get());
   device.launch(kernel, receivers, 64);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "bake/caster.h"
+#include "bake/fit_mesh.h"
+#include "bake/scene_cast.h"
+#include "bake/slot_transfer.h"
+#include "base/progress.h"
+
+namespace prelight {
+
+/// Transfer matrices of the fit's slots, [slot][channel][i][j] of `order`. The direct part is exact algebra:
+/// the integral of V cos Y_i Y_j over pi is sum_k Gamma_ijk T_k with the diffuse transfer T up to order 2
+/// `order` - 1, which `fitted` (the front's solution) holds. Bounces, where `transfer` has any, are gathered
+/// from the stored rows.
+std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                                      const SceneCast& cast, const std::vector<double>& fitted,
+                                      const SlotTransfer& transfer, int order, int channels,
+                                      Progress& progress);
+
+}  // namespace prelight

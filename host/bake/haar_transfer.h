@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bake/bake.h"
+#include "bake/fit_mesh.h"
+#include "bake/slot_transfer.h"
+#include "bake/texel_transfer.h"
+#include "base/progress.h"
+
+namespace prelight {
+
+/// Wavelet transfer of every vertex, sparse up to a relative L2 error of `error` a row. The direct part has
+/// the full detail of `direct`; what bounces add is smooth in the direction of the light, and comes from the
+/// SH transfer of as many bands as that has (docs/wavelets.md has what this leaves out).
+HaarTransfer makeHaarTransfer(const CompiledScene& scene, const FitMesh& mesh, const TexelTransfer& direct,
+                              const SlotTransfer& transfer, int faceSize, int channels, double error,
+                              Progress& progress);
+
+}  // namespace prelight

@@ -1,0 +1,84 @@
+#include "bake/light_caster.h"
+
+#include "bake/surface_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+
+std::vector<DeviceTriangle> deviceTriangles(const CompiledScene& scene) {
+  std::vector<DeviceTriangle> triangles;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const glm::uvec3 v = scene.triangles[t];
+    triangles.push_back({{v.x, v.y, v.z}, scene.triangleMaterials[t]});
+  }
+  return triangles;
+}
+
+std::span<const float> floatsOf(const std::vector<glm::vec3>& vectors) {
+  return {&vectors[0].x, 3 * vectors.size()};
+}
+
+/// Fronts as the file means them: emission leaves there.
+std::vector<float> frontNormals(const CompiledScene& scene) {
+  std::vector<float> normals;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const glm::vec3 n(glm::normalize(geometricNormal(scene, t)));
+    normals.insert(normals.end(), {n.x, n.y, n.z});
+  }
+  return normals;
+}
+
+template <typename T>
+std::span<const T> spanOf(const std::vector<T>& values) {
+  return values;
+}
+
+}  // namespace
+
+LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer,
+                         std::uint32_t blockSize)
+    : tracer_(tracer),
+      device_(tracer.context()),
+      groupCount_(static_cast<std::uint32_t>(lights.groups.size())),
+      slotCount_(static_cast<std::uint32_t>(lights.slots.size())),
+      hasEmitters_(!lights.emitters.empty()),
+      slots_(device_, spanOf(lights.slots)),
+      lights_(device_, spanOf(lights.punctual)),
+      factors_(device_, spanOf(lights.factors)),
+      emitters_(device_, spanOf(lights.emitters)),
+      emitterOfTriangle_(device_, spanOf(lights.emitterOfTriangle)),
+      samplesOfGroup_(device_, spanOf(lights.samplesOfGroup)),
+      triangles_(device_, spanOf(deviceTriangles(scene))),
+      positions_(device_, floatsOf(scene.positions)),
+      geometricNormals_(device_, spanOf(frontNormals(scene))),
+      rays_(device_, std::size_t{blockSize} * slotCount_),
+      hits_(device_, std::size_t{blockSize} * slotCount_),
+      rayValues_(device_, std::size_t{blockSize} * slotCount_ * 3),
+      values_(device_, std::size_t{blockSize} * groupCount_ * 3) {
+  const auto& program =
+      device_.program("cast/light_kernels.cl", BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS"));
+  generate_ = cl::Kernel(program, "generateLightRays");
+  project_ = cl::Kernel(program, "projectLights");
+}
+
+void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, std::vector<float>& values) {
+  const std::size_t rayCount = std::size_t{receivers} * slotCount_;
+  setArguments(generate_, block.parameters.get(), slotCount_, block.receivers.get(), slots_.get(),
+               lights_.get(), factors_.get(), emitters_.get(), triangles_.get(), positions_.get(),
+               geometricNormals_.get(), rays_.get(), rayValues_.get());
+  device_.launch(generate_, rayCount, groupSize);
+  tracer_.traceAny(rays_, hits_, rayCount);
+  setArguments(project_, block.parameters.get(), slotCount_, groupCount_, block.receivers.get(), slots_.get(),
+               hits_.get(), rayValues_.get(), block.rays.get(), block.hits.get(), emitterOfTriangle_.get(),
+               emitters_.get(), samplesOfGroup_.get(), geometricNormals_.get(), values_.get());
+  device_.launch(project_, receivers, groupSize);
+  values.resize(std::size_t{receivers} * groupCount_ * 3);
+  values_.read(std::span(values));
+}
+
+}  // namespace prelight

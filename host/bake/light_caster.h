@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bake/light_groups.h"
+#include "bvh/tracer.h"
+#include "shared/cast_types.h"
+
+namespace prelight {
+
+/// What a caster has on the device for the block at hand.
+struct CastBlockBuffers {
+  const Buffer<device::CastParameters>& parameters;
+  const Buffer<device::Receiver>& receivers;
+  const Buffer<device::Ray>& rays;
+  const Buffer<device::Hit>& hits;  ///< the closest ones where the lights have emitters
+};
+
+/// Direct light of groups of lights at receivers: shadow rays to every light, and the hemisphere's rays that
+/// meet an emitter by themselves, weighed by the balance heuristic (Veach 1997).
+class LightCaster {
+ public:
+  /// `blockSize` receivers at most are cast at once. The tracer must outlive this.
+  LightCaster(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer,
+              std::uint32_t blockSize);
+
+  std::uint32_t groupCount() const { return groupCount_; }
+  bool hasEmitters() const { return hasEmitters_; }
+  std::uint32_t raysPerReceiver() const { return slotCount_; }
+
+  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour.
+  void cast(const CastBlockBuffers& block, std::uint32_t receivers, std::vector<float>& values);
+
+ private:
+  Tracer& tracer_;
+  DeviceContext& device_;
+  std::uint32_t groupCount_;
+  std::uint32_t slotCount_;
+  bool hasEmitters_;
+  Buffer<device::LightSlot> slots_;
+  Buffer<device::ReferenceLight> lights_;
+  Buffer<float> factors_;
+  Buffer<device::GroupEmitter> emitters_;
+  Buffer<std::uint32_t> emitterOfTriangle_;
+  Buffer<std::uint32_t> samplesOfGroup_;
+  Buffer<device::DeviceTriangle> triangles_;
+  Buffer<float> positions_;
+  Buffer<float> geometricNormals_;
+  Buffer<device::Ray> rays_;
+  Buffer<device::Hit> hits_;
+  Buffer<float> rayValues_;
+  Buffer<float> values_;
+  cl::Kernel generate_, project_;
+};
+
+}  // namespace prelight

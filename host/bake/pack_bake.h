@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "bake/bake.h"
+#include "bake/fit_mesh.h"
+#include "bake/side_cast.h"
+#include "bake/slot_transfer.h"
+#include "scene/compiled_scene.h"
+
+/// From the fit's slots to the vertices of a Bake. Every value that leaves here is finite.
+namespace prelight {
+
+/// Ambient occlusion from the front's solution, and bent normals.
+void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
+            const CompiledScene& scene, Bake& bake);
+
+/// The first `order` bands of SH transfer, at most those that it has.
+HarmonicTransfer packSh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,
+                        int order, int channels);
+
+/// The same in cpherical harmonics: coefficients, or with `naive` the inner products that a projection onto
+/// non-orthogonal functions takes for them.
+HarmonicTransfer packCh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,
+                        int order, int channels, bool naive);
+
+LightGroupTransfer packLightGroups(const FitMesh& mesh, const SlotTransfer& transfer,
+                                   const CompiledScene& scene, const std::vector<LightGroup>& groups,
+                                   int channels);
+
+/// `matrices` is [slot][channel][i][j].
+GlossyTransfer packGlossy(const FitMesh& mesh, const std::vector<float>& matrices, const CompiledScene& scene,
+                          int order, int channels);
+
+}  // namespace prelight

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace prelight {
+
+/// Diffuse transfer of every vertex in spherical or cpherical harmonics. For SH, T_i = (1/pi) integral V
+/// max(n.w,0) Y_i dw plus bounces; the receiver's albedo is not included, so exit radiance = albedo x sum L_i
+/// T_i. CH coefficients are those with sum_i T_i C_i = sum_i T_i^SH Y_i (docs/bases.md).
+struct HarmonicTransfer {
+  int order = 0;     ///< bands 0..order-1, order^2 coefficients
+  int channels = 1;  ///< 3 with bounces, 1 without
+  int bounces = 0;
+  std::vector<float> coefficients;  ///< [vertex][channel][i]
+  bool naive = false;               ///< CH: inner products <T, C_i> in place of coefficients
+};
+
+/// Diffuse transfer of every vertex in Haar wavelets on the faces of a cube map (basis/haar.h), sparse. The
+/// solid angle of texels is in the transfer, so that exit radiance = albedo x sum L_i T_i with L the
+/// transformed radiance of the texels. A row belongs to a vertex and a channel.
+struct HaarTransfer {
+  int faceSize = 0;  ///< texels, a power of two
+  int channels = 1;  ///< 3 with bounces, 1 without
+  int bounces = 0;
+  std::vector<std::uint32_t> offsets;  ///< [vertex * channels + channel], then the end
+  std::vector<std::uint32_t> indices;  ///< ascending within a row, below 6 faceSize^2
+  std::vector<float> values;           ///< parallel to indices
+};
+
+/// Transfer matrices of glossy receivers: M_ij = (1/pi) integral V max(n.w,0) Y_i Y_j dw plus bounces. With
+/// light L_j, sum_j M_ij L_j are the SH coefficients of the incident radiance times visibility and cosine
+/// over pi.
+struct GlossyTransfer {
+  int order = 0;     ///< bands of both sides; order^4 entries
+  int channels = 1;  ///< 3 with bounces, 1 without
+  int bounces = 0;
+  std::vector<float> matrices;  ///< [vertex][channel][i][j]
+};
+
+/// Lights that are scaled and coloured together at run time.
+struct LightGroup {
+  std::string name;
+  glm::vec3 color{
+      1.0f};  ///< intensity in the file (W/sr, W/m2, W/(m2 sr)): the greatest of its lights a channel
+};
+
+/// Light of the scene's own emitters at every vertex, with shadows and bounces: exit radiance of channel c is
+/// albedo[c] x sum_g color_g[c] T[vertex][c][g], whatever colours the groups are given.
+struct LightGroupTransfer {
+  std::vector<LightGroup> groups;
+  int channels = 1;
+  int bounces = 0;
+  std::vector<float>
+      coefficients;  ///< [vertex][channel][group], per unit of the group's colour; 1/pi is in it
+};
+
+}  // namespace prelight

@@ -1,0 +1,138 @@
+// Light of the scene's own emitters at receivers, group by group.
+#include "core/punctual_funcs.cl"
+#include "core/sampling_funcs.cl"
+#include "shared/cast_types.h"
+#include "shared/light_group_types.h"
+#include "shared/ray_types.h"
+#include "shared/scene_types.h"
+
+// Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
+#define PRELIGHT_SHADOW_REACH 0.9999f
+
+typedef struct LightTarget {
+  float3 way;   // from the receiver; a shadow ray's direction
+  float reach;  // in lengths of `way`
+  float3 value; // of irradiance over pi and the group's colour, if nothing is in the way
+} LightTarget;
+
+// Density of a direction, 1/sr, among a receiver's rays and a group's emitter samples together: the balance heuristic
+// (Veach 1997) then divides what arrives by this sum, whichever of the two has drawn it.
+float combinedDensity(uint rays, float cosine, uint samples, float density, float squaredDistance, float emitterCosine) {
+  return (float)rays * cosine * M_1_PI_F + (float)samples * density * squaredDistance / fmax(emitterCosine, 1e-9f);
+}
+
+bool aimAtPunctual(__global const ReferenceLight* light, __global const float* factor, float3 point, float3 normal,
+                   LightTarget* target) {
+  float3 direction;
+  float distance, falloff;
+  if (!seePunctual(light, point, &direction, &distance, &falloff)) return false;
+  const float cosine = dot(direction, normal);
+  if (cosine <= 0.0f) return false;
+  const bool afar = distance == MAXFLOAT;
+  target->way = afar ? direction : direction * distance;
+  target->reach = afar ? MAXFLOAT : PRELIGHT_SHADOW_REACH;
+  target->value = cosine * falloff * M_1_PI_F * vload3(0, factor);
+  return true;
+}
+
+bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, __global const GroupEmitter* emitters,
+                  __global const DeviceTriangle* triangles, __global const float* positions,
+                  __global const float* geometricNormals, float2 u, float3 point, float3 normal, LightTarget* target) {
+  uint low = slot.firstEmitter, high = low + slot.emitterCount - 1u;
+  while (low < high) {
+    const uint middle = (low + high) / 2u;
+    if (u.x < emitters[middle].bound)
+      high = middle;
+    else
+      low = middle + 1u;
+  }
+  const GroupEmitter e = emitters[low];
+  const float start = low > slot.firstEmitter ? emitters[low - 1u].bound : 0.0f;
+  const float root = sqrt(clamp((u.x - start) / fmax(e.bound - start, 1e-30f), 0.0f, 1.0f));
+  const DeviceTriangle t = triangles[e.triangle];
+  const float3 p = vload3(t.vertex[0], positions), q = vload3(t.vertex[1], positions), r = vload3(t.vertex[2], positions);
+  const float b = root * (1.0f - u.y), c = root * u.y;
+  const float3 way = p + b * (q - p) + c * (r - p) - point;
+  const float squared = dot(way, way);
+  const float3 direction = way * rsqrt(fmax(squared, 1e-30f));
+  const float cosine = dot(direction, normal);
+  const float facing = -dot(direction, vload3(e.triangle, geometricNormals));
+  const float emitterCosine = e.twoSided ? fabs(facing) : facing;
+  if (!(squared > 1e-18f) || cosine <= 0.0f || emitterCosine <= 1e-6f) return false;
+  target->way = way;
+  target->reach = PRELIGHT_SHADOW_REACH;
+  target->value = cosine * M_1_PI_F * vload3(0, e.factor) /
+                  combinedDensity(parameters->raysPerReceiver, cosine, slot.sampleCount, e.density, squared, emitterCosine);
+  return true;
+}
+
+// A shadow ray a work-item. receivers [receiver]; slots [slotCount]; lights [light] with factors [light][3], intensity over
+// the group's colour -> rays [receiver][slotCount], and values [receiver][slotCount][3], what each brings if it is open: 0
+// for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
+__kernel void generateLightRays(__constant const CastParameters* parameters, uint slotCount,
+                                __global const Receiver* receivers, __global const LightSlot* slots,
+                                __global const ReferenceLight* lights, __global const float* factors,
+                                __global const GroupEmitter* emitters, __global const DeviceTriangle* triangles,
+                                __global const float* positions, __global const float* geometricNormals,
+                                __global Ray* rays, __global float* values) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)parameters->receiverCount * slotCount) return;
+  __global const Receiver* r = receivers + i / slotCount;
+  const LightSlot slot = slots[i % slotCount];
+  const float3 point = vload3(0, r->position), normal = vload3(0, r->normal);
+  LightTarget target;
+  bool arrives;
+  if (slot.light != PRELIGHT_NO_EMITTER) {
+    arrives = aimAtPunctual(lights + slot.light, factors + 3 * slot.light, point, normal, &target);
+  } else {
+    const uint index = r->firstSample / parameters->raysPerReceiver * slot.sampleCount + slot.sample;
+    const float2 u = sampleSobol(index, hashInteger(r->seed ^ hashInteger(slot.group + 0x68bc21ebu)));
+    arrives = aimAtEmitter(parameters, slot, emitters, triangles, positions, geometricNormals, u, point, normal, &target);
+  }
+  arrives = arrives && dot(target.way, vload3(0, r->geometricNormal)) > 0.0f;  // the receiver's own surface hides the rest
+  Ray ray;
+  vstore3(point, 0, ray.origin);
+  vstore3(arrives ? target.way : normal, 0, ray.direction);
+  ray.sourceTriangle = r->triangle;
+  ray.tMax = arrives ? target.reach : 0.0f;
+  rays[i] = ray;
+  vstore3(arrives ? target.value : (float3)(0.0f), i, values);
+}
+
+// A receiver a work-item. shadowHits [receiver][slotCount] of the rays above with their values; rays, hits
+// [receiver][raysPerReceiver] of the hemisphere, the closest ones; emitterOfTriangle [triangle], PRELIGHT_NO_EMITTER: none;
+// samplesOfGroup [group] -> out [receiver][3][groupCount], irradiance over pi and the group's colour.
+__kernel void projectLights(__constant const CastParameters* parameters, uint slotCount, uint groupCount,
+                            __global const Receiver* receivers, __global const LightSlot* slots,
+                            __global const Hit* shadowHits, __global const float* values, __global const Ray* rays,
+                            __global const Hit* hits, __global const uint* emitterOfTriangle,
+                            __global const GroupEmitter* emitters, __global const uint* samplesOfGroup,
+                            __global const float* geometricNormals, __global float* out) {
+  const size_t receiver = get_global_id(0);
+  if (receiver >= parameters->receiverCount) return;
+  out += receiver * 3 * groupCount;
+  for (uint i = 0; i < 3 * groupCount; ++i) out[i] = 0.0f;
+  for (uint s = 0; s < slotCount; ++s) {
+    const size_t at = receiver * slotCount + s;
+    if (shadowHits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
+    for (uint c = 0; c < 3; ++c) out[c * groupCount + slots[s].group] += values[3 * at + c];
+  }
+#ifdef PRELIGHT_EMITTERS
+  const float3 normal = vload3(0, receivers[receiver].normal);
+  for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
+    const size_t at = receiver * parameters->raysPerReceiver + j;
+    const Hit hit = hits[at];
+    if (hit.triangle == PRELIGHT_NO_TRIANGLE || emitterOfTriangle[hit.triangle] == PRELIGHT_NO_EMITTER) continue;
+    const GroupEmitter e = emitters[emitterOfTriangle[hit.triangle]];
+    const float3 direction = vload3(0, rays[at].direction);
+    const float facing = -dot(direction, vload3(hit.triangle, geometricNormals));
+    const float emitterCosine = e.twoSided ? fabs(facing) : facing;
+    const float cosine = dot(direction, normal);
+    if (emitterCosine <= 1e-6f || cosine <= 0.0f) continue;
+    const float distance = parameters->nearLimit + hit.t;
+    const float share = cosine * M_1_PI_F / combinedDensity(parameters->raysPerReceiver, cosine, samplesOfGroup[e.group],
+                                                            e.density, distance * distance, emitterCosine);
+    for (uint c = 0; c < 3; ++c) out[c * groupCount + e.group] += share * e.factor[c];
+  }
+#endif
+}

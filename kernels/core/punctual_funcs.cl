@@ -1,0 +1,31 @@
+// Light of punctual lights (KHR_lights_punctual).
+#ifndef PRELIGHT_CORE_PUNCTUAL_FUNCS_CL
+#define PRELIGHT_CORE_PUNCTUAL_FUNCS_CL
+
+#include "shared/reference_types.h"
+
+// Unit direction and distance (MAXFLOAT: from afar) to a light from a point, and what part of its intensity arrives as
+// irradiance on a surface that faces it, were nothing in the way. False: nothing does.
+bool seePunctual(__global const ReferenceLight* light, float3 point, float3* direction, float* distance, float* falloff) {
+  const float3 travel = vload3(0, light->direction);
+  if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {
+    *direction = -travel;
+    *distance = MAXFLOAT;
+    *falloff = 1.0f;
+    return true;
+  }
+  const float3 way = vload3(0, light->position) - point;
+  const float metres = length(way);
+  if (!(metres > 1e-9f)) return false;  // a nanometre: the light lies on the surface
+  *direction = way / metres;
+  *distance = metres;
+  const float ratio = metres * light->inverseRange;
+  *falloff = clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f) / (metres * metres);
+  if (light->kind == PRELIGHT_SPOT_LIGHT) {
+    const float angular = clamp(-dot(*direction, travel) * light->coneScale + light->coneOffset, 0.0f, 1.0f);
+    *falloff *= angular * angular;
+  }
+  return *falloff > 0.0f;
+}
+
+#endif

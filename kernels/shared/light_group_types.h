@@ -1,0 +1,34 @@
+// Lights that a bake keeps apart: groups of punctual lights and of emissive triangles.
+#ifndef PRELIGHT_SHARED_LIGHT_GROUP_TYPES_H
+#define PRELIGHT_SHARED_LIGHT_GROUP_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+#define PRELIGHT_NO_EMITTER 0xffffffffu
+
+/// One of the shadow rays that every receiver sends: towards a punctual light, or a point of a group's emitters.
+typedef struct LightSlot {
+  uint group;
+  uint light;         ///< punctual light; PRELIGHT_NO_EMITTER: emitters
+  uint firstEmitter;  ///< of the group's
+  uint emitterCount;
+  uint sample;       ///< number among the group's emitter samples
+  uint sampleCount;  ///< emitter samples of the group
+  uint pad[2];
+} LightSlot;
+
+/// An emissive triangle.
+typedef struct GroupEmitter {
+  uint triangle;
+  uint group;
+  float bound;      ///< end of its interval in [0,1], ascending within the group; the last is 1
+  float density;    ///< 1/m2 with which a point of it is drawn
+  float factor[3];  ///< its radiance over the group's colour
+  uint twoSided;
+} GroupEmitter;
+
+PRELIGHT_SHARED_END
+
+#endif
