@@ -19,9 +19,10 @@ using Json = nlohmann::ordered_json;
 constexpr const char* extensionName = "PRELIGHT_transfer";
 
 /// The members of the extension whose values are accessors, at whatever depth.
-constexpr std::array<std::string_view, 11> accessorMembers = {
-    "ao",      "bentNormal", "coefficients", "offsets",  "indices", "values",
-    "vectors", "occluders",  "irradiance",   "texCoord", "accessor"};
+constexpr std::array<std::string_view, 20> accessorMembers = {
+    "ao",        "bentNormal", "coefficients", "offsets",  "indices",  "values",      "vectors",
+    "occluders", "irradiance", "texCoord",     "accessor", "matrices", "halves",      "bytes",
+    "clusters",  "weights",    "ranges",       "means",    "basis",    "weightRanges"};
 
 /// An index: non-negative, however the tree's maker stored it.
 std::optional<std::size_t> asIndex(const Json& json) {

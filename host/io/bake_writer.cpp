@@ -1,0 +1,150 @@
+#include "io/bake_writer.h"
+
+#include <array>
+
+#include "io/compression_names.h"
+#include "scene/gltf_embed.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+constexpr int componentTypeOf() {
+  if constexpr (std::is_same_v<T, float>) return 5126;
+  if constexpr (std::is_same_v<T, std::uint32_t>) return 5125;
+  if constexpr (std::is_same_v<T, std::uint16_t>) return 5123;
+  return 5121;
+}
+
+template <typename T>
+int append(GltfDocument& document, const std::vector<T>& values, const char* type = "SCALAR",
+           std::size_t components = 1) {
+  return appendAccessor(document, std::as_bytes(std::span(values)), type, componentTypeOf<T>(),
+                        values.size() / components);
+}
+
+template <typename T>
+int appendVertices(GltfDocument& document, const std::vector<T>& values, const PrimitiveRanges& ranges,
+                   std::size_t width) {
+  return append(document, gatherVertices(std::span<const T>(values), ranges, width));
+}
+
+std::span<const float> asFloats(const std::vector<glm::vec3>& vectors) {
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  return {reinterpret_cast<const float*>(vectors.data()), 3 * vectors.size()};
+}
+
+Json harmonicToJson(GltfDocument& document, const HarmonicTransfer& transfer, const PrimitiveRanges& ranges) {
+  const auto width = static_cast<std::size_t>(transfer.order * transfer.order * transfer.channels);
+  Json json = {{"order", transfer.order}, {"channels", transfer.channels}, {"bounces", transfer.bounces}};
+  if (transfer.naive) json["projection"] = "naive";
+  json["coefficients"] = appendVertices(document, transfer.coefficients, ranges, width);
+  return json;
+}
+
+Json haarToJson(GltfDocument& document, const HaarTransfer& haar, const PrimitiveRanges& ranges) {
+  std::vector<std::uint32_t> offsets = {0}, indices;
+  std::vector<float> values;
+  for (const PrimitiveRange& range : ranges) {
+    const auto channels = static_cast<std::size_t>(haar.channels);
+    const std::size_t first = range.firstVertex * channels, last = first + range.vertexCount * channels;
+    const std::uint32_t start = haar.offsets[first];
+    const auto base = static_cast<std::uint32_t>(indices.size());
+    for (std::size_t row = first; row < last; ++row) offsets.push_back(base + haar.offsets[row + 1] - start);
+    indices.insert(indices.end(), haar.indices.begin() + start, haar.indices.begin() + haar.offsets[last]);
+    values.insert(values.end(), haar.values.begin() + start, haar.values.begin() + haar.offsets[last]);
+  }
+  Json json = {{"faceSize", haar.faceSize}, {"channels", haar.channels}, {"bounces", haar.bounces}};
+  json["offsets"] = append(document, offsets);
+  // glTF has no accessor of 0 elements: rows that are all empty point at nothing.
+  if (indices.empty()) {
+    indices.push_back(0);
+    values.push_back(0.0f);
+  }
+  json["indices"] = append(document, indices);
+  json["values"] = append(document, values);
+  return json;
+}
+
+Json glossyToJson(GltfDocument& document, const GlossyTransfer& glossy, const PrimitiveRanges& ranges) {
+  const int n = glossy.order * glossy.order;
+  Json json = {{"order", glossy.order}, {"channels", glossy.channels}, {"bounces", glossy.bounces}};
+  json["matrices"] =
+      appendVertices(document, glossy.matrices, ranges, static_cast<std::size_t>(n * n * glossy.channels));
+  return json;
+}
+
+Json lightGroupsToJson(GltfDocument& document, const LightGroupTransfer& lights,
+                       const PrimitiveRanges& ranges) {
+  Json json = {{"channels", lights.channels}, {"bounces", lights.bounces}};
+  json["coefficients"] = appendVertices(document, lights.coefficients, ranges,
+                                        lights.groups.size() * static_cast<std::size_t>(lights.channels));
+  return json;
+}
+
+Json compressedToJson(GltfDocument& document, const CompressedTransfer& transfer,
+                      const PrimitiveRanges& ranges) {
+  const auto components = static_cast<std::size_t>(transfer.components);
+  Json json = Json::object();
+  const auto add = [&](const char* name, const auto& values, std::size_t width) {
+    if (!values.empty()) json[name] = appendVertices(document, values, ranges, width);
+  };
+  add("halves", transfer.halves, transfer.dimension());
+  add("bytes", transfer.bytes, transfer.dimension());
+  add("clusters", transfer.clusterOf, 1);
+  add("weights", transfer.weightFloats, components);
+  add("weights", transfer.weightHalves, components);
+  add("weights", transfer.weightBytes, components);
+  return json;
+}
+
+Json sharedCompression(GltfDocument& document, const CompressedTransfer& transfer) {
+  Json json = {{"method", methodName(transfer.method)},
+               {"order", transfer.order},
+               {"channels", transfer.channels},
+               {"bounces", transfer.bounces}};
+  const auto add = [&](const char* name, const std::vector<float>& values) {
+    if (!values.empty()) json[name] = append(document, values);
+  };
+  add("ranges", transfer.ranges);
+  if (transfer.clusters > 0) {
+    json["clusterCount"] = transfer.clusters;
+    json["componentCount"] = transfer.components;
+    if (transfer.components > 0) json["weightStorage"] = weightStorageName(transfer.weights);
+  }
+  add("means", transfer.means);
+  add("basis", transfer.basis);
+  add("weightRanges", transfer.weightRanges);
+  return json;
+}
+
+}  // namespace
+
+Json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges& ranges) {
+  Json json = Json::object();
+  if (vertexCount(ranges) == 0) return json;
+  if (!bake.ao.empty()) json["ao"] = appendVertices(document, bake.ao, ranges, 1);
+  if (!bake.bentNormals.empty())
+    json["bentNormal"] = append(document, gatherVertices(asFloats(bake.bentNormals), ranges, 3), "VEC3", 3);
+  if (bake.sh) json["sh"] = harmonicToJson(document, *bake.sh, ranges);
+  if (bake.compressedSh) json["shCompressed"] = compressedToJson(document, *bake.compressedSh, ranges);
+  if (bake.ch) json["ch"] = harmonicToJson(document, *bake.ch, ranges);
+  if (bake.haar) json["haar"] = haarToJson(document, *bake.haar, ranges);
+  if (bake.glossy) json["glossy"] = glossyToJson(document, *bake.glossy, ranges);
+  if (bake.lightGroups) json["lightGroups"] = lightGroupsToJson(document, *bake.lightGroups, ranges);
+  return json;
+}
+
+void addSharedData(GltfDocument& document, const Bake& bake, Json& root) {
+  if (bake.compressedSh) root["shCompressed"] = sharedCompression(document, *bake.compressedSh);
+  if (!bake.lightGroups) return;
+  root["lightGroups"] = Json::array();
+  for (const LightGroup& group : bake.lightGroups->groups)
+    root["lightGroups"].push_back(
+        {{"name", group.name}, {"color", {group.color.x, group.color.y, group.color.z}}});
+}
+
+}  // namespace prelight

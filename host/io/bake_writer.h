@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bake/bake.h"
+#include "io/baked_ranges.h"
+#include "scene/gltf_document.h"
+
+namespace prelight {
+
+/// The entry of PRELIGHT_transfer for one primitive: what was baked at its vertices, as accessors that are
+/// appended to the document. docs/file-format.md has every member.
+nlohmann::ordered_json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges& ranges);
+
+/// The members of the root's extension that vertices share: names of light groups, compression's tables.
+void addSharedData(GltfDocument& document, const Bake& bake, nlohmann::ordered_json& root);
+
+}  // namespace prelight
