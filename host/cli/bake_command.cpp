@@ -8,6 +8,7 @@
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/session.h"
+#include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
 
@@ -35,10 +36,15 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
     useDefaultTechniques(request);
     session.console().note(fmt::format("no technique named, baking {}", techniqueText(request)));
   }
-  if (request.bounces > 0 && request.shOrder == 0) {
-    session.warn("--bounces: only SH transfer has bounces, add --sh N; ignored");
+  if (request.bounces > 0 && !request.carriesLight()) {
+    session.warn("--bounces: ambient occlusion has none, add a transfer such as --sh N; ignored");
     request.bounces = 0;
   }
+  if (command.bake.compression && request.shOrder == 0)
+    throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
+  if (request.farLimit > 0.0 && request.nearLimit >= request.farLimit)
+    throw UsageError("--near",
+                     fmt::format("{} m is not below --far {} m", request.nearLimit, request.farLimit));
   return request;
 }
 
@@ -49,6 +55,24 @@ BakeRun bakeKeepingState(Session& session, const LoadedScene& loaded, const Bake
   } catch (const Interrupted&) {
     throw Interrupted(state.message());
   }
+}
+
+void compressSh(Session& session, const LoadedScene& loaded, const CompressionRequest& compression,
+                BakeRun& run) {
+  const HarmonicTransfer full = std::move(*run.bake.sh);
+  run.bake.sh.reset();
+  CompressionError error;
+  session.times().measure("compress", [&] {
+    const std::vector<double> weights = surfaceOfVertices(loaded.compiled);
+    run.bake.compressedSh = compress(full, compression, weights);
+    error = compressionError(full, decompress(*run.bake.compressedSh), weights);
+  });
+  const double bytes = static_cast<double>(run.bake.compressedSh->byteCount());
+  run.report.notes.push_back(
+      fmt::format("compression {}: {:.1f} bytes a vertex instead of {}, error of the light {:.2g} "
+                  "rms of a few lights, {:.2g} for the worst",
+                  compressionName(compression), bytes / loaded.compiled.vertexCount(),
+                  4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms));
 }
 
 void runBake(const BakeCommand& command, Context& context) {
@@ -66,7 +90,8 @@ void runBake(const BakeCommand& command, Context& context) {
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   BakeStateFile state(command.output, command.resume, session.console());
-  const BakeRun run = bakeKeepingState(session, loaded, request, deviceOptions, state);
+  BakeRun run = bakeKeepingState(session, loaded, request, deviceOptions, state);
+  if (command.bake.compression) compressSh(session, loaded, *command.bake.compression, run);
   // From here on it is sooner finished than saved, whoever asks to stop.
   session.times().measure("write", [&] {
     embedBake(loaded.document, loaded.compiled, run.bake);
@@ -105,10 +130,12 @@ void addBakeCommand(CLI::App& program, Context& context) {
                 "go on with an interrupted bake of the same scene and options (OUT.glb.state)");
   addKernelOptions(*app, command->bake);
   app->footer(
-      "Without --ao and --sh the bake is --ao --sh 3 --bounces 1.\n\n"
+      "Without a technique the bake is --ao --sh 3 --bounces 1.\n\n"
       "Examples:\n"
       "  prelight bake level.glb -o baked.glb --ao --sh 4 --bounces 2\n"
-      "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json");
+      "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
+      "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
+      "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");
   app->callback([command, &context] { runBake(*command, context); });
 }
 

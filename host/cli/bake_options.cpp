@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <charconv>
 #include <limits>
+#include <utility>
 
+#include "base/error.h"
 #include "cli/values.h"
 
 namespace prelight::cli {
@@ -32,24 +36,124 @@ void useDefaultTechniques(BakeRequest& request) {
 }
 
 std::string techniqueText(const BakeRequest& request) {
-  std::string text = request.ao ? "--ao" : "";
-  if (request.shOrder > 0) text += fmt::format("{}--sh {}", text.empty() ? "" : " ", request.shOrder);
-  if (request.bounces > 0) text += fmt::format("{}--bounces {}", text.empty() ? "" : " ", request.bounces);
+  std::string text;
+  const auto add = [&](bool given, const std::string& option) {
+    if (given) text += (text.empty() ? "" : " ") + option;
+  };
+  add(request.ao, "--ao");
+  add(request.shOrder > 0, fmt::format("--sh {}", request.shOrder));
+  add(request.chOrder > 0, fmt::format("--ch {}", request.chOrder));
+  add(request.haarSize > 0, fmt::format("--haar {}", request.haarSize));
+  add(request.glossyOrder > 0, fmt::format("--glossy {}", request.glossyOrder));
+  add(request.lightGroups, "--light-groups");
+  add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
+
+namespace {
+
+void addOrder(CLI::App& app, const std::string& name, int most, int& order, const std::string& help) {
+  addWholeNumber(
+      app, name, {1, static_cast<std::uint64_t>(most)},
+      [&order](std::uint64_t n) { order = static_cast<int>(n); }, fmt::format("{}, 1 to {}", help, most));
+}
+
+void addWaveletOptions(CLI::App& app, BakeRequest& request) {
+  app.add_option_function<std::string>(
+         "--haar",
+         [&](const std::string& text) {
+           const std::string expected =
+               fmt::format("a power of two from 1 to {}, the texels along a side of the cube map's faces",
+                           BakeRequest::maxHaarSize);
+           int size = 0;
+           const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+           if (error != std::errc{} || end != text.data() + text.size() || size < 1 ||
+               size > BakeRequest::maxHaarSize || !std::has_single_bit(static_cast<unsigned>(size)))
+             throw CLI::ValidationError("--haar", fmt::format("got '{}', expected {}", text, expected));
+           request.haarSize = size;
+         },
+         "Haar wavelet transfer on cube maps with faces of this many texels a side, a power of two")
+      ->type_name("SIZE");
+  addRealNumber(
+      app, "--haar-error", {0.0, 1.0}, [&](double value) { request.haarError = value; },
+      fmt::format("relative error that leaving out wavelets may make (default {})", request.haarError));
+}
+
+/// "name=pattern,pattern".
+LightGroupRequest parseLightGroup(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+    throw UsageError("--light-group " + text, "expected NAME=PATTERN[,PATTERN...], as in lamps=Lamp*,Bulb");
+  LightGroupRequest group{text.substr(0, equals), {}};
+  std::string pattern;
+  for (const char c : text.substr(equals + 1) + ",") {
+    if (c != ',') {
+      pattern += c;
+    } else if (!pattern.empty()) {
+      group.patterns.push_back(std::exchange(pattern, {}));
+    }
+  }
+  return group;
+}
+
+void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
+  app.add_flag("--light-groups", request.lightGroups,
+               "transfer of the scene's own lights, each scaled and coloured at run time");
+  app.add_option_function<std::vector<std::string>>(
+         "--light-group",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) request.namedGroups.push_back(parseLightGroup(text));
+           request.lightGroups = true;
+         },
+         "lights that go together, once for each group: NAME=PATTERN[,PATTERN...] of light or node names, "
+         "with * "
+         "and ?; the others stay single")
+      ->type_name("GROUP")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
+  constexpr double most = 1e9;
+  addRealNumber(
+      app, "--near", {0.0, most}, [&](double value) { request.nearLimit = value; },
+      "what is nearer to a surface than this occludes nothing, metres")
+      ->type_name("M");
+  addRealNumber(
+      app, "--far", {1e-9, most}, [&](double value) { request.farLimit = value; },
+      "what is farther away than this occludes nothing, metres")
+      ->type_name("M");
+  addRealNumber(
+      app, "--obscurance", {1e-9, most}, [&](double value) { request.obscurance = value; },
+      "occluders fade out linearly with their distance, up to this many metres")
+      ->type_name("M");
+}
+
+}  // namespace
 
 void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
   app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
-  addWholeNumber(
-      app, "--sh", {1, BakeRequest::maxShOrder},
-      [&](std::uint64_t n) { request.shOrder = static_cast<int>(n); },
-      fmt::format("spherical-harmonic transfer of this order, 1 to {} (order squared coefficients)",
-                  BakeRequest::maxShOrder));
+  addOrder(app, "--sh", BakeRequest::maxShOrder, request.shOrder,
+           "spherical-harmonic transfer of this order (order squared coefficients)");
+  addOrder(app, "--ch", BakeRequest::maxShOrder, request.chOrder,
+           "cpherical-harmonic transfer of this order");
+  app.add_flag(
+      "--ch-naive", request.chNaive,
+      "store plain inner products with the cpherical harmonics, which are not orthogonal: for comparison");
+  addWaveletOptions(app, request);
+  addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossyOrder,
+           "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");
+  addLightGroupOptions(app, request);
   addWholeNumber(
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },
-      fmt::format("diffuse bounces in the SH transfer, 0 to {}", BakeRequest::maxBounces));
+      fmt::format("diffuse bounces in all transfer, 0 to {}", BakeRequest::maxBounces));
+  addOcclusionOptions(app, request);
+  app.add_option_function<std::string>(
+         "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
+         "compress the SH transfer: half, band8, pca:K, vq:N or cpca:N:K (N clusters, K components)")
+      ->type_name("METHOD");
 }
 
 void addEffortOptions(CLI::App& app, BakeOptions& options) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "compress/compressed_transfer.h"
 #include "device/device.h"
 #include "plan/plan.h"
 
@@ -13,10 +14,11 @@ namespace prelight::cli {
 /// The options by which a bake is asked for, shared by the commands that bake.
 struct BakeOptions {
   BakeRequest request;
+  std::optional<CompressionRequest> compression;  ///< of the SH transfer
   std::optional<bool> cacheKernels;
   std::filesystem::path dumpKernels;
 
-  bool techniqueGiven() const { return request.ao || request.shOrder > 0; }
+  bool techniqueGiven() const { return request.anything(); }
   void addTo(DeviceOptions& device) const;
 };
 
@@ -26,7 +28,7 @@ void useDefaultTechniques(BakeRequest& request);
 /// "--ao --sh 3 --bounces 1": the techniques of a request as options.
 std::string techniqueText(const BakeRequest& request);
 
-/// --ao, --sh and --bounces.
+/// --ao, --sh, --ch, --haar, --glossy, --light-groups, --bounces, and what shapes them.
 void addTechniqueOptions(CLI::App& app, BakeOptions& options);
 
 /// --rays, --error, --time, --seed and --max-memory.

@@ -58,6 +58,15 @@ Json toJson(const DeviceInfo& device) {
 
 Json toJson(const BakeRequest& request) {
   Json json = {{"ao", request.ao}, {"sh", request.shOrder}, {"bounces", request.bounces}};
+  if (request.chOrder > 0) json["ch"] = request.chOrder;
+  if (request.chOrder > 0 && request.chNaive) json["chNaive"] = true;
+  if (request.haarSize > 0) json["haar"] = request.haarSize;
+  if (request.haarSize > 0) json["haarError"] = request.haarError;
+  if (request.glossyOrder > 0) json["glossy"] = request.glossyOrder;
+  if (request.lightGroups) json["lightGroups"] = true;
+  if (request.nearLimit > 0.0) json["near"] = request.nearLimit;
+  if (request.farLimit > 0.0) json["far"] = request.farLimit;
+  if (request.obscurance > 0.0) json["obscurance"] = request.obscurance;
   if (request.error) json["error"] = *request.error;
   if (request.seconds) json["time"] = *request.seconds;
   if (!request.error && !request.seconds) json["rays"] = request.rays;
