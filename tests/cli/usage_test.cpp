@@ -42,7 +42,7 @@ TEST_F(CliUsage, Arguments_MissingOrTooMany_AreNamed) {
 }
 
 TEST_F(CliUsage, Technique_ThatDoesNotExist_NamesThoseThatDo) {
-  for (const char* option : {"--ch", "--haar", "--vo", "--radiosity", "--lightmap", "--caustics"})
+  for (const char* option : {"--vo", "--radiosity", "--lightmap", "--caustics"})
     expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", option}, {option, "--ao", "--sh"});
   for (const char* shading : {"vo", "haar", "full", ""})
     expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", shading}, {"phong", "ao", "sh"});
@@ -62,7 +62,16 @@ TEST_F(CliUsage, Options_ThatExcludeEachOther_AreRefused) {
 
 TEST_F(CliUsage, Values_NegativeOrAbsurd_AreRefusedByName) {
   const std::vector<std::pair<const char*, std::vector<const char*>>> cases = {
-      {"--sh", {"0", "-1", "9", "1.5", "three", "", "99999999999999999999"}},
+      {"--sh", {"0", "-1", "33", "1.5", "three", "", "99999999999999999999"}},
+      {"--ch", {"0", "-1", "33", "1.5", "three", ""}},
+      {"--glossy", {"0", "-1", "9", "two"}},
+      {"--haar", {"0", "-8", "3", "48", "256", "16.0", "large", ""}},
+      {"--haar-error", {"-0.1", "1.1", "nan"}},
+      {"--near", {"-1", "nan"}},
+      {"--far", {"0", "-1", "inf"}},
+      {"--obscurance", {"0", "-1", "nan"}},
+      {"--light-group", {"lamps", "=Lamp*", "lamps="}},
+      {"--compress", {"zip", "pca", "pca:0", "vq:0", "cpca:4", "cpca:x:y", ""}},
       {"--bounces", {"-1", "17", "99", "nan"}},
       {"--rays", {"0", "-5", "1e3", "2000000", "18446744073709551616"}},
       {"--error", {"0", "-0.1", "nan", "inf", "2", "x"}},
