@@ -99,8 +99,7 @@ void measureWaveletRotation(const WaveletScene& scene, const std::vector<NamedLi
         const haar::SparseLight kept =
             haar::fitSelection(light, haar::selectLight(light, scene.model.rms, count), scene.model);
         const haar::SparseLight turned = rotation.rotate(kept);
-        meters[{l, count}].add(haar::relight(scene.transfer, turned), turns[l].exact[frame],
-                               turned.indices.size());
+        meters[{l, count}].add(scene.relight(turned), turns[l].exact[frame], turned.indices.size());
       }
       progress.check();
     }
@@ -118,7 +117,24 @@ WaveletScene::WaveletScene(int faceSize, int receiverCount)
     : texels(faceSize),
       receivers(receiverCount, 12, 1),
       transfer(receivers.transfer(texels, 0.0)),
-      model(haar::modelTransfer(transfer, modelRank)) {}
+      model(haar::modelTransfer(transfer, modelRank)),
+      columns(texels.count() * receivers.count(), 0.0f) {
+  for (std::size_t v = 0; v < receivers.count(); ++v) {
+    for (std::uint32_t k = transfer.offsets[v]; k < transfer.offsets[v + 1]; ++k) {
+      columns[transfer.indices[k] * receivers.count() + v] = transfer.values[k];
+    }
+  }
+}
+
+Lit WaveletScene::relight(const haar::SparseLight& light) const {
+  Lit lit(receivers.count(), glm::dvec3(0.0));
+  for (std::size_t k = 0; k < light.indices.size(); ++k) {
+    const float* column = columns.data() + light.indices[k] * receivers.count();
+    const glm::dvec3 value(light.values[k]);
+    for (std::size_t v = 0; v < lit.size(); ++v) lit[v] += static_cast<double>(column[v]) * value;
+  }
+  return lit;
+}
 
 void measureTurns(const WaveletScene& scene, const std::vector<NamedLight>& lights,
                   const BenchmarkOptions& options, const Progress& progress,
@@ -137,7 +153,7 @@ void measureTurns(const WaveletScene& scene, const std::vector<NamedLight>& ligh
         FlickerMeter meter;
         for (int f = 0; f < options.waveletFrames; ++f) {
           const haar::SparseLight part = choose(f);
-          meter.add(haar::relight(scene.transfer, part), turn.exact[f], part.indices.size());
+          meter.add(scene.relight(part), turn.exact[f], part.indices.size());
         }
         report(fmt::format("turn/{}/{}/{}", light.name, count, name), meter, results);
         progress.check();

@@ -4,6 +4,7 @@
 
 #include "base/progress.h"
 #include "basis/haar_model.h"
+#include "benchmarks/flicker.h"
 #include "benchmarks/sphere_receivers.h"
 #include "benchmarks/suite.h"
 #include "benchmarks/wavelet_lights.h"
@@ -14,10 +15,14 @@ namespace prelight::benchmarks {
 struct WaveletScene {
   CubeTexels texels;
   SphereReceivers receivers;
-  HaarTransfer transfer;      ///< with all coefficients
-  haar::TransferModel model;  ///< of 16 directions
+  HaarTransfer transfer;       ///< with all coefficients
+  haar::TransferModel model;   ///< of 16 directions
+  std::vector<float> columns;  ///< the transfer as [coefficient][receiver]
 
   WaveletScene(int faceSize, int receiverCount);
+
+  /// As haar::relight(), reading only what the light's coefficients need.
+  Lit relight(const haar::SparseLight& light) const;
 };
 
 /// Error and flicker of lights that turn by a degree a frame: resampled at points and by area, chosen
