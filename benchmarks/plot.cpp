@@ -236,34 +236,43 @@ std::string waveletsPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
-/// "cpca:64:8" -> "cpca"; what has components of its own a number of clusters is a curve of its own.
+/// Curves of the chart of compression: "cpca:64:8" -> "cpca:64", "half" and "band8" -> "half, band8".
 std::string methodFamily(const std::string& method) {
   const std::size_t colon = method.find(':');
-  if (colon == std::string::npos) return method;
+  if (colon == std::string::npos) return "half, band8";
   const std::string family = method.substr(0, colon);
   return family == "cpca" ? method.substr(0, method.find(':', colon + 1)) : family;
 }
 
+/// A family has one colour; the second scene is dashed.
 std::string compressPlot(const Results& results, const std::string& subtitle) {
   CurveChart chart{"Error of compressed transfer against its size",
                    subtitle,
                    "bytes a vertex, everything counted",
                    "relative RMS error of vectors",
                    {}};
+  std::vector<std::string> scenes, families;
+  const auto placeOf = [](std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto place = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) names.push_back(name);
+    return place;
+  };
   for (const BenchmarkResult& size : results)
     for (const BenchmarkResult& error : results) {
       if (size.metric != "bytes a vertex" || error.metric != "vector error" || size.case_ != error.case_ ||
-          !(error.value > 0.0))
+          !(error.value > 0.0) || size.case_.ends_with(":byte"))
         continue;
       const auto [scene, method] = splitCase(size.case_);
-      if (method.ends_with(":byte")) continue;
-      const std::string name = fmt::format("{}, {}", scene, methodFamily(method));
+      const std::string family = methodFamily(method), name = fmt::format("{}, {}", scene, family);
+      const CurveStyle style = placeOf(scenes, scene) == 0 ? CurveStyle::Strong : CurveStyle::Dashed;
+      const std::size_t color = placeOf(families, family);
       auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
                                 [&](const Curve& c) { return c.name == name; });
       if (curve == chart.curves.end())
         curve = chart.curves.insert(
             chart.curves.end(),
-            {name, palette[chart.curves.size() % palette.size()], CurveStyle::Strong, {}});
+            {name, color == 0 ? "#6b7178" : palette[(color - 1) % palette.size()], style, {}});
       const auto place = std::find_if(curve->points.begin(), curve->points.end(),
                                       [&](const Point& p) { return p.x > size.value; });
       curve->points.insert(place, {size.value, error.value});

@@ -159,7 +159,7 @@ void addKeysAndGroups(DeviceContext& device, std::size_t vertices, std::vector<R
                          reference::relightGroups(groups, byGroup)));
 }
 
-/// Rows whose coefficients thin out from coarse to fine as those of transfer do: about 800 of 6 x 32 x 32.
+/// Rows whose coefficients thin out from coarse to fine as those of transfer do: about 1,100 of 6 x 32 x 32.
 HaarTransfer randomHaar(std::size_t vertices) {
   constexpr int faceSize = 32;
   HaarTransfer transfer;

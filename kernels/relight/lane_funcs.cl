@@ -50,8 +50,8 @@ size_t firstOfItem(size_t item, size_t rows) {
 }
 
 // Halves by their bits: shifting the sign-extended number puts sign, exponent and mantissa where a float has them, and
-// a multiplication corrects the bias, of denormals too. Takes finite halves. (vload_half would do, but PoCL 3.1 converts
-// bit by bit, a number at a time.)
+// a multiplication corrects the bias, of denormals too. Takes finite halves. (vload_half would do, but PoCL 3.1
+// converts bit by bit, a number at a time.)
 Lanes __attribute__((always_inline)) lanesOfHalves(ShortLanes halves) {
   return AS_LANES((CONVERT_INT_LANES(halves) << 13) & (int)0x8fffe000) * 0x1p112f;
 }
