@@ -20,7 +20,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
     for (int c = 0; c < 3; ++c)
       hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
   }
-  for (const PrimitiveRange& range : scene.primitives) hash.text(range.name);
+  for (const PrimitiveRange& range : scene.primitives) hash.text(range.name).value(range.node);
   for (const Image& image : scene.albedoImages)
     hash.value(image.width).value(image.height).values(image.rgba);
   return hash.result();
@@ -34,6 +34,11 @@ std::uint64_t hashOf(const BakeRequest& request) {
   for (const LightGroupRequest& group : request.namedGroups) {
     hash.text(group.name);
     for (const std::string& pattern : group.patterns) hash.text(pattern);
+  }
+  for (const ShadowSetRequest& set : request.shadowSets) {
+    hash.value(set.receivers.size()).value(set.occluders.size());
+    for (const std::string& pattern : set.receivers) hash.text(pattern);
+    for (const std::string& pattern : set.occluders) hash.text(pattern);
   }
   hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
   // Rays a vertex are ignored beside the two others.

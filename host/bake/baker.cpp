@@ -12,6 +12,7 @@
 #include "bake/scene_cast.h"
 #include "bake/slot_transfer.h"
 #include "bvh/tracer.h"
+#include "plan/shadow_sets.h"
 
 namespace prelight {
 
@@ -137,7 +138,7 @@ class BakeRunner {
 };
 
 CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, std::uint32_t capacity,
-                        const GroupedLights& lights) {
+                        const GroupedLights& lights, const ShadowSets& sets, std::span<Tracer> setTracers) {
   const int order = transferOrder(request);
   CastOptions options;
   options.shOrder = castOrder(request);
@@ -146,13 +147,16 @@ CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, st
   options.bounceColumns = static_cast<std::size_t>(order * order) + lights.groups.size();
   options.texelFaceSize = request.haarSize;
   options.lights = lights.empty() ? nullptr : &lights;
+  options.sets = &sets;
+  options.setTracers = setTracers;
   options.limits = {request.nearLimit, request.farLimit, request.obscurance};
   return options;
 }
 
 Projections projectionsOf(const BakeRequest& request, const Plan& plan, const Schedule& schedule,
-                          const GroupedLights& lights) {
+                          const GroupedLights& lights, const ShadowSets& sets) {
   Projections projections;
+  projections.sets = &sets;
   projections.shOrder = castOrder(request);
   projections.bentNormal = request.ao;
   projections.groups = static_cast<std::uint32_t>(lights.groups.size());
@@ -188,15 +192,20 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
                                         std::chrono::duration<double>(earlierSeconds));
   StageClock clock(report);
   const bool withBounces = plan.runs("bounces");
-  const FitMesh mesh = makeFitMesh(scene);
+  const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
+  const FitMesh mesh = makeFitMesh(scene, sets.setOfVertices(scene));
   const Schedule schedule = makeSchedule(request, mesh.slotCount(), start);
   Tracer tracer(scene, device);
+  std::vector<Tracer> setTracers;
+  for (const ShadowSets::Occluders& set : sets.sets) setTracers.emplace_back(tracer, scene, set.triangles);
   const std::uint32_t capacity = withBounces ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
   const GroupedLights lights =
       request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{};
-  Caster caster(scene, tracer, castOptions(request, schedule, capacity, lights));
+  Caster caster(scene, tracer, castOptions(request, schedule, capacity, lights, sets, setTracers));
   report.bytesBvh = tracer.bvhBytes();
-  SceneCast cast(scene, mesh, caster, schedule, projectionsOf(request, plan, schedule, lights), capacity);
+  for (const Tracer& part : setTracers) report.bytesBvh += part.bvhBytes();
+  SceneCast cast(scene, mesh, caster, schedule, projectionsOf(request, plan, schedule, lights, sets),
+                 capacity);
   if (saved) cast.load(*saved);
   saved.reset();
   clock.mark("prepare");

@@ -54,7 +54,8 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
   generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
   project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder), "projectHits");
-  if (options_.lights != nullptr) lights_.emplace(scene, *options_.lights, tracer_, blockSize_);
+  if (options_.lights != nullptr)
+    lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_);
   if (options_.texelFaceSize > 0) {
     texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());
@@ -91,20 +92,22 @@ void Caster::generate(std::span<const Receiver> receivers) {
   device_.launch(generate_, receivers.size() * options_.raysPerReceiver / 8, groupSize);
 }
 
-void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const std::uint32_t* storedRow) {
+void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const std::uint32_t* storedRow,
+                  std::uint32_t set) {
+  Tracer& tracer = set == 0 ? tracer_ : options_.setTracers[set - 1];
   const auto count = static_cast<std::uint32_t>(receivers.size());
   setParameters(count, storedRow != nullptr ? *storedRow : 0);
   generate(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
   const bool closest =
       storedRow != nullptr || options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
-  closest ? tracer_.traceClosest(rays_, hits_, rayCount) : tracer_.traceAny(rays_, hits_, rayCount);
+  closest ? tracer.traceClosest(rays_, hits_, rayCount) : tracer.traceAny(rays_, hits_, rayCount);
   if (storedRow != nullptr) store(count);
   project(count);
   values.values.resize(std::size_t{count} * valueCount_);
   values_.read(std::span(values.values));
   if (options_.texelFaceSize > 0) codeTexels(count, values.texels);
-  if (lights_) lights_->cast({parameters_, receivers_, rays_, hits_}, count, values.lights);
+  if (lights_) lights_->cast({parameters_, receivers_, rays_, hits_}, count, tracer, set, values.lights);
 }
 
 void Caster::codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels) {

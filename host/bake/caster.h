@@ -27,6 +27,8 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   CastLimits limits;
+  const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
+  std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
 };
 
 /// What a block's receivers saw.
@@ -51,8 +53,10 @@ class Caster {
   /// kernels/project/project_kernels.cl.
   std::uint32_t valueCount() const { return valueCount_; }
 
-  /// Casts a block. With `storedRow`, its rows of senders are kept from that row on.
-  void cast(std::span<const device::Receiver> receivers, CastValues& values, const std::uint32_t* storedRow);
+  /// Casts a block of receivers of one set of occluders. With `storedRow`, its rows of senders are kept from
+  /// that row on.
+  void cast(std::span<const device::Receiver> receivers, CastValues& values, const std::uint32_t* storedRow,
+            std::uint32_t set = 0);
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
   std::uint32_t groupCount() const { return lights_ ? lights_->groupCount() : 0; }

@@ -8,21 +8,22 @@ namespace prelight {
 
 namespace {
 
-using VertexKey = std::array<std::uint32_t, 6>;
+using VertexKey = std::array<std::uint32_t, 7>;
 
-VertexKey keyOf(const CompiledScene& scene, std::uint32_t vertex) {
+VertexKey keyOf(const CompiledScene& scene, std::span<const std::uint32_t> classes, std::uint32_t vertex) {
   // Adding 0 turns -0 into +0.
   const glm::vec3 p = scene.positions[vertex] + 0.0f;
   const glm::vec3 n = scene.normals[vertex] + 0.0f;
   VertexKey key{};
   std::memcpy(key.data(), &p, sizeof p);
   std::memcpy(key.data() + 3, &n, sizeof n);
+  key[6] = classes.empty() ? 0 : classes[vertex];
   return key;
 }
 
-void weld(const CompiledScene& scene, FitMesh& mesh) {
+void weld(const CompiledScene& scene, std::span<const std::uint32_t> classes, FitMesh& mesh) {
   std::vector<VertexKey> keys(scene.vertexCount());
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) keys[v] = keyOf(scene, v);
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) keys[v] = keyOf(scene, classes, v);
   std::vector<std::uint32_t> order(scene.vertexCount());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
@@ -64,9 +65,9 @@ void connect(FitMesh& mesh) {
 
 }  // namespace
 
-FitMesh makeFitMesh(const CompiledScene& scene) {
+FitMesh makeFitMesh(const CompiledScene& scene, std::span<const std::uint32_t> classes) {
   FitMesh mesh;
-  weld(scene, mesh);
+  weld(scene, classes, mesh);
   mesh.triangles.reserve(scene.triangleCount());
   for (const auto& t : scene.triangles)
     mesh.triangles.push_back({mesh.slotOfVertex[t.x], mesh.slotOfVertex[t.y], mesh.slotOfVertex[t.z]});

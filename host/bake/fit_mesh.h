@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/compiled_scene.h"
@@ -20,7 +21,8 @@ struct FitMesh {
   std::uint32_t slotCount() const { return static_cast<std::uint32_t>(vertexOfSlot.size()); }
 };
 
-FitMesh makeFitMesh(const CompiledScene& scene);
+/// Vertices of different `classes` do not share a slot: [vertex], or empty.
+FitMesh makeFitMesh(const CompiledScene& scene, std::span<const std::uint32_t> classes = {});
 
 /// [slot], the lowest slot that triangles join it to.
 std::vector<std::uint32_t> componentsOf(const FitMesh& mesh);

@@ -1,5 +1,7 @@
 #include "bake/light_caster.h"
 
+#include <algorithm>
+
 #include "bake/surface_sampler.h"
 
 namespace prelight {
@@ -33,6 +35,15 @@ std::vector<float> frontNormals(const CompiledScene& scene) {
   return normals;
 }
 
+/// Emitters that a set leaves out are black for its receivers.
+std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSets::Occluders& set) {
+  std::vector<GroupEmitter> emitters = lights.emitters;
+  for (GroupEmitter& emitter : emitters)
+    if (!std::binary_search(set.triangles.begin(), set.triangles.end(), emitter.triangle))
+      for (float& factor : emitter.factor) factor = 0.0f;
+  return emitters;
+}
+
 template <typename T>
 std::span<const T> spanOf(const std::vector<T>& values) {
   return values;
@@ -40,17 +51,15 @@ std::span<const T> spanOf(const std::vector<T>& values) {
 
 }  // namespace
 
-LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer,
-                         std::uint32_t blockSize)
-    : tracer_(tracer),
-      device_(tracer.context()),
+LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
+                         DeviceContext& device, std::uint32_t blockSize)
+    : device_(device),
       groupCount_(static_cast<std::uint32_t>(lights.groups.size())),
       slotCount_(static_cast<std::uint32_t>(lights.slots.size())),
       hasEmitters_(!lights.emitters.empty()),
       slots_(device_, spanOf(lights.slots)),
       lights_(device_, spanOf(lights.punctual)),
       factors_(device_, spanOf(lights.factors)),
-      emitters_(device_, spanOf(lights.emitters)),
       emitterOfTriangle_(device_, spanOf(lights.emitterOfTriangle)),
       samplesOfGroup_(device_, spanOf(lights.samplesOfGroup)),
       triangles_(device_, spanOf(deviceTriangles(scene))),
@@ -60,22 +69,26 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
       hits_(device_, std::size_t{blockSize} * slotCount_),
       rayValues_(device_, std::size_t{blockSize} * slotCount_ * 3),
       values_(device_, std::size_t{blockSize} * groupCount_ * 3) {
+  emitters_.emplace_back(device_, spanOf(lights.emitters));
+  if (sets != nullptr)
+    for (const auto& set : sets->sets) emitters_.emplace_back(device_, spanOf(emittersOf(lights, set)));
   const auto& program =
       device_.program("cast/light_kernels.cl", BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS"));
   generate_ = cl::Kernel(program, "generateLightRays");
   project_ = cl::Kernel(program, "projectLights");
 }
 
-void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, std::vector<float>& values) {
+void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
+                       std::uint32_t set, std::vector<float>& values) {
   const std::size_t rayCount = std::size_t{receivers} * slotCount_;
   setArguments(generate_, block.parameters.get(), slotCount_, block.receivers.get(), slots_.get(),
-               lights_.get(), factors_.get(), emitters_.get(), triangles_.get(), positions_.get(),
+               lights_.get(), factors_.get(), emitters_[set].get(), triangles_.get(), positions_.get(),
                geometricNormals_.get(), rays_.get(), rayValues_.get());
   device_.launch(generate_, rayCount, groupSize);
-  tracer_.traceAny(rays_, hits_, rayCount);
+  tracer.traceAny(rays_, hits_, rayCount);
   setArguments(project_, block.parameters.get(), slotCount_, groupCount_, block.receivers.get(), slots_.get(),
                hits_.get(), rayValues_.get(), block.rays.get(), block.hits.get(), emitterOfTriangle_.get(),
-               emitters_.get(), samplesOfGroup_.get(), geometricNormals_.get(), values_.get());
+               emitters_[set].get(), samplesOfGroup_.get(), geometricNormals_.get(), values_.get());
   device_.launch(project_, receivers, groupSize);
   values.resize(std::size_t{receivers} * groupCount_ * 3);
   values_.read(std::span(values));

@@ -6,6 +6,7 @@
 
 #include "bake/light_groups.h"
 #include "bvh/tracer.h"
+#include "plan/shadow_sets.h"
 #include "shared/cast_types.h"
 
 namespace prelight {
@@ -22,19 +23,21 @@ struct CastBlockBuffers {
 /// meet an emitter by themselves, weighed by the balance heuristic (Veach 1997).
 class LightCaster {
  public:
-  /// `blockSize` receivers at most are cast at once. The tracer must outlive this.
-  LightCaster(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer,
-              std::uint32_t blockSize);
+  /// `blockSize` receivers at most are cast at once. Receivers of a set get nothing from emitters that it
+  /// leaves out.
+  LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
+              DeviceContext& device, std::uint32_t blockSize);
 
   std::uint32_t groupCount() const { return groupCount_; }
   bool hasEmitters() const { return hasEmitters_; }
   std::uint32_t raysPerReceiver() const { return slotCount_; }
 
-  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour.
-  void cast(const CastBlockBuffers& block, std::uint32_t receivers, std::vector<float>& values);
+  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour. All receivers
+  /// are of the set, whose triangles the tracer holds.
+  void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer, std::uint32_t set,
+            std::vector<float>& values);
 
  private:
-  Tracer& tracer_;
   DeviceContext& device_;
   std::uint32_t groupCount_;
   std::uint32_t slotCount_;
@@ -42,7 +45,7 @@ class LightCaster {
   Buffer<device::LightSlot> slots_;
   Buffer<device::ReferenceLight> lights_;
   Buffer<float> factors_;
-  Buffer<device::GroupEmitter> emitters_;
+  std::vector<Buffer<device::GroupEmitter>> emitters_;  ///< [set]
   Buffer<std::uint32_t> emitterOfTriangle_;
   Buffer<std::uint32_t> samplesOfGroup_;
   Buffer<device::DeviceTriangle> triangles_;

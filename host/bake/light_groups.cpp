@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/pattern.h"
 #include "scene/punctual_light.h"
 
 namespace prelight {
@@ -133,26 +134,6 @@ void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t
 }
 
 }  // namespace
-
-bool matchesPattern(const std::string& text, const std::string& pattern) {
-  // Greedy with one point to come back to: the last * and how much it has swallowed.
-  std::size_t t = 0, p = 0, star = std::string::npos, swallowed = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      swallowed = t;
-    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t])) {
-      ++t;
-      ++p;
-    } else if (star != std::string::npos) {
-      p = star + 1;
-      t = ++swallowed;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string::npos;
-}
 
 GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named) {
   std::vector<Source> sources;

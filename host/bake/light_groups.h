@@ -30,7 +30,4 @@ struct GroupedLights {
 /// in the scene shines.
 GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named);
 
-/// True when `text` is what `pattern` describes: * is any run of characters, ? any one.
-bool matchesPattern(const std::string& text, const std::string& pattern);
-
 }  // namespace prelight

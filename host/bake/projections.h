@@ -3,15 +3,18 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plan/shadow_sets.h"
+
 namespace prelight {
 
 /// What the rays of one side of the surface are turned into.
 struct Projections {
-  int shOrder = 0;            ///< 0: none
-  bool bentNormal = false;    ///< fitted for fronts only
-  std::uint32_t groups = 0;   ///< of lights
-  std::size_t texelRows = 0;  ///< receivers whose rays are kept texel by texel, fronts only
-  bool receivers = false;     ///< keep the receivers of stored rows, fronts only
+  int shOrder = 0;                   ///< 0: none
+  bool bentNormal = false;           ///< fitted for fronts only
+  std::uint32_t groups = 0;          ///< of lights
+  std::size_t texelRows = 0;         ///< receivers whose rays are kept texel by texel, fronts only
+  bool receivers = false;            ///< keep the receivers of stored rows, fronts only
+  const ShadowSets* sets = nullptr;  ///< of occluders; nullptr: all see everything
 };
 
 }  // namespace prelight

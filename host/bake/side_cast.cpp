@@ -1,6 +1,7 @@
 #include "bake/side_cast.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace prelight {
 
@@ -100,29 +101,58 @@ void SideCast::castPass(Progress& progress) {
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
 }
 
+std::uint32_t SideCast::setOf(const SurfaceSample& sample) const {
+  return projections_.sets != nullptr ? projections_.sets->setOf(sample.triangle) : 0;
+}
+
+void SideCast::sortPendingBySet() {
+  std::vector<std::size_t> order(pendingSamples_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return setOf(pendingSamples_[a]) < setOf(pendingSamples_[b]);
+  });
+  const auto samples = pendingSamples_;
+  const auto receivers = pendingReceivers_;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    pendingSamples_[i] = samples[order[i]];
+    pendingReceivers_[i] = receivers[order[i]];
+  }
+}
+
+// A block is whole again at the end, whichever sets its receivers are of: an interrupted pass goes on there.
 void SideCast::flush() {
-  const auto count = static_cast<std::uint32_t>(pendingReceivers_.size());
-  if (count == 0) return;
-  const std::uint32_t row = storedFirst_ + storedCount_;
-  // Bounces read the records of stored rows, so a row is kept only where its record is.
-  const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
-                      receivers_ + count <= maxRecords;
-  caster_.cast(pendingReceivers_, values_, stores ? &row : nullptr);
-  if (stores) storedCount_ += count;
-  if (stores && projections_.receivers)
-    storedReceivers_.insert(storedReceivers_.end(), pendingReceivers_.begin(), pendingReceivers_.end());
-  for (std::size_t i = 0; i < count; ++i) addReceiver(i);
-  receivers_ += count;
-  doneInPass_ += count;
+  if (projections_.sets != nullptr && !projections_.sets->empty()) sortPendingBySet();
+  for (std::size_t first = 0; first < pendingReceivers_.size();) {
+    const std::uint32_t set = setOf(pendingSamples_[first]);
+    std::size_t end = first + 1;
+    while (end < pendingSamples_.size() && setOf(pendingSamples_[end]) == set) ++end;
+    castBlock(first, static_cast<std::uint32_t>(end - first), set);
+    first = end;
+  }
   pendingSamples_.clear();
   pendingReceivers_.clear();
 }
 
+void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t set) {
+  const auto receivers = std::span(pendingReceivers_).subspan(first, count);
+  const std::uint32_t row = storedFirst_ + storedCount_;
+  // Bounces read the records of stored rows, so a row is kept only where its record is.
+  const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
+                      receivers_ + count <= maxRecords;
+  caster_.cast(receivers, values_, stores ? &row : nullptr, set);
+  if (stores) storedCount_ += count;
+  if (stores && projections_.receivers)
+    storedReceivers_.insert(storedReceivers_.end(), receivers.begin(), receivers.end());
+  for (std::size_t i = 0; i < count; ++i) addReceiver(first + i, i);
+  receivers_ += count;
+  doneInPass_ += count;
+}
+
 // The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form,
 // then the interpolated baseline is taken off, so that the fit sees only what occlusion changes.
-void SideCast::addReceiver(std::size_t i) {
-  const SurfaceSample& sample = pendingSamples_[i];
-  const device::Receiver& receiver = pendingReceivers_[i];
+void SideCast::addReceiver(std::size_t pending, std::size_t i) {
+  const SurfaceSample& sample = pendingSamples_[pending];
+  const device::Receiver& receiver = pendingReceivers_[pending];
   const float* values = &values_.values[i * caster_.valueCount()];
   const double open = values[0];
   const glm::dvec3 normal(receiver.normal[0], receiver.normal[1], receiver.normal[2]);

@@ -70,7 +70,10 @@ class SideCast {
   bool endRound();
   void castPass(Progress& progress);
   void flush();
-  void addReceiver(std::size_t i);
+  void sortPendingBySet();
+  void castBlock(std::size_t first, std::uint32_t count, std::uint32_t set);
+  std::uint32_t setOf(const SurfaceSample& sample) const;
+  void addReceiver(std::size_t pending, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
   void addLights(const SurfaceSample& sample, std::size_t i);
   void markSlots(const SurfaceSample& sample, double open);

@@ -22,7 +22,8 @@ BinaryBvh buildBySurface(const CompiledScene& scene, const BvhOptions& options, 
   return buildTopDown(scene, {.price = wide ? LeafPrice::Blocks : LeafPrice::Triangles,
                               .leafSize = wide ? 4u : 1u,
                               .splitBudget = splitBudget,
-                              .threads = options.threads});
+                              .threads = options.threads,
+                              .triangles = options.triangles});
 }
 
 BinaryBvh collapse(const BinaryBvh& bvh, const BvhOptions& options) {
@@ -41,10 +42,10 @@ double costOf(const BinaryBvh& bvh, BvhTarget target) {
 }
 
 BinaryBvh build(const CompiledScene& scene, const BvhOptions& options) {
-  if (options.quality == BuildQuality::Fast)
+  if (options.quality == BuildQuality::Fast && options.triangles.empty())
     return collapse(buildMortonTree(scene, options.threads), options);
   BinaryBvh plain = collapse(buildBySurface(scene, options, 0.0), options);
-  if (options.quality == BuildQuality::Balanced) return plain;
+  if (options.quality != BuildQuality::High) return plain;
   // Each spatial split is the cheaper choice where it is made, but not always in the end.
   BinaryBvh split = collapse(buildBySurface(scene, options, highSplitBudget), options);
   return costOf(split, options.target) < costOf(plain, options.target) ? std::move(split) : std::move(plain);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "base/parallel.h"
 #include "bvh/binary_bvh.h"
@@ -22,6 +23,9 @@ struct BvhOptions {
   BuildQuality quality = BuildQuality::High;
   BvhTarget target = BvhTarget::Wide;
   std::size_t threads = hardwareThreads();  ///< the tree does not depend on it
+  /// Triangles of the scene that the tree holds, each once; empty: all. Their indices stay the scene's. A
+  /// tree of a part is built from the top down whatever the quality.
+  std::span<const std::uint32_t> triangles = {};
 };
 
 /// Builds a tree whose depth is at most BinaryBvh::maxDepth. It depends on scene, quality and target alone.

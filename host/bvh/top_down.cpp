@@ -296,15 +296,17 @@ class Builder {
 
 }  // namespace
 
-std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t threads) {
-  std::vector<Reference> references(scene.triangleCount());
+std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t threads,
+                                      std::span<const std::uint32_t> triangles) {
+  std::vector<Reference> references(triangles.empty() ? scene.triangleCount() : triangles.size());
   parallelRanges(
       references.size(), grain,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const std::uint32_t t = triangles.empty() ? static_cast<std::uint32_t>(i) : triangles[i];
           Box box;
           for (int corner = 0; corner < 3; ++corner) box.grow(scene.positions[scene.triangles[t][corner]]);
-          references[t] = Reference(box, static_cast<std::uint32_t>(t));
+          references[i] = Reference(box, t);
         }
       },
       threads);
@@ -312,7 +314,7 @@ std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t th
 }
 
 BinaryBvh buildTopDown(const CompiledScene& scene, const TopDownOptions& options) {
-  return Builder(makeReferences(scene, options.threads), &scene, options).build();
+  return Builder(makeReferences(scene, options.threads, options.triangles), &scene, options).build();
 }
 
 BinaryBvh buildOverBoxes(std::span<const Box> boxes, const TopDownOptions& options) {

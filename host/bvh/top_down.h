@@ -20,10 +20,12 @@ struct TopDownOptions {
   std::uint32_t leafSize = 8;  ///< ranges of at most this many references become leaves, others never; 1..8
   double splitBudget = 0.0;    ///< references that spatial splits may add, as a share of the triangles
   std::size_t threads = 1;
+  std::span<const std::uint32_t> triangles = {};  ///< those that the tree holds; empty: all
 };
 
-/// A reference for each triangle, in the order of the triangles.
-std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t threads);
+/// A reference for each of `triangles`, or for each of the scene's when there are none, in their order.
+std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t threads,
+                                      std::span<const std::uint32_t> triangles = {});
 
 /// Binned SAH from the root down (Wald 2007), with spatial splits where object splits overlap (Stich 2009).
 /// The tree depends on the scene and on the options but `threads`. The scene must have a triangle.

@@ -82,6 +82,20 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
   uploadSurface(scene);
 }
 
+Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles)
+    : context_(whole.context_),
+      layout_(whole.layout_),
+      alphaTest_(whole.alphaTest_),
+      vertexColors_(whole.vertexColors_),
+      treeless_(triangles.empty()),
+      surfaceTriangles_(whole.surfaceTriangles_),
+      materials_(whole.materials_),
+      texCoords_(whole.texCoords_),
+      colors_(whole.colors_),
+      texels_(whole.texels_) {
+  if (!treeless_) uploadTree(scene, BuildQuality::High, triangles);
+}
+
 cl::Kernel& Tracer::kernel(Query query) {
   cl::Kernel& kernel = query == Query::Any ? any_ : closest_;
   if (kernel() == nullptr) {
@@ -102,14 +116,15 @@ BuildOptions Tracer::surfaceOptions() const {
       .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS");
 }
 
-void Tracer::uploadTree(const CompiledScene& scene, BuildQuality quality) {
+void Tracer::uploadTree(const CompiledScene& scene, BuildQuality quality,
+                        std::span<const std::uint32_t> triangles) {
   const BvhTarget target = layout_ == BvhLayout::Wide ? BvhTarget::Wide : BvhTarget::Narrow;
-  const BinaryBvh tree = buildBvh(scene, {.quality = quality, .target = target});
-  const auto keep = [this](const auto& bvh, const auto& triangles) {
+  const BinaryBvh tree = buildBvh(scene, {.quality = quality, .target = target, .triangles = triangles});
+  const auto keep = [this](const auto& bvh, const auto& leaves) {
     nodes_ = upload(*context_, bvh.nodes);
-    triangles_ = upload(*context_, triangles);
+    triangles_ = upload(*context_, leaves);
     nodeBytes_ = bvh.nodes.size() * sizeof(bvh.nodes[0]);
-    triangleBytes_ = triangles.size() * sizeof(triangles[0]);
+    triangleBytes_ = leaves.size() * sizeof(leaves[0]);
     stackSize_ = bvh.stackSize;
   };
   if (layout_ == BvhLayout::Wide) {
@@ -152,6 +167,7 @@ void Tracer::setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const {
 }
 
 void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+  if (treeless_) return hits.fill({0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f});
   cl::Kernel& kernel = this->kernel(query);
   kernel.setArg(0, nodes_);
   kernel.setArg(1, triangles_);

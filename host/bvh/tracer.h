@@ -25,6 +25,10 @@ class Tracer {
   Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic,
          BuildQuality quality = BuildQuality::High);
 
+  /// Another tracer's surface with a tree over a part of its triangles, whose indices stay the scene's; none:
+  /// every ray misses. `scene` is the one that `whole` was made of.
+  Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles);
+
   /// Closest hit of each of the first `count` rays.
   void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
 
@@ -49,7 +53,8 @@ class Tracer {
  private:
   enum class Query : std::uint8_t { Closest, Any };
 
-  void uploadTree(const CompiledScene& scene, BuildQuality quality);
+  void uploadTree(const CompiledScene& scene, BuildQuality quality,
+                  std::span<const std::uint32_t> triangles = {});
   void uploadSurface(const CompiledScene& scene);
   cl::Kernel& kernel(Query query);
   void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
@@ -59,6 +64,7 @@ class Tracer {
   BvhLayout layout_;
   bool alphaTest_ = false;
   bool vertexColors_ = false;
+  bool treeless_ = false;
   std::uint32_t stackSize_ = 0;
   std::size_t nodeBytes_ = 0;
   std::size_t triangleBytes_ = 0;

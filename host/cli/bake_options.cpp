@@ -5,9 +5,9 @@
 #include <bit>
 #include <charconv>
 #include <limits>
-#include <utility>
 
 #include "base/error.h"
+#include "base/pattern.h"
 #include "cli/values.h"
 
 namespace prelight::cli {
@@ -83,17 +83,26 @@ void addWaveletOptions(CLI::App& app, BakeRequest& request) {
 LightGroupRequest parseLightGroup(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-    throw UsageError("--light-group " + text, "expected NAME=PATTERN[,PATTERN...], as in lamps=Lamp*,Bulb");
-  LightGroupRequest group{text.substr(0, equals), {}};
-  std::string pattern;
-  for (const char c : text.substr(equals + 1) + ",") {
-    if (c != ',') {
-      pattern += c;
-    } else if (!pattern.empty()) {
-      group.patterns.push_back(std::exchange(pattern, {}));
-    }
-  }
-  return group;
+    throw UsageError(
+        "--light-group",
+        fmt::format("got '{}', expected NAME=PATTERN[,PATTERN...], as in lamps=Lamp*,Bulb", text));
+  return {text.substr(0, equals), splitPatterns(text.substr(equals + 1))};
+}
+
+/// "pattern,pattern:pattern,pattern".
+ShadowSetRequest parseShadowSet(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  ShadowSetRequest set;
+  if (colon != std::string::npos && text.find(':', colon + 1) == std::string::npos)
+    set = {splitPatterns(text.substr(0, colon)), splitPatterns(text.substr(colon + 1))};
+  if (set.receivers.empty())
+    throw UsageError(
+        "--shadow-set",
+        fmt::format("got '{}', expected RECEIVERS:OCCLUDERS with one colon and a receiver, as in "
+                    "Room*,Floor:Sofa*",
+                    text),
+        "write *:... for all receivers, and ? for a colon in a name");
+  return set;
 }
 
 void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
@@ -129,6 +138,20 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
       ->type_name("M");
 }
 
+void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
+  app.add_option_function<std::vector<std::string>>(
+         "--shadow-set",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) request.shadowSets.push_back(parseShadowSet(text));
+         },
+         "nodes that see no others than these, and themselves only if they are named: RECEIVERS:OCCLUDERS, "
+         "each side names or patterns with commas between; repeat it for more, and nothing after the colon "
+         "leaves the receivers without shadows")
+      ->type_name("SET")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 }  // namespace
 
 void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
@@ -150,6 +173,7 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },
       fmt::format("diffuse bounces in all transfer, 0 to {}", BakeRequest::maxBounces));
   addOcclusionOptions(app, request);
+  addShadowSetOptions(app, request);
   app.add_option_function<std::string>(
          "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
          "compress the SH transfer: half, band8, pca:K, vq:N or cpca:N:K (N clusters, K components)")

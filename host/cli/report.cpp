@@ -64,6 +64,9 @@ Json toJson(const BakeRequest& request) {
   if (request.haarSize > 0) json["haarError"] = request.haarError;
   if (request.glossyOrder > 0) json["glossy"] = request.glossyOrder;
   if (request.lightGroups) json["lightGroups"] = true;
+  for (const ShadowSetRequest& set : request.shadowSets)
+    json["shadowSets"].push_back(
+        fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
   if (request.nearLimit > 0.0) json["near"] = request.nearLimit;
   if (request.farLimit > 0.0) json["far"] = request.farLimit;
   if (request.obscurance > 0.0) json["obscurance"] = request.obscurance;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "plan/shadow_sets.h"
+
 namespace prelight {
 
 namespace {
@@ -63,6 +65,22 @@ PlannedPass planGlossy(const BakeRequest& request, bool bounces) {
 PlannedPass planLightGroups(const BakeRequest& request) {
   if (!request.lightGroups) return {"light groups", false, "not asked for"};
   return {"light groups", true, "shadow rays from every receiver to every light"};
+}
+
+PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
+  if (request.shadowSets.empty()) return {"shadow sets", false, "not asked for: everything shadows all"};
+  if (sets.empty()) return {"shadow sets", false, "every node sees every other all the same"};
+  std::uint64_t receivers = 0;
+  for (const ShadowSets::Occluders& set : sets.sets) receivers += set.receivers;
+  std::string text = fmt::format("{} nodes see a part of the scene; trees of", receivers);
+  const std::size_t shown = std::min<std::size_t>(sets.sets.size(), 8);
+  for (std::size_t s = 0; s < shown; ++s)
+    text += fmt::format("{} {} triangles ({} nodes)", s > 0 ? "," : "", sets.sets[s].triangles.size(),
+                        sets.sets[s].nodes);
+  if (shown < sets.sets.size()) text += fmt::format(" and {} more", sets.sets.size() - shown);
+  return {"shadow sets", true,
+          text + fmt::format(", about {} kB besides the whole scene's",
+                             (sets.treeTriangles() * bvhBytesPerTriangle + 999) / 1000)};
 }
 
 std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
@@ -132,6 +150,8 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
        : request.obscurance > 0.0 ? "closest hits, because obscurance fades with the distance"
        : request.lightGroups      ? "closest hits where a group has emitters"
                                   : "any hit is enough, because nothing bounces"});
+  const ShadowSets sets = anything ? makeShadowSets(compiled, request.shadowSets) : ShadowSets{};
+  add(planShadowSets(sets, request));
   add({"ambient occlusion", request.ao,
        request.ao ? "with bent normal, from the same cast" : "not asked for"});
   add(planHarmonics("sh transfer", request.shOrder, bounces.runs, ""));
@@ -160,6 +180,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
                                                  "occluders: no technique asked for carries specular light",
                                                  transmissive, mirrors)});
   if (anything) estimateMemory(compiled, request, bounces.runs, plan);
+  plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
   return plan;
 }
 

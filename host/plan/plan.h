@@ -17,6 +17,12 @@ struct LightGroupRequest {
   std::vector<std::string> patterns;
 };
 
+/// Receivers of the nodes that the first patterns match are shadowed by those that the second match.
+struct ShadowSetRequest {
+  std::vector<std::string> receivers;
+  std::vector<std::string> occluders;  ///< none: nothing shadows them
+};
+
 /// What the user asked a bake for.
 struct BakeRequest {
   bool ao = false;           ///< ambient occlusion and bent normal
@@ -31,8 +37,9 @@ struct BakeRequest {
   int bounces = 0;                             ///< diffuse interreflections, 0..16
   double nearLimit = 0.0;                      ///< m, >= 0; what is nearer to a receiver occludes nothing
   double farLimit = 0.0;                       ///< m; what is farther occludes nothing; 0: no limit
-  double obscurance = 0.0;        ///< m; occlusion fades out linearly up to this distance; 0: it does not
-  std::uint64_t rays = 1024;      ///< rays a vertex, on average; ignored with error or seconds
+  double obscurance = 0.0;  ///< m; occlusion fades out linearly up to this distance; 0: it does not
+  std::vector<ShadowSetRequest> shadowSets;  ///< nodes that none of these name see everything
+  std::uint64_t rays = 1024;                 ///< rays a vertex, on average; ignored with error or seconds
   std::optional<double> error;    ///< stop when AO's estimated standard error is below this at every vertex
   std::optional<double> seconds;  ///< stop after this time
   std::uint64_t seed = 0;
@@ -76,7 +83,8 @@ int transferOrder(const BakeRequest& request);
 /// Bands of SH that rays are projected to.
 int castOrder(const BakeRequest& request);
 
-/// Decides what a bake does. Never throws; a scene without triangles gives a plan that runs nothing.
+/// Decides what a bake does. A scene without triangles gives a plan that runs nothing. Throws UsageError for
+/// a shadow set that names no node of the scene, and nothing else.
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);
 
 }  // namespace prelight

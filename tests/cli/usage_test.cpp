@@ -71,6 +71,7 @@ TEST_F(CliUsage, Values_NegativeOrAbsurd_AreRefusedByName) {
       {"--far", {"0", "-1", "inf"}},
       {"--obscurance", {"0", "-1", "nan"}},
       {"--light-group", {"lamps", "=Lamp*", "lamps="}},
+      {"--shadow-set", {"floor", ":roof", "a:b:c", ",:roof"}},
       {"--compress", {"zip", "pca", "pca:0", "vq:0", "cpca:4", "cpca:x:y", ""}},
       {"--bounces", {"-1", "17", "99", "nan"}},
       {"--rays", {"0", "-5", "1e3", "2000000", "18446744073709551616"}},

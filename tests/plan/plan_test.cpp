@@ -62,6 +62,21 @@ TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
   EXPECT_LE(makePlan(Scene(), test::ground(40, 1.0f), request).transportBytes, request.maxMemory);
 }
 
+TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::sphere(8, 0.2f, {0, 1, 0}));
+  BakeRequest request = fullRequest();
+  const Plan whole = makePlan(Scene(), scene, request);
+  EXPECT_FALSE(whole.runs("shadow sets"));
+  request.shadowSets = {{{"node 0"}, {"node 0"}}};
+  const Plan part = makePlan(Scene(), scene, request);
+  EXPECT_TRUE(part.runs("shadow sets"));
+  EXPECT_NE(reasonOf(part, "shadow sets").find("32 triangles"), std::string::npos);
+  EXPECT_GT(part.deviceBytes, whole.deviceBytes);
+  request.shadowSets = {{{"*"}, {"*"}}};
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("shadow sets"));
+}
+
 TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
   Scene scene;
   scene.materials.resize(2);
