@@ -12,6 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double steepest = 0.995;            ///< sine of the steepest view up or down
 constexpr double zoomPerStep = 0.9;           ///< distance after a step of the wheel
+constexpr float groupStep = 1.189207115f;     ///< factor a key press: doubles in four
 constexpr double skyStep = 5.0 * pi / 180.0;  ///< radians a key press
 
 glm::dmat4 turnAbout(const glm::dvec3& point, double angle, const glm::dvec3& axis) {
@@ -21,8 +22,14 @@ glm::dmat4 turnAbout(const glm::dvec3& point, double angle, const glm::dvec3& ax
 
 }  // namespace
 
-Controls::Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade)
-    : view_(std::move(view)), firstCamera_(view_.camera), canShade_(std::move(canShade)) {
+Controls::Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade,
+                   std::vector<std::string> groups)
+    : view_(std::move(view)),
+      firstCamera_(view_.camera),
+      canShade_(std::move(canShade)),
+      groups_(std::move(groups)),
+      selectedGroup_(groups_.empty() ? -1 : 0) {
+  view_.groupFactors.resize(groups_.size(), glm::vec3(1.0f));
   const glm::dvec3 lower(scene.boundsMin);
   const glm::dvec3 upper(scene.boundsMax);
   center_ = scene.origin + 0.5 * (lower + upper);
@@ -119,12 +126,6 @@ void Controls::addLight() {
 
 void Controls::run(Command command) {
   switch (command) {
-    case Command::ShadePhong:
-      return setShading(Shading::Phong);
-    case Command::ShadeAo:
-      return setShading(Shading::Ao);
-    case Command::ShadeSh:
-      return setShading(Shading::Sh);
     case Command::SkyLeft:
       return setSkyRotation(view_.skyRotation + skyStep);
     case Command::SkyRight:
@@ -133,6 +134,15 @@ void Controls::run(Command command) {
       return addLight();
     case Command::NextLight:
       if (selectedLight_ >= 0) selectLight((selectedLight_ + 1) % static_cast<int>(view_.lights.size()));
+      return;
+    case Command::NextGroup:
+      if (selectedGroup_ >= 0) selectGroup((selectedGroup_ + 1) % static_cast<int>(groups_.size()));
+      return;
+    case Command::BrightenGroup:
+    case Command::DimGroup:
+      if (selectedGroup_ >= 0)
+        setGroupFactor(view_.groupFactors[selectedGroup_] *
+                       (command == Command::DimGroup ? 1.0f / groupStep : groupStep));
       return;
     case Command::ResetView:
       view_.camera = firstCamera_;
@@ -163,6 +173,18 @@ void Controls::selectLight(int index) {
 
 void Controls::setLightIntensity(const glm::vec3& intensity) {
   if (Light* const light = selected()) light->intensity = glm::max(intensity, glm::vec3(0.0f));
+  ++changes_;
+}
+
+void Controls::selectGroup(int index) {
+  if (index < 0 || index >= static_cast<int>(groups_.size())) return;
+  selectedGroup_ = index;
+  ++changes_;
+}
+
+void Controls::setGroupFactor(const glm::vec3& factor) {
+  if (selectedGroup_ < 0) return;
+  view_.groupFactors[selectedGroup_] = glm::max(factor, glm::vec3(0.0f));
   ++changes_;
 }
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
+#include <string>
+#include <vector>
 
 #include "viewer/renderer.h"
 
@@ -12,17 +14,29 @@ namespace prelight::viewer {
 enum class Drag { None, Orbit, Pan, Sky, Light };
 
 /// What a key does to the view.
-enum class Command { ShadePhong, ShadeAo, ShadeSh, SkyLeft, SkyRight, NextLight, AddLight, ResetView };
+enum class Command {
+  SkyLeft,
+  SkyRight,
+  NextLight,
+  AddLight,
+  NextGroup,
+  BrightenGroup,
+  DimGroup,
+  ResetView,
+};
 
 /// What the user's hands do to a view, free of any window system. Every change counts up `changes`.
 class Controls {
  public:
-  /// `canShade` says which shadings may be switched to.
-  Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade);
+  /// `canShade` says which shadings may be switched to; `groups` are the names of the bake's light groups.
+  Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade,
+           std::vector<std::string> groups = {});
 
   const View& view() const { return view_; }
   std::size_t changes() const { return changes_; }
   int selectedLight() const { return selectedLight_; }  ///< into View::lights; -1 without lights
+  const std::vector<std::string>& groups() const { return groups_; }
+  int selectedGroup() const { return selectedGroup_; }  ///< into groups(); -1 without any
   bool canShade(Shading shading) const { return canShade_(shading); }
 
   /// `delta` is in window heights, +x right and +y up. Light moves the selected light on its sphere around
@@ -38,6 +52,8 @@ class Controls {
   void setSkyRotation(double angle);
   void selectLight(int index);
   void setLightIntensity(const glm::vec3& intensity);
+  void selectGroup(int index);
+  void setGroupFactor(const glm::vec3& factor);  ///< of the selected group
   void resize(int width, int height);
 
  private:
@@ -57,6 +73,8 @@ class Controls {
   double radius_ = 1.0;
   glm::dvec3 target_{0.0};  ///< what the camera turns around, world
   int selectedLight_ = -1;
+  std::vector<std::string> groups_;
+  int selectedGroup_ = -1;
   std::size_t changes_ = 0;
 };
 

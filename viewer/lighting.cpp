@@ -112,23 +112,6 @@ double deltaWindow(int band, int order) {
   return 0.5 * (1.0 + std::cos(std::numbers::pi * band / (2.0 * order)));
 }
 
-std::vector<glm::dvec3> directionalCoefficients(std::span<const ShadedLight> lights, int order,
-                                                bool windowed) {
-  std::vector<glm::dvec3> result(sh::coefficientCount(order), glm::dvec3(0.0));
-  std::vector<double> basis(result.size());
-  for (const ShadedLight& light : lights) {
-    if (light.kind != LightKind::Directional) continue;
-    sh::evaluate(-glm::normalize(glm::dvec3(light.direction)), order, basis);
-    for (int l = 0; l < order; ++l) {
-      const double window = windowed ? deltaWindow(l, order) : 1.0;
-      for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
-        result[i] += window * basis[i] * glm::dvec3(light.intensity);
-      }
-    }
-  }
-  return result;
-}
-
 SkyCoefficients::SkyCoefficients(const Environment& sky, int order)
     : order_(order), coefficients_(sh::projectEnvironment(sky, order)) {}
 

@@ -15,11 +15,10 @@
 /// - emissive triangles become samples: discs of area A and radiance L that give
 ///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
 ///   next to a sample;
-/// - through an SH transfer a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of order
-/// n are
-///   multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the ringing behind
-///   shadow edges and keeps an open surface that faces the light within 5 % from order 4 on (6 % without it).
-///   The sky is not windowed.
+/// - through transfer in SH or CH a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of
+///   order n are multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the
+///   ringing behind shadow edges and keeps an open surface that faces the light within 5 % from order 4 on
+///   (6 % without it). The sky is not windowed.
 namespace prelight::viewer {
 
 /// As the shaders number them.
@@ -39,6 +38,8 @@ struct ShadedLight {
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
   /// light's. True for directional lights and those outside the scene's bounds.
   bool throughTransfer = false;
+
+  bool operator==(const ShadedLight&) const = default;
 };
 
 /// Most lights that a picture is shaded with; a uniform block of the smallest guaranteed size holds them.
@@ -47,8 +48,11 @@ constexpr int maxLights = 240;
 /// Samples that stand for all emissive triangles together.
 constexpr int emitterSamples = 32;
 
-/// Largest SH order of transfers and skies that the shaders evaluate.
-constexpr int maxShOrder = 8;
+/// Largest order of SH and CH transfer that the shaders evaluate.
+constexpr int maxTransferOrder = 32;
+
+/// Largest order of glossy transfer: maxGlossyOrder of shaders/glossy.glsl.
+constexpr int maxGlossyOrder = 8;
 
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
 
@@ -58,11 +62,6 @@ std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count);
 
 /// Factor of a band of a delta light's coefficients (see above).
 double deltaWindow(int band, int order);
-
-/// Coefficients of the directional lights among `lights`, E Y_i(-direction), windowed or not.
-/// Returns [i] RGB, order^2.
-std::vector<glm::dvec3> directionalCoefficients(std::span<const ShadedLight> lights, int order,
-                                                bool windowed);
 
 /// A sky's coefficients, projected once and turned for every picture.
 class SkyCoefficients {

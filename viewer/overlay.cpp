@@ -4,7 +4,6 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include <array>
 #include <numbers>
 #include <string>
 
@@ -19,18 +18,19 @@ constexpr const char* help =
     "right + wheel      its distance\n"
     "Tab, L             next light, add a light\n"
     "Shift + left drag  turn the sky (also Q and E)\n"
-    "1 2 3              phong, ao, sh\n"
+    "1 to 7             phong, ao, sh, ch, haar, glossy, lights\n"
+    "G, PgUp, PgDn      next light group, brighter, dimmer\n"
     "R                  first view\n"
     "H                  this help\n"
     "Esc                quit";
 
 void drawShadings(Controls& controls) {
-  constexpr std::array<Shading, 3> shadings = {Shading::Phong, Shading::Ao, Shading::Sh};
-  for (const Shading shading : shadings) {
-    if (!controls.canShade(shading)) continue;
-    if (shading != Shading::Phong) ImGui::SameLine();
-    const std::string name(shadingName(shading));
-    if (ImGui::RadioButton(name.c_str(), controls.view().shading == shading)) controls.setShading(shading);
+  for (const ShadingInfo& info : shadings()) {
+    if (!controls.canShade(info.shading)) continue;
+    if (info.shading != Shading::Phong) ImGui::SameLine();
+    const std::string name(info.name);
+    if (ImGui::RadioButton(name.c_str(), controls.view().shading == info.shading))
+      controls.setShading(info.shading);
   }
 }
 
@@ -48,6 +48,21 @@ void drawLights(Controls& controls) {
                         1e6f)) {
     controls.setLightIntensity(intensity);
   }
+}
+
+void drawGroups(Controls& controls) {
+  if (controls.view().shading != Shading::Lights || controls.selectedGroup() < 0) return;
+  if (ImGui::BeginCombo("group", controls.groups()[controls.selectedGroup()].c_str())) {
+    for (int g = 0; g < static_cast<int>(controls.groups().size()); ++g) {
+      ImGui::PushID(g);
+      if (ImGui::Selectable(controls.groups()[g].c_str(), g == controls.selectedGroup()))
+        controls.selectGroup(g);
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+  glm::vec3 factor = controls.view().groupFactors[controls.selectedGroup()];
+  if (ImGui::DragFloat3("factor", &factor.x, 0.02f, 0.0f, 1e6f)) controls.setGroupFactor(factor);
 }
 
 }  // namespace
@@ -81,6 +96,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
     controls.setSkyRotation(degrees * std::numbers::pi / 180.0);
   }
   drawLights(controls);
+  drawGroups(controls);
   if (showHelp_) {
     ImGui::Separator();
     ImGui::TextUnformatted(help);

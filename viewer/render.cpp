@@ -1,7 +1,6 @@
 #include "viewer/render.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "base/error.h"
@@ -16,13 +15,6 @@ namespace {
 constexpr int maxSize = 32768;        ///< pixels a side
 constexpr int maxTileSamples = 2048;  ///< samples a side of what is drawn at once
 
-struct NamedShading {
-  std::string_view name;
-  Shading shading;
-};
-constexpr std::array<NamedShading, 3> shadings = {
-    {{"phong", Shading::Phong}, {"ao", Shading::Ao}, {"sh", Shading::Sh}}};
-
 void checkOptions(const RenderOptions& options) {
   if (options.width < 0 || options.width > maxSize || options.height < 1 || options.height > maxSize) {
     throw UsageError("--size " + std::to_string(options.width) + "x" + std::to_string(options.height),
@@ -34,19 +26,6 @@ void checkOptions(const RenderOptions& options) {
 }
 
 }  // namespace
-
-Shading parseShading(std::string_view name) {
-  for (const NamedShading& known : shadings) {
-    if (known.name == name) return known.shading;
-  }
-  throw UsageError("--shading " + std::string(name), "unknown shading, expected phong, ao or sh");
-}
-
-std::string_view shadingName(Shading shading) {
-  return std::find_if(shadings.begin(), shadings.end(),
-                      [&](const NamedShading& s) { return s.shading == shading; })
-      ->name;
-}
 
 View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   checkOptions(options);
@@ -60,10 +39,14 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.lights = options.lights.value_or(inputs.scene.lights);
   view.emitters = options.emitters;
   view.windowLights = options.windowLights;
+  view.haarTerms = options.haarTerms;
+  view.aoCorrection = options.aoCorrection;
+  if (inputs.bake != nullptr && inputs.bake->lightGroups)
+    view.groupFactors = groupFactors(*inputs.bake->lightGroups, options.groups);
   return view;
 }
 
-Picture renderView(const Renderer& renderer, const View& view, int samplesPerAxis) {
+Picture renderView(Renderer& renderer, const View& view, int samplesPerAxis) {
   Picture picture{view.width, view.height,
                   std::vector<glm::vec3>(static_cast<std::size_t>(view.width) * view.height)};
   const int step = maxTileSamples / samplesPerAxis;
@@ -81,7 +64,7 @@ Picture renderView(const Renderer& renderer, const View& view, int samplesPerAxi
 Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes) {
   const View view = makeView(inputs, options);
   const gl::EglContext context;
-  const Renderer renderer(inputs);
+  Renderer renderer(inputs, options.lobe);
   renderer.describe(view, notes);
   return renderView(renderer, view, options.samplesPerAxis);
 }

@@ -10,19 +10,15 @@
 #include "io/picture.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
+#include "viewer/group_option.h"
+#include "viewer/shading.h"
+#include "viewer/specular_lobes.h"
+
+namespace prelight {
+class Device;
+}
 
 namespace prelight::viewer {
-
-/// How light reaches a surface in the picture.
-enum class Shading {
-  Phong,  ///< direct light without shadows, ambient from the open sky
-  Ao,  ///< Phong with the ambient light occluded by the baked accessibility; needs Bake::ao and bentNormals
-  Sh,  ///< light through the baked SH transfer; needs Bake::sh
-};
-
-/// Reads "phong", "ao" or "sh". Throws UsageError naming the known ones.
-Shading parseShading(std::string_view name);
-std::string_view shadingName(Shading shading);
 
 /// What is drawn. The referents outlive the call (or the window).
 struct RenderInputs {
@@ -30,7 +26,14 @@ struct RenderInputs {
   const CompiledScene& compiled;  ///< of `scene`
   const Bake* bake = nullptr;     ///< of `compiled`; nullptr: none, enough for Phong
   const Environment* environment =
-      nullptr;  ///< nullptr: no sky, or a neutral one when nothing else gives light
+      nullptr;                     ///< nullptr: no sky, or a neutral one when nothing else gives light
+  const Device* device = nullptr;  ///< relights wavelet and glossy transfer; nullptr: the host does
+};
+
+/// Light that creases reflect into themselves, in AO shading (Real-Time Rendering, 4th edition, 11.3).
+enum class AoCorrection {
+  None,
+  Interreflection,  ///< accessibility k becomes k / (1 - albedo (1 - k)), a channel (Eq. 11.13)
 };
 
 struct RenderOptions {
@@ -41,8 +44,12 @@ struct RenderOptions {
   double skyRotation = 0.0;   ///< radians, turns the sky counter-clockwise about +Y seen from above
   std::optional<std::vector<Light>> lights;  ///< replaces the scene's punctual lights
   bool emitters = true;                      ///< emissive triangles light the scene
-  bool windowLights = true;  ///< damps the SH bands of delta lights against ringing (see lighting.h)
-  int samplesPerAxis = 2;    ///< supersampling: this squared per pixel, box filtered; 1..8
+  bool windowLights = true;   ///< damps the SH bands of delta lights against ringing (see lighting.h)
+  std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
+  Lobe lobe = Lobe::Ggx;      ///< of glossy shading
+  AoCorrection aoCorrection = AoCorrection::None;
+  std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
+  int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 
 /// Draws a picture of linear radiance, without a display or a window.

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
-#include "base/error.h"
-#include "viewer/lighting.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -13,18 +10,6 @@ namespace {
 
 bool sameTexture(const TextureRef& a, const TextureRef& b) {
   return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT;
-}
-
-/// Coefficients in the layout that RenderScene documents.
-std::vector<glm::vec4> packTransfer(const HarmonicTransfer& sh, std::uint32_t vertices) {
-  const int count = sh.order * sh.order;
-  const int texels = (count + 3) / 4;
-  std::vector<glm::vec4> packed(static_cast<std::size_t>(vertices) * sh.channels * texels, glm::vec4(0.0f));
-  const std::size_t rows = static_cast<std::size_t>(vertices) * sh.channels;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (int i = 0; i < count; ++i) packed[row * texels + i / 4][i % 4] = sh.coefficients[row * count + i];
-  }
-  return packed;
 }
 
 /// The first triangle of every primitive, in order: blended batches end where a primitive does.
@@ -61,13 +46,6 @@ std::vector<glm::vec4> geometricNormals(const CompiledScene& compiled) {
   return normals;
 }
 
-void expectSize(const char* what, std::size_t got, std::size_t expected) {
-  if (got == expected) return;
-  throw Error(ExitCode::RuntimeFailure, what,
-              "the bake has " + std::to_string(got) + " values, this scene needs " + std::to_string(expected),
-              "bake this scene again");
-}
-
 }  // namespace
 
 RenderScene::RenderScene(const RenderInputs& inputs) {
@@ -76,7 +54,6 @@ RenderScene::RenderScene(const RenderInputs& inputs) {
   makeSurfaces(inputs);
   makeBatches(inputs.compiled);
   makeVertices(inputs);
-  if (inputs.bake != nullptr) makeBaked(*inputs.bake, inputs.compiled.vertexCount());
   glBindVertexArray(0);
   gl::check("uploading the scene");
 }
@@ -121,11 +98,8 @@ void RenderScene::makeBatches(const CompiledScene& compiled) {
 
 template <typename T>
 void RenderScene::addAttribute(Attribute attribute, std::span<const T> values) {
-  constexpr GLint components = sizeof(T) / sizeof(float);
-  const auto location = static_cast<GLuint>(attribute);
-  buffers_.emplace_back(GL_ARRAY_BUFFER, values);
-  glEnableVertexAttribArray(location);
-  glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+  streams_.emplace_back(attribute, values);
+  streams_.back().attach();
 }
 
 void RenderScene::makeVertices(const RenderInputs& inputs) {
@@ -137,34 +111,8 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   addAttribute(Attribute::TexCoords, std::span(coords.baseColorAndMetallicRoughness));
   addAttribute(Attribute::EmissiveTexCoord, std::span(coords.emissive));
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
-  buffers_.emplace_back(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles));
+  triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
-}
-
-void RenderScene::makeBaked(const Bake& bake, std::uint32_t vertices) {
-  if (!bake.ao.empty()) {
-    expectSize("ambient occlusion", bake.ao.size(), vertices);
-    addAttribute(Attribute::Accessibility, std::span(bake.ao));
-    if (!bake.bentNormals.empty()) {
-      expectSize("bent normals", bake.bentNormals.size(), vertices);
-      addAttribute(Attribute::BentNormal, std::span(bake.bentNormals));
-    }
-    hasAo_ = true;
-  }
-  if (bake.sh) {
-    const HarmonicTransfer& sh = *bake.sh;
-    if (sh.order < 1 || sh.order > maxShOrder || (sh.channels != 1 && sh.channels != 3)) {
-      throw Error(ExitCode::RuntimeFailure, "SH transfer",
-                  "order " + std::to_string(sh.order) + " in " + std::to_string(sh.channels) +
-                      " channels; orders 1 to " + std::to_string(maxShOrder) +
-                      " in 1 or 3 channels can be drawn");
-    }
-    expectSize("SH transfer", sh.coefficients.size(),
-               static_cast<std::size_t>(vertices) * sh.channels * sh.order * sh.order);
-    transfer_ = gl::makeBufferTexture(packTransfer(sh, vertices), "SH transfer");
-    shOrder_ = sh.order;
-    shChannels_ = sh.channels;
-  }
 }
 
 }  // namespace prelight::viewer

@@ -1,9 +1,11 @@
 #include "viewer/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "basis/sh.h"
@@ -14,27 +16,39 @@ namespace {
 
 enum Binding : GLuint { frameBinding = 0, lightBinding = 1 };
 
-enum Unit : GLuint {
-  baseColorUnit = 0,
-  metallicRoughnessUnit = 1,
-  emissiveUnit = 2,
-  triangleNormalsUnit = 3,
-  transferUnit = 4,
-  skyUnit = 5,
-};
-
 constexpr int ambientOrder = 3;
 
 void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  program.set("baseColorTexture", static_cast<int>(baseColorUnit));
-  program.set("metallicRoughnessTexture", static_cast<int>(metallicRoughnessUnit));
-  program.set("emissiveTexture", static_cast<int>(emissiveUnit));
-  program.set("triangleNormals", static_cast<int>(triangleNormalsUnit));
-  program.set("transfer", static_cast<int>(transferUnit));
-  program.set("skyMap", static_cast<int>(skyUnit));
+  constexpr std::array<std::pair<const char*, Unit>, 14> samplers = {
+      {{"baseColorTexture", baseColorUnit},
+       {"metallicRoughnessTexture", metallicRoughnessUnit},
+       {"emissiveTexture", emissiveUnit},
+       {"triangleNormals", triangleNormalsUnit},
+       {"skyMap", skyUnit},
+       {"transfer", transferUnit},
+       {"transferLight", transferLightUnit},
+       {"transferRanges", rangesUnit},
+       {"chBasis", chBasisUnit},
+       {"clusters", clustersUnit},
+       {"triangleCorners", trianglesUnit},
+       {"cornerPositions", positionsUnit},
+       {"arriving", arrivingUnit},
+       {"lobes", lobesUnit}}};
+  for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
+}
+
+/// Bands that the bake's transfer has at most.
+int largestOrder(const Bake* bake) {
+  int order = ambientOrder;
+  if (bake == nullptr) return order;
+  if (bake->sh) order = std::max(order, bake->sh->order);
+  if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
+  if (bake->ch) order = std::max(order, bake->ch->order);
+  if (bake->glossy) order = std::max(order, bake->glossy->order);
+  return order;
 }
 
 gl::Texture constantSky(float radiance) {
@@ -92,33 +106,24 @@ void setSky(const View& view, const SkyCoefficients& sky, int skyWidth, FrameBlo
   frame.skyLevels = glm::vec4(std::log2(texel), std::max(0.0, std::log2(pixel / texel)), 0.0, 0.0);
 }
 
-void setTransfer(const View& view, const SkyCoefficients& sky, std::span<const ShadedLight> lights, int order,
-                 FrameBlock& frame) {
-  const auto fromSky = sky.turned(view.skyRotation, order);
-  const auto fromLights = directionalCoefficients(lights, order, view.windowLights);
-  for (std::size_t i = 0; i < fromSky.size(); ++i) {
-    frame.transferLight[i] = glm::vec4(fromSky[i] + fromLights[i], 0.0);
-  }
-  for (int l = 0; l < order; ++l) {
-    frame.window[l] = view.windowLights ? static_cast<float>(deltaWindow(l, order)) : 1.0f;
-  }
-}
-
 }  // namespace
 
-Renderer::Renderer(const RenderInputs& inputs)
-    : compiled_(inputs.compiled),
+Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
+    : inputs_(inputs),
+      compiled_(inputs.compiled),
+      lobe_(lobe),
       scene_(inputs),
       emitters_(sampleEmitters(inputs.compiled, emitterSamples)),
-      neutralSky_(constantEnvironment(glm::vec3(1.0f)), 1),
-      hasEnvironment_(inputs.environment != nullptr),
+      neutralMap_(constantEnvironment(glm::vec3(1.0f))),
+      neutralSky_(neutralMap_, 1),
       surfaceProgram_("surface.vert", "surface.frag"),
       backgroundProgram_("fullscreen.vert", "background.frag"),
       neutralSkyMap_(constantSky(1.0f)),
       blackSkyMap_(constantSky(0.0f)) {
-  if (hasEnvironment_) {
+  if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_.vertexCount());
+  if (inputs.environment != nullptr) {
     const Environment& sky = *inputs.environment;
-    sky_ = SkyCoefficients(sky, std::max(ambientOrder, scene_.shOrder()));
+    sky_ = SkyCoefficients(sky, largestOrder(inputs.bake));
     skyMap_ = gl::makeFloatTexture(sky.width, sky.height, sky.radiance);
     skyWidth_ = sky.width;
   }
@@ -128,19 +133,43 @@ Renderer::Renderer(const RenderInputs& inputs)
 }
 
 bool Renderer::canShade(Shading shading) const {
-  switch (shading) {
-    case Shading::Ao:
-      return scene_.hasAo();
-    case Shading::Sh:
-      return scene_.shOrder() > 0;
-    case Shading::Phong:
-      break;
-  }
-  return true;
+  return shading == Shading::Phong || (inputs_.bake != nullptr && infoOf(shading).carriedBy(*inputs_.bake));
 }
 
 bool Renderer::usesNeutralSky(const View& view) const {
-  return !hasEnvironment_ && view.lights.empty() && emitters_.empty();
+  return inputs_.environment == nullptr && view.lights.empty() && emitters_.empty();
+}
+
+Illumination Renderer::illuminationOf(const View& view) const {
+  Illumination light;
+  light.skyRotation = view.skyRotation;
+  light.lights = lightsOf(view);
+  light.windowLights = view.windowLights;
+  light.haarTerms = view.haarTerms;
+  light.groupFactors = view.groupFactors;
+  if (usesNeutralSky(view)) {
+    light.sky = &neutralSky_;
+    light.skyMap = &neutralMap_;
+  } else {
+    light.sky = inputs_.environment != nullptr ? &sky_ : &blackSky_;
+    light.skyMap = inputs_.environment;
+  }
+  return light;
+}
+
+const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination& light) {
+  if (!canShade(view.shading)) {
+    const ShadingInfo& info = infoOf(view.shading);
+    throw Error(ExitCode::RuntimeFailure, "--shading " + std::string(info.name),
+                "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
+  }
+  Drawn& drawn = drawn_[static_cast<std::size_t>(view.shading)];
+  if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
+  if (drawn.light != light) {
+    if (drawn.transfer != nullptr) drawn.transfer->light(light);
+    drawn.light = light;
+  }
+  return drawn.transfer.get();
 }
 
 std::vector<ShadedLight> Renderer::lightsOf(const View& view) const {
@@ -160,11 +189,12 @@ std::vector<ShadedLight> Renderer::lightsOf(const View& view) const {
 void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const {
   FrameBlock frame{};
   const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
+  const DrawingRules rules = rulesOf(view.shading);
   setCamera(view, tile, compiled_, frame);
   setSky(view, sky, skyWidth_, frame);
-  if (view.shading == Shading::Sh) setTransfer(view, sky, lights, scene_.shOrder(), frame);
-  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(view.shading), scene_.shOrder(),
-                  scene_.shChannels()};
+  frame.counts = {static_cast<int>(lights.size()), 0, 0, 0};
+  frame.rules = {static_cast<int>(rules.ambient), static_cast<int>(rules.reflection),
+                 static_cast<int>(rules.through), view.aoCorrection == AoCorrection::Interreflection ? 1 : 0};
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
 
   std::vector<LightBlock> block(maxLights);
@@ -176,8 +206,9 @@ void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector
 
 void Renderer::bindTextures(const View& view) const {
   gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
-  gl::bind(transferUnit, GL_TEXTURE_BUFFER, scene_.transfer());
-  const gl::Texture& sky = hasEnvironment_ ? skyMap_ : usesNeutralSky(view) ? neutralSkyMap_ : blackSkyMap_;
+  const gl::Texture& sky = inputs_.environment != nullptr ? skyMap_
+                           : usesNeutralSky(view)         ? neutralSkyMap_
+                                                          : blackSkyMap_;
   gl::bind(skyUnit, GL_TEXTURE_2D, sky);
 }
 
@@ -207,13 +238,20 @@ void Renderer::setSurface(const Surface& surface) const {
   }
 }
 
-void Renderer::drawBatches(const std::vector<const Batch*>& batches) const {
+void Renderer::drawBatches(const std::vector<const Batch*>& batches, const DrawnTransfer* transfer) const {
   surfaceProgram_.use();
   glBindVertexArray(scene_.vertexArray().name());
+  for (const Attribute attribute :
+       {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow})
+    glDisableVertexAttribArray(static_cast<GLuint>(attribute));
   // Attributes without an array read these: a white colour, an open sky.
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 1.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f);
+  glVertexAttrib3f(static_cast<GLuint>(Attribute::Radiance), 0.0f, 0.0f, 0.0f);
+  glVertexAttrib3f(static_cast<GLuint>(Attribute::Glow), 1.0f, 1.0f, 1.0f);
+  surfaceProgram_.set("transferForm", static_cast<int>(TransferForm::None));
+  if (transfer != nullptr) transfer->bind(surfaceProgram_);
   for (const Batch* batch : batches) {
     setSurface(scene_.surfaces()[batch->surface]);
     surfaceProgram_.set("firstTriangle", static_cast<int>(batch->firstTriangle));
@@ -224,13 +262,10 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches) const {
   glBindVertexArray(0);
 }
 
-void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) const {
-  if (!canShade(view.shading)) {
-    const std::string name(shadingName(view.shading));
-    throw Error(ExitCode::RuntimeFailure, "--shading " + name, "the bake does not carry what it needs",
-                view.shading == Shading::Ao ? "bake with --ao" : "bake with --sh 4");
-  }
-  uploadFrame(view, tile, lightsOf(view));
+void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
+  const Illumination light = illuminationOf(view);
+  const DrawnTransfer* transfer = litTransfer(view, light);
+  uploadFrame(view, tile, light.lights);
   bindTextures(view);
   std::vector<const Batch*> opaque;
   std::vector<const Batch*> blended;
@@ -252,7 +287,7 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   glCullFace(GL_BACK);
   glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBatches(opaque);
+  drawBatches(opaque, transfer);
 
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
@@ -262,13 +297,13 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_SRC1_COLOR);
-  drawBatches(blended);
+  drawBatches(blended, transfer);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
 }
 
-void Renderer::describe(const View& view, Warnings& notes) const {
+void Renderer::describe(const View& view, Warnings& notes) {
   if (usesNeutralSky(view)) {
     notes.emplace_back(
         "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
@@ -278,15 +313,17 @@ void Renderer::describe(const View& view, Warnings& notes) const {
     notes.push_back("the scene has " + std::to_string(view.lights.size()) + " lights: the strongest " +
                     std::to_string(room) + " are drawn");
   }
-  const bool inside = std::any_of(view.lights.begin(), view.lights.end(), [&](const Light& light) {
-    return !shadedLight(light, compiled_).throughTransfer;
-  });
-  if (view.shading == Shading::Sh && (inside || (view.emitters && !emitters_.empty()))) {
-    notes.emplace_back(
-        "emissive surfaces and lights within the scene's bounds shine without shadows in sh shading: the "
-        "transfer "
-        "cannot tell what is in front of them from what is behind");
+  const Illumination light = illuminationOf(view);
+  const DrawingRules rules = rulesOf(view.shading);
+  const bool inside = std::any_of(light.lights.begin(), light.lights.end(),
+                                  [](const ShadedLight& source) { return !source.throughTransfer; });
+  if (rules.through == Through::FarLights && inside) {
+    notes.push_back("emissive surfaces and lights within the scene's bounds shine without shadows in " +
+                    std::string(shadingName(view.shading)) +
+                    " shading: the transfer cannot tell what is in front of them from what is behind "
+                    "(--shading lights has their shadows)");
   }
+  if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
 }
 
 }  // namespace prelight::viewer

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "viewer/camera.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
-#include "viewer/lighting.h"
+#include "viewer/illumination.h"
 #include "viewer/render_scene.h"
+#include "viewer/techniques.h"
 
 namespace prelight::viewer {
 
@@ -19,7 +23,7 @@ struct Tile {
   int height = 0;
 };
 
-/// What may change from one picture of a scene to the next; nothing is uploaded for it but uniforms.
+/// What may change from one picture of a scene to the next.
 struct View {
   Camera camera;
   int width = 0;  ///< pixels of the whole picture
@@ -29,38 +33,55 @@ struct View {
   std::vector<Light> lights;
   bool emitters = true;
   bool windowLights = true;
+  std::size_t haarTerms = 0;
+  AoCorrection aoCorrection = AoCorrection::None;
+  std::vector<glm::vec3> groupFactors;  ///< [light group]
 };
 
 /// Draws a scene with the current OpenGL context; headless pictures and the window share it.
 class Renderer {
  public:
-  /// Uploads the scene. Throws Error when OpenGL cannot hold it.
-  explicit Renderer(const RenderInputs& inputs);
+  /// Uploads the scene; what a shading needs of the bake follows when it is first drawn. Throws Error when
+  /// OpenGL cannot hold it and when the bake does not fit the scene.
+  explicit Renderer(const RenderInputs& inputs, Lobe lobe = Lobe::Ggx);
 
   /// True when the bake carries what a shading needs.
   bool canShade(Shading shading) const;
 
   /// Draws the tile of the view into the whole of `target`, whose size is a multiple of the tile's.
-  /// Throws Error for a shading that the bake does not carry.
-  void draw(const View& view, const Tile& tile, const gl::Framebuffer& target) const;
+  /// Lights the transfer anew when the view's lights have changed since it was last drawn. Throws Error for a
+  /// shading that the bake does not carry.
+  void draw(const View& view, const Tile& tile, const gl::Framebuffer& target);
 
   /// What a view approximates or had to choose, for people.
-  void describe(const View& view, Warnings& notes) const;
+  void describe(const View& view, Warnings& notes);
 
  private:
   bool usesNeutralSky(const View& view) const;
   std::vector<ShadedLight> lightsOf(const View& view) const;
+  Illumination illuminationOf(const View& view) const;
+  const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const;
-  void drawBatches(const std::vector<const Batch*>& batches) const;
+  void drawBatches(const std::vector<const Batch*>& batches, const DrawnTransfer* transfer) const;
   void bindTextures(const View& view) const;
   void setSurface(const Surface& surface) const;
 
+  /// A technique in OpenGL and the light that it was last lit by.
+  struct Drawn {
+    std::unique_ptr<DrawnTransfer> transfer;
+    std::optional<Illumination> light;
+  };
+
+  RenderInputs inputs_;
   const CompiledScene& compiled_;
+  Lobe lobe_;
   RenderScene scene_;
+  std::array<Drawn, shadingCount> drawn_;
   std::vector<ShadedLight> emitters_;
   SkyCoefficients sky_;
+  Environment neutralMap_;
   SkyCoefficients neutralSky_;
-  bool hasEnvironment_ = false;
+  SkyCoefficients blackSky_;
   int skyWidth_ = 1;
   gl::Program surfaceProgram_;
   gl::Program backgroundProgram_;

@@ -4,8 +4,6 @@
 #include <glm/glm.hpp>
 #include <type_traits>
 
-#include "viewer/lighting.h"
-
 /// The uniform blocks of the shaders as C++ (std140: everything is of vec4s).
 namespace prelight::viewer {
 
@@ -19,13 +17,12 @@ struct FrameBlock {
   glm::vec4 pixelUp;
   glm::vec4 tile;
   std::array<glm::vec4, 9> ambient;
-  std::array<glm::vec4, maxShOrder * maxShOrder> transferLight;
   glm::vec4 skyLevels;
   glm::ivec4 counts;
-  std::array<float, maxShOrder> window;
+  glm::ivec4 rules;
 };
 static_assert(std::is_trivially_copyable_v<FrameBlock>);
-static_assert(sizeof(FrameBlock) == 16 * (4 + 4 + 5 + 9 + 64 + 2 + 2));
+static_assert(sizeof(FrameBlock) == 16 * (4 + 4 + 5 + 9 + 3));
 
 /// One of `Lights` of shaders/lights.glsl.
 struct LightBlock {

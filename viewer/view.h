@@ -5,10 +5,10 @@
 
 namespace prelight::viewer {
 
-/// The view that options ask for. Throws UsageError (camera index, size, samples).
+/// The view that options ask for. Throws UsageError (camera index, size, samples, unknown light group).
 View makeView(const RenderInputs& inputs, const RenderOptions& options);
 
 /// Draws a view tile by tile, so that its size is not bound by what OpenGL draws at once.
-Picture renderView(const Renderer& renderer, const View& view, int samplesPerAxis);
+Picture renderView(Renderer& renderer, const View& view, int samplesPerAxis);
 
 }  // namespace prelight::viewer

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "io/picture.h"
@@ -64,12 +66,6 @@ WindowHandle openWindow(const ViewerOptions& options, int width, int height) {
 
 std::optional<Command> commandOf(int key) {
   switch (key) {
-    case GLFW_KEY_1:
-      return Command::ShadePhong;
-    case GLFW_KEY_2:
-      return Command::ShadeAo;
-    case GLFW_KEY_3:
-      return Command::ShadeSh;
     case GLFW_KEY_Q:
       return Command::SkyLeft;
     case GLFW_KEY_E:
@@ -78,6 +74,12 @@ std::optional<Command> commandOf(int key) {
       return Command::NextLight;
     case GLFW_KEY_L:
       return Command::AddLight;
+    case GLFW_KEY_G:
+      return Command::NextGroup;
+    case GLFW_KEY_PAGE_UP:
+      return Command::BrightenGroup;
+    case GLFW_KEY_PAGE_DOWN:
+      return Command::DimGroup;
     case GLFW_KEY_R:
       return Command::ResetView;
     default:
@@ -120,6 +122,8 @@ class EventRouter {
     if (action == GLFW_RELEASE || (overlay_ != nullptr && overlay_->wantsKeys())) return;
     if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
     if (key == GLFW_KEY_H && overlay_ != nullptr) overlay_->toggleHelp();
+    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + shadingCount)
+      controls_.setShading(shadings()[static_cast<std::size_t>(key - GLFW_KEY_1)].shading);
     if (const auto command = commandOf(key)) controls_.run(*command);
   }
 
@@ -152,7 +156,7 @@ class EventRouter {
 /// Keeps the scene's picture up to date, drawing only when the view has changed.
 class LivePicture {
  public:
-  LivePicture(const Renderer& renderer, int fullSamples) : renderer_(renderer), fullSamples_(fullSamples) {}
+  LivePicture(Renderer& renderer, int fullSamples) : renderer_(renderer), fullSamples_(fullSamples) {}
 
   /// Draws the view if it must. `settled`: take the time for the full quality.
   void update(const Controls& controls, bool settled) {
@@ -181,7 +185,7 @@ class LivePicture {
   double lastSeconds() const { return lastSeconds_; }
 
  private:
-  const Renderer& renderer_;
+  Renderer& renderer_;
   int fullSamples_;
   std::optional<gl::Framebuffer> target_;
   int samples_ = 0;
@@ -189,6 +193,13 @@ class LivePicture {
   double seconds_ = 0.0;
   double lastSeconds_ = 0.0;
 };
+
+std::vector<std::string> groupNames(const ViewerInputs& inputs) {
+  std::vector<std::string> names;
+  if (inputs.bake == nullptr || !inputs.bake->lightGroups) return names;
+  for (const LightGroup& group : inputs.bake->lightGroups->groups) names.push_back(group.name);
+  return names;
+}
 
 void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Overlay& overlay, int frames) {
   const Presenter presenter;
@@ -223,9 +234,10 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   View view = makeView(inputs, options.render);
   const GlfwSession session;
   const WindowHandle window = openWindow(options, view.width, view.height);
-  const Renderer renderer(inputs);
+  Renderer renderer(inputs, options.render.lobe);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
-  Controls controls(view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); });
+  Controls controls(
+      view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs));
   EventRouter router(window.get(), controls);
   Overlay overlay(window.get());
   router.attach(overlay);

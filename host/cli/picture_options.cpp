@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <numbers>
+#include <utility>
 
 #include "cli/output_file.h"
+#include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
@@ -14,67 +17,178 @@ namespace {
 
 constexpr int defaultHeight = 720;
 constexpr std::uint64_t maxCameraIndex = 1u << 20;
+constexpr std::uint64_t maxHaarTerms = 6 * 128 * 128;
+constexpr int defaultBounces = 1;
 
 void readLight(std::optional<std::vector<Light>>& lights, const std::string& text) {
   if (!lights) lights.emplace();
   if (text != "none") lights->push_back(viewer::parseLight(text));
 }
 
-/// The best shading that needs no further bake.
-viewer::Shading carriedShading(const Bake& bake) {
-  if (bake.sh) return viewer::Shading::Sh;
-  return bake.ao.empty() ? viewer::Shading::Phong : viewer::Shading::Ao;
-}
-
-bool carries(const Bake& bake, viewer::Shading shading) {
-  switch (shading) {
-    case viewer::Shading::Ao:
-      return !bake.ao.empty() && !bake.bentNormals.empty();
-    case viewer::Shading::Sh:
-      return bake.sh.has_value();
-    case viewer::Shading::Phong:
-      break;
+/// What must be baked for `shading`: with `everyShading` also what ao and sh need and what else is asked for.
+std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bake& bake,
+                                             viewer::Shading shading, bool everyShading) {
+  std::vector<viewer::Shading> missing;
+  for (const viewer::ShadingInfo& info : viewer::shadings()) {
+    const bool usual = info.shading == viewer::Shading::Ao || info.shading == viewer::Shading::Sh;
+    const bool wanted = info.shading == shading || (everyShading && (usual || info.askedBy(asked)));
+    if (wanted && !info.carriedBy(bake)) missing.push_back(info.shading);
   }
-  return true;
+  return missing;
 }
 
-/// The request that makes what `shading` needs and `bake` lacks.
-BakeRequest missingParts(const BakeRequest& asked, const Bake& bake, viewer::Shading shading,
-                         bool everyShading) {
-  BakeRequest defaults = asked;
-  useDefaultTechniques(defaults);
+/// The request that makes what shadings need: as asked where they are asked for, by default where not.
+BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked) {
   BakeRequest request = asked;
-  const bool aoMissing = !carries(bake, viewer::Shading::Ao);
-  const bool shMissing = !carries(bake, viewer::Shading::Sh);
-  request.ao = aoMissing && (everyShading || shading == viewer::Shading::Ao);
-  const bool bakeSh = shMissing && (everyShading || shading == viewer::Shading::Sh);
-  request.shOrder = !bakeSh ? 0 : asked.shOrder > 0 ? asked.shOrder : defaults.shOrder;
-  request.bounces = !bakeSh ? 0 : asked.shOrder > 0 ? asked.bounces : defaults.bounces;
+  request.ao = request.lightGroups = false;
+  request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
+  request.namedGroups.clear();
+  bool light = false;
+  bool lightAsked = false;
+  for (const viewer::Shading shading : missing) {
+    const viewer::ShadingInfo& info = viewer::infoOf(shading);
+    info.addTo(request, asked);
+    light = light || shading != viewer::Shading::Ao;
+    lightAsked = lightAsked || (shading != viewer::Shading::Ao && info.askedBy(asked));
+  }
+  if (!light) {
+    request.bounces = 0;
+  } else if (!lightAsked && request.bounces == 0) {
+    request.bounces = defaultBounces;
+  }
   return request;
+}
+
+/// Moves what a bake has into another.
+void mergeBake(Bake& into, Bake&& from) {
+  if (!from.ao.empty()) {
+    into.ao = std::move(from.ao);
+    into.bentNormals = std::move(from.bentNormals);
+  }
+  const auto take = [](auto& to, auto& part) {
+    if (part) to = std::move(part);
+  };
+  take(into.sh, from.sh);
+  take(into.ch, from.ch);
+  take(into.haar, from.haar);
+  take(into.glossy, from.glossy);
+  take(into.lightGroups, from.lightGroups);
 }
 
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
-  if (carries(shaded.bake, shading)) {
+  const BakeRequest& asked = options.bake.request;
+  if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
     if (options.bake.techniqueGiven() && shading != viewer::Shading::Phong)
-      session.warn(
-          "--ao, --sh: the file carries what the shading needs, which is used as it is (bake it anew with "
-          "prelight bake)");
+      session.warn(fmt::format(
+          "{}: the file carries what the shading needs, which is used as it is (bake it anew with "
+          "prelight bake)",
+          techniqueText(asked)));
     return;
   }
   requireTriangles(shaded.loaded);
-  shaded.request = missingParts(options.bake.request, shaded.bake, shading, everyShading);
+  shaded.request = requestFor(missingShadings(asked, shaded.bake, shading, everyShading), asked);
   session.console().note(
       fmt::format("{} carries no bake for --shading {}: baking {} now (prelight bake keeps it)",
                   options.scene.string(), viewer::shadingName(shading), techniqueText(shaded.request)));
   DeviceOptions device = session.deviceOptions();
   options.bake.addTo(device);
   shaded.run = session.bake(shaded.loaded, shaded.request, device);
-  if (shaded.request.ao) {
-    shaded.bake.ao = std::move(shaded.run->bake.ao);
-    shaded.bake.bentNormals = std::move(shaded.run->bake.bentNormals);
+  mergeBake(shaded.bake, std::move(shaded.run->bake));
+  if (options.bake.compression && shaded.request.shOrder > 0) {
+    session.times().measure("compress", [&] {
+      shaded.bake.compressedSh =
+          compress(*shaded.bake.sh, *options.bake.compression, surfaceOfVertices(shaded.loaded.compiled));
+    });
+    shaded.bake.sh.reset();
   }
-  if (shaded.request.shOrder > 0) shaded.bake.sh = std::move(shaded.run->bake.sh);
+}
+
+/// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
+void openRelightingDevice(Session& session, const PictureOptions& options, bool everyShading,
+                          ShadedScene& shaded) {
+  const viewer::Shading shading = shaded.render.shading;
+  const bool now = shading == viewer::Shading::Haar || shading == viewer::Shading::Glossy;
+  const bool later = everyShading && (shaded.bake.haar || shaded.bake.glossy);
+  if (!now && !later) return;
+  DeviceOptions device = session.deviceOptions();
+  options.bake.addTo(device);
+  try {
+    shaded.device = session.times().measure("device", [&] { return Device::open(device); });
+  } catch (const Error& error) {
+    if (device.selector) throw;
+    session.console().note(fmt::format("relighting on the host: {}", error.what()));
+  }
+}
+
+void checkShadingOptions(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
+  const viewer::Shading shading = shaded.render.shading;
+  const auto unused = [&](bool given, const char* option, viewer::Shading needed) {
+    if (given && shading != needed)
+      session.warn(fmt::format("{} has a meaning in {} shading only, and this is {}", option,
+                               viewer::shadingName(needed), viewer::shadingName(shading)));
+  };
+  unused(!options.groups.empty(), "--group", viewer::Shading::Lights);
+  unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
+  unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction", viewer::Shading::Ao);
+  unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
+  if (shading == viewer::Shading::Lights && options.lights)
+    session.warn(
+        "--light: in lights shading only metals reflect such lights; use --group for the scene's own");
+  if (shaded.bake.lightGroups) viewer::groupFactors(*shaded.bake.lightGroups, options.groups);
+}
+
+/// "NAME" of a few, or a usage error that lists them.
+template <typename T, std::size_t count>
+T chooseNamed(const std::string& option, const std::string& name,
+              const std::array<std::pair<const char*, T>, count>& choices) {
+  std::string names;
+  for (const auto& [known, value] : choices) {
+    if (name == known) return value;
+    names += (names.empty() ? "" : " or ") + std::string(known);
+  }
+  throw UsageError(option + " " + name, "unknown name", "expected " + names);
+}
+
+void addShadingOptions(CLI::App& app, PictureOptions& options) {
+  std::string shadings;
+  for (const viewer::ShadingInfo& info : viewer::shadings())
+    shadings += fmt::format("{} ({}), ", info.name, info.summary);
+  app.add_option_function<std::string>(
+         "--shading", [&](const std::string& name) { options.shading = viewer::parseShading(name); },
+         shadings + "default: the best that the file carries")
+      ->type_name("NAME");
+  app.add_option_function<std::vector<std::string>>(
+         "--group",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) options.groups.push_back(viewer::parseGroupFactor(text));
+         },
+         "lights shading: a factor of a light group's colour, NAME=S or NAME=R,G,B; repeat it for more")
+      ->type_name("GROUP")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addWholeNumber(
+      app, "--haar-terms", {1, maxHaarTerms},
+      [&](std::uint64_t n) { options.haarTerms = static_cast<std::size_t>(n); },
+      "haar shading: coefficients that the light keeps, the most important ones (default: all)");
+  app.add_option_function<std::string>(
+         "--ao-correction",
+         [&](const std::string& name) {
+           options.aoCorrection = chooseNamed<viewer::AoCorrection, 2>(
+               "--ao-correction", name,
+               {{{"none", viewer::AoCorrection::None},
+                 {"interreflection", viewer::AoCorrection::Interreflection}}});
+         },
+         "ao shading: none, or interreflection, the light that creases reflect into themselves")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--lobe",
+         [&](const std::string& name) {
+           options.lobe = chooseNamed<viewer::Lobe, 2>(
+               "--lobe", name, {{{"ggx", viewer::Lobe::Ggx}, {"phong", viewer::Lobe::Phong}}});
+         },
+         "glossy shading: ggx (default) or phong")
+      ->type_name("NAME");
 }
 
 }  // namespace
@@ -83,11 +197,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   app.add_option("SCENE", options.scene, "glTF file, baked or not (.gltf or .glb)")
       ->required()
       ->type_name("");
-  app.add_option_function<std::string>(
-         "--shading", [&](const std::string& name) { options.shading = viewer::parseShading(name); },
-         "phong (no shadows), ao (ambient occlusion) or sh (baked transfer); default: the best that the file "
-         "carries")
-      ->type_name("NAME");
+  addShadingOptions(app, options);
   addWholeNumber(
       app, "--camera", {0, maxCameraIndex}, [&](std::uint64_t n) { options.camera = static_cast<int>(n); },
       "camera of the file, counted from 0 (default: the first, or one that frames the scene)");
@@ -116,7 +226,8 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
 }
 
 viewer::RenderInputs ShadedScene::inputs() const {
-  return {loaded.scene, loaded.compiled, &bake, environment ? &*environment : nullptr};
+  return {loaded.scene, loaded.compiled, &bake, environment ? &*environment : nullptr,
+          device ? &*device : nullptr};
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
@@ -136,14 +247,20 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 
   viewer::RenderOptions& render = shaded.render;
-  render.shading = options.shading.value_or(carriedShading(shaded.bake));
+  render.shading = options.shading.value_or(viewer::carriedShading(shaded.bake));
   render.height = options.size.height;
   const Camera camera = viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, options.camera);
   render.width = options.size.width.value_or(viewer::pictureWidth(camera, options.size.height));
   render.camera = options.camera;
   render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0;
   render.lights = options.lights;
+  render.groups = options.groups;
+  render.haarTerms = options.haarTerms;
+  render.aoCorrection = options.aoCorrection;
+  render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);
+  checkShadingOptions(session, options, shaded);
+  openRelightingDevice(session, options, everyShading, shaded);
   return shaded;
 }
 

@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "cli/bake_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
+#include "device/device.h"
 #include "io/environment.h"
 #include "viewer/render.h"
 
@@ -23,6 +25,10 @@ struct PictureOptions {
   PictureSize size;
   double skyRotationDegrees = 0.0;
   std::optional<std::vector<Light>> lights;
+  std::vector<viewer::GroupFactor> groups;
+  std::size_t haarTerms = 0;
+  viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
+  viewer::Lobe lobe = viewer::Lobe::Ggx;
   BakeOptions bake;
 };
 
@@ -34,15 +40,16 @@ struct ShadedScene {
   Bake bake;  ///< what the file carries and what was baked for the shading
   std::optional<Environment> environment;
   viewer::RenderOptions render;
-  std::optional<BakeRun> run;  ///< when something was baked
-  BakeRequest request;         ///< of `run`
+  std::optional<BakeRun> run;    ///< when something was baked
+  BakeRequest request;           ///< of `run`
+  std::optional<Device> device;  ///< relights what a shader does not
 
   viewer::RenderInputs inputs() const;
 };
 
 /// Loads, checks the options against the scene and bakes what the shading needs and the file does not carry,
 /// saying so. `checkOutputs` runs after the input was read and before anything is baked. With `everyShading`
-/// a bake makes what all shadings need, so that they can be switched.
+/// a bake also makes what ao and sh need and what else the options name, so that shadings can be switched.
 ShadedScene prepareScene(Session& session, const PictureOptions& options, bool everyShading,
                          const std::function<void()>& checkOutputs);
 

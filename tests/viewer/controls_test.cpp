@@ -78,9 +78,9 @@ TEST_F(ControlsTest, LightScroll_Nearer_ChangesOnlyItsDistance) {
 
 TEST_F(ControlsTest, Shading_TheBakeLacks_IsNotTaken) {
   Controls c = controls();
-  c.run(Command::ShadeSh);
+  c.setShading(Shading::Sh);
   EXPECT_EQ(c.view().shading, Shading::Phong);
-  c.run(Command::ShadeAo);
+  c.setShading(Shading::Ao);
   EXPECT_EQ(c.view().shading, Shading::Ao);
 }
 
@@ -101,6 +101,29 @@ TEST_F(ControlsTest, WithoutLights_LightCommandsDoNothing) {
   c.run(Command::NextLight);
   c.setLightIntensity(glm::vec3(1));
   EXPECT_EQ(c.selectedLight(), -1);
+}
+
+TEST_F(ControlsTest, Groups_AreSelectedInTurnAndScaledByKeys) {
+  Controls c{view_, scene_, [](Shading) { return true; }, {"lamp", "sign"}};
+  EXPECT_EQ(c.selectedGroup(), 0);
+  c.run(Command::NextGroup);
+  for (int i = 0; i < 4; ++i) c.run(Command::BrightenGroup);
+  EXPECT_EQ(c.view().groupFactors[0], glm::vec3(1));
+  EXPECT_NEAR(c.view().groupFactors[1].g, 2.0f, 1e-6f);
+  c.run(Command::DimGroup);
+  EXPECT_LT(c.view().groupFactors[1].g, 2.0f);
+  c.run(Command::NextGroup);
+  EXPECT_EQ(c.selectedGroup(), 0);
+}
+
+TEST_F(ControlsTest, WithoutGroups_GroupCommandsDoNothing) {
+  Controls c = controls();
+  const std::size_t changes = c.changes();
+  c.run(Command::NextGroup);
+  c.run(Command::BrightenGroup);
+  c.setGroupFactor(glm::vec3(2));
+  EXPECT_EQ(c.selectedGroup(), -1);
+  EXPECT_EQ(c.changes(), changes);
 }
 
 TEST_F(ControlsTest, Reset_AfterAnything_IsTheFirstCamera) {

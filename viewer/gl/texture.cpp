@@ -68,18 +68,23 @@ Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texel
   return texture;
 }
 
-BufferTexture makeBufferTexture(std::span<const glm::vec4> texels, const char* what) {
+BufferTexture makeBufferTexture(std::span<const std::byte> bytes, std::size_t count, GLenum format,
+                                const char* what) {
   const auto largest = static_cast<std::size_t>(limit(GL_MAX_TEXTURE_BUFFER_SIZE));
-  if (texels.size() > largest) {
+  if (count > largest) {
     throw Error(ExitCode::RuntimeFailure, what,
-                std::to_string(texels.size()) + " texels; OpenGL here takes up to " + std::to_string(largest),
+                std::to_string(count) + " texels; OpenGL here takes up to " + std::to_string(largest),
                 "use a lower order or a smaller scene");
   }
-  BufferTexture result{Buffer(GL_TEXTURE_BUFFER, texels), Texture()};
+  BufferTexture result{Buffer(GL_TEXTURE_BUFFER, bytes), Texture()};
   glBindTexture(GL_TEXTURE_BUFFER, result.texture.name());
-  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, result.buffer.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, format, result.buffer.name());
   check(std::string("uploading ") + what);
   return result;
+}
+
+BufferTexture makeBufferTexture(std::span<const glm::vec4> texels, const char* what) {
+  return makeBufferTexture(texels, 1, GL_RGBA32F, what);
 }
 
 void bind(GLuint unit, GLenum target, const Texture& texture) {

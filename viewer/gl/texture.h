@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -24,7 +25,19 @@ struct BufferTexture {
   Texture texture;
 };
 
-/// Throws Error when OpenGL does not allow as many texels; `what` names the data.
+/// `count` texels of an OpenGL format. Throws Error when OpenGL does not allow as many; `what` names the
+/// data.
+BufferTexture makeBufferTexture(std::span<const std::byte> bytes, std::size_t count, GLenum format,
+                                const char* what);
+
+/// Elements of T as texels of `format`, `perTexel` of them each.
+template <typename T>
+BufferTexture makeBufferTexture(std::span<const T> values, std::size_t perTexel, GLenum format,
+                                const char* what) {
+  return makeBufferTexture(std::as_bytes(values), values.size() / perTexel, format, what);
+}
+
+/// RGBA32F.
 BufferTexture makeBufferTexture(std::span<const glm::vec4> texels, const char* what);
 
 /// Binds a texture to a unit.

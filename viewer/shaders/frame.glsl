@@ -1,4 +1,4 @@
-// What a picture has in common for all its draws; mirrored by FrameBlock of renderer.cpp.
+// What a picture has in common for all its draws; mirrored by FrameBlock of uniform_blocks.h.
 layout(std140) uniform Frame {
   mat4 clipFromScene;
   mat4 skyFromWorld;      // turns a world direction into the sky map's frame
@@ -8,14 +8,21 @@ layout(std140) uniform Frame {
   vec4 pixelUp;
   vec4 tile;              // picture position -1..1 of this tile: scale xy, offset zw
   vec4 ambient[9];        // sky radiance convolved with the clamped cosine over pi, SH order 3, RGB
-  vec4 transferLight[64]; // SH coefficients of sky and directional lights, RGB
   vec4 skyLevels;         // x: map's mip level per octave 0 (level 0 texel angle, log2), y: background's level
-  ivec4 counts;           // x: lights, y: shading, z: SH order, w: SH channels
-  vec4 window[2];         // factors of a delta light's bands 0..7
+  ivec4 counts;           // x: lights
+  ivec4 rules;            // x: Ambient, y: Reflection, z: Through of techniques.h, w: 1 interreflection in AO
 };
 
-const int shadingPhong = 0;
-const int shadingAo = 1;
-const int shadingSh = 2;
+const int ambientOpen = 0;
+const int ambientAccessible = 1;
+const int ambientTransferred = 2;
+
+const int reflectionEverywhere = 0;
+const int reflectionOffMetals = 1;
+const int reflectionThroughTransfer = 2;
+
+const int throughNone = 0;
+const int throughFarLights = 1;
+const int throughAllLights = 2;
 
 const float pi = 3.14159265358979;

@@ -1,9 +1,9 @@
-// The lights; mirrored by LightBlock of renderer.cpp. Their maths is documented in viewer/lighting.h.
+// The lights; mirrored by LightBlock of uniform_blocks.h. Their maths is documented in viewer/lighting.h.
 struct Light {
   vec4 positionKind;    // w: LightKind
   vec4 directionArea;   // xyz: way of the light or emitter's normal; w: emitter's area
   vec4 intensityRange;  // w: range, 0 infinite
-  vec4 cone;            // x, y: scale and offset of the spot; z: 1 through the transfer; w: 1 two-sided emitter
+  vec4 cone;            // x, y: scale and offset of the spot; z: 1 far: outside the scene; w: 1 two-sided emitter
 };
 
 layout(std140) uniform Lights { Light lights[240]; };
@@ -14,7 +14,7 @@ const int kindSpot = 2;
 const int kindEmitter = 3;
 
 int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
-bool isThroughTransfer(Light light) { return light.cone.z > 0.5; }
+bool isFar(Light light) { return light.cone.z > 0.5; }
 
 // Irradiance on a surface at `point` that faces the light, and the unit direction to the light.
 vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {

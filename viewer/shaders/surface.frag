@@ -2,12 +2,13 @@
 // A surface in one of the shadings. Approximations, so that nothing looks dead or wrong:
 // - metals have no diffuse albedo: they reflect lights (unshadowed) and the sky, attenuated by the accessibility;
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
-// - in SH shading, lights that the transfer cannot see rightly (viewer/lighting.h) shine without shadows.
+// - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows.
 #include "frame.glsl"
 #include "lights.glsl"
 #include "material.glsl"
 #include "specular.glsl"
 #include "sky.glsl"
+#include "glossy.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -17,6 +18,7 @@ in vec4 vColor;
 in float vAccessibility;
 in vec3 vBentNormal;
 in vec3 vTransferred;
+in vec3 vGlow;
 
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
@@ -28,13 +30,19 @@ vec3 shadingNormal() {
   return gl_FrontFacing ? n : -n;
 }
 
-// Light of all lights that do not come through the transfer; specular reflections of all.
+bool isTransferred(Light light) {
+  return rules.z == throughAllLights || (rules.z == throughFarLights && isFar(light));
+}
+
+// Diffuse light of all lights that do not come through the transfer; specular reflections of all, but for those that
+// the transfer reflects.
 vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
   vec3 sum = vec3(0.0);
   for (int k = 0; k < counts.x; ++k) {
+    bool transferred = isTransferred(lights[k]);
+    if (transferred && rules.y == reflectionThroughTransfer) continue;
     vec3 toLight;
     vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight) * max(dot(n, toLight), 0.0);
-    bool transferred = counts.y == shadingSh && isThroughTransfer(lights[k]);
     if (!transferred) sum += irradiance * m.albedo / pi;
     if (specularWeight > 0.0) {
       sum += irradiance * specularWeight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
@@ -43,13 +51,20 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
   return sum;
 }
 
+// Accessibility with the light that a crease reflects into itself: [1] Akenine-Moller et al., "Real-Time Rendering", 4th
+// edition, 2018, Eq. 11.13.
+vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
+  return vec3(accessibility) / max(vec3(1.0) - albedo * (1.0 - accessibility), vec3(1e-6));
+}
+
 vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
-  if (counts.y == shadingSh) return m.albedo * vTransferred;
+  if (rules.x == ambientTransferred) return m.albedo * vTransferred;
   vec3 around = n;
-  if (counts.y == shadingAo && gl_FrontFacing && dot(vBentNormal, vBentNormal) > 1e-12) {
+  if (rules.x == ambientAccessible && gl_FrontFacing && dot(vBentNormal, vBentNormal) > 1e-12) {
     around = normalize(vBentNormal);
   }
-  return m.albedo * vAccessibility * ambientAround(around);
+  vec3 open = rules.w != 0 ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
+  return m.albedo * open * ambientAround(around);
 }
 
 void main() {
@@ -64,13 +79,18 @@ void main() {
   vec3 n = shadingNormal();
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
   float nv = max(dot(n, toEye), 0.0);
-  // Exit radiance in SH shading is the albedo times the transferred light and nothing else where a surface is diffuse.
+  // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
+  // is diffuse.
   float glossy = max(m.metallic, m.transmission);
-  float specularWeight = counts.y == shadingSh ? glossy : 1.0;
+  float specularWeight = rules.y == reflectionOffMetals ? glossy : 1.0;
 
-  vec3 radiance = m.emission + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight);
+  vec3 radiance = m.emission * vGlow + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight);
   vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
-  radiance += reflectance * vAccessibility * skyRadiance(reflect(-toEye, n), levelOfRoughness(m.roughness));
+  if (rules.y == reflectionThroughTransfer) {
+    radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);
+  } else {
+    radiance += reflectance * vAccessibility * skyRadiance(reflect(-toEye, n), levelOfRoughness(m.roughness));
+  }
 
   vec3 through = m.transmission * m.base * (vec3(1.0) - clamp(reflectance, 0.0, 1.0));
   outRadiance = vec4(radiance * alpha, 1.0);

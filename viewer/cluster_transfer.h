@@ -1,0 +1,28 @@
+#pragma once
+
+#include "bake/bake.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/gl/texture.h"
+
+namespace prelight::viewer {
+
+/// SH transfer compressed to clusters (PCA, VQ, clustered PCA). What vertices share is lit once a light on
+/// the host (compress/compressed_light.h); the vertex shader sums a vertex's own weights. Lights outside the
+/// scene shine as seen from its centre.
+class ClusterTransfer : public DrawnTransfer {
+ public:
+  explicit ClusterTransfer(const CompressedTransfer& transfer);
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  CompressedTransfer shared_;  ///< without what belongs to vertices
+  gl::BufferTexture clusters_;
+  gl::BufferTexture weights_;
+  gl::BufferTexture terms_;
+  VertexStream accessibility_;
+};
+
+}  // namespace prelight::viewer

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <span>
+
+#include "base/diagnostics.h"
+#include "viewer/gl/buffer.h"
+#include "viewer/gl/program.h"
+#include "viewer/illumination.h"
+
+namespace prelight::viewer {
+
+/// Vertex attributes, by their location in surface.vert.
+enum class Attribute : GLuint {
+  Position = 0,          ///< vec3, scene coordinates
+  Normal = 1,            ///< vec3, unit
+  TexCoords = 2,         ///< vec4: of the base colour, of metalness and roughness
+  EmissiveTexCoord = 3,  ///< vec2
+  Color = 4,             ///< vec4, linear
+  Accessibility = 5,     ///< float, baked AO or what a transfer does to an even sky
+  BentNormal = 6,        ///< vec3, baked; zero where there is none
+  Radiance = 7,          ///< vec3, transferred light before albedo
+  Glow = 8,              ///< vec3, factor of the emission
+};
+
+/// Texture units of the surface program.
+enum Unit : GLuint {
+  baseColorUnit = 0,
+  metallicRoughnessUnit = 1,
+  emissiveUnit = 2,
+  triangleNormalsUnit = 3,
+  skyUnit = 4,
+  transferUnit = 5,       ///< shaders/transfer.glsl
+  transferLightUnit = 6,  ///< the same
+  rangesUnit = 7,         ///< the same
+  chBasisUnit = 8,        ///< the same
+  clustersUnit = 9,       ///< the same
+  trianglesUnit = 10,     ///< shaders/glossy.glsl
+  positionsUnit = 11,     ///< the same
+  arrivingUnit = 12,      ///< the same
+  lobesUnit = 13,         ///< the same
+};
+
+/// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.
+enum class TransferForm : int {
+  None = 0,      ///< there is none
+  Series = 1,    ///< a dot product of stored numbers and a light's
+  Clusters = 2,  ///< means and components of a cluster, lit once a light, and a vertex's weights
+  Radiance = 3,  ///< a vertex attribute, computed once a light
+};
+
+/// A value a vertex.
+class VertexStream {
+ public:
+  template <typename T>
+  VertexStream(Attribute attribute, std::span<const T> values)
+      : attribute_(attribute), components_(sizeof(T) / sizeof(float)), buffer_(GL_ARRAY_BUFFER, values) {}
+
+  template <typename T>
+  void fill(std::span<const T> values) const {
+    buffer_.fill(GL_ARRAY_BUFFER, values, GL_DYNAMIC_DRAW);
+  }
+
+  /// Ties it to the vertex array in use.
+  void attach() const {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    glEnableVertexAttribArray(static_cast<GLuint>(attribute_));
+    glVertexAttribPointer(static_cast<GLuint>(attribute_), components_, GL_FLOAT, GL_FALSE, 0, nullptr);
+  }
+
+ private:
+  Attribute attribute_;
+  GLint components_;
+  gl::Buffer buffer_;
+};
+
+/// A technique's baked data in OpenGL, and what is computed of it once a light.
+class DrawnTransfer {
+ public:
+  virtual ~DrawnTransfer() = default;
+
+  /// Makes a light ready; called before the first picture and whenever the light has changed.
+  virtual void light(const Illumination& light) = 0;
+
+  /// Binds textures, sets the uniforms of the program in use and the attributes of the vertex array in use.
+  virtual void bind(const gl::Program& program) const = 0;
+
+  /// What is approximated with a light, for people.
+  virtual void describe(const Illumination& light, Warnings& notes) const = 0;
+};
+
+}  // namespace prelight::viewer

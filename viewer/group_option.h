@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bake/bake.h"
+
+namespace prelight::viewer {
+
+/// A factor for the colour of the light groups of a name.
+struct GroupFactor {
+  std::string name;
+  glm::vec3 factor{1.0f};
+};
+
+/// Reads "NAME=S" or "NAME=R,G,B", factors >= 0. The last = counts, so that a name may hold one. Throws
+/// UsageError that says what is wrong and shows an example.
+GroupFactor parseGroupFactor(std::string_view text);
+
+/// Factors of all groups, [group]; of several for one name the last counts. Throws UsageError that lists the
+/// groups for a name that none of them has.
+std::vector<glm::vec3> groupFactors(const LightGroupTransfer& transfer, std::span<const GroupFactor> asked);
+
+}  // namespace prelight::viewer

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bake/bake.h"
+#include "device/device.h"
+#include "viewer/drawn_transfer.h"
+
+namespace prelight {
+class HaarRelighter;
+}
+
+namespace prelight::viewer {
+
+/// Wavelet transfer: the light as a cube map, transformed; its coefficients by the sparse rows of every
+/// vertex, once a light, on an OpenCL device or on the host; the radiance as a vertex attribute. Lights
+/// outside the scene shine as seen from its centre.
+class HaarLighting : public DrawnTransfer {
+ public:
+  /// The transfer and the device outlive it. `device` nullptr: on the host.
+  HaarLighting(const HaarTransfer& transfer, const Device* device);
+  ~HaarLighting() override;
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+  /// Coefficients of the light on the transfer's cube, [channel][i].
+  std::vector<float> lightCoefficients(const Illumination& light) const;
+
+ private:
+  std::vector<glm::vec3> relight(const std::vector<float>& coefficients, std::size_t terms);
+
+  const HaarTransfer& transfer_;
+  const Device* device_;
+  std::vector<float> weights_;  ///< by which coefficients are chosen
+  std::unique_ptr<HaarRelighter> relighter_;
+  VertexStream accessibility_;
+  VertexStream radiance_;
+};
+
+}  // namespace prelight::viewer

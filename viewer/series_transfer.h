@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bake/bake.h"
+#include "basis/ch.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/gl/texture.h"
+
+namespace prelight::viewer {
+
+/// Stored transfer as buffer textures: rows of `count` numbers, [vertex][channel], each row padded with zeros
+/// to whole texels of four.
+struct TransferRows {
+  gl::BufferTexture texels;
+  int count = 0;
+  int channels = 1;
+
+  /// Floats (RGBA32F), halves (RGBA16F) or bytes (RGBA8).
+  template <typename T>
+  static TransferRows upload(std::span<const T> values, int count, int channels, const char* what);
+};
+
+/// Transfer in SH or CH, of any order, in floats, halves or bytes with a range a band; the vertex shader sums
+/// the products and decodes what is compressed.
+///
+/// A light at a finite distance is evaluated at every vertex. In CH, lights are moments and the transfer is
+/// as it is stored: coefficients, or moments as well when it was baked naively, which shows the error of
+/// that.
+class HarmonicSeries : public DrawnTransfer {
+ public:
+  enum class Basis { Sh, Ch };
+
+  HarmonicSeries(const HarmonicTransfer& transfer, Basis basis);
+  /// Half or Band8.
+  explicit HarmonicSeries(const CompressedTransfer& transfer);
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  int order_ = 0;
+  bool naive_ = false;
+  std::optional<ch::Basis> ch_;
+  TransferRows rows_;
+  gl::BufferTexture light_;
+  std::optional<gl::BufferTexture> ranges_;   ///< [band][offset, scale] RGB, of bytes
+  std::optional<gl::BufferTexture> chBasis_;  ///< [m][l][k], see shaders/transfer.glsl
+  std::optional<VertexStream> accessibility_;
+};
+
+/// Transfer of light groups: the numbers are groups, the light is their colours.
+class GroupSeries : public DrawnTransfer {
+ public:
+  /// `glow`: [vertex], the group that a vertex's emission belongs to; -1: none.
+  GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow);
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  std::vector<LightGroup> groups_;
+  TransferRows rows_;
+  gl::BufferTexture light_;
+  std::vector<int> groupOfGlow_;
+  std::vector<glm::vec3> glow_;
+  VertexStream glowStream_;
+};
+
+/// The group that each vertex's emission belongs to: that of the node's name, as bakes name groups of single
+/// lights; -1 where no group has it. [vertex]
+std::vector<int> glowGroups(const LightGroupTransfer& transfer, const CompiledScene& scene);
+
+}  // namespace prelight::viewer

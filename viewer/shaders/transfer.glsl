@@ -1,0 +1,110 @@
+// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl and lights.glsl.
+uniform int transferForm;         // TransferForm of drawn_transfer.h
+uniform ivec4 transferShape;      // x: numbers a row, y: channels, z: order of SH or CH, 0: neither
+uniform int transferIsCh;
+uniform int transferHasRanges;
+uniform float weightScale;
+uniform samplerBuffer transfer;       // series: [vertex][channel][number / 4]; clusters: [vertex][component]
+uniform samplerBuffer transferLight;  // series: [number], w: window of its band; clusters: [cluster][1 + component]
+uniform samplerBuffer transferRanges; // [band][offset, scale]
+uniform samplerBuffer chBasis;        // [m][l][k]
+uniform usamplerBuffer clusters;      // [vertex]
+
+const int formNone = 0;
+const int formSeries = 1;
+const int formClusters = 2;
+const int formRadiance = 3;
+const int maxTransferOrder = 32;
+
+// Number i of a vertex whose first texel is `base`; l is its band.
+vec3 transferNumber(int base, int i, int l) {
+  int texels = (transferShape.x + 3) / 4;
+  int texel = base + i / 4;
+  vec3 t = vec3(texelFetch(transfer, texel)[i % 4]);
+  if (transferShape.y == 3) {
+    t.g = texelFetch(transfer, texel + texels)[i % 4];
+    t.b = texelFetch(transfer, texel + 2 * texels)[i % 4];
+  }
+  if (transferHasRanges != 0) t = texelFetch(transferRanges, 2 * l).rgb + texelFetch(transferRanges, 2 * l + 1).rgb * t;
+  return t;
+}
+
+// What the transfer leaves of a light of irradiance 1 from a direction. Values of SH by the recurrences of
+// host/basis/sh_evaluate.cpp, an m at a time so that nothing of the size of order squared is kept; they become moments
+// of CH by one triangular product an m.
+vec3 deltaThroughSeries(int base, vec3 w) {
+  int order = transferShape.z;
+  float values[maxTransferOrder];
+  vec3 sum = vec3(0.0);
+  float real = 1.0;
+  float imaginary = 0.0;
+  float sectoral = 0.282094792;  // sqrt(1 / (4 pi))
+  for (int m = 0; m < order; ++m) {
+    if (m > 0) {
+      float next = real * w.x - imaginary * w.y;
+      imaginary = imaginary * w.x + real * w.y;
+      real = next;
+      sectoral *= sqrt(float(2 * m + 1) / float(2 * m));
+    }
+    float before = 0.0;
+    float p = m > 0 ? 1.41421356 * sectoral : sectoral;
+    for (int l = m; l < order; ++l) {
+      if (l > m) {
+        float a = sqrt(float(4 * l * l - 1) / float(l * l - m * m));
+        float b = l > 1 ? sqrt(float((l - 1) * (l - 1) - m * m) / float(4 * (l - 1) * (l - 1) - 1)) : 0.0;
+        float next = a * (w.z * p - b * before);
+        before = p;
+        p = next;
+      }
+      float windowed = texelFetch(transferLight, l * (l + 1)).w * p;
+      values[l] = windowed;
+      float value = windowed;
+      if (transferIsCh != 0) {
+        value = 0.0;
+        int row = (m * order + l) * order;
+        for (int k = l; k >= m; k -= 2) value += texelFetch(chBasis, row + k).x * values[k];
+      }
+      int zonal = l * (l + 1);
+      sum += value * real * transferNumber(base, zonal + m, l);
+      if (m > 0) sum += value * imaginary * transferNumber(base, zonal - m, l);
+    }
+  }
+  return sum;
+}
+
+vec3 lightThroughSeries(int vertex, vec3 point) {
+  int base = vertex * transferShape.y * ((transferShape.x + 3) / 4);
+  vec3 sum = vec3(0.0);
+  int l = 0;
+  for (int i = 0; i < transferShape.x; ++i) {
+    if (i >= (l + 1) * (l + 1)) ++l;
+    sum += texelFetch(transferLight, i).rgb * transferNumber(base, i, l);
+  }
+  if (transferShape.z == 0) return sum;
+  for (int k = 0; k < counts.x; ++k) {
+    if (!isFar(lights[k]) || kindOf(lights[k]) == kindDirectional) continue;
+    vec3 toLight;
+    vec3 irradiance = perpendicularIrradiance(lights[k], point, toLight);
+    sum += irradiance * deltaThroughSeries(base, toLight);
+  }
+  return sum;
+}
+
+vec3 lightThroughClusters(int vertex) {
+  int components = transferShape.x;
+  int term = int(texelFetch(clusters, vertex).x) * (1 + components);
+  vec3 sum = texelFetch(transferLight, term).rgb;
+  for (int j = 0; j < components; ++j) {
+    float weight = weightScale * texelFetch(transfer, vertex * components + j).x;
+    sum += weight * texelFetch(transferLight, term + 1 + j).rgb;
+  }
+  return sum;
+}
+
+vec3 transferredLight(int vertex, vec3 point, vec3 computed) {
+  vec3 sum = computed;
+  if (transferForm == formNone) return vec3(0.0);
+  if (transferForm == formSeries) sum = lightThroughSeries(vertex, point);
+  if (transferForm == formClusters) sum = lightThroughClusters(vertex);
+  return max(sum, vec3(0.0));  // a truncated series may dip below zero
+}

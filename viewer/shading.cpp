@@ -1,0 +1,87 @@
+#include "viewer/shading.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr int defaultOrder = 3;
+constexpr int defaultHaarSize = 32;
+constexpr int defaultGlossyOrder = 4;
+
+constexpr int orDefault(int asked, int otherwise) { return asked > 0 ? asked : otherwise; }
+
+constexpr std::array<ShadingInfo, shadingCount> table = {{
+    {Shading::Phong, "phong", "direct light without shadows", "", [](const Bake&) { return true; },
+     [](const BakeRequest&) { return false; }, [](BakeRequest&, const BakeRequest&) {}},
+    {Shading::Ao, "ao", "the same with the sky's light occluded", "--ao",
+     [](const Bake& bake) { return !bake.ao.empty() && !bake.bentNormals.empty(); },
+     [](const BakeRequest& request) { return request.ao; },
+     [](BakeRequest& request, const BakeRequest&) { request.ao = true; }},
+    {Shading::Sh, "sh", "light through spherical-harmonic transfer", "--sh 3",
+     [](const Bake& bake) { return bake.sh.has_value() || bake.compressedSh.has_value(); },
+     [](const BakeRequest& request) { return request.shOrder > 0; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.shOrder = orDefault(asked.shOrder, defaultOrder);
+     }},
+    {Shading::Ch, "ch", "through cpherical-harmonic transfer", "--ch 3",
+     [](const Bake& bake) { return bake.ch.has_value(); },
+     [](const BakeRequest& request) { return request.chOrder > 0; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.chOrder = orDefault(asked.chOrder, defaultOrder);
+     }},
+    {Shading::Haar, "haar", "through wavelet transfer", "--haar 32",
+     [](const Bake& bake) { return bake.haar.has_value(); },
+     [](const BakeRequest& request) { return request.haarSize > 0; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.haarSize = orDefault(asked.haarSize, defaultHaarSize);
+     }},
+    {Shading::Glossy, "glossy", "diffuse and glossy reflection through transfer matrices", "--glossy 4",
+     [](const Bake& bake) { return bake.glossy.has_value(); },
+     [](const BakeRequest& request) { return request.glossyOrder > 0; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.glossyOrder = orDefault(asked.glossyOrder, defaultGlossyOrder);
+     }},
+    {Shading::Lights, "lights", "the scene's own lights, with shadows", "--light-groups",
+     [](const Bake& bake) { return bake.lightGroups.has_value(); },
+     [](const BakeRequest& request) { return request.lightGroups; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.lightGroups = true;
+       request.namedGroups = asked.namedGroups;
+     }},
+}};
+
+/// From the one that shows most.
+constexpr std::array<Shading, shadingCount> byPreference = {
+    Shading::Sh, Shading::Ch, Shading::Glossy, Shading::Haar, Shading::Lights, Shading::Ao, Shading::Phong};
+
+}  // namespace
+
+std::span<const ShadingInfo> shadings() { return table; }
+
+const ShadingInfo& infoOf(Shading shading) { return table[static_cast<std::size_t>(shading)]; }
+
+std::string shadingNames() {
+  std::string names;
+  for (const ShadingInfo& info : table) names += (names.empty() ? "" : ", ") + std::string(info.name);
+  return names;
+}
+
+Shading parseShading(std::string_view name) {
+  for (const ShadingInfo& info : table) {
+    if (info.name == name) return info.shading;
+  }
+  throw UsageError("--shading " + std::string(name), "unknown shading", "one of: " + shadingNames());
+}
+
+std::string_view shadingName(Shading shading) { return infoOf(shading).name; }
+
+Shading carriedShading(const Bake& bake) {
+  return *std::find_if(byPreference.begin(), byPreference.end(),
+                       [&](Shading shading) { return infoOf(shading).carriedBy(bake); });
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "bake/bake.h"
+#include "plan/plan.h"
+
+namespace prelight::viewer {
+
+/// How light reaches a surface in the picture.
+enum class Shading : std::uint8_t {
+  Phong,   ///< direct light without shadows, ambient from the open sky
+  Ao,      ///< Phong with the ambient light occluded by the baked accessibility
+  Sh,      ///< light through the baked SH transfer, compressed or not
+  Ch,      ///< the same through CH transfer
+  Haar,    ///< the same through wavelet transfer
+  Glossy,  ///< diffuse and glossy reflection through transfer matrices
+  Lights,  ///< the scene's own lights through light-group transfer, with shadows
+};
+
+constexpr int shadingCount = 7;
+
+/// What a shading is called and what it needs of a bake.
+struct ShadingInfo {
+  Shading shading;
+  std::string_view name;
+  std::string_view summary;             ///< for lists of names
+  std::string_view bakeOption;          ///< of `bake`, for what it needs; empty for Phong
+  bool (*carriedBy)(const Bake&);       ///< the bake has all that it needs
+  bool (*askedBy)(const BakeRequest&);  ///< the request names what it needs
+  /// Asks for what it needs: as `asked` does, or by default.
+  void (*addTo)(BakeRequest& request, const BakeRequest& asked);
+};
+
+/// All of them, in the order of the enumeration.
+std::span<const ShadingInfo> shadings();
+const ShadingInfo& infoOf(Shading shading);
+
+/// "phong, ao, sh, ...".
+std::string shadingNames();
+
+/// Throws UsageError naming the known ones.
+Shading parseShading(std::string_view name);
+std::string_view shadingName(Shading shading);
+
+/// The best shading that a bake carries.
+Shading carriedShading(const Bake& bake);
+
+}  // namespace prelight::viewer

@@ -1,0 +1,135 @@
+#include "viewer/techniques.h"
+
+#include <array>
+#include <string>
+
+#include "base/error.h"
+#include "viewer/cluster_transfer.h"
+#include "viewer/glossy_lighting.h"
+#include "viewer/haar_lighting.h"
+#include "viewer/series_transfer.h"
+
+namespace prelight::viewer {
+namespace {
+
+/// Ambient occlusion: nothing but attributes.
+class AoAttributes : public DrawnTransfer {
+ public:
+  explicit AoAttributes(const Bake& bake)
+      : accessibility_(Attribute::Accessibility, std::span<const float>(bake.ao)),
+        bentNormals_(Attribute::BentNormal, std::span<const glm::vec3>(bake.bentNormals)) {}
+
+  void light(const Illumination&) override {}
+  void bind(const gl::Program& program) const override {
+    program.set("transferForm", static_cast<int>(TransferForm::None));
+    accessibility_.attach();
+    bentNormals_.attach();
+  }
+  void describe(const Illumination&, Warnings&) const override {}
+
+ private:
+  VertexStream accessibility_;
+  VertexStream bentNormals_;
+};
+
+using Maker = std::unique_ptr<DrawnTransfer> (*)(const RenderInputs&, Lobe);
+
+std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
+  if (inputs.bake->sh) return std::make_unique<HarmonicSeries>(*inputs.bake->sh, HarmonicSeries::Basis::Sh);
+  const CompressedTransfer& compressed = *inputs.bake->compressedSh;
+  if (compressed.method == CompressionMethod::Half || compressed.method == CompressionMethod::Band8)
+    return std::make_unique<HarmonicSeries>(compressed);
+  return std::make_unique<ClusterTransfer>(compressed);
+}
+
+struct Technique {
+  DrawingRules rules;
+  Maker make = nullptr;
+};
+
+constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Metals, Through::FarLights};
+
+/// In the order of Shading.
+constexpr std::array<Technique, shadingCount> table = {{
+    {{}, [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
+    {{Ambient::Accessible, Reflection::Everywhere, Through::None},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<AoAttributes>(*inputs.bake);
+     }},
+    {throughTransfer, makeSh},
+    {throughTransfer,
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<HarmonicSeries>(*inputs.bake->ch, HarmonicSeries::Basis::Ch);
+     }},
+    {throughTransfer,
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<HaarLighting>(*inputs.bake->haar, inputs.device);
+     }},
+    {{Ambient::Transferred, Reflection::Transfer, Through::FarLights},
+     [](const RenderInputs& inputs, Lobe lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<GlossyLighting>(*inputs.bake->glossy, inputs.compiled, lobe, inputs.device);
+     }},
+    {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       const LightGroupTransfer& transfer = *inputs.bake->lightGroups;
+       return std::make_unique<GroupSeries>(transfer, glowGroups(transfer, inputs.compiled));
+     }},
+}};
+
+void expectSize(const char* what, std::size_t got, std::size_t expected) {
+  if (got == expected) return;
+  throw Error(ExitCode::RuntimeFailure, what,
+              "the bake has " + std::to_string(got) + " values, this scene needs " + std::to_string(expected),
+              "bake this scene again");
+}
+
+void expectDrawable(const char* what, int order, int most, int channels) {
+  if (order >= 1 && order <= most && (channels == 1 || channels == 3)) return;
+  throw Error(ExitCode::RuntimeFailure, what,
+              "order " + std::to_string(order) + " in " + std::to_string(channels) +
+                  " channels; orders 1 to " + std::to_string(most) + " in 1 or 3 channels can be drawn");
+}
+
+std::size_t numbers(std::uint32_t vertices, int channels, int order, int power) {
+  std::size_t count = std::size_t{vertices} * static_cast<std::size_t>(channels);
+  for (int i = 0; i < power; ++i) count *= static_cast<std::size_t>(order);
+  return count;
+}
+
+void checkHarmonics(const char* what, const HarmonicTransfer& transfer, std::uint32_t vertices) {
+  expectDrawable(what, transfer.order, maxTransferOrder, transfer.channels);
+  expectSize(what, transfer.coefficients.size(), numbers(vertices, transfer.channels, transfer.order, 2));
+}
+
+}  // namespace
+
+DrawingRules rulesOf(Shading shading) { return table[static_cast<std::size_t>(shading)].rules; }
+
+void checkBake(const Bake& bake, std::uint32_t vertices) {
+  if (!bake.ao.empty()) expectSize("ambient occlusion", bake.ao.size(), vertices);
+  if (!bake.bentNormals.empty()) expectSize("bent normals", bake.bentNormals.size(), vertices);
+  if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
+  if (bake.ch) checkHarmonics("CH transfer", *bake.ch, vertices);
+  if (const auto& compressed = bake.compressedSh) {
+    expectDrawable("compressed SH transfer", compressed->order, maxTransferOrder, compressed->channels);
+    expectSize("compressed SH transfer", compressed->vertexCount, vertices);
+  }
+  if (const auto& haar = bake.haar) {
+    expectSize("Haar transfer", haar->offsets.size(), numbers(vertices, haar->channels, 1, 0) + 1);
+  }
+  if (const auto& glossy = bake.glossy) {
+    expectDrawable("glossy transfer", glossy->order, maxGlossyOrder, glossy->channels);
+    expectSize("glossy transfer", glossy->matrices.size(),
+               numbers(vertices, glossy->channels, glossy->order, 4));
+  }
+  if (const auto& lights = bake.lightGroups) {
+    const auto groups = static_cast<int>(lights->groups.size());
+    expectSize("light groups", lights->coefficients.size(), numbers(vertices, lights->channels, groups, 1));
+  }
+}
+
+std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe) {
+  return table[static_cast<std::size_t>(shading)].make(inputs, lobe);
+}
+
+}  // namespace prelight::viewer

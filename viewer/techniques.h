@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "viewer/drawn_transfer.h"
+#include "viewer/render.h"
+
+namespace prelight::viewer {
+
+/// Where the light comes from that a surface scatters diffusely; numbers of shaders/frame.glsl.
+enum class Ambient : int {
+  Open = 0,         ///< the sky around the normal
+  Accessible = 1,   ///< the sky around the bent normal, occluded
+  Transferred = 2,  ///< the transferred radiance
+};
+
+/// How lights and the sky are reflected; numbers of shaders/frame.glsl.
+enum class Reflection : int {
+  Everywhere = 0,  ///< lights off all surfaces, without shadows; the sky off metals and glass
+  Metals = 1,      ///< both off metals and glass only: exit radiance of others is albedo x transferred light
+  Transfer = 2,    ///< through glossy transfer; lights that it does not hold, without shadows
+};
+
+/// Which lights come through the transfer; numbers of shaders/frame.glsl.
+enum class Through : int { None = 0, FarLights = 1, AllLights = 2 };
+
+/// How a shading is drawn.
+struct DrawingRules {
+  Ambient ambient = Ambient::Open;
+  Reflection reflection = Reflection::Everywhere;
+  Through through = Through::None;
+};
+
+DrawingRules rulesOf(Shading shading);
+
+/// Throws Error when something in the bake does not fit the scene or cannot be drawn.
+void checkBake(const Bake& bake, std::uint32_t vertices);
+
+/// Uploads what the shading needs of a bake that carries it; nullptr for Phong.
+std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe);
+
+}  // namespace prelight::viewer
