@@ -44,8 +44,9 @@ TEST_F(CliUsage, Arguments_MissingOrTooMany_AreNamed) {
 TEST_F(CliUsage, Technique_ThatDoesNotExist_NamesThoseThatDo) {
   for (const char* option : {"--vo", "--radiosity", "--lightmap", "--caustics"})
     expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", option}, {option, "--ao", "--sh"});
-  for (const char* shading : {"vo", "haar", "full", ""})
-    expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", shading}, {"phong", "ao", "sh"});
+  for (const char* shading : {"vo", "lightmap", "full", ""})
+    expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", shading},
+                  {"phong, ao, sh, ch, haar, glossy, lights"});
 }
 
 TEST_F(CliUsage, Options_ThatExcludeEachOther_AreRefused) {

@@ -1,0 +1,116 @@
+#include "viewer/illumination.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "viewer/group_option.h"
+#include "viewer/quad_scene.h"
+#include "viewer/specular_lobes.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST(TurnedSky, ByAnyAngle_IsTheRotatedSky) {
+  const Environment sky = test::halvedSky();
+  const SkyCoefficients straight(sky, 6);
+  for (const double angle : {0.5 * pi, -0.5 * pi, 0.3, 3.0, -7.0}) {
+    const auto turned = SkyCoefficients(turnedSky(sky, angle), 6).turned(0.0, 6);
+    const auto expected = straight.turned(angle, 6);
+    for (int l = 0; l < 6; ++l) {
+      double band = 0.0;
+      double difference = 0.0;
+      for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+        band += glm::dot(expected[i], expected[i]);
+        difference += glm::dot(turned[i] - expected[i], turned[i] - expected[i]);
+      }
+      // Two shares of a column blur waves of l by (l texel)^2 / 8 at most.
+      const double blur = std::pow(l * 2.0 * pi / sky.width, 2) / 8.0;
+      EXPECT_LE(std::sqrt(difference), blur * std::sqrt(band) + 1e-6) << angle << ' ' << l;
+    }
+  }
+}
+
+TEST(TurnedSky, ByHalfATexel_KeepsTheEnergyOfEveryRow) {
+  Environment sky{8, 1, std::vector<glm::vec3>(8, glm::vec3(0))};
+  sky.radiance[0] = glm::vec3(1);
+  const Environment turned = turnedSky(sky, 2.0 * pi / 8 * 1.5);
+  EXPECT_EQ(turned.radiance[6], glm::vec3(0.5f));
+  EXPECT_EQ(turned.radiance[7], glm::vec3(0.5f));
+  EXPECT_EQ(turned.radiance[0], glm::vec3(0.0f));
+}
+
+TEST(FarLight, SeenFromTheCentre_HasItsIrradianceConeAndRange) {
+  ShadedLight spot;
+  spot.kind = LightKind::Spot;
+  spot.intensity = {16, 8, 4};
+  spot.position = {0, 4, 0};
+  spot.direction = {0, -1, 0};
+  spot.coneScale = 1.0f;
+  spot.coneOffset = -0.5f;
+  spot.range = 8.0f;
+  const ShadedLight far = seenFromCentre(spot);
+  EXPECT_EQ(far.kind, LightKind::Directional);
+  EXPECT_NEAR(glm::length(far.direction - glm::vec3(0, -1, 0)), 0.0, 1e-6);
+  EXPECT_NEAR(far.intensity.r, 16.0 / 16.0 * 0.25 * (1.0 - 1.0 / 16.0), 1e-6);
+}
+
+/// Integral over the sphere of a lobe about z times its cosine, by its two first bands alone.
+double cosineMoment(const LobeTable& table, int step) {
+  // x_1 Y_10 is the linear band; the integral of cos Y_10 is sqrt(4 pi / 3).
+  return table.bands[static_cast<std::size_t>(step * table.order) + 1].x * std::sqrt(3.0 / (4.0 * pi)) *
+         std::sqrt(4.0 * pi / 3.0);
+}
+
+TEST(GgxLobe, MomentsOfAllRoughnesses_AreThoseOfTheBrdf) {
+  const LobeTable table = makeLobeTable(Lobe::Ggx, 3);
+  for (const int step : {16, 32, 48, 64}) {
+    const double alpha = std::pow(step / 64.0, 2);
+    const double a2 = alpha * alpha;
+    double whole = 0.0;
+    double linear = 0.0;
+    constexpr int parts = 200000;
+    for (int i = 0; i < parts; ++i) {
+      const double theta = 0.5 * pi * (i + 0.5) / parts;
+      const double nh = std::cos(0.5 * theta);
+      const double nl = std::cos(theta);
+      const double d = a2 / (pi * std::pow(nh * nh * (a2 - 1.0) + 1.0, 2));
+      const double masking = 2.0 * nl / (nl + std::sqrt(a2 + (1.0 - a2) * nl * nl));  // of the light; of the
+                                                                                      // view it is 1
+      const double brdf = d * masking / (4.0 * nl);
+      const double ring = 2.0 * pi * std::sin(theta) * 0.5 * pi / parts;
+      whole += brdf * ring;
+      linear += brdf * nl * ring;
+    }
+    EXPECT_NEAR(table.bands[static_cast<std::size_t>(step * 3)].x, whole, 1e-5 * whole) << step;
+    EXPECT_NEAR(cosineMoment(table, step), linear, 1e-5 * linear) << step;
+  }
+}
+
+TEST(PhongLobe, Whole_IsItsClosedForm) {
+  const LobeTable table = makeLobeTable(Lobe::Phong, 3);
+  for (const int step : {8, 32, 48, 64}) {
+    const double n = phongExponent(step / 64.0);
+    EXPECT_NEAR(table.bands[static_cast<std::size_t>(step * 3)].x, (n + 2.0) / (n + 1.0), 1e-5);
+  }
+}
+
+TEST(GroupOption, OneFactorOrThree_AreRead) {
+  EXPECT_EQ(parseGroupFactor("Desk lamp=0.5").name, "Desk lamp");
+  EXPECT_EQ(parseGroupFactor("Desk lamp=0.5").factor, glm::vec3(0.5f));
+  EXPECT_EQ(parseGroupFactor("a=b=1,2,3").name, "a=b");
+  EXPECT_EQ(parseGroupFactor("a=b=1,2,3").factor, glm::vec3(1, 2, 3));
+}
+
+TEST(GroupOption, AnythingElse_IsAUsageError) {
+  for (const char* text : {"", "lamp", "=1", "lamp=", "lamp=1,2", "lamp=1,2,3,4", "lamp=-1", "lamp=x",
+                           "lamp=nan", "lamp=inf", "lamp=1,,2", "lamp=1x"})
+    EXPECT_THROW(parseGroupFactor(text), UsageError) << text;
+}
+
+}  // namespace
+}  // namespace prelight::viewer
