@@ -21,6 +21,8 @@ const std::vector<Recipe>& recipes() {
       {{"caustics", "a Cornell box with a solid glass sphere and a mirror box"}, makeCausticsScene},
       {{"rooms", "two closed rooms joined by a door, a light in one and the camera in the other"},
        makeRoomsScene},
+      {{"swing", "a turning box, a crossing ball and a swinging board under a lamp (an animation of 4 s)"},
+       makeSwingScene},
   };
   return list;
 }

@@ -13,5 +13,8 @@ GltfDocument makeCornellScene();
 GltfDocument makeCausticsScene();
 /// Two closed rooms joined by a door opening; a point light in the left, the camera in the right.
 GltfDocument makeRoomsScene();
+/// A ground under an emissive lamp with a box that turns, a ball that crosses and a board that swings: one
+/// animation of 4 s.
+GltfDocument makeSwingScene();
 
 }  // namespace prelight

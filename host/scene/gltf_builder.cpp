@@ -89,8 +89,8 @@ int GltfBuilder::addGlass(const std::string& name, float ior) {
   return addMaterial(std::move(material));
 }
 
-void GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int material,
-                            const glm::vec3& translation, double yAngle) {
+int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int material,
+                           const glm::vec3& translation, double yAngle) {
   const int positions = appendVectors(document_, shape.positions, "VEC3", float32, 3);
   glm::vec3 low = shape.positions.front();
   glm::vec3 high = low;
@@ -119,6 +119,34 @@ void GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int
   if (translation != glm::vec3(0.0f)) node["translation"] = toJson(translation);
   if (yAngle != 0.0) node["rotation"] = {0.0, std::sin(yAngle / 2.0), 0.0, std::cos(yAngle / 2.0)};
   addNode(std::move(node));
+  return static_cast<int>(document_.json["nodes"].size()) - 1;
+}
+
+void GltfBuilder::animate(const std::string& animation, int node, AnimatedPath path,
+                          const AnimationSampler& sampler) {
+  Json& animations = document_.json["animations"];
+  auto at = std::find_if(animations.begin(), animations.end(),
+                         [&](const Json& json) { return json["name"] == animation; });
+  if (at == animations.end()) {
+    animations.push_back({{"name", animation}, {"channels", Json::array()}, {"samplers", Json::array()}});
+    at = std::prev(animations.end());
+  }
+  Json json;
+  json["input"] = appendVectors(document_, sampler.times, "SCALAR", float32, 1);
+  document_.json["accessors"].back()["min"] = {sampler.times.front()};
+  document_.json["accessors"].back()["max"] = {sampler.times.back()};
+  if (path == AnimatedPath::Rotation) {
+    json["output"] = appendVectors(document_, sampler.values, "VEC4", float32, 4);
+  } else {
+    const std::vector<glm::vec3> values(sampler.values.begin(), sampler.values.end());
+    json["output"] = appendVectors(document_, values, "VEC3", float32, 3);
+  }
+  constexpr const char* interpolations[] = {"LINEAR", "STEP", "CUBICSPLINE"};
+  constexpr const char* paths[] = {"translation", "rotation", "scale"};
+  json["interpolation"] = interpolations[static_cast<int>(sampler.interpolation)];
+  (*at)["channels"].push_back({{"sampler", (*at)["samplers"].size()},
+                               {"target", {{"node", node}, {"path", paths[static_cast<int>(path)]}}}});
+  (*at)["samplers"].push_back(std::move(json));
 }
 
 void GltfBuilder::addPointLight(const std::string& name, const glm::vec3& position, const glm::vec3& color,

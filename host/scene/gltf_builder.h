@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "scene/animation.h"
 #include "scene/gltf_document.h"
 #include "scene/mesh_shapes.h"
 
@@ -21,9 +22,11 @@ class GltfBuilder {
   /// Solid clear glass.
   int addGlass(const std::string& name, float ior);
 
-  /// A node of its own with a mesh, turned by `yAngle` (radians) around +Y, then moved.
-  void addObject(const std::string& name, const MeshShape& shape, int material,
-                 const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
+  /// A node of its own with a mesh, turned by `yAngle` (radians) around +Y, then moved. Returns its index.
+  int addObject(const std::string& name, const MeshShape& shape, int material,
+                const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
+  /// A channel of the animation of that name, which the first channel makes.
+  void animate(const std::string& animation, int node, AnimatedPath path, const AnimationSampler& sampler);
   /// Point light of `intensity` W/sr.
   void addPointLight(const std::string& name, const glm::vec3& position, const glm::vec3& color,
                      double intensity);

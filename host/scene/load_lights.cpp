@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/load_parts.h"
+#include "scene/pose.h"
 
 namespace prelight {
 
@@ -20,15 +21,8 @@ float nonNegativeOr(const LoadContext& context, const JsonCursor& object, const 
   return 0.0f;
 }
 
-/// A direction as the node turns it; its length, which scale changes, does not matter.
-glm::dvec3 turned(const LoadContext& context, const WorldNode& node, const glm::dvec3& column,
-                  const glm::dvec3& fallback) {
-  // Divided by the largest component first: the squares of tiny scales would vanish.
-  const double largest = std::max({std::abs(column.x), std::abs(column.y), std::abs(column.z)});
-  if (largest > 0.0) return glm::normalize(column / largest);
-  context.warn(fmt::format("/nodes/{}", node.node),
-               "a scale of 0 leaves no direction; the world's axis is taken");
-  return fallback;
+void warnAboutDirection(const LoadContext& context, int node) {
+  context.warn(fmt::format("/nodes/{}", node), "a scale of 0 leaves no direction; the world's axis is taken");
 }
 
 void loadCone(const LoadContext& context, const JsonCursor& spot, Light& light) {
@@ -46,8 +40,8 @@ void loadCone(const LoadContext& context, const JsonCursor& spot, Light& light) 
 
 }  // namespace
 
-std::optional<Light> loadLight(const LoadContext& context, const WorldNode& node) {
-  const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(node.node));
+std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world) {
+  const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(node));
   const auto reference = LoadContext::extension(json, "KHR_lights_punctual");
   if (!reference) return std::nullopt;
   const JsonCursor lights = LoadContext::extension(context.root, "KHR_lights_punctual")->at("lights");
@@ -70,28 +64,17 @@ std::optional<Light> loadLight(const LoadContext& context, const WorldNode& node
     }
   }
   light.range = nonNegativeOr(context, source, "range", 0.0f);
-  light.position = glm::dvec3(node.world[3]);
-  if (light.type != LightType::Point) {
-    light.direction = turned(context, node, -glm::dvec3(node.world[2]), {0.0, 0.0, -1.0});
-  }
+  if (!placeLight(light, world)) warnAboutDirection(context, node);
   if (light.type == LightType::Spot) loadCone(context, source.at("spot"), light);
   return light;
 }
 
-Camera loadCamera(const LoadContext& context, const WorldNode& node) {
-  const tinygltf::Node& source = context.model.nodes[static_cast<std::size_t>(node.node)];
+Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world) {
+  const tinygltf::Node& source = context.model.nodes[static_cast<std::size_t>(node)];
   const JsonCursor json = context.root.at("cameras").at(static_cast<std::size_t>(source.camera));
   Camera camera;
   camera.name = json.stringOr("name", source.name);
-  const glm::dvec3 back = turned(context, node, glm::dvec3(node.world[2]), {0.0, 0.0, 1.0});
-  const glm::dvec3 up = turned(context, node, glm::dvec3(node.world[1]), {0.0, 1.0, 0.0});
-  glm::dvec3 right = glm::cross(up, back);
-  // Shear may lay up along the view; any perpendicular will do then.
-  if (glm::length(right) < 1e-9)
-    right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
-  right = glm::normalize(right);
-  camera.world = {glm::dvec4(right, 0.0), glm::dvec4(glm::cross(back, right), 0.0), glm::dvec4(back, 0.0),
-                  glm::dvec4(glm::dvec3(node.world[3]), 1.0)};
+  if (!placeCamera(camera, world)) warnAboutDirection(context, node);
   camera.perspective = json.at("type").asString() == "perspective";
   if (camera.perspective) {
     const JsonCursor lens = json.at("perspective");

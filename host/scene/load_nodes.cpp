@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/error.h"
 #include "scene/accessor.h"
 #include "scene/load_parts.h"
+#include "scene/pose.h"
 
 namespace prelight {
 
@@ -23,11 +23,6 @@ glm::dquat unitRotation(const LoadContext& context, const std::string& path, con
   return {q.w, q.x, q.y, q.z};
 }
 
-glm::dmat4 composeTransform(const glm::dvec3& translation, const glm::dquat& rotation,
-                            const glm::dvec3& scale) {
-  return glm::scale(glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(rotation), scale);
-}
-
 glm::dmat4 matrixOf(const LoadContext& context, const std::string& path, const std::vector<double>& numbers) {
   glm::dmat4 matrix(1.0);
   for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = numbers[static_cast<std::size_t>(i)];
@@ -39,21 +34,25 @@ glm::dmat4 matrixOf(const LoadContext& context, const std::string& path, const s
   return matrix;
 }
 
-glm::dmat4 localTransform(const LoadContext& context, int index) {
-  const tinygltf::Node& node = context.model.nodes[static_cast<std::size_t>(index)];
+SceneNode loadNode(const LoadContext& context, int index, int parent) {
+  const tinygltf::Node& source = context.model.nodes[static_cast<std::size_t>(index)];
   const std::string path = fmt::format("/nodes/{}", index);
-  if (node.matrix.size() == 16) return matrixOf(context, path, node.matrix);
-  glm::dvec3 translation(0.0);
-  glm::dvec3 scale(1.0);
-  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
-  if (node.translation.size() == 3)
-    translation = {node.translation[0], node.translation[1], node.translation[2]};
-  if (node.scale.size() == 3) scale = {node.scale[0], node.scale[1], node.scale[2]};
-  if (node.rotation.size() == 4) {
-    const std::vector<double>& r = node.rotation;
-    rotation = unitRotation(context, path + "/rotation", {r[0], r[1], r[2], r[3]});
+  SceneNode node;
+  node.node = index;
+  node.parent = parent;
+  if (source.matrix.size() == 16) {
+    node.hasMatrix = true;
+    node.matrix = matrixOf(context, path, source.matrix);
+    return node;
   }
-  return composeTransform(translation, rotation, scale);
+  if (source.translation.size() == 3)
+    node.translation = {source.translation[0], source.translation[1], source.translation[2]};
+  if (source.scale.size() == 3) node.scale = {source.scale[0], source.scale[1], source.scale[2]};
+  if (source.rotation.size() == 4) {
+    const std::vector<double>& r = source.rotation;
+    node.rotation = unitRotation(context, path + "/rotation", {r[0], r[1], r[2], r[3]});
+  }
+  return node;
 }
 
 bool isFinite(const glm::dmat4& matrix) {
@@ -92,41 +91,55 @@ std::vector<float> instanceAttribute(const LoadContext& context, const JsonCurso
 
 }  // namespace
 
-std::vector<WorldNode> collectWorldNodes(const LoadContext& context) {
+std::vector<SceneNode> loadNodes(const LoadContext& context) {
   const std::vector<int> roots = rootNodes(context.model);
+  struct Pending {
+    int node;
+    int parent;
+  };
   // A stack of its own instead of recursion: a file may chain any number of nodes.
-  std::vector<WorldNode> pending;
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.push_back({*root, glm::dmat4(1.0)});
-  std::vector<WorldNode> nodes;
+  std::vector<Pending> pending;
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) pending.push_back({*root, -1});
+  std::vector<SceneNode> nodes;
   while (!pending.empty()) {
-    const WorldNode parent = pending.back();
+    const auto [node, parent] = pending.back();
     pending.pop_back();
-    const WorldNode node{parent.node, parent.world * localTransform(context, parent.node)};
-    if (!isFinite(node.world)) {
-      throw InputError(context.where(fmt::format("/nodes/{}", node.node)),
-                       "the transform to world space is not finite", "check the scales of its ancestors");
-    }
-    nodes.push_back(node);
-    const std::vector<int>& children = context.model.nodes[static_cast<std::size_t>(node.node)].children;
+    const auto place = static_cast<int>(nodes.size());
+    nodes.push_back(loadNode(context, node, parent));
+    const std::vector<int>& children = context.model.nodes[static_cast<std::size_t>(node)].children;
     for (auto child = children.rbegin(); child != children.rend(); ++child)
-      pending.push_back({*child, node.world});
+      pending.push_back({*child, place});
   }
   return nodes;
 }
 
-std::vector<glm::dmat4> instanceTransforms(const LoadContext& context, const WorldNode& node) {
-  const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(node.node));
+std::vector<glm::dmat4> restTransforms(const LoadContext& context, const std::vector<SceneNode>& nodes) {
+  std::vector<glm::dmat4> world;
+  world.reserve(nodes.size());
+  for (const SceneNode& node : nodes) {
+    const glm::dmat4 local = localTransform(node);
+    world.push_back(node.parent < 0 ? local : world[static_cast<std::size_t>(node.parent)] * local);
+    if (!isFinite(world.back())) {
+      throw InputError(context.where(fmt::format("/nodes/{}", node.node)),
+                       "the transform to world space is not finite", "check the scales of its ancestors");
+    }
+  }
+  return world;
+}
+
+std::vector<glm::dmat4> loadInstances(const LoadContext& context, int node) {
+  const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(node));
   const auto instancing = LoadContext::extension(json, "EXT_mesh_gpu_instancing");
-  if (!instancing) return {node.world};
+  if (!instancing) return {};
   const JsonCursor attributes = instancing->at("attributes");
   const std::vector<float> translations = instanceAttribute(context, attributes, "TRANSLATION");
   const std::vector<float> rotations = instanceAttribute(context, attributes, "ROTATION");
   const std::vector<float> scales = instanceAttribute(context, attributes, "SCALE");
   const std::size_t count = std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3});
-  const std::string path = fmt::format("/nodes/{}/extensions/EXT_mesh_gpu_instancing", node.node);
+  const std::string path = fmt::format("/nodes/{}/extensions/EXT_mesh_gpu_instancing", node);
   if (count == 0) {
     context.warn(path, "no TRANSLATION, ROTATION or SCALE; the mesh is drawn once");
-    return {node.world};
+    return {};
   }
   std::vector<glm::dmat4> transforms;
   transforms.reserve(count);
@@ -141,10 +154,8 @@ std::vector<glm::dmat4> instanceTransforms(const LoadContext& context, const Wor
       const float* r = &rotations[4 * i];
       rotation = unitRotation(context, path, {r[0], r[1], r[2], r[3]});
     }
-    transforms.push_back(node.world * composeTransform(translation, rotation, scale));
-    if (!isFinite(transforms.back())) {
-      throw InputError(context.where(path), fmt::format("the transform of instance {} is not finite", i));
-    }
+    transforms.push_back(
+        localTransform(SceneNode{0, -1, false, glm::dmat4(1.0), translation, rotation, scale}));
   }
   return transforms;
 }

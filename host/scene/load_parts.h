@@ -35,25 +35,26 @@ struct LoadContext {
   tinygltf::Model model;
 };
 
-/// A node of the scene with its transform to world space.
-struct WorldNode {
-  int node = 0;
-  glm::dmat4 world{1.0};
-};
-
 /// Nodes of the chosen scene in depth-first order.
-std::vector<WorldNode> collectWorldNodes(const LoadContext& context);
+std::vector<SceneNode> loadNodes(const LoadContext& context);
 
-/// World transforms of a node's instances; its own when it is not instanced.
-std::vector<glm::dmat4> instanceTransforms(const LoadContext& context, const WorldNode& node);
+/// Transforms to world space of nodes of loadNodes. Throws InputError when one is not finite.
+std::vector<glm::dmat4> restTransforms(const LoadContext& context, const std::vector<SceneNode>& nodes);
+
+/// Transforms of a glTF node's instances to the node; empty when it is not instanced.
+std::vector<glm::dmat4> loadInstances(const LoadContext& context, int node);
+
+/// Checks and reads all animations; `nodes` are those of loadNodes. Channels of morph weights, of nodes that
+/// are not in the scene and of unknown paths are left out, the first and the last with a warning.
+std::vector<Animation> loadAnimations(const LoadContext& context, const std::vector<SceneNode>& nodes);
 
 Mesh loadMesh(const LoadContext& context, std::size_t mesh);
 std::vector<Material> loadMaterials(const LoadContext& context);
 /// Decodes the images that materials use; the others are white texels.
 std::vector<Image> loadImages(const LoadContext& context, const std::vector<Material>& materials);
 /// The punctual light of a node, when it carries one.
-std::optional<Light> loadLight(const LoadContext& context, const WorldNode& node);
-Camera loadCamera(const LoadContext& context, const WorldNode& node);
+std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world);
+Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world);
 
 /// A JSON number as a finite float. Throws InputError with the number's path when it overflows.
 float finiteFloat(const JsonCursor& number);

@@ -6,13 +6,14 @@
 
 #include "base/error.h"
 #include "scene/load_parts.h"
+#include "scene/pose.h"
 
 namespace prelight {
 
 namespace {
 
 /// tinygltf parses a tree without the parts it would open, copy or judge by itself: their bytes are embedded
-/// in the document already, and animations are not used.
+/// in the document already, and loadAnimations reads the animations.
 tinygltf::Model parseModel(const GltfDocument& document, const std::string& file) {
   nlohmann::ordered_json tree = document.json;
   for (const char* part : {"buffers", "images", "animations", "skins", "extensions", "extras"})
@@ -31,12 +32,6 @@ tinygltf::Model parseModel(const GltfDocument& document, const std::string& file
   }
   if (!parsed) throw InputError(file, "tinygltf cannot read it: " + error);
   return model;
-}
-
-void warnAboutUnused(const LoadContext& context) {
-  if (context.root.countOf("animations") > 0) {
-    context.warn("/animations", "animations are not played; the rest pose is used");
-  }
 }
 
 }  // namespace
@@ -67,29 +62,37 @@ const Material& Scene::materialOf(const Primitive& primitive) const {
 Scene loadScene(const GltfDocument& document, Warnings& warnings) {
   const LoadContext context(document, warnings);
   const tinygltf::Model& model = context.model;
-  warnAboutUnused(context);
   Scene scene;
   scene.materials = loadMaterials(context);
   scene.images = loadImages(context, scene.materials);
   scene.meshes.resize(model.meshes.size());
   std::vector<bool> loaded(model.meshes.size(), false);
 
-  for (const WorldNode& worldNode : collectWorldNodes(context)) {
-    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(worldNode.node)];
+  scene.nodes = loadNodes(context);
+  const std::vector<glm::dmat4> world = restTransforms(context, scene.nodes);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int index = scene.nodes[i].node;
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
     if (node.mesh >= 0) {
       const auto mesh = static_cast<std::size_t>(node.mesh);
       if (!loaded[mesh]) scene.meshes[mesh] = loadMesh(context, mesh);
       loaded[mesh] = true;
       if (node.skin >= 0) {
-        context.warn(fmt::format("/nodes/{}/skin", worldNode.node),
-                     "the skin is not applied; the bind pose is used");
+        context.warn(fmt::format("/nodes/{}/skin", index), "the skin is not applied; the bind pose is used");
       }
-      scene.meshNodes.push_back(
-          {worldNode.node, node.name, node.mesh, instanceTransforms(context, worldNode)});
+      scene.meshNodes.push_back({index, node.name, node.mesh, {}, i, loadInstances(context, index)});
     }
-    if (node.camera >= 0) scene.cameras.push_back(loadCamera(context, worldNode));
-    if (auto light = loadLight(context, worldNode)) scene.lights.push_back(*std::move(light));
+    if (node.camera >= 0) {
+      scene.cameras.push_back(loadCamera(context, index, world[i]));
+      scene.cameras.back().sceneNode = i;
+    }
+    if (auto light = loadLight(context, index, world[i])) {
+      light->sceneNode = i;
+      scene.lights.push_back(*std::move(light));
+    }
   }
+  placeMeshes(scene, world, context.file + ": ");
+  scene.animations = loadAnimations(context, scene.nodes);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!loaded[i]) {
       scene.meshes[i].name = model.meshes[i].name;

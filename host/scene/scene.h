@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include "scene/animation.h"
 
 namespace prelight {
 
@@ -75,13 +78,26 @@ struct Mesh {
   std::vector<Primitive> primitives;
 };
 
+/// A node of the hierarchy with its transform to its parent: a matrix, or translation, rotation and scale.
+struct SceneNode {
+  int node = 0;     ///< index in the glTF file
+  int parent = -1;  ///< into Scene::nodes, before this node; -1 for a root
+  bool hasMatrix = false;
+  glm::dmat4 matrix{1.0};
+  glm::dvec3 translation{0.0};
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< unit; w first
+  glm::dvec3 scale{1.0};
+};
+
 /// A node that draws a mesh, once for each transform (more than one with EXT_mesh_gpu_instancing, whose base
 /// mesh is not drawn).
 struct MeshNode {
   int node = 0;  ///< index in the glTF file
   std::string name;
   int mesh = 0;
-  std::vector<glm::dmat4> transforms;  ///< object to world, column vectors
+  std::vector<glm::dmat4> transforms;      ///< object to world, column vectors
+  std::size_t sceneNode = 0;               ///< into Scene::nodes
+  std::vector<glm::dmat4> instances = {};  ///< object to node, as many as transforms; empty: not instanced
 };
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };
@@ -96,6 +112,7 @@ struct Light {
   float range = 0.0f;                    ///< metres; 0 means infinite
   float innerConeAngle = 0.0f;           ///< radians, spot only
   float outerConeAngle = 0.785398163f;
+  std::size_t sceneNode = 0;  ///< into Scene::nodes, when the file's
 };
 
 struct Camera {
@@ -108,6 +125,7 @@ struct Camera {
   double zFar = 0.0;  ///< 0 means infinite
   double xMag = 1.0;  ///< orthographic half width and half height
   double yMag = 1.0;
+  std::size_t sceneNode = 0;  ///< into Scene::nodes
 };
 
 /// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world
@@ -115,11 +133,13 @@ struct Camera {
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
+  std::vector<SceneNode> nodes;     ///< of the scene, depth first; parents before their children
   std::vector<MeshNode> meshNodes;  ///< in depth-first order of the scene's nodes
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
+  std::vector<Animation> animations;  ///< the file's, in its order
 
   /// The material of a primitive; glTF's default material when it names none.
   const Material& materialOf(const Primitive& primitive) const;

@@ -7,6 +7,7 @@
 #include "scene/compiled_scene.h"
 #include "scene/gltf_document.h"
 #include "scene/loader.h"
+#include "scene/pose.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
@@ -31,6 +32,11 @@ GltfDocument richDocument() {
       nlohmann::ordered_json::parse(R"([{"type": "spot", "intensity": 4, "spot": {"outerConeAngle": 0.7}}])");
   json["materials"][0]["extensions"]["KHR_materials_volume"]["thicknessFactor"] = 1;
   json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 0.5, 0.5, 1};
+  const int times = test::appendFloats(document, {0, 1, 2}, "SCALAR");
+  const int places = test::appendFloats(document, {0, 0, 0, 1, 0, 0, 2, 0, 0}, "VEC3");
+  json["animations"] = {
+      {{"samplers", {{{"input", times}, {"output", places}}}},
+       {"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "translation"}}}}}}}};
   return document;
 }
 
@@ -39,7 +45,9 @@ void tryBytes(const std::filesystem::path& path, const std::string& bytes) {
   test::writeBytes(path, bytes);
   Warnings warnings;
   try {
-    compileScene(loadScene(readGltf(path, warnings), warnings), warnings);
+    Scene scene = loadScene(readGltf(path, warnings), warnings);
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) setPose(scene, i, 0.75);
+    compileScene(scene, warnings);
   } catch (const InputError&) {
   }
 }

@@ -141,14 +141,12 @@ TEST(LoadCamera, Orthographic_TakesMagnitudes) {
   EXPECT_EQ(camera.yMag, 3.0);
 }
 
-TEST(LoadScene, AnimationAndSkin_WarnAndUseTheRestPose) {
+TEST(LoadScene, Skin_WarnsAndUsesTheBindPose) {
   GltfDocument document = triangleDocument();
   document.json["skins"] = Json::parse(R"([{"joints": [0]}])");
   document.json["nodes"][0]["skin"] = 0;
-  document.json["animations"] = Json::parse(R"([{"channels": [], "samplers": []}])");
   Warnings warnings;
   EXPECT_EQ(test::reload(document, warnings).meshNodes.size(), 1u);
-  EXPECT_TRUE(test::anyContains(warnings, "/animations"));
   EXPECT_TRUE(test::anyContains(warnings, "/nodes/0/skin"));
 }
 

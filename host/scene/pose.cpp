@@ -1,0 +1,153 @@
+#include "scene/pose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "base/error.h"
+
+namespace prelight {
+
+namespace {
+
+/// Divided by the largest component first: the squares of tiny scales would vanish.
+bool normalise(glm::dvec3& direction) {
+  const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  if (!(largest > 0.0)) return false;
+  direction = glm::normalize(direction / largest);
+  return true;
+}
+
+bool isFinite(const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (!std::isfinite(matrix[column][row])) return false;
+  return true;
+}
+
+void animate(SceneNode& node, AnimatedPath path, const glm::dvec4& value) {
+  switch (path) {
+    case AnimatedPath::Translation:
+      node.translation = glm::dvec3(value);
+      break;
+    case AnimatedPath::Rotation:
+      node.rotation = {value.w, value.x, value.y, value.z};
+      break;
+    case AnimatedPath::Scale:
+      node.scale = glm::dvec3(value);
+      break;
+  }
+}
+
+std::string animationList(const Scene& scene) {
+  if (scene.animations.empty()) return "the scene has no animations";
+  std::string list;
+  for (std::size_t i = 0; i < scene.animations.size(); ++i)
+    list += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i, scene.animations[i].name);
+  return "the scene has " + list;
+}
+
+}  // namespace
+
+glm::dmat4 localTransform(const SceneNode& node) {
+  if (node.hasMatrix) return node.matrix;
+  return glm::scale(glm::translate(glm::dmat4(1.0), node.translation) * glm::mat4_cast(node.rotation),
+                    node.scale);
+}
+
+bool placeLight(Light& light, const glm::dmat4& world) {
+  light.position = glm::dvec3(world[3]);
+  if (light.type == LightType::Point) return true;
+  light.direction = -glm::dvec3(world[2]);
+  const bool directed = normalise(light.direction);
+  if (!directed) light.direction = {0.0, 0.0, -1.0};
+  return directed;
+}
+
+bool placeCamera(Camera& camera, const glm::dmat4& world) {
+  glm::dvec3 back(world[2]), up(world[1]);
+  const bool hasBack = normalise(back), hasUp = normalise(up);
+  if (!hasBack) back = {0.0, 0.0, 1.0};
+  if (!hasUp) up = {0.0, 1.0, 0.0};
+  glm::dvec3 right = glm::cross(up, back);
+  // Shear may lay up along the view; any perpendicular will do then.
+  if (glm::length(right) < 1e-9)
+    right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
+  right = glm::normalize(right);
+  camera.world = {glm::dvec4(right, 0.0), glm::dvec4(glm::cross(back, right), 0.0), glm::dvec4(back, 0.0),
+                  glm::dvec4(glm::dvec3(world[3]), 1.0)};
+  return hasBack && hasUp;
+}
+
+void placeMeshes(Scene& scene, std::span<const glm::dmat4> world, const std::string& prefix) {
+  for (MeshNode& node : scene.meshNodes) {
+    const glm::dmat4& place = world[node.sceneNode];
+    node.transforms.clear();
+    if (node.instances.empty()) node.transforms.push_back(place);
+    for (const glm::dmat4& instance : node.instances) node.transforms.push_back(place * instance);
+    const auto bad = std::find_if_not(node.transforms.begin(), node.transforms.end(), isFinite);
+    if (bad == node.transforms.end()) continue;
+    const std::string instanced = node.instances.empty() ? "" : "/extensions/EXT_mesh_gpu_instancing";
+    throw InputError(fmt::format("{}/nodes/{}{}", prefix, node.node, instanced),
+                     fmt::format("the transform of instance {} is not finite", bad - node.transforms.begin()),
+                     "check the scales of the node and its ancestors");
+  }
+}
+
+void setPose(Scene& scene, std::size_t animation, double seconds) {
+  if (animation >= scene.animations.size())
+    throw UsageError(fmt::format("animation {}", animation), "there is none", animationList(scene));
+  const Animation& played = scene.animations[animation];
+  std::vector<SceneNode> nodes = scene.nodes;
+  for (const AnimationChannel& channel : played.channels)
+    animate(nodes[channel.node], channel.path,
+            sampleAt(played.samplers[channel.sampler], channel.path, seconds));
+  std::vector<glm::dmat4> world;
+  world.reserve(nodes.size());
+  for (const SceneNode& node : nodes) {
+    const glm::dmat4 local = localTransform(node);
+    world.push_back(node.parent < 0 ? local : world[static_cast<std::size_t>(node.parent)] * local);
+  }
+  placeMeshes(scene, world, fmt::format("animation {} at {} s: ", animation, seconds));
+  for (Camera& camera : scene.cameras) placeCamera(camera, world[camera.sceneNode]);
+  for (Light& light : scene.lights) placeLight(light, world[light.sceneNode]);
+}
+
+Scene sceneAt(Scene scene, std::size_t animation, double seconds) {
+  setPose(scene, animation, seconds);
+  return scene;
+}
+
+std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex) {
+  std::vector<std::size_t> named;
+  for (std::size_t i = 0; i < scene.animations.size(); ++i)
+    if (scene.animations[i].name == nameOrIndex) named.push_back(i);
+  if (named.size() == 1) return named.front();
+  if (named.size() > 1)
+    throw UsageError("animation " + nameOrIndex, fmt::format("{} are of that name", named.size()),
+                     "give its number: " + animationList(scene));
+  std::size_t index = 0;
+  const char* end = nameOrIndex.data() + nameOrIndex.size();
+  const auto [stop, error] = std::from_chars(nameOrIndex.data(), end, index);
+  if (error != std::errc{} || stop != end || index >= scene.animations.size())
+    throw UsageError("animation " + nameOrIndex, "there is none of that name or number",
+                     animationList(scene));
+  return index;
+}
+
+bool movesMeshes(const Scene& scene, const Animation& animation) {
+  std::vector<bool> moves(scene.nodes.size(), false);
+  for (const AnimationChannel& channel : animation.channels) moves[channel.node] = true;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int parent = scene.nodes[i].parent;
+    if (parent >= 0 && moves[static_cast<std::size_t>(parent)]) moves[i] = true;
+  }
+  return std::any_of(scene.meshNodes.begin(), scene.meshNodes.end(),
+                     [&](const MeshNode& node) { return moves[node.sceneNode]; });
+}
+
+}  // namespace prelight

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace prelight {
+
+/// Rest transform of a node to its parent.
+glm::dmat4 localTransform(const SceneNode& node);
+
+/// Moves a scene's mesh nodes, cameras and lights to where an animation has them at a time (seconds; before
+/// its first key and after its last it stands still). Nodes that it does not animate rest. Meshes, materials
+/// and images stay as they are, so that every pose compiles to the same vertices in the same order. Throws
+/// UsageError for an animation that the scene lacks and InputError when a transform is not finite.
+void setPose(Scene& scene, std::size_t animation, double seconds);
+
+/// A copy of a scene in a pose, see setPose.
+Scene sceneAt(Scene scene, std::size_t animation, double seconds);
+
+/// The animation that a number or a name means, into Scene::animations. Throws UsageError, listing those
+/// that there are, when none or several are of that name.
+std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex);
+
+/// True when a node with a mesh, or an ancestor of one, is animated: light transport changes.
+bool movesMeshes(const Scene& scene, const Animation& animation);
+
+/// Puts the mesh nodes where the scene's nodes are, `world` a matrix for each of Scene::nodes. Throws
+/// InputError, its place with `prefix`, when a transform is not finite.
+void placeMeshes(Scene& scene, std::span<const glm::dmat4> world, const std::string& prefix);
+
+/// Puts a light where its node is. False when a scale of 0 leaves no direction; the world's axis is taken.
+bool placeLight(Light& light, const glm::dmat4& world);
+/// Puts a camera where its node is, without scale and shear. False as with placeLight.
+bool placeCamera(Camera& camera, const glm::dmat4& world);
+
+}  // namespace prelight
