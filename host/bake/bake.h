@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bake/transfer.h"
+#include "bake/volume_transfer.h"
 #include "compress/compressed_transfer.h"
 
 namespace prelight {
@@ -35,6 +36,7 @@ struct Bake {
   std::optional<HaarTransfer> haar;
   std::optional<GlossyTransfer> glossy;
   std::optional<LightGroupTransfer> lightGroups;
+  std::optional<VolumeTransfer> volume;  ///< of points in the air
   BakeInfo info;
 };
 

@@ -11,6 +11,7 @@
 #include "bake/pack_bake.h"
 #include "bake/scene_cast.h"
 #include "bake/slot_transfer.h"
+#include "bake/volume_caster.h"
 #include "bvh/tracer.h"
 #include "plan/shadow_sets.h"
 
@@ -50,18 +51,23 @@ std::string backNote(const SceneCast& cast) {
              : "back faces: skipped, no ray meets one that reflects";
 }
 
+CastLimits castLimits(const BakeRequest& request) {
+  return {request.nearLimit, request.farLimit, request.obscurance};
+}
+
 /// The stages of a bake after its parts are made.
 class BakeRunner {
  public:
   BakeRunner(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const FitMesh& mesh,
-             const std::vector<LightGroup>& groups, Caster& caster, SceneCast& cast, Progress& progress,
-             BakeReport& report, StageClock& clock)
+             const std::vector<LightGroup>& groups, Tracer& tracer, Caster& caster, SceneCast& cast,
+             Progress& progress, BakeReport& report, StageClock& clock)
       : scene_(scene),
         request_(request),
         bounces_(plan.runs("bounces") ? request.bounces : 0),
         channels_(bounces_ > 0 ? 3 : 1),
         mesh_(mesh),
         groups_(groups),
+        tracer_(tracer),
         caster_(caster),
         cast_(cast),
         progress_(progress),
@@ -97,8 +103,21 @@ class BakeRunner {
       if (*harmonic) (*harmonic)->bounces = bounces_;
     if (bake.lightGroups) bake.lightGroups->bounces = bounces_;
     clock_.mark("bounce");
+    if (request_.volumeSize > 0) makeVolumeTransfer(transfer, bake);
     if (request_.haarSize > 0) makeHaar(transfer, bake);
     if (request_.glossyOrder > 0) makeGlossy(fitted, transfer, bake);
+  }
+
+  void makeVolumeTransfer(const SlotTransfer& transfer, Bake& bake) {
+    const VolumeGrid grid = makeVolumeGrid(scene_, request_.volumeSize);
+    const VolumeOptions options{request_.shOrder, bounces_, volumeRays(request_), request_.seed,
+                                castLimits(request_)};
+    bake.volume = makeVolume(scene_, mesh_, tracer_, transfer, grid, options, progress_);
+    report_.notes.push_back(
+        fmt::format("volume: {} x {} x {} voxels of {:.3g} m, {} rays each, {} of them inside objects",
+                    grid.size.x, grid.size.y, grid.size.z, grid.cell(), options.rays,
+                    std::count(bake.volume->air.begin(), bake.volume->air.end(), 0)));
+    clock_.mark("volume");
   }
 
   void makeHaar(const SlotTransfer& transfer, Bake& bake) {
@@ -130,6 +149,7 @@ class BakeRunner {
   int channels_;
   const FitMesh& mesh_;
   const std::vector<LightGroup>& groups_;
+  Tracer& tracer_;
   Caster& caster_;
   SceneCast& cast_;
   Progress& progress_;
@@ -149,7 +169,7 @@ CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, st
   options.lights = lights.empty() ? nullptr : &lights;
   options.sets = &sets;
   options.setTracers = setTracers;
-  options.limits = {request.nearLimit, request.farLimit, request.obscurance};
+  options.limits = castLimits(request);
   return options;
 }
 
@@ -185,6 +205,9 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
+  if (request.volumeSize > 0 && request.shOrder == 0)
+    throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
+                     "add --sh N");
   std::optional<StateReader> saved = checkpoint != nullptr ? checkpoint->load() : std::nullopt;
   double earlierSeconds = 0.0;
   if (saved) saved->value(earlierSeconds);
@@ -212,7 +235,9 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
 
   Bake bake;
   try {
-    bake = BakeRunner(scene, request, plan, mesh, lights.groups, caster, cast, progress, report, clock).run();
+    bake =
+        BakeRunner(scene, request, plan, mesh, lights.groups, tracer, caster, cast, progress, report, clock)
+            .run();
   } catch (const Interrupted&) {
     if (checkpoint != nullptr) saveTo(*checkpoint, cast, start);
     throw;

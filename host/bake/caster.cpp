@@ -19,6 +19,8 @@ std::uint32_t raysPerBlock(const DeviceInfo& info) {
   return info.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16;
 }
 
+}  // namespace
+
 std::vector<float> orientedNormals(const CompiledScene& scene) {
   std::vector<float> normals;
   normals.reserve(3 * std::size_t{scene.triangleCount()});
@@ -29,13 +31,10 @@ std::vector<float> orientedNormals(const CompiledScene& scene) {
   return normals;
 }
 
-/// Where rays end: nothing that obscures lies farther than where obscurance has faded out.
 double reachOf(const CastLimits& limits) {
   if (limits.obscurance <= 0.0) return limits.farLimit;
   return limits.farLimit > 0.0 ? std::min(limits.farLimit, limits.obscurance) : limits.obscurance;
 }
-
-}  // namespace
 
 Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options)
     : tracer_(tracer),

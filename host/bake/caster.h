@@ -19,6 +19,12 @@ struct CastLimits {
   double obscurance = 0.0;
 };
 
+/// Where rays end: nothing that obscures lies farther than where obscurance has faded out. 0: nowhere.
+double reachOf(const CastLimits& limits);
+
+/// [triangle][3], orientedNormal of each.
+std::vector<float> orientedNormals(const CompiledScene& scene);
+
 struct CastOptions {
   int shOrder = 0;                        ///< 0: no SH
   std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256

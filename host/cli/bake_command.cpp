@@ -42,6 +42,9 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   }
   if (command.bake.compression && request.shOrder == 0)
     throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
+  if (request.volumeSize > 0 && request.shOrder == 0)
+    throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
+                     "add --sh N");
   if (request.farLimit > 0.0 && request.nearLimit >= request.farLimit)
     throw UsageError("--near",
                      fmt::format("{} m is not below --far {} m", request.nearLimit, request.farLimit));

@@ -45,6 +45,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.chOrder > 0, fmt::format("--ch {}", request.chOrder));
   add(request.haarSize > 0, fmt::format("--haar {}", request.haarSize));
   add(request.glossyOrder > 0, fmt::format("--glossy {}", request.glossyOrder));
+  add(request.volumeSize > 0, fmt::format("--volume {}", request.volumeSize));
   add(request.lightGroups, "--light-groups");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
@@ -168,6 +169,12 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossyOrder,
            "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");
   addLightGroupOptions(app, request);
+  addWholeNumber(
+      app, "--volume", {1, BakeRequest::maxVolumeSize},
+      [&](std::uint64_t n) { request.volumeSize = static_cast<int>(n); },
+      fmt::format("SH transfer of points in the air, on a grid of this many voxels along the scene's longest "
+                  "side, 1 to {} (32 is usual)",
+                  BakeRequest::maxVolumeSize));
   addWholeNumber(
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },

@@ -67,6 +67,7 @@ Json toJson(const BakeRequest& request) {
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
+  if (request.volumeSize > 0) json["volume"] = request.volumeSize;
   if (request.nearLimit > 0.0) json["near"] = request.nearLimit;
   if (request.farLimit > 0.0) json["far"] = request.farLimit;
   if (request.obscurance > 0.0) json["obscurance"] = request.obscurance;

@@ -6,6 +6,7 @@
 #include "io/bake_writer.h"
 #include "io/baked_ranges.h"
 #include "io/baked_strip.h"
+#include "io/volume_file.h"
 #include "scene/json_cursor.h"
 
 namespace prelight {
@@ -50,6 +51,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   if (std::find(used.begin(), used.end(), extensionName) == used.end()) used.push_back(extensionName);
   Json root = infoToJson(bake.info);
   addSharedData(document, bake, root);
+  if (bake.volume) root["volume"] = volumeToJson(document, *bake.volume);
   document.json["extensions"][extensionName] = std::move(root);
 }
 
@@ -58,7 +60,10 @@ std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& 
   const JsonCursor root(file, document.json);
   const auto extension = transferExtension(root);
   std::optional<Bake> bake = readBakedVertices(document, root, scene, extension.has_value());
-  if (bake && extension) bake->info = infoFromJson(*extension);
+  if (bake && extension) {
+    bake->info = infoFromJson(*extension);
+    if (const auto volume = extension->find("volume")) bake->volume = readVolume(document, root, *volume);
+  }
   return bake;
 }
 

@@ -19,10 +19,10 @@ using Json = nlohmann::ordered_json;
 constexpr const char* extensionName = "PRELIGHT_transfer";
 
 /// The members of the extension whose values are accessors, at whatever depth.
-constexpr std::array<std::string_view, 20> accessorMembers = {
-    "ao",        "bentNormal", "coefficients", "offsets",  "indices",  "values",      "vectors",
-    "occluders", "irradiance", "texCoord",     "accessor", "matrices", "halves",      "bytes",
-    "clusters",  "weights",    "ranges",       "means",    "basis",    "weightRanges"};
+constexpr std::array<std::string_view, 22> accessorMembers = {
+    "ao",         "bentNormal", "coefficients", "offsets",      "indices", "values", "vectors",  "occluders",
+    "irradiance", "texCoord",   "accessor",     "matrices",     "halves",  "bytes",  "clusters", "weights",
+    "ranges",     "means",      "basis",        "weightRanges", "direct",  "air"};
 
 /// An index: non-negative, however the tree's maker stored it.
 std::optional<std::size_t> asIndex(const Json& json) {
@@ -101,8 +101,7 @@ void stripBake(GltfDocument& document) {
   if (json.contains("nodes")) {
     for (Json& node : json["nodes"]) takeExtension(node, baked);
   }
-  std::set<std::size_t> unused;
-  takeExtension(json, unused);
+  takeExtension(json, baked);
   if (baked.empty()) return;
 
   const std::set<std::size_t> keptAccessors = referencesIn(json, Reference::Accessor);

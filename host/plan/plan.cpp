@@ -67,6 +67,22 @@ PlannedPass planLightGroups(const BakeRequest& request) {
   return {"light groups", true, "shadow rays from every receiver to every light"};
 }
 
+/// Values a voxel of a volume.
+std::uint64_t volumeValues(const BakeRequest& request, bool bounces) {
+  return static_cast<std::uint64_t>(request.shOrder * request.shOrder) * (bounces ? 4 : 1);
+}
+
+PlannedPass planVolume(const BakeRequest& request, bool bounces) {
+  if (request.volumeSize == 0) return {"volume", false, "not asked for"};
+  if (request.shOrder == 0) return {"volume", false, "no SH transfer is asked for, whose order it has"};
+  return {
+      "volume", true,
+      fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel; moving objects are "
+                  "not in it, and everything in the scene shadows it",
+                  request.volumeSize, request.shOrder, channelsText(bounces),
+                  bounces ? " and one without bounces" : "", 4 * volumeValues(request, bounces))};
+}
+
 PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
   if (request.shadowSets.empty()) return {"shadow sets", false, "not asked for: everything shadows all"};
   if (sets.empty()) return {"shadow sets", false, "every node sees every other all the same"};
@@ -160,6 +176,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planHaar(request, bounces.runs));
   add(planGlossy(request, bounces.runs));
   add(planLightGroups(request));
+  add(planVolume(request, bounces.runs));
   add(bounces);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
@@ -180,6 +197,8 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
                                                  "occluders: no technique asked for carries specular light",
                                                  transmissive, mirrors)});
   if (anything) estimateMemory(compiled, request, bounces.runs, plan);
+  const auto side = static_cast<std::uint64_t>(request.volumeSize);
+  plan.hostBytes += anything ? side * side * side * (4 * volumeValues(request, bounces.runs) + 1) : 0;
   plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
   return plan;
 }

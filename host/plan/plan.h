@@ -34,9 +34,10 @@ struct BakeRequest {
   int glossyOrder = 0;       ///< 0: none; 1..maxGlossyOrder
   bool lightGroups = false;  ///< transfer of the scene's own lights
   std::vector<LightGroupRequest> namedGroups;  ///< lights that none of these names are groups of their own
-  int bounces = 0;                             ///< diffuse interreflections, 0..16
-  double nearLimit = 0.0;                      ///< m, >= 0; what is nearer to a receiver occludes nothing
-  double farLimit = 0.0;                       ///< m; what is farther occludes nothing; 0: no limit
+  int volumeSize = 0;  ///< voxels along the scene's longest side; 0: none; needs shOrder, which is its order
+  int bounces = 0;     ///< diffuse interreflections, 0..16
+  double nearLimit = 0.0;   ///< m, >= 0; what is nearer to a receiver occludes nothing
+  double farLimit = 0.0;    ///< m; what is farther occludes nothing; 0: no limit
   double obscurance = 0.0;  ///< m; occlusion fades out linearly up to this distance; 0: it does not
   std::vector<ShadowSetRequest> shadowSets;  ///< nodes that none of these name see everything
   std::uint64_t rays = 1024;                 ///< rays a vertex, on average; ignored with error or seconds
@@ -54,6 +55,7 @@ struct BakeRequest {
   static constexpr int maxShOrder = 32;
   static constexpr int maxGlossyOrder = 8;
   static constexpr int maxHaarSize = 128;
+  static constexpr int maxVolumeSize = 64;
   static constexpr int maxBounces = 16;
   static constexpr std::uint64_t maxRays = 1u << 20;
 };

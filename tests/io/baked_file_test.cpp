@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/error.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
 #include "support/gltf_files.h"
@@ -191,6 +192,60 @@ TEST(BakedFile, NanValue_IsRefused) {
   embedBake(document, scene, bake);
   const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
   EXPECT_NE(message.find("ao: value 1 is nan"), std::string::npos) << message;
+}
+
+VolumeTransfer makeVolume() {
+  VolumeTransfer volume{{{3, 2, 1}, {-1, 0, 5}, {0.5, 1, 5.5}}, 2, 3, 1, {}, {}, {1, 1, 0, 1, 1, 1}};
+  for (int i = 0; i < 6 * 12; ++i) volume.coefficients.push_back(0.5f * static_cast<float>(i));
+  for (int i = 0; i < 6 * 4; ++i) volume.direct.push_back(-0.25f * static_cast<float>(i));
+  return volume;
+}
+
+TEST(BakedFile, Volume_IsReadBackAndReplaced) {
+  const test::TemporaryFolder folder;
+  GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = compileDocument(document);
+  Bake bake = makeBake(scene);
+  bake.volume = makeVolume();
+  embedBake(document, scene, bake);
+  const std::size_t bytes = document.bin.size();
+  writeGlb(folder / "baked.glb", document);
+  Warnings warnings;
+  const std::optional<Bake> copy = readBake(readGltf(folder / "baked.glb", warnings), scene);
+  ASSERT_TRUE(copy && copy->volume);
+  EXPECT_EQ(copy->volume->grid.size, bake.volume->grid.size);
+  EXPECT_EQ(copy->volume->grid.min, bake.volume->grid.min);
+  EXPECT_EQ(copy->volume->grid.max, bake.volume->grid.max);
+  EXPECT_EQ(copy->volume->order, 2);
+  EXPECT_EQ(copy->volume->channels, 3);
+  EXPECT_EQ(copy->volume->coefficients, bake.volume->coefficients);
+  EXPECT_EQ(copy->volume->direct, bake.volume->direct);
+  EXPECT_EQ(copy->volume->air, bake.volume->air);
+  embedBake(document, scene, bake);
+  EXPECT_EQ(document.bin.size(), bytes) << "the old volume is gone";
+}
+
+TEST(BakedFile, VolumeThatDoesNotFitItself_IsRefused) {
+  const GltfDocument plain = makeBuiltinScene("cornell");
+  const CompiledScene scene = compileDocument(plain);
+  const auto refuses = [&](const char* member, const Json& value) {
+    GltfDocument document = plain;
+    Bake bake = makeBake(scene);
+    bake.volume = makeVolume();
+    embedBake(document, scene, bake);
+    document.json["extensions"]["PRELIGHT_transfer"]["volume"][member] = value;
+    EXPECT_THROW(readBake(document, scene), InputError) << member << ' ' << value;
+  };
+  refuses("size", {3, 2, 2});
+  refuses("size", {0, 2, 1});
+  refuses("size", {3, 2});
+  refuses("max", {0.5, 1, 9});
+  refuses("max", {-2, 1, 5.5});
+  refuses("order", 33);
+  refuses("order", 3);
+  refuses("channels", 2);
+  refuses("coefficients", 100000);
+  refuses("air", nullptr);
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+// Points in the air that look all around: a grid of voxels.
+// Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send.
+#include "bvh/alpha_funcs.cl"
+#include "cast/visibility_funcs.cl"
+#include "core/sampling_block_funcs.cl"
+#include "project/sh_funcs.cl"
+#include "shared/cast_types.h"
+#include "shared/ray_types.h"
+
+#ifndef PRELIGHT_COLUMNS
+#define PRELIGHT_COLUMNS 1
+#endif
+
+// Eight rays of a voxel a work-item, an aligned run of which fills a compact patch of the sphere.
+// lowerAndCell: the grid's lower corner, the side of a cell; sizeAndFirst: cells along x, y, z, first voxel of the block
+// -> rays [voxel][raysPerReceiver], uniform over the sphere. A sequence a voxel. Next: traceRays.
+__kernel void generateVolumeRays(__constant const CastParameters* parameters, float4 lowerAndCell, uint4 sizeAndFirst,
+                                 uint seed, __global Ray* rays) {
+  const size_t i = get_global_id(0);
+  const uint count = parameters->raysPerReceiver;
+  if (i >= (size_t)parameters->receiverCount * (count / 8)) return;
+  const uint voxel = sizeAndFirst.w + (uint)(i / (count / 8));
+  const float3 cell = (float3)((float)(voxel % sizeAndFirst.x), (float)(voxel / sizeAndFirst.x % sizeAndFirst.y),
+                               (float)(voxel / (sizeAndFirst.x * sizeAndFirst.y)));
+  const float3 centre = lowerAndCell.xyz + lowerAndCell.w * (cell + 0.5f);
+
+  // Blocks of at most 256 points: what sobolIndexInCell8 can order.
+  const uint block = min(count, 256u), slot = (uint)(i % (count / 8)) * 8;
+  const uint scramble = hashInteger(voxel ^ hashInteger(seed));
+  const uint8 index = sobolIndexInCell8(slot % block + (uint8)(0, 1, 2, 3, 4, 5, 6, 7), 31 - clz(block),
+                                        slot - slot % block, scramble);
+  float8 u, v;
+  sampleSobol8(index, scramble, &u, &v);
+  const float8 z = 1.0f - 2.0f * u, radius = sqrt(fmax(1.0f - z * z, 0.0f)), turn = 2.0f * v;
+  float directions[3][8];
+  vstore8(radius * cospi(turn), 0, directions[0]);
+  vstore8(radius * sinpi(turn), 0, directions[1]);
+  vstore8(z, 0, directions[2]);
+  const float near = parameters->nearLimit;
+  rays += i * 8;
+  for (int k = 0; k < 8; ++k) {
+    const float3 d = (float3)(directions[0][k], directions[1][k], directions[2][k]);
+    Ray ray;
+    vstore3(centre + near * d, 0, ray.origin);
+    vstore3(d, 0, ray.direction);
+    ray.sourceTriangle = PRELIGHT_NO_TRIANGLE;
+    ray.tMax = parameters->farLimit > 0.0f ? parameters->farLimit - near : MAXFLOAT;
+    rays[k] = ray;
+  }
+}
+
+// A voxel a work-item. rays, hits [voxel][raysPerReceiver]; geometricNormals [triangle][3]; twoSided [triangle], 1 where
+// both sides are fronts -> values [voxel][1 + PRELIGHT_SH_ORDER^2]: 1 when every ray met a back, then
+// (1/(4 pi)) integral V Y_i dw. As in projectHits, k times the closed form of the open sphere is added to the mean of
+// (V - k) Y_i, k being the open fraction.
+__kernel void projectVolume(__constant const CastParameters* parameters, __constant const float* shTable,
+                            __global const Ray* rays, __global const Hit* hits, __global const float* geometricNormals,
+                            __global const uchar* twoSided, __global float* values) {
+  const size_t voxel = get_global_id(0);
+  if (voxel >= parameters->receiverCount) return;
+  const uint count = parameters->raysPerReceiver;
+  rays += voxel * count;
+  hits += voxel * count;
+  values += voxel * (1 + PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER);
+  float open = 0.0f;
+  bool inside = true;
+  for (uint j = 0; j < count; ++j) {
+    open += visibilityOf(parameters, hits[j]);
+    const uint t = hits[j].triangle;
+    inside = inside && t != PRELIGHT_NO_TRIANGLE && !twoSided[t] &&
+             dot(vload3(0, rays[j].direction), vload3(t, geometricNormals)) > 0.0f;
+  }
+  const float k = open / (float)count;
+  float8 sum[PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER];
+  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) sum[i] = 0.0f;
+  const bool mixed = open > 0.0f && open < (float)count;
+  for (uint j = 0; mixed && j < count; j += 8) {
+    float x[8], y[8], z[8], weight[8];
+    for (int i = 0; i < 8; ++i) {
+      x[i] = rays[j + i].direction[0];
+      y[i] = rays[j + i].direction[1];
+      z[i] = rays[j + i].direction[2];
+      weight[i] = visibilityOf(parameters, hits[j + i]) - k;
+    }
+    accumulateSh(shTable, vload8(0, x), vload8(0, y), vload8(0, z), vload8(0, weight), sum);
+  }
+  values[0] = inside ? 1.0f : 0.0f;
+  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) {
+    const float4 a = sum[i].lo + sum[i].hi;
+    const float2 b = a.lo + a.hi;
+    values[1 + i] = (b.x + b.y) / (float)count;
+  }
+  values[1] += 0.28209479177387814f * k;  // Y_00 = 1 / sqrt(4 pi), the only one whose mean is not 0
+}
+
+// A voxel a work-item. rays, hits as above; transfer [slot][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
+// then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_COLUMNS], the mean over rays of albedo x transfer
+// at the hit.
+__kernel void gatherVolume(__constant const CastParameters* parameters, __global const Ray* rays,
+                           __global const Hit* hits, __global const DeviceTriangle* triangles,
+                           __global const DeviceMaterial* materials, __global const float2* texCoords,
+                           __global const float4* colors, __global const ushort4* texels,
+                           __global const float* geometricNormals, __global const float* transfer, uint backs,
+                           __global float* values) {
+  const size_t voxel = get_global_id(0);
+  if (voxel >= parameters->receiverCount) return;
+  const uint count = parameters->raysPerReceiver, width = 3 * PRELIGHT_COLUMNS;
+  const Surface surface = {triangles, materials, texCoords, colors, texels};
+  float sum[3 * PRELIGHT_COLUMNS];
+  for (uint i = 0; i < width; ++i) sum[i] = 0.0f;
+  for (uint j = 0; j < count; ++j) {
+    const Hit hit = hits[voxel * count + j];
+    if (hit.triangle == PRELIGHT_NO_TRIANGLE) continue;
+    const float3 direction = vload3(0, rays[voxel * count + j].direction);
+    const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
+    if (back && backs == 0) continue;
+    const float3 color = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
+    const float3 albedo = (1.0f - visibilityOf(parameters, hit)) * color;
+    const float weight[3] = {1.0f - hit.u - hit.v, hit.u, hit.v}, reflected[3] = {albedo.x, albedo.y, albedo.z};
+    for (uint corner = 0; corner < 3; ++corner) {
+      const uint slot = triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
+      __global const float* t = transfer + (size_t)slot * width;
+      for (uint c = 0; c < 3; ++c) {
+        const float share = weight[corner] * reflected[c];
+        for (uint i = 0; i < PRELIGHT_COLUMNS; ++i)
+          sum[c * PRELIGHT_COLUMNS + i] += share * t[c * PRELIGHT_COLUMNS + i];
+      }
+    }
+  }
+  for (uint i = 0; i < width; ++i) values[voxel * width + i] = sum[i] / (float)count;
+}
