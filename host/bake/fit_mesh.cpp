@@ -36,6 +36,7 @@ void weld(const CompiledScene& scene, std::span<const std::uint32_t> classes, Fi
     if (first[v] == v) {
       mesh.slotOfVertex[v] = mesh.slotCount();
       mesh.vertexOfSlot.push_back(v);
+      mesh.positions.push_back(scene.positions[v]);
     } else {
       mesh.slotOfVertex[v] = mesh.slotOfVertex[first[v]];
     }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace prelight {
 struct FitMesh {
   std::vector<std::uint32_t> slotOfVertex;              ///< [vertex]
   std::vector<std::uint32_t> vertexOfSlot;              ///< [slot], one of its vertices
+  std::vector<glm::vec3> positions;                     ///< [slot]
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< [triangle], slots of its corners
   std::vector<std::uint32_t> rowStart;                  ///< [slot + 1], into columns
   std::vector<std::uint32_t> columns;  ///< neighbours of each slot, ascending, without itself

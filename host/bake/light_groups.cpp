@@ -12,8 +12,9 @@ namespace prelight {
 
 namespace {
 
-/// Shadow rays to the emitters of a group from a receiver; a vertex has 16 receivers and more.
-constexpr std::uint32_t emitterSamples = 4;
+/// Shadow rays to the emitters of all groups together from a receiver, which has 16 to 64 rays of its own,
+/// and their bounds for one group.
+constexpr std::uint32_t emitterSamples = 64, leastSamples = 4, mostSamples = 16;
 
 bool shines(const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z > 0.0f; }
 
@@ -96,7 +97,8 @@ void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t
   }
 }
 
-void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t group, GroupedLights& out) {
+void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t group, std::uint32_t samples,
+                 GroupedLights& out) {
   if (source.triangles.empty()) return;
   std::vector<double> powers, areas;
   double total = 0.0;
@@ -122,14 +124,14 @@ void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t
                             material.doubleSided ? 1u : 0u});
   }
   out.emitters.back().bound = 1.0f;
-  out.samplesOfGroup[group] = emitterSamples;
-  for (std::uint32_t s = 0; s < emitterSamples; ++s)
+  out.samplesOfGroup[group] = samples;
+  for (std::uint32_t s = 0; s < samples; ++s)
     out.slots.push_back({group,
                          PRELIGHT_NO_EMITTER,
                          first,
                          static_cast<std::uint32_t>(source.triangles.size()),
                          s,
-                         emitterSamples,
+                         samples,
                          {}});
 }
 
@@ -146,11 +148,15 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
   const std::vector<Source> groups = dealToGroups(std::move(sources), named);
   out.emitterOfTriangle.assign(scene.triangleCount(), PRELIGHT_NO_EMITTER);
   out.samplesOfGroup.assign(groups.size(), 0);
+  const auto withEmitters = static_cast<std::uint32_t>(
+      std::count_if(groups.begin(), groups.end(), [](const Source& g) { return !g.triangles.empty(); }));
+  const std::uint32_t samples =
+      std::clamp(emitterSamples / std::max(1u, withEmitters), leastSamples, mostSamples);
   for (const Source& group : groups) {
     const auto index = static_cast<std::uint32_t>(out.groups.size());
     out.groups.push_back({group.name, group.color});
     addPunctual(scene, group, index, out);
-    addEmitters(scene, group, index, out);
+    addEmitters(scene, group, index, samples, out);
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #include "bake/normal_equations.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 
 #include "base/parallel.h"
@@ -10,6 +11,7 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t rowGrain = 1024;
+constexpr double floor = 1e-9;  // of the mean diagonal: what no sample and no neighbour determines is 0
 constexpr std::size_t largestBlock =
     256;  // unknowns of a dense solve; a vertex with more around it stands alone
 
@@ -36,7 +38,30 @@ NormalEquations::NormalEquations(const FitMesh& mesh, const std::vector<std::arr
       addEdge(s[k], s[(k + 1) % 3], m[3 + k], weight);
     }
   }
+  evenOutComponents();
   scaleRegularizer();
+}
+
+// Stretches of surface that do not touch have nothing to do with each other. Each is brought to the same
+// scale, so that neither the floor nor the end of an iteration neglects a pebble on a plain.
+void NormalEquations::evenOutComponents() {
+  const std::vector<std::uint32_t> components = componentsOf(mesh_);
+  std::vector<double> sums(rows(), 0.0), counts(rows(), 0.0);
+  for (std::size_t i = 0; i < rows(); ++i) {
+    sums[components[i]] += scale_[i];
+    counts[components[i]] += 1.0;
+  }
+  factors_.resize(rows());
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const double sum = sums[components[i]];
+    factors_[i] = sum > 0.0 ? counts[components[i]] / sum : 1.0;
+    diagonal_[i] *= factors_[i];
+    scale_[i] *= factors_[i];
+    for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
+      offDiagonal_[e] *= factors_[i];
+      edgeWeight_[e] *= factors_[i];
+    }
+  }
 }
 
 void NormalEquations::apply(const std::vector<double>& x, std::vector<double>& y,
@@ -47,7 +72,7 @@ void NormalEquations::apply(const std::vector<double>& x, std::vector<double>& y
       double* out = &y[i * columns];
       const double own = edgeSum_[i] > 0.0 ? lambda_ * scale_[i] : 0.0;
       for (std::size_t c = 0; c < columns; ++c)
-        out[c] = (diagonal_[i] + floor_) * x[i * columns + c] + own * scratch[i * columns + c];
+        out[c] = (diagonal_[i] + floor) * x[i * columns + c] + own * scratch[i * columns + c];
       for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
         const std::size_t j = mesh_.columns[e];
         const double transposed = transposed_[e];
@@ -80,15 +105,11 @@ std::size_t NormalEquations::find(std::uint32_t row, std::uint32_t column) const
 // weighs neighbours by the surface they share: a tiny triangle beside a large one must not be bent to make
 // the large one smooth. Slots and edges without any sample get next to nothing, which makes them follow.
 void NormalEquations::scaleRegularizer() {
-  double mean = 0.0;
-  for (const double s : scale_) mean += s;
-  mean = rows() > 0 ? std::max(mean / static_cast<double>(rows()), 1e-300) : 1.0;
-  floor_ = 1e-9 * mean;
-  for (double& s : scale_) s = s > 0.0 ? s : mean;
+  for (double& s : scale_) s = s > 0.0 ? s : 1.0;  // the mean of a component
   edgeSum_.assign(rows(), 0.0);
   for (std::size_t i = 0; i < rows(); ++i)
     for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
-      edgeWeight_[e] += floor_;
+      edgeWeight_[e] += floor;
       edgeSum_[i] += edgeWeight_[e];
     }
   share_.resize(mesh_.columns.size());
@@ -103,7 +124,7 @@ void NormalEquations::scaleRegularizer() {
       transposed_[e] = -lambda_ * scale_[j] * reverse;
       regularizer += scale_[j] * reverse * reverse;
     }
-    total_[i] = diagonal_[i] + floor_ + lambda_ * regularizer;
+    total_[i] = diagonal_[i] + floor + lambda_ * regularizer;
   }
 }
 
@@ -119,12 +140,6 @@ void NormalEquations::laplacian(const std::vector<double>& x, std::vector<double
       }
     }
   });
-}
-
-double NormalEquations::rightSideOfOnes(std::size_t slot) const {
-  double sum = diagonal_[slot];
-  for (std::uint32_t e = mesh_.rowStart[slot]; e < mesh_.rowStart[slot + 1]; ++e) sum += offDiagonal_[e];
-  return sum;
 }
 
 // Slots up to two edges away, one or none where there are too many; ascending.
@@ -153,7 +168,7 @@ std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>
   };
   std::vector<std::uint32_t> laplacians = slots;  // whose row of L touches one of them
   for (std::size_t i = 0; i < n; ++i) {
-    block[i * n + i] += diagonal_[slots[i]] + floor_;
+    block[i * n + i] += diagonal_[slots[i]] + floor;
     for (std::uint32_t e = mesh_.rowStart[slots[i]]; e < mesh_.rowStart[slots[i] + 1]; ++e) {
       laplacians.push_back(mesh_.columns[e]);
       const std::ptrdiff_t j = placeOf(mesh_.columns[e]);
@@ -175,21 +190,45 @@ std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>
   return block;
 }
 
+// What samples of 1, x, y and z add to a slot's right-hand side: barycentric weights reproduce linear
+// functions.
+glm::dvec4 NormalEquations::rightSideOfLinear(std::size_t slot) const {
+  glm::dvec4 sum = diagonal_[slot] * glm::dvec4(1.0, mesh_.positions[slot]);
+  for (std::uint32_t e = mesh_.rowStart[slot]; e < mesh_.rowStart[slot + 1]; ++e)
+    sum += offDiagonal_[e] * glm::dvec4(1.0, mesh_.positions[mesh_.columns[e]]);
+  return sum;
+}
+
+// The row of the block's inverse, and what it takes to make it exact for linear functions, which the whole
+// inverse is but for the smoothing: with B the right-hand sides of 1, x, y, z, the row z + A^-1 B c with B^T
+// (z + A^-1 B c) = (1, x, y, z) of the slot.
 std::vector<SlotWeight> NormalEquations::inverseRow(std::uint32_t slot) const {
   const std::vector<std::uint32_t> slots = around(slot);
   const auto n = static_cast<Eigen::Index>(slots.size());
   const std::vector<double> block = denseBlock(slots);
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(n);
-  unit[std::lower_bound(slots.begin(), slots.end(), slot) - slots.begin()] = 1.0;
-  const Eigen::VectorXd row = Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n).ldlt().solve(unit);
-  double constant = 0.0;
-  for (Eigen::Index i = 0; i < n; ++i)
-    constant += row[i] * rightSideOfOnes(slots[static_cast<std::size_t>(i)]);
+  Eigen::MatrixXd right(n, 5);
+  right.col(4).setZero();
+  right(std::lower_bound(slots.begin(), slots.end(), slot) - slots.begin(), 4) = 1.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const glm::dvec4 linear = rightSideOfLinear(slots[static_cast<std::size_t>(i)]);
+    for (int k = 0; k < 4; ++k) right(i, k) = linear[k];
+  }
+  const glm::vec3 p = mesh_.positions[slot];
+  // Around the slot, so that far from the origin nothing cancels.
+  for (int axis = 0; axis < 3; ++axis) right.col(1 + axis) -= double(p[axis]) * right.col(0);
+  const Eigen::MatrixXd solved = Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n).ldlt().solve(right);
+  const Eigen::Vector4d got = right.leftCols<4>().transpose() * solved.col(4);
   // Weights that nearly cancel belong to a slot that no sample determines.
-  if (!(constant > 1e-3)) return {};
+  if (!(got[0] > 1e-3)) return {};
+  const Eigen::Matrix4d gram = right.leftCols<4>().transpose() * solved.leftCols<4>();
+  const Eigen::Vector4d lacking = Eigen::Vector4d(1.0, 0.0, 0.0, 0.0) - got;
+  // On a plane one direction has nothing to it.
+  const Eigen::Vector4d c = gram.completeOrthogonalDecomposition().solve(lacking);
+  const Eigen::VectorXd row = solved.col(4) + solved.leftCols<4>() * c;
   std::vector<SlotWeight> weights;
+  // Right-hand sides come unscaled.
   for (Eigen::Index i = 0; i < n; ++i)
-    weights.push_back({slots[static_cast<std::size_t>(i)], row[i] / constant});
+    weights.push_back({slots[static_cast<std::size_t>(i)], factors_[slot] * row[i]});
   return weights;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "bake/fit_mesh.h"
@@ -27,6 +28,9 @@ class NormalEquations {
 
   std::size_t rows() const { return diagonal_.size(); }
 
+  /// What a row's right-hand side is to be multiplied by: every stretch of surface has a scale of its own.
+  double factor(std::size_t row) const { return factors_[row]; }
+
   /// Diagonal of the whole operator, for preconditioning; positive.
   double preconditioner(std::size_t row) const { return total_[row]; }
 
@@ -35,16 +39,17 @@ class NormalEquations {
              std::size_t columns) const;
 
   /// A slot's value as a weighted sum of right-hand sides around it: the row of the inverse, with all
-  /// unknowns more than two edges away held at 0, scaled so that a constant stays what it is. Empty where no
-  /// sample is near. Entries of a slot and its neighbours come in ascending order.
+  /// unknowns more than two edges away held at 0, corrected so that linear functions of the place stay exact.
+  /// Empty where no sample is near. In ascending order of slots.
   std::vector<SlotWeight> inverseRow(std::uint32_t slot) const;
 
  private:
   void addEdge(std::uint32_t a, std::uint32_t b, double value, double weight);
   std::size_t find(std::uint32_t row, std::uint32_t column) const;
+  void evenOutComponents();
   void scaleRegularizer();
   void laplacian(const std::vector<double>& x, std::vector<double>& y, std::size_t columns) const;
-  double rightSideOfOnes(std::size_t slot) const;
+  glm::dvec4 rightSideOfLinear(std::size_t slot) const;
   std::vector<std::uint32_t> around(std::uint32_t slot) const;
   std::vector<double> denseBlock(const std::vector<std::uint32_t>& slots) const;
 
@@ -58,7 +63,7 @@ class NormalEquations {
   std::vector<double> scale_;
   std::vector<double> total_;
   double lambda_;
-  double floor_ = 0.0;
+  std::vector<double> factors_;  ///< [slot], that the equations of its component are multiplied by
 };
 
 }  // namespace prelight

@@ -66,8 +66,9 @@ bool TexelTransfer::evaluate(std::uint32_t slot, Workspace& work, std::span<floa
   }
   buildPyramid(work);
   const int top = levels_ - 1;
+  const float whole = wholeFraction(plain, work);
   for (std::size_t face = 0; face < cubeFaces; ++face) {
-    float fraction = 0.0f;
+    float fraction = whole;
     if (mixed(top, face, plain, work, fraction))
       descend(top, face, fraction, plain, work, texels);
     else
@@ -152,6 +153,15 @@ void TexelTransfer::buildPyramid(Workspace& work) const {
         coarseOpen[row * size + column] = open;
       }
   }
+}
+
+float TexelTransfer::wholeFraction(const PlainWeights& plain, const Workspace& work) const {
+  double weight = plain.open + plain.closed, blocked = plain.closed;
+  for (std::size_t face = 0; face < cubeFaces; ++face) {
+    weight += work.sums[levelStart_[levels_ - 1] + face].weight;
+    blocked += work.sums[levelStart_[levels_ - 1] + face].blocked;
+  }
+  return weight > 0.0 ? static_cast<float>(std::clamp(blocked / weight, 0.0, 1.0)) : 0.0f;
 }
 
 // Sets the blocked fraction of a square, if its rays tell one; true when they met both the open and a

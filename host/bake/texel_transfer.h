@@ -53,6 +53,7 @@ class TexelTransfer {
   bool addRays(std::uint32_t slot, Workspace& work, PlainWeights& plain) const;
   void addReceiver(std::size_t record, double weight, Workspace& work, PlainWeights& plain) const;
   void buildPyramid(Workspace& work) const;
+  float wholeFraction(const PlainWeights& plain, const Workspace& work) const;
   void descend(int level, std::size_t square, float fraction, const PlainWeights& plain, Workspace& work,
                std::span<float> texels) const;
   void settle(int level, std::size_t square, float fraction, const Workspace& work,

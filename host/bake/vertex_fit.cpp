@@ -34,8 +34,9 @@ std::vector<double> columnDots(const std::vector<double>& a, const std::vector<d
 /// Preconditioned conjugate gradients with Jacobi's preconditioner, each column on its own step sizes.
 std::vector<double> conjugateGradients(const NormalEquations& equations, const std::vector<double>& right,
                                        std::size_t columns) {
-  std::vector<double> x(right.size(), 0.0), residual = right, direction(right.size()), image(right.size()),
-                                            z(right.size()), scratch(right.size());
+  std::vector<double> x(right.size(), 0.0), residual(right.size()), direction(right.size()),
+      image(right.size()), z(right.size()), scratch(right.size());
+  for (std::size_t i = 0; i < right.size(); ++i) residual[i] = equations.factor(i / columns) * right[i];
   const auto precondition = [&] {
     parallelRanges(equations.rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)

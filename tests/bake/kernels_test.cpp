@@ -41,7 +41,8 @@ std::vector<Receiver> someReceivers(std::size_t count, std::uint32_t rays = rays
 
 std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& receivers,
                           std::uint32_t count = raysPerReceiver) {
-  const CastParameters parameters{static_cast<std::uint32_t>(receivers.size()), count, 4, 0, 0, 0.0f, 0.0f, 0.0f};
+  const CastParameters parameters{
+      static_cast<std::uint32_t>(receivers.size()), count, 4, 0, 0, 0.0f, 0.0f, 0.0f};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
   Buffer<Ray> rays(device, receivers.size() * count);
@@ -334,14 +335,15 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
   for (Sender& s : senders)
     s = {random() % 3 == 0 ? PRELIGHT_NO_TRIANGLE : static_cast<std::uint32_t>(random() % 12),
          static_cast<std::uint32_t>(random()) & 0x3fffffffu};
-  const CastParameters parameters{receivers, raysPerReceiver, 4 + n, scene_.vertexCount(), first, 0.0f, 0.0f, 0.0f};
+  const CastParameters parameters{receivers, raysPerReceiver, 4 + n, scene_.vertexCount(), first, 0.0f, 0.0f,
+                                  0.0f};
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   Buffer<float> values(device, receivers * 3 * n);
-  cl::Kernel kernel(
-      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order)),
-      "gatherBounce");
+  cl::Kernel kernel(device.program("cast/transport_kernels.cl",
+                                   tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order)),
+                    "gatherBounce");
   setArguments(kernel, parameterBuffer.get(), senderBuffer.get(), transferBuffer.get(), values.get());
   device.launch(kernel, receivers, 64);
   const auto result = values.read();

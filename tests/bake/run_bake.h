@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bake/baker.h"
+#include "support/devices.h"
+
+namespace prelight::test {
+
+struct BakeResult {
+  Bake bake;
+  BakeReport report;
+};
+
+/// Plans and bakes on the shared device.
+inline BakeResult runBake(const CompiledScene& scene, const BakeRequest& request) {
+  BakeResult result;
+  Progress progress;
+  result.bake =
+      bakeScene(scene, request, makePlan(Scene(), scene, request), sharedDevice(), progress, result.report);
+  return result;
+}
+
+}  // namespace prelight::test
