@@ -35,6 +35,8 @@ const std::vector<Entry>& entries() {
       {{"relight", "bytes a second of relighting and light projection on the device, against copying"},
        runRelightSuite},
       {{"compress", "error and bytes of transfer in each compressed form"}, runCompressSuite},
+      {{"thesis", "a thesis' table of AO, SH and CH, with and without glossy transfer, and today's numbers"},
+       runThesisSuite},
   };
   return list;
 }
@@ -63,7 +65,9 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .relightRounds = 3,
           .compressOrder = 2,
           .compressBounces = 0,
-          .compressMethods = {"half", "band8", "pca:2", "vq:8", "cpca:4:2"}};
+          .compressMethods = {"half", "band8", "pca:2", "vq:8", "cpca:4:2"},
+          .thesisRays = 16,
+          .thesisRuns = 1};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
@@ -92,7 +96,9 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"relightRounds", relightRounds},
           {"compressOrder", compressOrder},
           {"compressBounces", compressBounces},
-          {"compressMethods", compressMethods}};
+          {"compressMethods", compressMethods},
+          {"thesisRays", thesisRays},
+          {"thesisRuns", thesisRuns}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

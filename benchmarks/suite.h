@@ -53,6 +53,8 @@ struct BenchmarkOptions {
       "half",      "band8",      "pca:4",      "pca:8",      "pca:16",         "pca:24",
       "vq:64",     "vq:256",     "vq:1024",    "cpca:16:4",  "cpca:16:8",      "cpca:64:4",
       "cpca:64:8", "cpca:64:16", "cpca:256:4", "cpca:256:8", "cpca:64:8:byte", "pca:16:byte"};
+  std::uint64_t thesisRays = 10000;  ///< a vertex
+  int thesisRuns = 3;
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

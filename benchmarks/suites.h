@@ -52,4 +52,9 @@ std::vector<BenchmarkResult> runRelightSuite(const Device& device, const Benchma
 std::vector<BenchmarkResult> runCompressSuite(const Device& device, const BenchmarkOptions& options,
                                               Progress& progress);
 
+/// Seconds, storage and frames a second of AO, SH and CH on the built-in scene `shapes`, beside those that Sherif's thesis
+/// gives for a scene of about as many vertices (2013, Table 7.1).
+std::vector<BenchmarkResult> runThesisSuite(const Device& device, const BenchmarkOptions& options,
+                                            Progress& progress);
+
 }  // namespace prelight::benchmarks
