@@ -7,6 +7,7 @@
 
 #include "bake/run_bake.h"
 #include "base/error.h"
+#include "base/pattern.h"
 #include "support/scenes.h"
 
 namespace prelight {
