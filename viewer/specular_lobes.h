@@ -8,12 +8,12 @@ namespace prelight::viewer {
 /// The shape of glossy reflection in glossy shading, about the mirrored view.
 enum class Lobe {
   /// The microfacet reflection at normal incidence as a function of the angle to the mirrored direction,
-  /// whatever
-  /// the view, and as much of it as the split-sum reflectance of the view says: an open surface under an even
-  /// sky reflects just that.
+  /// whatever the view, and as much of it as the split-sum reflectance of the view says: an open surface
+  /// under an even sky reflects just that. A lobe sharper than the order can show is smoothed until, cut off
+  /// there, it is nowhere negative: it would show rings in place of a reflection.
   Ggx,
   /// The modified Phong BRDF, F0 (n + 2) / (2 pi) cos^n, with n = 2 / roughness^4 - 2: exact but for the
-  /// bands that are cut.
+  /// bands that are cut, however sharp it is.
   Phong,
 };
 
@@ -28,7 +28,6 @@ struct LobeTable {
 
 constexpr int lobeSteps = 65;
 
-/// Bands of lobes narrower than 1 / order are cut: such surfaces look as rough as the order can show.
 LobeTable makeLobeTable(Lobe lobe, int order);
 
 /// Phong exponent that stands for a roughness of glTF.

@@ -36,6 +36,73 @@ TEST_F(CliPicture, Render_OfWhatTheFileLacks_BakesItAndSaysSo) {
   EXPECT_LT(compare("a.exr", "b.exr")["picture"]["max"], 1e-6);
 }
 
+TEST_F(CliPicture, Render_InEveryShading_BakesWhatItNeeds) {
+  const std::vector<std::pair<std::string, std::string>> needs = {
+      {"ao", "--ao"},        {"sh", "--sh 3 --bounces 1"},         {"ch", "--ch 3 --bounces 1"},
+      {"haar", "--haar 32"}, {"glossy", "--glossy 4 --bounces 1"}, {"lights", "--light-groups"},
+  };
+  for (const auto& [shading, baked] : needs) {
+    const ProcessResult result = prelightDone({"render", "scene.glb", "-o", shading + ".exr", "--size",
+                                               "24x16", "--shading", shading, "--rays", "16"});
+    EXPECT_THAT(result.errors, HasSubstr("baking " + baked)) << shading;
+    EXPECT_GT(compare(shading + ".exr", shading + ".exr")["picture"]["meanA"], 0.0) << shading;
+  }
+}
+
+TEST_F(CliPicture, Ch_OfTheSameBake_ShowsWhatShShows) {
+  prelightDone(
+      {"bake", "scene.glb", "-o", "baked.glb", "--sh", "5", "--ch", "5", "--bounces", "1", "--rays", "64"});
+  const std::vector<std::string> size = {"--size", "48x32", "--light", "point:0,9,0:40,30,20"};
+  for (const char* shading : {"sh", "ch"}) {
+    std::vector<std::string> arguments = {"render",    "baked.glb", "-o", std::string(shading) + ".exr",
+                                          "--shading", shading};
+    arguments.insert(arguments.end(), size.begin(), size.end());
+    prelightDone(arguments);
+  }
+  const nlohmann::json difference = compare("ch.exr", "sh.exr");
+  EXPECT_LT(difference["picture"]["max"].get<double>(), 2e-5 * difference["picture"]["meanB"].get<double>());
+}
+
+TEST_F(CliPicture, CompressedFile_IsDrawnByDefault) {
+  prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--sh", "3", "--rays", "64", "--compress", "half"});
+  prelightDone({"bake", "scene.glb", "-o", "full.glb", "--sh", "3", "--rays", "64"});
+  const ProcessResult result = prelightDone({"render", "baked.glb", "-o", "a.exr", "--size", "48x32"});
+  EXPECT_THAT(result.output, HasSubstr("sh shading"));
+  prelightDone({"render", "full.glb", "-o", "b.exr", "--size", "48x32"});
+  EXPECT_LT(compare("a.exr", "b.exr")["picture"]["max"], 2e-3);
+}
+
+TEST_F(CliPicture, LightGroup_Scaled_ScalesThePicture) {
+  prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  prelightDone({"bake", "cornell.glb", "-o", "baked.glb", "--light-groups", "--rays", "4"});
+  prelightDone({"render", "baked.glb", "-o", "a.exr", "--size", "32x32"});
+  const ProcessResult result =
+      prelightDone({"render", "baked.glb", "-o", "b.exr", "--size", "32x32", "--group", "Lamp=2,2,2"});
+  EXPECT_THAT(result.output, HasSubstr("lights shading"));
+  const nlohmann::json difference = compare("b.exr", "a.exr");
+  EXPECT_NEAR(difference["picture"]["meanA"].get<double>() / difference["picture"]["meanB"].get<double>(),
+              2.0, 1e-5);
+  expectFailure(2, {"render", "baked.glb", "-o", "c.exr", "--group", "lamp=2"}, {"--group lamp", "Lamp"});
+}
+
+TEST_F(CliPicture, OptionsOfAShading_WithBadValues_AreRefused) {
+  const auto refused = [&](const std::string& option, const std::string& value, const std::string& expected) {
+    expectFailure(2, {"render", "scene.glb", "-o", "a.exr", option, value}, {option, expected});
+  };
+  refused("--group", "Lamp", "Lamp=0.5");
+  refused("--group", "Lamp=1,2", "one factor or three");
+  refused("--haar-terms", "0", "1");
+  refused("--ao-correction", "much", "none or interreflection");
+  refused("--lobe", "cone", "ggx or phong");
+}
+
+TEST_F(CliPicture, OptionsOfAnotherShading_AreNotedAsUnused) {
+  const ProcessResult result = prelightDone(
+      {"render", "scene.glb", "-o", "a.exr", "--size", "24x16", "--haar-terms", "7", "--lobe", "phong"});
+  EXPECT_THAT(result.errors, HasSubstr("--haar-terms has a meaning in haar shading only"));
+  EXPECT_THAT(result.errors, HasSubstr("--lobe has a meaning in glossy shading only"));
+}
+
 TEST_F(CliPicture, Render_OfABuiltinScene_IsNeitherBlackNorUniform) {
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
   prelightDone({"render", "shapes.glb", "-o", "a.exr", "--size", "96x64"});
