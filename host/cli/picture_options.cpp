@@ -42,6 +42,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   BakeRequest request = asked;
   request.ao = request.lightGroups = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
+  request.volumeSize = 0;  // no picture shows one
   request.namedGroups.clear();
   bool light = false;
   bool lightAsked = false;
