@@ -11,6 +11,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
   for (const CompiledMaterial& m : scene.materials) {
     for (int c = 0; c < 3; ++c) hash.value(m.albedo[c]);
     for (int c = 0; c < 3; ++c) hash.value(m.emission[c]);
+    for (int c = 0; c < 3; ++c) hash.value(m.diffuseTransmission[c]);
     hash.value(m.doubleSided);
     hash.value(m.albedoImage).value(m.wrapS).value(m.wrapT).value(m.alphaCutoff).value(m.alphaFactor);
   }

@@ -41,6 +41,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       device_(tracer.context()),
       options_(options),
       vertexCount_(scene.vertexCount()),
+      translucent_(scene.hasDiffuseTransmission()),
       valueCount_(4 + static_cast<std::uint32_t>(options.shOrder * options.shOrder)),
       blockSize_(std::max(1u, raysPerBlock(device_.info()) / options.raysPerReceiver)),
       parameters_(device_, 1),
@@ -70,7 +71,9 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
 }
 
 BuildOptions Caster::transportOptions() const {
-  return tracer_.surfaceOptions().define("PRELIGHT_COLUMNS", static_cast<int>(options_.bounceColumns));
+  return tracer_.surfaceOptions()
+      .define("PRELIGHT_COLUMNS", static_cast<int>(options_.bounceColumns))
+      .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
 }
 
 void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {

@@ -99,6 +99,7 @@ class Caster {
   DeviceContext& device_;
   CastOptions options_;
   std::uint32_t vertexCount_;
+  bool translucent_;
   std::uint32_t valueCount_;
   std::uint32_t blockSize_;
   Buffer<device::CastParameters> parameters_;

@@ -1,6 +1,7 @@
 #include "bvh/tracer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
@@ -57,6 +58,10 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
   d.alphaCutoff = m.alphaCutoff;
   d.alphaFactor = m.alphaFactor;
+  for (int c = 0; c < 3; ++c)
+    d.transmission |=
+        static_cast<std::uint32_t>(std::lround(1023.0f * std::clamp(m.diffuseTransmission[c], 0.0f, 1.0f)))
+        << (10 * c);
   d.texelOffset = PRELIGHT_NO_TEXTURE;
   d.wrapS = deviceWrap(m.wrapS);
   d.wrapT = deviceWrap(m.wrapT);

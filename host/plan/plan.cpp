@@ -17,10 +17,20 @@ constexpr int haarBounceOrder = 6;  // bands that carry what bounces add to wave
 constexpr std::uint64_t blockBytes = std::uint64_t{16} << 20;
 
 bool reflects(const CompiledScene& scene) {
-  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(), [&](std::uint32_t m) {
-    const glm::vec3 a = scene.materials[m].albedo;
-    return a.x > 0.0f || a.y > 0.0f || a.z > 0.0f;
-  });
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t m) {
+                       const glm::vec3 a = scene.materials[m].albedo;
+                       return a.x > 0.0f || a.y > 0.0f || a.z > 0.0f;
+                     }) ||
+         scene.hasDiffuseTransmission();
+}
+
+PlannedPass planTranslucent(const CompiledScene& scene, bool bounces) {
+  if (!scene.hasDiffuseTransmission())
+    return {"translucent senders", false, "no material transmits light diffusely"};
+  if (!bounces) return {"translucent senders", false, "light comes through surfaces by way of bounces alone"};
+  return {"translucent senders", true,
+          "both sides of what transmits are cast where one is seen; a ray takes the side that it samples"};
 }
 
 std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {
@@ -31,7 +41,8 @@ PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) 
   if (!request.carriesLight()) return {"bounces", false, "no technique that is asked for carries light"};
   if (request.bounces == 0) return {"bounces", false, "none are asked for"};
   if (!reflects(scene))
-    return {"bounces", false, "no surface has a diffuse albedo above 0, so nothing is reflected"};
+    return {"bounces", false,
+            "no surface has a diffuse albedo above 0 or lets light through, so nothing is reflected"};
   return {"bounces", true, fmt::format("{} from stored transport, without new rays", request.bounces)};
 }
 
@@ -180,6 +191,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(bounces);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
+  add(planTranslucent(compiled, bounces.runs));
   add({"alpha test", compiled.hasAlphaMask(),
        compiled.hasAlphaMask() ? "a material is alpha-masked" : "no material is alpha-masked"});
   const bool textured = !compiled.albedoImages.empty();

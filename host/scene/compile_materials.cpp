@@ -59,7 +59,8 @@ float meanChannel(const Image& image, std::size_t channel) {
   return static_cast<float>(sum / (255.0 * static_cast<double>(image.rgba.size() / 4)));
 }
 
-glm::vec3 meanEmission(const Image& image) {
+/// Linear, of an sRGB image.
+glm::vec3 meanColor(const Image& image) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     for (std::size_t c = 0; c < 3; ++c) sum[static_cast<int>(c)] += linearFromSrgb(image.rgba[i + c]);
@@ -105,6 +106,7 @@ class MaterialCompiler {
     TextureRef coordinates;
     if (!material.unlit) {
       setAlbedo(material, compiled, coordinates);
+      setDiffuseTransmission(material, compiled);
       setEmission(material, compiled);
     }
     setScattering(material, compiled, coordinates);
@@ -140,6 +142,21 @@ class MaterialCompiler {
     addImage(base, metal, metallic, compiled, coordinates);
   }
 
+  /// Textures count with their means: light that comes through leaves diffusely all the same.
+  void setDiffuseTransmission(const Material& material, CompiledMaterial& compiled) const {
+    float share = material.diffuseTransmission;
+    if (share <= 0.0f) return;
+    const TextureRef& shares = material.diffuseTransmissionTexture;
+    const TextureRef& colors = material.diffuseTransmissionColorTexture;
+    const TextureRef& metal = material.metallicRoughnessTexture;
+    if (shares.image >= 0) share *= meanChannel(image(shares), 3);
+    glm::vec3 color = material.diffuseTransmissionColor;
+    if (colors.image >= 0) color *= meanColor(image(colors));
+    const float metallic = material.metallic * (metal.image >= 0 ? meanChannel(image(metal), 2) : 1.0f);
+    compiled.albedo *= 1.0f - share;
+    compiled.diffuseTransmission = share * (1.0f - metallic) * (1.0f - material.transmission) * color;
+  }
+
   void addImage(const TextureRef& base, const TextureRef& metal, float metallic, CompiledMaterial& compiled,
                 const TextureRef& coordinates) {
     if (coordinates.image < 0) return;
@@ -162,7 +179,7 @@ class MaterialCompiler {
     if (!material.isEmissive() || material.emissiveTexture.image < 0) return;
     const int index = material.emissiveTexture.image;
     auto [found, isNew] = meanEmissionOf_.try_emplace(index, 0.0f);
-    if (isNew) found->second = meanEmission(image(material.emissiveTexture));
+    if (isNew) found->second = meanColor(image(material.emissiveTexture));
     compiled.emission *= found->second;
   }
 

@@ -230,6 +230,13 @@ bool CompiledScene::hasAlphaMask() const {
                      [&](std::uint32_t material) { return materials[material].alphaCutoff >= 0.0f; });
 }
 
+bool CompiledScene::hasDiffuseTransmission() const {
+  return std::any_of(triangleMaterials.begin(), triangleMaterials.end(), [&](std::uint32_t material) {
+    const glm::vec3 t = materials[material].diffuseTransmission;
+    return t.x > 0.0f || t.y > 0.0f || t.z > 0.0f;
+  });
+}
+
 glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
   const glm::uvec3& t = scene.triangles[triangle];
   const glm::dvec3 a(scene.positions[t.x]);

@@ -33,9 +33,9 @@ struct LayerTexture {
 /// What light transport needs to know of a material. Bakes read the Lambertian albedo, the mean emission and
 /// the coverage; the rest is for the reference renderer.
 struct CompiledMaterial {
-  glm::vec3 albedo{
-      0.0f};  ///< baseColor (1 - metallic)(1 - transmission); multiplies the texture and vertex colour
-  int albedoImage = -1;  ///< into CompiledScene::albedoImages
+  glm::vec3 albedo{0.0f};               ///< Material::diffuseAlbedo; multiplies the texture and vertex colour
+  glm::vec3 diffuseTransmission{0.0f};  ///< share of the light on the other side that leaves on this one
+  int albedoImage = -1;                 ///< into CompiledScene::albedoImages
   WrapMode wrapS = WrapMode::Repeat;
   WrapMode wrapT = WrapMode::Repeat;
   glm::vec3 emission{0.0f};   ///< mean emitted radiance (texture averaged), W/(m2 sr)
@@ -84,6 +84,7 @@ struct CompiledScene {
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }
   bool hasAlphaMask() const;
+  bool hasDiffuseTransmission() const;  ///< of a triangle's material
   bool hasVertexColors() const { return !colors.empty(); }
 };
 

@@ -46,6 +46,12 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
     validateNumbers(*e, {"transmissionFactor"});
     validateTextureInfo(root, *e, "transmissionTexture");
   }
+  if (const auto e = extensions.find("KHR_materials_diffuse_transmission")) {
+    validateNumbers(*e, {"diffuseTransmissionFactor"});
+    validateColors(*e, {{"diffuseTransmissionColorFactor", 3}});
+    validateTextureInfo(root, *e, "diffuseTransmissionTexture");
+    validateTextureInfo(root, *e, "diffuseTransmissionColorTexture");
+  }
   if (const auto e = extensions.find("KHR_materials_volume")) {
     validateNumbers(*e, {"thicknessFactor", "attenuationDistance"});
     validateColors(*e, {{"attenuationColor", 3}});

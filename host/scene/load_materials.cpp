@@ -116,6 +116,13 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
       context.warnings.push_back(texture->where() + ": only transmissionFactor is used, the texture is not");
     }
   }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_diffuse_transmission")) {
+    material.diffuseTransmission = clampedOr(context, *e, "diffuseTransmissionFactor", 0.0f);
+    material.diffuseTransmissionTexture = loadTexture(context, *e, "diffuseTransmissionTexture");
+    material.diffuseTransmissionColor =
+        clampedColor<3>(context, *e, "diffuseTransmissionColorFactor", glm::vec3(1.0f));
+    material.diffuseTransmissionColorTexture = loadTexture(context, *e, "diffuseTransmissionColorTexture");
+  }
   if (const auto e = LoadContext::extension(json, "KHR_materials_volume")) loadVolume(context, *e, material);
   if (const auto e = LoadContext::extension(json, "KHR_materials_ior")) {
     material.ior = clampedOr(context, *e, "ior", 1.5f, noLimit);
@@ -194,7 +201,8 @@ std::vector<Image> loadImages(const LoadContext& context, const std::vector<Mate
   std::vector<bool> used(context.root.countOf("images"), false);
   for (const Material& material : materials) {
     for (const TextureRef* ref :
-         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture}) {
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture,
+          &material.diffuseTransmissionTexture, &material.diffuseTransmissionColorTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }

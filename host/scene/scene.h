@@ -54,9 +54,16 @@ struct Material {
   float ior = 1.5f;                                                    ///< 0 means infinite
   float specular = 1.0f;                                               ///< KHR_materials_specular
   glm::vec3 specularColor{1.0f};
+  float diffuseTransmission = 0.0f;  ///< KHR_materials_diffuse_transmission, [0,1]: share that goes through
+  TextureRef diffuseTransmissionTexture;  ///< alpha, multiplies the share
+  glm::vec3 diffuseTransmissionColor{1.0f};
+  TextureRef diffuseTransmissionColorTexture;  ///< sRGB
 
-  /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission).
-  glm::vec3 diffuseAlbedo() const { return glm::vec3(baseColor) * (1.0f - metallic) * (1.0f - transmission); }
+  /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
+  /// transmission).
+  glm::vec3 diffuseAlbedo() const {
+    return glm::vec3(baseColor) * (1.0f - metallic) * (1.0f - transmission) * (1.0f - diffuseTransmission);
+  }
   bool isEmissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
 

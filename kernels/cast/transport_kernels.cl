@@ -5,7 +5,8 @@
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// Options: PRELIGHT_COLUMNS, values a channel that a bounce carries; PRELIGHT_GLOSSY_ORDER, of transfer matrices.
+// Options: PRELIGHT_COLUMNS, values a channel that a bounce carries; PRELIGHT_GLOSSY_ORDER, of transfer matrices;
+// PRELIGHT_TRANSLUCENT, when a material lets light through diffusely.
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
 #endif
@@ -18,9 +19,32 @@
 // Of channel c: 0 red, 1 green, 2 blue.
 float senderAlbedo(Sender s, uint c) { return (float)((s.albedo >> (10 * c)) & 1023u) * (1.0f / 1023.0f); }
 
+// A number in [0,1) for a decision about a ray, the same whenever it is asked for.
+float pickOf(__global const Receiver* r, uint sample, uint decision) {
+  return (float)(hashInteger(sample ^ hashInteger(r->seed ^ decision)) >> 8) * 5.9604644775390625e-8f;
+}
+
+#ifdef PRELIGHT_TRANSLUCENT
+// What leaves a translucent surface is albedo x transfer of the side that is seen + transmission x transfer of the other:
+// one of the two stands for both, chosen in proportion to its largest channel and divided by its probability. The mean
+// stays, and as their largest channels add up to at most 1, so does what stands for both. True: the other side.
+bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float3* albedo) {
+  const uint bits = s.materials[s.triangles[triangle].material].transmission;
+  if (bits == 0u) return false;
+  const float3 through =
+      blocked * (1.0f / 1023.0f) *
+      (float3)((float)(bits & 1023u), (float)(bits >> 10 & 1023u), (float)(bits >> 20 & 1023u));
+  const float reflected = fmax(albedo->x, fmax(albedo->y, albedo->z));
+  const float transmitted = fmax(through.x, fmax(through.y, through.z)), both = reflected + transmitted;
+  const bool passes = pick * both < transmitted;
+  if (both > 0.0f) *albedo = passes ? through * (both / transmitted) : *albedo * (both / reflected);
+  return passes;
+}
+#endif
+
 // A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows
 // from firstStored on; marks [triangle] is set to 1
-// where a back was hit. The hit's value will be interpolated from three vertices: taking one of them with its
+// where a back reflects to the receiver, or lets light through to its front. The hit's value will be interpolated from three vertices: taking one of them with its
 // barycentric weight as probability has the same mean and a third of the reads.
 // Next: gatherBounce.
 __kernel void storeSenders(__constant const CastParameters* parameters, __global const Ray* rays,
@@ -36,15 +60,19 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __global
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
     const Surface surface = {triangles, materials, texCoords, colors, texels};
     const float blocked = 1.0f - visibilityOf(parameters, hit);
-    const float3 albedo = blocked * clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
-    const uint3 packed = convert_uint3_rte(albedo * 1023.0f);
+    float3 albedo = blocked * clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
+    __global const Receiver* r = receivers + i / parameters->raysPerReceiver;
+    const uint sample = r->firstSample + (uint)(i % parameters->raysPerReceiver);
+    bool passes = false;
+#ifdef PRELIGHT_TRANSLUCENT
+    passes = pickTransmission(surface, hit.triangle, blocked, pickOf(r, sample, 0x27d4eb2fu), &albedo);
+#endif
+    const uint3 packed = min(convert_uint3_rte(albedo * 1023.0f), 1023u);
     const uint bits = packed.x | (packed.y << 10) | (packed.z << 20);
     if (bits != 0u) {
-      __global const Receiver* r = receivers + i / parameters->raysPerReceiver;
-      const uint sample = r->firstSample + (uint)(i % parameters->raysPerReceiver);
-      const float pick = (float)(hashInteger(sample ^ hashInteger(r->seed ^ 0x5bd1e995u)) >> 8) * 5.9604644775390625e-8f;
+      const float pick = pickOf(r, sample, 0x5bd1e995u);
       const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
-      const bool back = dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f;
+      const bool back = (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
       if (back) marks[hit.triangle] = 1;
       sender.slot = triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
       sender.albedo = bits;

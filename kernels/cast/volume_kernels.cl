@@ -93,9 +93,22 @@ __kernel void projectVolume(__constant const CastParameters* parameters, __const
   values[1] += 0.28209479177387814f * k;  // Y_00 = 1 / sqrt(4 pi), the only one whose mean is not 0
 }
 
+// Adds factor x transfer of one side of a triangle, interpolated at the hit, to sum [3][PRELIGHT_COLUMNS].
+void addSide(__constant const CastParameters* parameters, __global const float* transfer, DeviceTriangle triangle,
+             bool back, Hit hit, float3 factor, float* sum) {
+  const float weight[3] = {1.0f - hit.u - hit.v, hit.u, hit.v}, factors[3] = {factor.x, factor.y, factor.z};
+  for (uint corner = 0; corner < 3; ++corner) {
+    const uint slot = triangle.vertex[corner] + (back ? parameters->vertexCount : 0u);
+    __global const float* t = transfer + (size_t)slot * 3 * PRELIGHT_COLUMNS;
+    for (uint c = 0; c < 3; ++c)
+      for (uint i = 0; i < PRELIGHT_COLUMNS; ++i)
+        sum[c * PRELIGHT_COLUMNS + i] += weight[corner] * factors[c] * t[c * PRELIGHT_COLUMNS + i];
+  }
+}
+
 // A voxel a work-item. rays, hits as above; transfer [slot][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
 // then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_COLUMNS], the mean over rays of albedo x transfer
-// at the hit.
+// at the hit, and what comes through it.
 __kernel void gatherVolume(__constant const CastParameters* parameters, __global const Ray* rays,
                            __global const Hit* hits, __global const DeviceTriangle* triangles,
                            __global const DeviceMaterial* materials, __global const float2* texCoords,
@@ -113,19 +126,15 @@ __kernel void gatherVolume(__constant const CastParameters* parameters, __global
     if (hit.triangle == PRELIGHT_NO_TRIANGLE) continue;
     const float3 direction = vload3(0, rays[voxel * count + j].direction);
     const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
-    if (back && backs == 0) continue;
     const float3 color = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
     const float3 albedo = (1.0f - visibilityOf(parameters, hit)) * color;
-    const float weight[3] = {1.0f - hit.u - hit.v, hit.u, hit.v}, reflected[3] = {albedo.x, albedo.y, albedo.z};
-    for (uint corner = 0; corner < 3; ++corner) {
-      const uint slot = triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
-      __global const float* t = transfer + (size_t)slot * width;
-      for (uint c = 0; c < 3; ++c) {
-        const float share = weight[corner] * reflected[c];
-        for (uint i = 0; i < PRELIGHT_COLUMNS; ++i)
-          sum[c * PRELIGHT_COLUMNS + i] += share * t[c * PRELIGHT_COLUMNS + i];
-      }
-    }
+    if (!back || backs != 0) addSide(parameters, transfer, triangles[hit.triangle], back, hit, albedo, sum);
+    // A translucent surface also lets through what arrives on its other side.
+    const uint bits = materials[triangles[hit.triangle].material].transmission;
+    if (bits == 0u || (!back && backs == 0)) continue;
+    const float3 through = (float3)((float)(bits & 1023u), (float)(bits >> 10 & 1023u), (float)(bits >> 20 & 1023u));
+    addSide(parameters, transfer, triangles[hit.triangle], !back, hit,
+            (1.0f - visibilityOf(parameters, hit)) * (1.0f / 1023.0f) * through, sum);
   }
   for (uint i = 0; i < width; ++i) values[voxel * width + i] = sum[i] / (float)count;
 }

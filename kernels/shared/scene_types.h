@@ -21,7 +21,8 @@ typedef struct DeviceMaterial {
   uint height;
   uint wrapS;         ///< PRELIGHT_WRAP_*
   uint wrapT;
-  uint pad[2];
+  uint transmission;  ///< diffuse, 10 bits each: red in bits 0..9, green, blue
+  uint pad;
 } DeviceMaterial;
 
 typedef struct DeviceTriangle {

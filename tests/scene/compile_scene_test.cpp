@@ -154,6 +154,31 @@ TEST(CompileMaterials, Metalness_MultipliesIntoTheAlbedoImage) {
   EXPECT_EQ(texel[3], 77);
 }
 
+TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
+  Scene scene;
+  Image shares = solidImage(2, 1, {0, 0, 0, 255});
+  shares.rgba[7] = 0;
+  Image colors = solidImage(2, 1, {255, 255, 255, 255});
+  colors.rgba[4] = 0;
+  scene.images = {shares, colors};
+  Material material;
+  material.metallic = 0.0f;
+  material.baseColor = {0.4f, 0.4f, 0.4f, 1.0f};
+  material.transmission = 0.5f;
+  material.diffuseTransmission = 0.8f;
+  material.diffuseTransmissionTexture.image = 0;
+  material.diffuseTransmissionColor = {1.0f, 0.5f, 0.25f};
+  material.diffuseTransmissionColorTexture.image = 1;
+  scene.materials = {material};
+  Warnings warnings;
+  const CompiledMaterial compiled = compileMaterials(scene, warnings).materials[0];
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(compiled.albedo[c], 0.4 * 0.5 * (1.0 - 0.4), 1e-6);
+    EXPECT_NEAR(compiled.diffuseTransmission[c], 0.4 * 0.5 * std::array{0.5, 0.5, 0.25}[static_cast<std::size_t>(c)],
+                1e-6);
+  }
+}
+
 TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {
   Scene scene;
   Image image = solidImage(2, 1, {255, 255, 255, 255});

@@ -51,6 +51,20 @@ TEST(LoadMaterial, Extensions_AreReadFromIntegersAndFloats) {
   EXPECT_TRUE(warnings.empty());
 }
 
+TEST(LoadMaterial, DiffuseTransmission_IsReadAndTakenFromTheAlbedo) {
+  Warnings warnings;
+  const Material material =
+      loadMaterial(R"({"pbrMetallicRoughness": {"baseColorFactor": [0.8, 0.4, 0.2, 1], "metallicFactor": 0},
+    "extensions": {"KHR_materials_diffuse_transmission":
+      {"diffuseTransmissionFactor": 0.25, "diffuseTransmissionColorFactor": [1, 0.5, 0]}}})",
+                   warnings);
+  EXPECT_EQ(material.diffuseTransmission, 0.25f);
+  EXPECT_EQ(material.diffuseTransmissionColor, glm::vec3(1.0f, 0.5f, 0.0f));
+  EXPECT_EQ(material.diffuseAlbedo(), 0.75f * glm::vec3(0.8f, 0.4f, 0.2f));
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(loadMaterial("{}", warnings).diffuseTransmission, 0.0f);
+}
+
 TEST(LoadMaterial, ValuesOutsideTheirRange_ClampWithWarnings) {
   Warnings warnings;
   const Material material = loadMaterial(R"({"pbrMetallicRoughness":
