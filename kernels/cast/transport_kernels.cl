@@ -42,10 +42,10 @@ bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float
 }
 #endif
 
-// A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows
-// from firstStored on; marks [triangle] is set to 1
-// where a back reflects to the receiver, or lets light through to its front. The hit's value will be interpolated from three vertices: taking one of them with its
-// barycentric weight as probability has the same mean and a third of the reads.
+// A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows from firstStored on; marks
+// [triangle] is set to 1 where the transfer of a back is needed: it reflects to the receiver, or lets light through to the
+// front. The hit's value will be interpolated from three vertices: taking one of them with its barycentric weight as
+// probability has the same mean and a third of the reads.
 // Next: gatherBounce.
 __kernel void storeSenders(__constant const CastParameters* parameters, __global const Ray* rays,
                            __global const Hit* hits, __global const DeviceTriangle* triangles,

@@ -172,10 +172,10 @@ TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
   scene.materials = {material};
   Warnings warnings;
   const CompiledMaterial compiled = compileMaterials(scene, warnings).materials[0];
+  const glm::dvec3 through = 0.4 * 0.5 * glm::dvec3(0.5, 0.5, 0.25);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(compiled.albedo[c], 0.4 * 0.5 * (1.0 - 0.4), 1e-6);
-    EXPECT_NEAR(compiled.diffuseTransmission[c], 0.4 * 0.5 * std::array{0.5, 0.5, 0.25}[static_cast<std::size_t>(c)],
-                1e-6);
+    EXPECT_NEAR(compiled.diffuseTransmission[c], through[c], 1e-6);
   }
 }
 
