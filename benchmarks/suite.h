@@ -47,7 +47,10 @@ struct BenchmarkOptions {
   std::uint64_t relightVertices = 100000;  ///< of `relight`
   int relightSkyRows = 512;                ///< of the sky of `relight`
   int relightRounds = 40;                  ///< short ones, in which kernels and copies take turns
-  int compressOrder = 6;                   ///< of the transfer of `compress`
+  std::vector<int> animationKeys = {2, 3, 5, 9, 17};        ///< evenly spaced, of `animation`
+  std::vector<double> animationErrors = {0.1, 0.05, 0.03};  ///< that keys are chosen by
+  int animationMoments = 8;                                 ///< between keys, that are compared
+  int compressOrder = 6;                                    ///< of the transfer of `compress`
   int compressBounces = 2;
   std::vector<std::string> compressMethods = {
       "half",      "band8",      "pca:4",      "pca:8",      "pca:16",         "pca:24",

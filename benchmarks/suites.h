@@ -48,6 +48,10 @@ std::vector<BenchmarkResult> runWaveletsSuite(const Device& device, const Benchm
 std::vector<BenchmarkResult> runRelightSuite(const Device& device, const BenchmarkOptions& options,
                                              Progress& progress);
 
+/// Error of transfer between the keys of an animation, by their number and how it is interpolated.
+std::vector<BenchmarkResult> runAnimationSuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 /// Error and bytes of each compression of baked transfer.
 std::vector<BenchmarkResult> runCompressSuite(const Device& device, const BenchmarkOptions& options,
                                               Progress& progress);

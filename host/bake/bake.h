@@ -33,6 +33,7 @@ struct Bake {
   std::optional<HarmonicTransfer> sh;
   std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
   std::optional<HarmonicTransfer> ch;
+  std::optional<AnimatedTransfer> animation;  ///< SH at moments; `sh` is that of the rest pose
   std::optional<HaarTransfer> haar;
   std::optional<GlossyTransfer> glossy;
   std::optional<LightGroupTransfer> lightGroups;

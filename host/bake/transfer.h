@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -16,6 +17,14 @@ struct HarmonicTransfer {
   int bounces = 0;
   std::vector<float> coefficients;  ///< [vertex][channel][i]
   bool naive = false;               ///< CH: inner products <T, C_i> in place of coefficients
+};
+
+/// Transfer at moments of an animation, in world space as the nodes stand then. Between them it is
+/// interpolated (bake/animated_transfer.h).
+struct AnimatedTransfer {
+  std::size_t animation = 0;           ///< in the glTF file
+  std::vector<double> times;           ///< [key], seconds, >= 0, strictly ascending, never empty
+  std::vector<HarmonicTransfer> keys;  ///< [key], of one order, number of channels and of bounces
 };
 
 /// Diffuse transfer of every vertex in Haar wavelets on the faces of a cube map (basis/haar.h), sparse. The

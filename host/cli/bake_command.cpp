@@ -2,15 +2,18 @@
 
 #include <memory>
 
+#include "bake/animated_bake.h"
 #include "cli/bake_options.h"
 #include "cli/bake_state.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/session.h"
+#include "cli/values.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
+#include "scene/pose.h"
 
 namespace prelight::cli {
 namespace {
@@ -21,6 +24,9 @@ struct BakeCommand {
   std::filesystem::path report;
   std::filesystem::path environment;
   bool resume = false;
+  std::string animation;  ///< name or number; empty: none
+  std::optional<int> keyCount;
+  KeyRequest keys;
   BakeOptions bake;
 };
 
@@ -28,6 +34,21 @@ void checkOutputs(const BakeCommand& command) {
   checkOutputFile("-o", command.output, {".glb"});
   if (!command.report.empty()) checkOutputFile("--report", command.report, {".json"});
   if (!command.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", command.bake.dumpKernels);
+}
+
+void checkAnimationOptions(const BakeCommand& command, const BakeRequest& request) {
+  if (command.animation.empty()) {
+    if (command.keyCount || command.keys.error)
+      throw UsageError(command.keyCount ? "--keys" : "--key-error", "there is no animation to take keys of",
+                       "add --animation NAME|INDEX");
+    return;
+  }
+  if (request.shOrder == 0)
+    throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
+  if (command.bake.compression)
+    throw UsageError("--animation", "keys are not compressed", "leave out --compress");
+  if (command.resume)
+    throw UsageError("--resume", "a bake of an animation starts anew", "leave out --resume");
 }
 
 BakeRequest requestOf(const BakeCommand& command, Session& session) {
@@ -45,6 +66,7 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   if (request.volumeSize > 0 && request.shOrder == 0)
     throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
                      "add --sh N");
+  checkAnimationOptions(command, request);
   if (request.farLimit > 0.0 && request.nearLimit >= request.farLimit)
     throw UsageError("--near",
                      fmt::format("{} m is not below --far {} m", request.nearLimit, request.farLimit));
@@ -78,6 +100,39 @@ void compressSh(Session& session, const LoadedScene& loaded, const CompressionRe
                   4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms));
 }
 
+/// Without --animation, that there is something to play.
+std::optional<std::size_t> animationOf(Session& session, const BakeCommand& command, const Scene& scene) {
+  if (!command.animation.empty()) return findAnimation(scene, command.animation);
+  if (!scene.animations.empty())
+    session.console().note(
+        fmt::format("the scene has {} animation{}; the rest pose is baked (--animation bakes keys)",
+                    scene.animations.size(), scene.animations.size() == 1 ? "" : "s"));
+  return std::nullopt;
+}
+
+void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& loaded,
+              const BakeRequest& request, const DeviceOptions& deviceOptions, std::size_t animation,
+              BakeRun& run) {
+  AnimationReport report;
+  session.times().measure("animation", [&] {
+    run.bake.animation = bakeAnimation(loaded.scene, loaded.compiled, animation, request, command.keys,
+                                       *run.bake.sh, Device::open(deviceOptions), session.progress(), report);
+  });
+  session.progress().clear();
+  run.bake.info.rays += report.rays;
+  const AnimatedTransfer& keys = *run.bake.animation;
+  std::string text = fmt::format("{} key{} from {:g} s to {:g} s, {} poses baked, {} the same as others",
+                                 keys.times.size(), keys.times.size() == 1 ? "" : "s", keys.times.front(),
+                                 keys.times.back(), report.bakes, report.reused);
+  if (command.keys.error) text += fmt::format(", error {:.3g} between them", report.error);
+  session.console().line("animation", text);
+  run.report.notes.push_back("animation: " + text);
+  for (const std::string& note : report.notes) {
+    session.console().note(note);
+    run.report.notes.push_back(note);
+  }
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
@@ -88,12 +143,15 @@ void runBake(const BakeCommand& command, Context& context) {
   }
   checkOutputs(command);
   const BakeRequest request = requestOf(command, session);
+  const std::optional<std::size_t> animation = animationOf(session, command, loaded.scene);
 
   DeviceOptions deviceOptions = session.deviceOptions();
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   BakeStateFile state(command.output, command.resume, session.console());
-  BakeRun run = bakeKeepingState(session, loaded, request, deviceOptions, state);
+  BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
+                          : bakeKeepingState(session, loaded, request, deviceOptions, state);
+  if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   if (command.bake.compression) compressSh(session, loaded, *command.bake.compression, run);
   // From here on it is sooner finished than saved, whoever asks to stop.
   session.times().measure("write", [&] {
@@ -113,6 +171,24 @@ void runBake(const BakeCommand& command, Context& context) {
   session.console().json(report);
 }
 
+void addAnimationOptions(CLI::App& app, BakeCommand& command) {
+  app.add_option("--animation", command.animation,
+                 "bake the SH transfer at moments of this animation of the file too")
+      ->type_name("NAME|INDEX");
+  CLI::Option* keys = addWholeNumber(
+      app, "--keys", {1, static_cast<std::uint64_t>(command.keys.mostKeys)},
+      [&command](std::uint64_t n) {
+        command.keyCount = static_cast<int>(n);
+        command.keys.count = static_cast<int>(n);
+      },
+      fmt::format("moments, evenly spaced from the animation's start to its end (default {})",
+                  command.keys.count));
+  addRealNumber(
+      app, "--key-error", {1e-6, 1.0}, [&command](double value) { command.keys.error = value; },
+      "instead: as many as keep the relative error between them below this")
+      ->excludes(keys);
+}
+
 }  // namespace
 
 void addBakeCommand(CLI::App& program, Context& context) {
@@ -125,6 +201,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       ->type_name("OUT.glb");
   addTechniqueOptions(*app, command->bake);
   addEffortOptions(*app, command->bake);
+  addAnimationOptions(*app, *command);
   app->add_option("--env", command->environment,
                   "accepted for scripts; the transfer does not depend on the sky")
       ->type_name("MAP");
@@ -138,6 +215,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --ao --sh 4 --bounces 2\n"
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
+      "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");
   app->callback([command, &context] { runBake(*command, context); });
 }

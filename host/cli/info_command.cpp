@@ -10,6 +10,7 @@
 #include "cli/report.h"
 #include "cli/session.h"
 #include "io/baked_file.h"
+#include "scene/pose.h"
 
 namespace prelight::cli {
 namespace {
@@ -48,6 +49,12 @@ Json contentsJson(const LoadedScene& loaded) {
   Json cameras = Json::array();
   for (const Camera& camera : scene.cameras)
     cameras.push_back({{"name", camera.name}, {"type", camera.perspective ? "perspective" : "orthographic"}});
+  Json animations = Json::array();
+  for (const Animation& animation : scene.animations)
+    animations.push_back({{"name", animation.name},
+                          {"start", animation.startTime()},
+                          {"end", animation.endTime()},
+                          {"channels", animation.channels.size()}});
   Json json = {{"meshes", scene.meshes.size()},
                {"meshNodes", scene.meshNodes.size()},
                {"primitives", compiled.primitives.size()},
@@ -60,6 +67,7 @@ Json contentsJson(const LoadedScene& loaded) {
                 countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; })},
                {"images", scene.images.size()},
                {"lights", lights},
+               {"animations", animations},
                {"cameras", cameras}};
   if (compiled.vertexCount() > 0) {
     const glm::dvec3 low = compiled.origin + glm::dvec3(compiled.boundsMin);
@@ -83,6 +91,8 @@ Json bakedJson(const Bake& bake) {
   Json json = {{"ao", !bake.ao.empty()}, {"bentNormal", !bake.bentNormals.empty()}};
   if (bake.sh)
     json["sh"] = {{"order", bake.sh->order}, {"channels", bake.sh->channels}, {"bounces", bake.sh->bounces}};
+  if (bake.animation)
+    json["animation"] = {{"index", bake.animation->animation}, {"times", bake.animation->times}};
   json["generator"] = bake.info.generator;
   json["seed"] = bake.info.seed;
   json["rays"] = bake.info.rays;
@@ -99,6 +109,8 @@ std::string bakedText(const Bake& bake) {
     append(fmt::format("SH order {} ({} channel{}, {} bounce{})", bake.sh->order, bake.sh->channels,
                        bake.sh->channels == 1 ? "" : "s", bake.sh->bounces,
                        bake.sh->bounces == 1 ? "" : "s"));
+  if (bake.animation)
+    append(fmt::format("{} keys of animation {}", bake.animation->times.size(), bake.animation->animation));
   if (text.empty()) text = "nothing that this version reads";
   return fmt::format("{}; {} rays, seed {}, by {}", text, shortCount(static_cast<double>(bake.info.rays)),
                      bake.info.seed, bake.info.generator);
@@ -121,6 +133,14 @@ void printContents(const Console& console, const LoadedScene& loaded) {
   for (const Camera& camera : scene.cameras)
     console.line("camera",
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
+}
+
+void printAnimations(const Console& console, const Scene& scene) {
+  for (const Animation& animation : scene.animations)
+    console.line("animation",
+                 fmt::format("'{}', {:g} s to {:g} s, {} channels{}", animation.name, animation.startTime(),
+                             animation.endTime(), animation.channels.size(),
+                             movesMeshes(scene, animation) ? "" : ", moves no mesh"));
 }
 
 /// The tree that a bake would trace rays through.
@@ -161,6 +181,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   if (loaded.compiled.triangleCount() > 0 && (console.detailsWanted() || console.jsonWanted()))
     tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
+  printAnimations(console, loaded.scene);
   if (tree) console.line("tree", treeText(*tree));
   console.line("baked", bake ? bakedText(*bake) : "nothing");
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));

@@ -242,6 +242,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   ShadedScene shaded;
   shaded.loaded = session.load(options.scene);
   shaded.bake = carriedBake(session, shaded.loaded);
+  poseScene(session, options.pose, shaded.loaded, shaded.bake);
   if (!options.environment.empty())
     shaded.environment = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
   checkOutputs();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/bake_options.h"
+#include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "device/device.h"
@@ -29,6 +30,7 @@ struct PictureOptions {
   std::size_t haarTerms = 0;
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
   viewer::Lobe lobe = viewer::Lobe::Ggx;
+  PoseOptions pose;
   BakeOptions bake;
 };
 

@@ -61,6 +61,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
   addPictureOptions(*app, command->picture);
+  addPoseOptions(*app, command->picture.pose);
   app->add_option("-o,--output", command->output,
                   "picture to write: .exr is linear radiance, .png is for the screen")
       ->required()

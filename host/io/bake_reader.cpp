@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* rebake = "bake the scene again";
 constexpr std::uint64_t maxOrder = 32, maxGlossyOrder = 32, maxFaceSize = 1024, maxGroups = 1u << 16,
-                        maxClusters = 1u << 16, maxComponents = 3 * 32 * 32;
+                        maxClusters = 1u << 16, maxComponents = 3 * 32 * 32, maxKeys = 1024;
 
 /// Reads typed values of accessors, and complains about those that do not fit.
 class ValueReader {
@@ -95,9 +95,9 @@ class VertexReader {
 
   void readPrimitive(const JsonCursor& json, const PrimitiveRanges& ranges) {
     json.expectObject();
-    const std::array<const char*, 8> names = {"ao", "bentNormal", "sh",     "shCompressed",
-                                              "ch", "haar",       "glossy", "lightGroups"};
-    std::array<bool, 8> techniques{};
+    const std::array<const char*, 9> names = {"ao",   "bentNormal", "sh",          "shCompressed", "ch",
+                                              "haar", "glossy",     "lightGroups", "keys"};
+    std::array<bool, 9> techniques{};
     for (std::size_t i = 0; i < names.size(); ++i) techniques[i] = json.find(names[i]).has_value();
     if (started_ && techniques != techniques_)
       json.fail("expected the same techniques as on the other primitives", rebake);
@@ -112,10 +112,12 @@ class VertexReader {
     if (const auto glossy = json.find("glossy")) readGlossy(*glossy, ranges);
     if (const auto groups = json.find("lightGroups")) readLightGroups(*groups, ranges);
     if (const auto compressed = json.find("shCompressed")) readCompressed(*compressed, ranges);
+    if (const auto keys = json.find("keys")) readKeys(*keys, ranges);
   }
 
   Bake finish() {
     if (bake_.haar) assembleHaar();
+    for (std::optional<HarmonicTransfer>& key : keys_) bake_.animation->keys.push_back(*std::move(key));
     return std::move(bake_);
   }
 
@@ -150,6 +152,41 @@ class VertexReader {
     const auto width = static_cast<std::size_t>(header.order * header.order * header.channels);
     scatter(values_.floats(json.at("coefficients"), "SCALAR", vertexCount(ranges) * width), ranges, width,
             target->coefficients);
+  }
+
+  void readKeys(const JsonCursor& json, const PrimitiveRanges& ranges) {
+    if (!bake_.animation) bake_.animation = readAnimation(json);
+    const std::size_t count = bake_.animation->times.size();
+    if (json.arraySize() != count)
+      json.fail(fmt::format("{} keys, but the root gives {} times", json.arraySize(), count), rebake);
+    keys_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const JsonCursor sh = json.at(k).at("sh");
+      readHarmonic(sh, ranges, keys_[k]);
+      expectSame(sh,
+                 keys_[k]->order == keys_[0]->order && keys_[k]->channels == keys_[0]->channels &&
+                     keys_[k]->bounces == keys_[0]->bounces,
+                 "order, channels and bounces (of the first key)");
+    }
+  }
+
+  /// The animation and the times of its keys, from the root.
+  AnimatedTransfer readAnimation(const JsonCursor& json) const {
+    const auto root = extension_ ? extension_->find("animation") : std::nullopt;
+    if (!root) json.fail("the root's extension does not give the times of the keys", rebake);
+    AnimatedTransfer animation;
+    animation.animation = root->at("index").asIndex(root_.countOf("animations"), "animation");
+    const JsonCursor times = root->at("times");
+    const std::size_t count = times.arraySize();
+    if (count == 0 || count > maxKeys)
+      times.fail(fmt::format("expected 1..{} times, got {}", maxKeys, count), rebake);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double time = times.at(k).asNumber();
+      if (!std::isfinite(time) || time < 0.0 || (k > 0 && time <= animation.times.back()))
+        times.at(k).fail(fmt::format("expected seconds >= 0 that ascend, got {}", time), rebake);
+      animation.times.push_back(time);
+    }
+    return animation;
   }
 
   void readHaar(const JsonCursor& json, const PrimitiveRanges& ranges) {
@@ -323,7 +360,8 @@ class VertexReader {
   std::optional<JsonCursor> extension_;
   Bake bake_;
   bool started_ = false;
-  std::array<bool, 8> techniques_{};
+  std::array<bool, 9> techniques_{};
+  std::vector<std::optional<HarmonicTransfer>> keys_;  ///< of an animation
   std::vector<RowPlace> rows_;  ///< of wavelets, [vertex * channels + channel], into the pools
   std::vector<std::uint32_t> pooledIndices_;
   std::vector<float> pooledValues_;

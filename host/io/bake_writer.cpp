@@ -131,6 +131,11 @@ Json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges&
     json["bentNormal"] = append(document, gatherVertices(asFloats(bake.bentNormals), ranges, 3), "VEC3", 3);
   if (bake.sh) json["sh"] = harmonicToJson(document, *bake.sh, ranges);
   if (bake.compressedSh) json["shCompressed"] = compressedToJson(document, *bake.compressedSh, ranges);
+  if (bake.animation) {
+    json["keys"] = Json::array();
+    for (const HarmonicTransfer& key : bake.animation->keys)
+      json["keys"].push_back({{"sh", harmonicToJson(document, key, ranges)}});
+  }
   if (bake.ch) json["ch"] = harmonicToJson(document, *bake.ch, ranges);
   if (bake.haar) json["haar"] = haarToJson(document, *bake.haar, ranges);
   if (bake.glossy) json["glossy"] = glossyToJson(document, *bake.glossy, ranges);
@@ -140,6 +145,8 @@ Json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges&
 
 void addSharedData(GltfDocument& document, const Bake& bake, Json& root) {
   if (bake.compressedSh) root["shCompressed"] = sharedCompression(document, *bake.compressedSh);
+  if (bake.animation)
+    root["animation"] = {{"index", bake.animation->animation}, {"times", bake.animation->times}};
   if (!bake.lightGroups) return;
   root["lightGroups"] = Json::array();
   for (const LightGroup& group : bake.lightGroups->groups)

@@ -12,7 +12,8 @@ namespace prelight {
 /// appended to the document. docs/file-format.md has every member.
 nlohmann::ordered_json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges& ranges);
 
-/// The members of the root's extension that vertices share: names of light groups, compression's tables.
+/// The members of the root's extension that vertices share: names of light groups, times of keys,
+/// compression's tables.
 void addSharedData(GltfDocument& document, const Bake& bake, nlohmann::ordered_json& root);
 
 }  // namespace prelight

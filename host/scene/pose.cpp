@@ -51,6 +51,42 @@ std::string animationList(const Scene& scene) {
   return "the scene has " + list;
 }
 
+std::string placeOf(std::size_t animation, double seconds) {
+  return fmt::format("animation {} at {} s: ", animation, seconds);
+}
+
+/// A matrix for each of Scene::nodes.
+std::vector<glm::dmat4> worldAt(const Scene& scene, std::size_t animation, double seconds) {
+  if (animation >= scene.animations.size())
+    throw UsageError(fmt::format("animation {}", animation), "there is none", animationList(scene));
+  const Animation& played = scene.animations[animation];
+  std::vector<SceneNode> nodes = scene.nodes;
+  for (const AnimationChannel& channel : played.channels)
+    animate(nodes[channel.node], channel.path,
+            sampleAt(played.samplers[channel.sampler], channel.path, seconds));
+  std::vector<glm::dmat4> world;
+  world.reserve(nodes.size());
+  for (const SceneNode& node : nodes) {
+    const glm::dmat4 local = localTransform(node);
+    world.push_back(node.parent < 0 ? local : world[static_cast<std::size_t>(node.parent)] * local);
+  }
+  return world;
+}
+
+/// Of a node's instances.
+std::vector<glm::dmat4> transformsOf(const MeshNode& node, std::span<const glm::dmat4> world,
+                                     const std::string& prefix) {
+  std::vector<glm::dmat4> transforms;
+  if (node.instances.empty()) transforms.push_back(world[node.sceneNode]);
+  for (const glm::dmat4& instance : node.instances) transforms.push_back(world[node.sceneNode] * instance);
+  const auto bad = std::find_if_not(transforms.begin(), transforms.end(), isFinite);
+  if (bad == transforms.end()) return transforms;
+  const std::string instanced = node.instances.empty() ? "" : "/extensions/EXT_mesh_gpu_instancing";
+  throw InputError(fmt::format("{}/nodes/{}{}", prefix, node.node, instanced),
+                   fmt::format("the transform of instance {} is not finite", bad - transforms.begin()),
+                   "check the scales of the node and its ancestors");
+}
+
 }  // namespace
 
 glm::dmat4 localTransform(const SceneNode& node) {
@@ -84,35 +120,20 @@ bool placeCamera(Camera& camera, const glm::dmat4& world) {
 }
 
 void placeMeshes(Scene& scene, std::span<const glm::dmat4> world, const std::string& prefix) {
-  for (MeshNode& node : scene.meshNodes) {
-    const glm::dmat4& place = world[node.sceneNode];
-    node.transforms.clear();
-    if (node.instances.empty()) node.transforms.push_back(place);
-    for (const glm::dmat4& instance : node.instances) node.transforms.push_back(place * instance);
-    const auto bad = std::find_if_not(node.transforms.begin(), node.transforms.end(), isFinite);
-    if (bad == node.transforms.end()) continue;
-    const std::string instanced = node.instances.empty() ? "" : "/extensions/EXT_mesh_gpu_instancing";
-    throw InputError(fmt::format("{}/nodes/{}{}", prefix, node.node, instanced),
-                     fmt::format("the transform of instance {} is not finite", bad - node.transforms.begin()),
-                     "check the scales of the node and its ancestors");
-  }
+  for (MeshNode& node : scene.meshNodes) node.transforms = transformsOf(node, world, prefix);
+}
+
+std::vector<std::vector<glm::dmat4>> transformsAt(const Scene& scene, std::size_t animation, double seconds) {
+  const std::vector<glm::dmat4> world = worldAt(scene, animation, seconds);
+  std::vector<std::vector<glm::dmat4>> transforms;
+  for (const MeshNode& node : scene.meshNodes)
+    transforms.push_back(transformsOf(node, world, placeOf(animation, seconds)));
+  return transforms;
 }
 
 void setPose(Scene& scene, std::size_t animation, double seconds) {
-  if (animation >= scene.animations.size())
-    throw UsageError(fmt::format("animation {}", animation), "there is none", animationList(scene));
-  const Animation& played = scene.animations[animation];
-  std::vector<SceneNode> nodes = scene.nodes;
-  for (const AnimationChannel& channel : played.channels)
-    animate(nodes[channel.node], channel.path,
-            sampleAt(played.samplers[channel.sampler], channel.path, seconds));
-  std::vector<glm::dmat4> world;
-  world.reserve(nodes.size());
-  for (const SceneNode& node : nodes) {
-    const glm::dmat4 local = localTransform(node);
-    world.push_back(node.parent < 0 ? local : world[static_cast<std::size_t>(node.parent)] * local);
-  }
-  placeMeshes(scene, world, fmt::format("animation {} at {} s: ", animation, seconds));
+  const std::vector<glm::dmat4> world = worldAt(scene, animation, seconds);
+  placeMeshes(scene, world, placeOf(animation, seconds));
   for (Camera& camera : scene.cameras) placeCamera(camera, world[camera.sceneNode]);
   for (Light& light : scene.lights) placeLight(light, world[light.sceneNode]);
 }

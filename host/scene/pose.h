@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -16,6 +17,10 @@ glm::dmat4 localTransform(const SceneNode& node);
 /// and images stay as they are, so that every pose compiles to the same vertices in the same order. Throws
 /// UsageError for an animation that the scene lacks and InputError when a transform is not finite.
 void setPose(Scene& scene, std::size_t animation, double seconds);
+
+/// Transforms to world space of the mesh nodes at a time, [meshNode][instance], as setPose gives them. Throws
+/// as it does.
+std::vector<std::vector<glm::dmat4>> transformsAt(const Scene& scene, std::size_t animation, double seconds);
 
 /// A copy of a scene in a pose, see setPose.
 Scene sceneAt(Scene scene, std::size_t animation, double seconds);

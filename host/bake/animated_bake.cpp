@@ -1,0 +1,167 @@
+#include "bake/animated_bake.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "bake/animated_transfer.h"
+#include "bake/baker.h"
+#include "compress/compression_error.h"
+#include "io/state_file.h"
+#include "scene/pose.h"
+
+namespace prelight {
+
+namespace {
+
+using SharedTransfer = std::shared_ptr<const HarmonicTransfer>;
+
+/// The bake of a pose as a part of the whole.
+class PoseProgress final : public Progress {
+ public:
+  PoseProgress(Progress& whole, std::string name) : whole_(whole), name_(std::move(name)) {}
+
+  void report(std::string_view stage, double fraction) override {
+    whole_.report(fmt::format("{}: {}", name_, stage), fraction);
+  }
+  bool stopRequested() const override { return whole_.stopRequested(); }
+
+ private:
+  Progress& whole_;
+  std::string name_;
+};
+
+BakeRequest onlySh(const BakeRequest& request) {
+  BakeRequest only;
+  only.shOrder = request.shOrder;
+  only.bounces = request.bounces;
+  only.nearLimit = request.nearLimit;
+  only.farLimit = request.farLimit;
+  only.obscurance = request.obscurance;
+  only.rays = request.rays;
+  only.error = request.error;
+  only.seconds = request.seconds;
+  only.seed = request.seed;
+  only.maxMemory = request.maxMemory;
+  return only;
+}
+
+std::uint64_t poseHash(const CompiledScene& scene) {
+  StateHash hash;
+  hash.values(scene.positions).values(scene.normals);
+  for (int i = 0; i < 3; ++i) hash.value(scene.origin[i]);
+  return hash.result();
+}
+
+/// Bakes poses of an animation, each but once.
+class PoseBaker {
+ public:
+  PoseBaker(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
+            const BakeRequest& request, const HarmonicTransfer& rest, const Device& device,
+            Progress& progress, AnimationReport& report)
+      : scene_(scene),
+        compiled_(compiled),
+        animation_(animation),
+        request_(onlySh(request)),
+        device_(device),
+        progress_(progress),
+        report_(report),
+        posed_(scene) {
+    shape_ = rest.coefficients.size();
+    known_[poseHash(compiled)] = std::make_shared<HarmonicTransfer>(rest);
+  }
+
+  SharedTransfer bake(double seconds) {
+    progress_.check();
+    const CompiledScene compiled = compiledAt(seconds);
+    SharedTransfer& transfer = known_[poseHash(compiled)];
+    if (transfer) {
+      ++report_.reused;
+      return transfer;
+    }
+    PoseProgress progress(progress_, fmt::format("pose {} at {:.3g} s", ++report_.bakes, seconds));
+    BakeReport report;
+    const Plan plan = makePlan(posed_, compiled, request_);
+    Bake bake = bakeScene(compiled, request_, plan, device_, progress, report);
+    report_.rays += report.rays;
+    if (bake.sh->coefficients.size() != shape_)
+      throw Error(ExitCode::RuntimeFailure, fmt::format("animation at {} s", seconds),
+                  "the transfer has other channels than that of the rest pose",
+                  "give every moving surface some area at all times");
+    return transfer = std::make_shared<HarmonicTransfer>(std::move(*bake.sh));
+  }
+
+  /// Relative RMS over the surface of that moment.
+  double difference(double first, const HarmonicTransfer& firstKey, double last,
+                    const HarmonicTransfer& lastKey, double seconds, const HarmonicTransfer& baked) {
+    const auto posed = [&](const HarmonicTransfer& key, double time) {
+      return PosedTransfer{key, transformsAt(scene_, animation_, time)};
+    };
+    const double blend = (seconds - first) / (last - first);
+    const HarmonicTransfer mixed =
+        mixTransfers(posed(firstKey, first), posed(lastKey, last), blend,
+                     transformsAt(scene_, animation_, seconds), scene_, compiled_, KeyMix::Turned);
+    return compressionError(baked, mixed, surfaceOfVertices(compiledAt(seconds))).vectorRms;
+  }
+
+ private:
+  CompiledScene compiledAt(double seconds) {
+    Warnings said;  // by the rest pose already
+    setPose(posed_, animation_, seconds);
+    return compileScene(posed_, said);
+  }
+
+  const Scene& scene_;
+  const CompiledScene& compiled_;
+  std::size_t animation_;
+  BakeRequest request_;
+  const Device& device_;
+  Progress& progress_;
+  AnimationReport& report_;
+  Scene posed_;
+  std::size_t shape_ = 0;
+  std::map<std::uint64_t, SharedTransfer> known_;  ///< by pose
+};
+
+ChosenKeys<SharedTransfer> chooseMoments(PoseBaker& baker, double start, double end, const KeyRequest& keys) {
+  if (keys.error) {
+    const KeyOperations<SharedTransfer> operations{
+        [&](double seconds) { return baker.bake(seconds); },
+        [&](double first, const SharedTransfer& firstKey, double last, const SharedTransfer& lastKey,
+            double seconds, const SharedTransfer& baked) {
+          return baker.difference(first, *firstKey, last, *lastKey, seconds, *baked);
+        }};
+    return chooseKeys(start, end, keys, operations);
+  }
+  ChosenKeys<SharedTransfer> chosen;
+  chosen.times = evenTimes(start, end, keys.count);
+  for (const double time : chosen.times) chosen.keys.push_back(baker.bake(time));
+  return chosen;
+}
+
+}  // namespace
+
+AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
+                               const BakeRequest& request, const KeyRequest& keys,
+                               const HarmonicTransfer& rest, const Device& device, Progress& progress,
+                               AnimationReport& report) {
+  if (request.shOrder < 1)
+    throw UsageError("animation", "keys carry SH transfer, and none is asked for", "add --sh N");
+  PoseBaker baker(scene, compiled, animation, request, rest, device, progress, report);
+  const Animation& played = scene.animations.at(animation);
+  const double start = played.startTime();
+  const bool moves = movesMeshes(scene, played);
+  const ChosenKeys<SharedTransfer> chosen =
+      chooseMoments(baker, start, moves ? played.endTime() : start, keys);
+  report.error = chosen.error;
+  if (!moves) report.notes.push_back("animation: skipped but for one key, it moves no mesh");
+  if (keys.error && chosen.error > *keys.error)
+    report.notes.push_back(fmt::format("animation: {} keys are not enough for an error of {:g}: {:.3g}",
+                                       chosen.times.size(), *keys.error, chosen.error));
+  AnimatedTransfer result{animation, chosen.times, {}};
+  for (const SharedTransfer& key : chosen.keys) result.keys.push_back(*key);
+  return result;
+}
+
+}  // namespace prelight

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bake/bake.h"
+#include "bake/key_choice.h"
+#include "base/progress.h"
+#include "device/device.h"
+#include "plan/plan.h"
+#include "scene/scene.h"
+
+namespace prelight {
+
+/// What baking an animation took.
+struct AnimationReport {
+  std::size_t bakes = 0;   ///< poses that were baked, keys and those tried between them
+  std::size_t reused = 0;  ///< poses that were the same as one before
+  std::uint64_t rays = 0;
+  double error = 0.0;  ///< greatest difference between the keys where one was tried (keys by error)
+  std::vector<std::string> notes;
+};
+
+/// Bakes the SH transfer (request.shOrder, at least 1) of a scene at moments of one of its animations,
+/// Kautz' key frames: all with the same seed, so that what does not move has the same noise in all. An
+/// animation that moves no mesh has one key. `rest` is the bake of the scene as it is, `compiled` its flat
+/// form: a pose that is the same is not baked again. Throws UsageError for a request without SH, else as
+/// bakeScene.
+AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled, std::size_t animation,
+                               const BakeRequest& request, const KeyRequest& keys,
+                               const HarmonicTransfer& rest, const Device& device, Progress& progress,
+                               AnimationReport& report);
+
+}  // namespace prelight

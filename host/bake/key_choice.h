@@ -1,0 +1,133 @@
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace prelight {
+
+/// Which moments of an animation are baked: evenly spaced ones or, with `error`, those that keep the
+/// interpolation within it.
+struct KeyRequest {
+  int count = 9;  ///< 1..mostKeys, evenly spaced with both ends; ignored with `error`
+  /// Greatest relative difference, > 0, that a moment between two keys may have from their interpolation.
+  std::optional<double> error;
+  int mostKeys = 1024;  ///< with `error` no more than these, at least 2
+};
+
+/// What makes and compares keys of any kind.
+template <typename Key>
+struct KeyOperations {
+  std::function<Key(double seconds)> bake;
+  /// Difference of `baked`, of `seconds`, from the interpolation of the keys at `first` and `last`.
+  std::function<double(double first, const Key& firstKey, double last, const Key& lastKey, double seconds,
+                       const Key& baked)>
+      difference;
+};
+
+/// The keys that were chosen, and how well they do.
+template <typename Key>
+struct ChosenKeys {
+  std::vector<double> times;  ///< seconds, strictly ascending
+  std::vector<Key> keys;      ///< [time]
+  double error = 0.0;         ///< greatest difference at the moments that were tried between the keys
+};
+
+/// `count` moments from `start` to `end`, both included; one when the two are the same.
+inline std::vector<double> evenTimes(double start, double end, int count) {
+  if (count < 2 || !(end > start)) return {start};
+  std::vector<double> times;
+  for (int i = 0; i < count; ++i) times.push_back(start + (end - start) * i / (count - 1));
+  times.back() = end;
+  return times;
+}
+
+/// Cuts an animation into intervals over which interpolation is good enough.
+template <typename Key>
+class KeyChooser {
+ public:
+  KeyChooser(double start, double end, const KeyRequest& request, const KeyOperations<Key>& operations)
+      : request_(request), operations_(operations), longest_(0.25 * (end - start)) {
+    assert(request.error && request.mostKeys >= 2);
+    for (const double time : evenTimes(start, end, 2)) chosen_[time] = keyAt(time);
+    if (chosen_.size() == 2) addInterval(start, end);
+  }
+
+  ChosenKeys<Key> run() {
+    while (chosen_.size() < static_cast<std::size_t>(request_.mostKeys)) {
+      const auto worst = std::max_element(intervals_.begin(), intervals_.end(),
+                                          [](const auto& a, const auto& b) { return a.error < b.error; });
+      if (worst == intervals_.end() || worst->error <= *request_.error) break;
+      const Interval cut = *worst;
+      intervals_.erase(worst);
+      chosen_[cut.worst] = keyAt(cut.worst);
+      addInterval(cut.first, cut.worst);
+      addInterval(cut.worst, cut.last);
+    }
+    ChosenKeys<Key> result;
+    for (const auto& [time, key] : chosen_) {
+      result.times.push_back(time);
+      result.keys.push_back(key);
+    }
+    for (const Interval& interval : intervals_) result.error = std::max(result.error, interval.error);
+    return result;
+  }
+
+ private:
+  struct Interval {
+    double first;
+    double last;
+    double worst;  ///< moment of the greatest difference
+    double error;
+  };
+
+  /// No moment is baked twice.
+  const Key& keyAt(double time) {
+    const auto known = baked_.find(time);
+    return known != baked_.end() ? known->second : baked_.emplace(time, operations_.bake(time)).first->second;
+  }
+
+  void addInterval(double first, double last) {
+    const double length = last - first;
+    Interval interval{first, last, first + 0.5 * length, -1.0};
+    if (!(interval.worst > first && interval.worst < last)) return;
+    tryMoment(interval, 0.5);
+    // A motion there and back is at its start again in the middle: the quarters tell it from rest.
+    if (interval.error <= *request_.error && length > longest_)
+      for (const double part : {0.25, 0.75}) tryMoment(interval, part);
+    intervals_.push_back(interval);
+  }
+
+  void tryMoment(Interval& interval, double part) {
+    const double time = interval.first + part * (interval.last - interval.first);
+    const Key& baked = keyAt(time);
+    const double error = operations_.difference(interval.first, chosen_.at(interval.first), interval.last,
+                                                chosen_.at(interval.last), time, baked);
+    if (error <= interval.error) return;
+    interval.error = error;
+    interval.worst = time;
+  }
+
+  KeyRequest request_;
+  const KeyOperations<Key>& operations_;
+  double longest_;  ///< seconds that one test in the middle may stand for
+  std::map<double, Key> baked_;
+  std::map<double, Key> chosen_;
+  std::vector<Interval> intervals_;
+};
+
+/// Chooses keys by error (request.error): from the two ends on, the interval with the greatest difference is
+/// cut where it is greatest, until all are within the error or there are request.mostKeys. An interval is
+/// tried in its middle, one that is longer than a quarter of the animation at its quarters too.
+template <typename Key>
+ChosenKeys<Key> chooseKeys(double start, double end, const KeyRequest& request,
+                           const KeyOperations<Key>& operations) {
+  return KeyChooser<Key>(start, end, request, operations).run();
+}
+
+}  // namespace prelight

@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+
+#include "bake/animated_bake.h"
+#include "bake/animated_transfer.h"
+#include "bake/baker.h"
+#include "bake/key_choice.h"
+#include "base/error.h"
+#include "basis/sh.h"
+#include "compress/compression_error.h"
+#include "scene/builtin.h"
+#include "scene/loader.h"
+#include "scene/pose.h"
+#include "support/devices.h"
+
+namespace prelight {
+namespace {
+
+/// Keys that are numbers: a curve sampled, the difference a distance from the chord.
+struct Curve {
+  std::function<double(double)> value;
+  std::map<double, int> bakes = {};
+
+  ChosenKeys<double> choose(double error, int most = 1024) {
+    const KeyOperations<double> operations{
+        [&](double t) {
+          ++bakes[t];
+          return value(t);
+        },
+        [](double first, double a, double last, double b, double t, double baked) {
+          const double blend = (t - first) / (last - first);
+          return std::abs(baked - ((1.0 - blend) * a + blend * b));
+        }};
+    KeyRequest request;
+    request.error = error;
+    request.mostKeys = most;
+    return chooseKeys(0.0, 8.0, request, operations);
+  }
+};
+
+TEST(ChooseKeys, StraightMotion_NeedsOnlyTheEnds) {
+  Curve line{[](double t) { return 3.0 * t; }};
+  const ChosenKeys<double> chosen = line.choose(1e-9);
+  EXPECT_EQ(chosen.times, (std::vector<double>{0.0, 8.0}));
+  EXPECT_LE(chosen.error, 1e-9);
+}
+
+TEST(ChooseKeys, ErrorInOneInterval_GetsItsKeysThere) {
+  // Rest, but for a bump between 5 s and 6 s.
+  Curve bump{[](double t) { return t > 5.0 && t < 6.0 ? std::sin((t - 5.0) * 3.14159265358979) : 0.0; }};
+  const ChosenKeys<double> chosen = bump.choose(0.05);
+  const auto inside =
+      std::count_if(chosen.times.begin(), chosen.times.end(), [](double t) { return t >= 5.0 && t <= 6.0; });
+  EXPECT_GE(inside, 5);
+  // Bisection leads there through 4 s and 7 s; nothing else is between.
+  EXPECT_LE(static_cast<long>(chosen.times.size()) - inside, 6);
+  EXPECT_LE(chosen.error, 0.05);
+}
+
+TEST(ChooseKeys, ThereAndBack_IsNotTakenForRest) {
+  // Zero at the ends and in the middle.
+  Curve wave{[](double t) { return std::sin(t * 3.14159265358979 / 4.0); }};
+  EXPECT_GE(wave.choose(0.1).times.size(), 5u);
+}
+
+TEST(ChooseKeys, KeysGivenBack_AreTheBakesAndNoneIsMadeTwice) {
+  Curve curve{[](double t) { return t * t; }};
+  const ChosenKeys<double> chosen = curve.choose(0.1);
+  for (std::size_t k = 0; k < chosen.times.size(); ++k)
+    EXPECT_EQ(chosen.keys[k], chosen.times[k] * chosen.times[k]);
+  for (const auto& [time, count] : curve.bakes) EXPECT_EQ(count, 1) << time;
+  // The chord of t^2 over a stretch h is h^2 / 4 too high in its middle.
+  for (std::size_t k = 1; k < chosen.times.size(); ++k) {
+    const double h = chosen.times[k] - chosen.times[k - 1];
+    EXPECT_LE(0.25 * h * h, 0.1);
+  }
+}
+
+TEST(ChooseKeys, MostKeys_StopTheCuttingAndTellTheErrorLeft) {
+  Curve curve{[](double t) { return t * t; }};
+  const ChosenKeys<double> chosen = curve.choose(1e-6, 3);
+  EXPECT_EQ(chosen.times, (std::vector<double>{0.0, 4.0, 8.0}));
+  EXPECT_DOUBLE_EQ(chosen.error, 4.0);
+}
+
+TEST(EvenTimes, Ends_AreExact) {
+  EXPECT_EQ(evenTimes(0.5, 2.5, 3), (std::vector<double>{0.5, 1.5, 2.5}));
+  EXPECT_EQ(evenTimes(0.0, 0.7, 8).back(), 0.7);
+  EXPECT_EQ(evenTimes(1.0, 1.0, 5), (std::vector<double>{1.0}));
+  EXPECT_EQ(evenTimes(1.0, 2.0, 1), (std::vector<double>{1.0}));
+}
+
+TEST(RotationOf, RotationTimesStretch_GivesTheRotation) {
+  const glm::dmat4 rotation = glm::rotate(glm::dmat4(1.0), 1.1, glm::dvec3(0.6, 0.0, 0.8));
+  glm::dmat4 stretch(1.0);
+  stretch[0] = {2.0, 0.3, 0.1, 0.0};  // symmetric, positive definite
+  stretch[1] = {0.3, 1.0, 0.2, 0.0};
+  stretch[2] = {0.1, 0.2, 5.0, 0.0};
+  const glm::dmat3 got = rotationOf(rotation * stretch);
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) EXPECT_NEAR(got[c][r], rotation[c][r], 1e-12);
+  EXPECT_EQ(rotationOf(glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 0.0, 1.0))), glm::dmat3(1.0));
+  EXPECT_EQ(rotationOf(glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, -1.0, 1.0))), glm::dmat3(1.0));
+}
+
+class AnimatedScene : public ::testing::Test {
+ protected:
+  AnimatedScene() {
+    Warnings warnings;
+    scene = loadScene(makeBuiltinScene("swing"), warnings);
+    compiled = compileScene(scene, warnings);
+  }
+
+  CompiledScene compiledAt(double seconds) const {
+    Warnings warnings;
+    return compileScene(sceneAt(scene, 0, seconds), warnings);
+  }
+
+  /// What every vertex would have with nothing around it.
+  static HarmonicTransfer openTransferOf(const CompiledScene& posed, int order) {
+    HarmonicTransfer transfer{order, 1, 0, {}};
+    std::vector<double> row(static_cast<std::size_t>(order * order));
+    for (const glm::vec3& normal : posed.normals) {
+      sh::openTransfer(glm::normalize(glm::dvec3(normal)), order, row);
+      transfer.coefficients.insert(transfer.coefficients.end(), row.begin(), row.end());
+    }
+    return transfer;
+  }
+
+  AnimatedTransfer openKeys(const std::vector<double>& times) const {
+    AnimatedTransfer animated{0, times, {}};
+    for (const double time : times) animated.keys.push_back(openTransferOf(compiledAt(time), 4));
+    return animated;
+  }
+
+  Scene scene;
+  CompiledScene compiled;
+};
+
+TEST_F(AnimatedScene, TransferAtKeys_IsExactlyTheirs) {
+  const AnimatedTransfer animated = openKeys({0.0, 1.3, 4.0});
+  for (const KeyMix mix : {KeyMix::Linear, KeyMix::Turned})
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(transferAt(animated, scene, compiled, animated.times[k], mix).coefficients,
+                animated.keys[k].coefficients);
+  EXPECT_EQ(transferAt(animated, scene, compiled, 9.0).coefficients, animated.keys[2].coefficients);
+}
+
+TEST_F(AnimatedScene, LinearMix_IsTheWeightedMean) {
+  const AnimatedTransfer animated = openKeys({0.0, 1.0});
+  const HarmonicTransfer mixed = transferAt(animated, scene, compiled, 0.25, KeyMix::Linear);
+  for (std::size_t i = 0; i < mixed.coefficients.size(); ++i)
+    ASSERT_NEAR(mixed.coefficients[i],
+                0.75 * animated.keys[0].coefficients[i] + 0.25 * animated.keys[1].coefficients[i], 1e-6);
+}
+
+TEST_F(AnimatedScene, TurnedMixOfOpenSurfaces_IsExact) {
+  // Each vertex has its closed form about its normal, which turning carries along exactly; mixing alone does
+  // not.
+  const AnimatedTransfer animated = openKeys({0.0, 1.0});
+  const CompiledScene there = compiledAt(0.4);
+  const HarmonicTransfer exact = openTransferOf(there, 4);
+  const auto error = [&](KeyMix mix) {
+    return compressionError(exact, transferAt(animated, scene, compiled, 0.4, mix), surfaceOfVertices(there))
+        .vectorRms;
+  };
+  EXPECT_LT(error(KeyMix::Turned), 1e-6);
+  EXPECT_GT(error(KeyMix::Linear), 0.01);
+}
+
+TEST_F(AnimatedScene, Bake_AgreesWithBakesOfThePoses) {
+  const Device& device = test::sharedDevice();
+  BakeRequest request;
+  request.shOrder = 2;
+  request.rays = 4;
+  request.bounces = 1;
+  const auto bakeOf = [&](const Scene& posed) {
+    Warnings warnings;
+    Progress progress;
+    BakeReport report;
+    const CompiledScene flat = compileScene(posed, warnings);
+    return *bakeScene(flat, request, makePlan(posed, flat, request), device, progress, report).sh;
+  };
+  KeyRequest keys;
+  keys.count = 3;
+  Progress progress;
+  AnimationReport report;
+  const HarmonicTransfer rest = bakeOf(scene);
+  const AnimatedTransfer animated =
+      bakeAnimation(scene, compiled, 0, request, keys, rest, device, progress, report);
+  EXPECT_EQ(animated.times, (std::vector<double>{0.0, 2.0, 4.0}));
+  EXPECT_EQ(animated.keys[0].coefficients, rest.coefficients) << "the animation begins at rest";
+  EXPECT_EQ(animated.keys[1].coefficients, bakeOf(sceneAt(scene, 0, 2.0)).coefficients);
+  EXPECT_EQ(report.bakes, 2u);
+  EXPECT_EQ(report.reused, 1u);
+}
+
+TEST_F(AnimatedScene, AnimationThatMovesNoMesh_HasOneKeyAndNoBake) {
+  scene.animations[0].channels.clear();
+  Progress progress;
+  AnimationReport report;
+  BakeRequest request;
+  request.shOrder = 2;
+  const AnimatedTransfer animated = bakeAnimation(
+      scene, compiled, 0, request, {}, openTransferOf(compiled, 2), test::sharedDevice(), progress, report);
+  EXPECT_EQ(animated.keys.size(), 1u);
+  EXPECT_EQ(report.bakes, 0u);
+  ASSERT_EQ(report.notes.size(), 1u);
+  request.shOrder = 0;
+  EXPECT_THROW(bakeAnimation(scene, compiled, 0, request, {}, {}, test::sharedDevice(), progress, report),
+               UsageError);
+}
+
+TEST_F(AnimatedScene, Interruption_StopsBeforeTheNextPose) {
+  struct Stopped : Progress {
+    bool stopRequested() const override { return true; }
+  } stopped;
+  AnimationReport report;
+  BakeRequest request;
+  request.shOrder = 2;
+  EXPECT_THROW(bakeAnimation(scene, compiled, 0, request, {}, openTransferOf(compiled, 2),
+                             test::sharedDevice(), stopped, report),
+               Interrupted);
+}
+
+}  // namespace
+}  // namespace prelight
