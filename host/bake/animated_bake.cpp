@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 #include "bake/animated_transfer.h"
 #include "bake/baker.h"
@@ -33,17 +34,10 @@ class PoseProgress final : public Progress {
 };
 
 BakeRequest onlySh(const BakeRequest& request) {
-  BakeRequest only;
-  only.shOrder = request.shOrder;
-  only.bounces = request.bounces;
-  only.nearLimit = request.nearLimit;
-  only.farLimit = request.farLimit;
-  only.obscurance = request.obscurance;
-  only.rays = request.rays;
-  only.error = request.error;
-  only.seconds = request.seconds;
-  only.seed = request.seed;
-  only.maxMemory = request.maxMemory;
+  BakeRequest only = request;
+  only.ao = only.lightGroups = false;
+  only.namedGroups.clear();
+  only.chOrder = only.haarSize = only.glossyOrder = only.volumeSize = 0;
   return only;
 }
 
@@ -124,6 +118,22 @@ class PoseBaker {
   std::map<std::uint64_t, SharedTransfer> known_;  ///< by pose
 };
 
+/// Times of the animation's own keys, thinned out where there are many: what moves does so between them.
+std::vector<double> motionKeys(const Animation& animation) {
+  std::set<double> times;
+  for (const AnimationChannel& channel : animation.channels) {
+    const std::vector<float>& keys = animation.samplers[channel.sampler].times;
+    times.insert(keys.begin(), keys.end());
+  }
+  constexpr std::size_t most = 16;
+  const std::size_t stride = (times.size() + most - 1) / most;
+  std::vector<double> some;
+  std::size_t at = 0;
+  for (const double time : times)
+    if (at++ % stride == 0) some.push_back(time);
+  return some;
+}
+
 ChosenKeys<SharedTransfer> chooseMoments(PoseBaker& baker, double start, double end, const KeyRequest& keys) {
   if (keys.error) {
     const KeyOperations<SharedTransfer> operations{
@@ -152,8 +162,10 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
   const Animation& played = scene.animations.at(animation);
   const double start = played.startTime();
   const bool moves = movesMeshes(scene, played);
+  KeyRequest withMoments = keys;
+  if (keys.error) withMoments.moments = motionKeys(played);
   const ChosenKeys<SharedTransfer> chosen =
-      chooseMoments(baker, start, moves ? played.endTime() : start, keys);
+      chooseMoments(baker, start, moves ? played.endTime() : start, withMoments);
   report.error = chosen.error;
   if (!moves) report.notes.push_back("animation: skipped but for one key, it moves no mesh");
   if (keys.error && chosen.error > *keys.error)

@@ -17,6 +17,8 @@ struct KeyRequest {
   int count = 9;  ///< 1..mostKeys, evenly spaced with both ends; ignored with `error`
   /// Greatest relative difference, > 0, that a moment between two keys may have from their interpolation.
   std::optional<double> error;
+  std::vector<double> moments =
+      {};               ///< with `error`: moments that are tried besides, such as those of the motion's keys
   int mostKeys = 1024;  ///< with `error` no more than these, at least 2
 };
 
@@ -96,15 +98,18 @@ class KeyChooser {
     const double length = last - first;
     Interval interval{first, last, first + 0.5 * length, -1.0};
     if (!(interval.worst > first && interval.worst < last)) return;
-    tryMoment(interval, 0.5);
+    tryMoment(interval, interval.worst);
     // A motion there and back is at its start again in the middle: the quarters tell it from rest.
     if (interval.error <= *request_.error && length > longest_)
-      for (const double part : {0.25, 0.75}) tryMoment(interval, part);
+      for (const double part : {0.25, 0.75}) tryMoment(interval, first + part * length);
+    for (const double moment : request_.moments) {
+      if (interval.error > *request_.error) break;
+      if (moment > first && moment < last) tryMoment(interval, moment);
+    }
     intervals_.push_back(interval);
   }
 
-  void tryMoment(Interval& interval, double part) {
-    const double time = interval.first + part * (interval.last - interval.first);
+  void tryMoment(Interval& interval, double time) {
     const Key& baked = keyAt(time);
     const double error = operations_.difference(interval.first, chosen_.at(interval.first), interval.last,
                                                 chosen_.at(interval.last), time, baked);
@@ -123,7 +128,8 @@ class KeyChooser {
 
 /// Chooses keys by error (request.error): from the two ends on, the interval with the greatest difference is
 /// cut where it is greatest, until all are within the error or there are request.mostKeys. An interval is
-/// tried in its middle, one that is longer than a quarter of the animation at its quarters too.
+/// tried in its middle, one that is longer than a quarter of the animation at its quarters too, and one that
+/// passes at request.moments.
 template <typename Key>
 ChosenKeys<Key> chooseKeys(double start, double end, const KeyRequest& request,
                            const KeyOperations<Key>& operations) {

@@ -25,7 +25,7 @@ struct Curve {
   std::function<double(double)> value;
   std::map<double, int> bakes = {};
 
-  ChosenKeys<double> choose(double error, int most = 1024) {
+  ChosenKeys<double> choose(double error, int most = 1024, std::vector<double> moments = {}) {
     const KeyOperations<double> operations{
         [&](double t) {
           ++bakes[t];
@@ -38,6 +38,7 @@ struct Curve {
     KeyRequest request;
     request.error = error;
     request.mostKeys = most;
+    request.moments = std::move(moments);
     return chooseKeys(0.0, 8.0, request, operations);
   }
 };
@@ -50,15 +51,15 @@ TEST(ChooseKeys, StraightMotion_NeedsOnlyTheEnds) {
 }
 
 TEST(ChooseKeys, ErrorInOneInterval_GetsItsKeysThere) {
-  // Rest, but for a bump between 5 s and 6 s.
+  // Rest, but for a bump between 5 s and 6 s, which neither the middle nor a quarter of the 8 s shows.
   Curve bump{[](double t) { return t > 5.0 && t < 6.0 ? std::sin((t - 5.0) * 3.14159265358979) : 0.0; }};
-  const ChosenKeys<double> chosen = bump.choose(0.05);
+  const ChosenKeys<double> chosen = bump.choose(0.02, 1024, {1.0, 5.5});
   const auto inside =
       std::count_if(chosen.times.begin(), chosen.times.end(), [](double t) { return t >= 5.0 && t <= 6.0; });
-  EXPECT_GE(inside, 5);
-  // Bisection leads there through 4 s and 7 s; nothing else is between.
-  EXPECT_LE(static_cast<long>(chosen.times.size()) - inside, 6);
-  EXPECT_LE(chosen.error, 0.05);
+  const double within = static_cast<double>(inside) / 1.0;
+  const double elsewhere = (static_cast<double>(chosen.times.size()) - within) / 7.0;
+  EXPECT_GT(within, 3.0 * elsewhere) << "keys a second";
+  EXPECT_LE(chosen.error, 0.02);
 }
 
 TEST(ChooseKeys, ThereAndBack_IsNotTakenForRest) {
