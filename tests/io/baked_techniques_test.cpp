@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "io/baked_file.h"
+#include "scene/builtin.h"
+#include "scene/loader.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+CompiledScene compileDocument(const GltfDocument& document) {
+  Warnings warnings;
+  return compileScene(loadScene(document, warnings), warnings);
+}
+
+std::vector<float> someNumbers(std::size_t count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<float> numbers;
+  for (std::size_t i = 0; i < count; ++i)
+    numbers.push_back(std::uniform_real_distribution<float>(-1, 1)(random));
+  return numbers;
+}
+
+/// Rows of 0 to 4 coefficients.
+HaarTransfer someWavelets(std::size_t vertices) {
+  HaarTransfer haar{4, 3, 2, {0}, {}, {}};
+  for (std::size_t row = 0; row < 3 * vertices; ++row) {
+    for (std::size_t i = 0; i < row % 5; ++i) {
+      haar.indices.push_back(static_cast<std::uint32_t>(20 * i + row % 16));
+      haar.values.push_back(0.5f * static_cast<float>(row) - static_cast<float>(i));
+    }
+    haar.offsets.push_back(static_cast<std::uint32_t>(haar.indices.size()));
+  }
+  return haar;
+}
+
+Bake everyTechnique(std::size_t vertices) {
+  Bake bake;
+  bake.ch = HarmonicTransfer{3, 3, 2, someNumbers(vertices * 27, 1), true};
+  bake.haar = someWavelets(vertices);
+  bake.glossy = GlossyTransfer{2, 1, 0, someNumbers(vertices * 16, 2)};
+  bake.lightGroups = LightGroupTransfer{
+      {{"lamps", {3, 2, 1}}, {"sky \"light\"", {0, 0, 0.5f}}}, 3, 1, someNumbers(vertices * 6, 3)};
+  return bake;
+}
+
+/// Through a file and back.
+Bake copyOf(GltfDocument document, const CompiledScene& scene, const Bake& bake) {
+  const test::TemporaryFolder folder;
+  embedBake(document, scene, bake);
+  writeGlb(folder / "baked.glb", document);
+  Warnings warnings;
+  const std::optional<Bake> copy = readBake(readGltf(folder / "baked.glb", warnings), scene);
+  EXPECT_TRUE(warnings.empty());
+  return copy.value_or(Bake{});
+}
+
+TEST(BakedTechniques, WriteRead_GivesEveryOneBack) {
+  const GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = compileDocument(document);
+  const Bake bake = everyTechnique(scene.vertexCount()), copy = copyOf(document, scene, bake);
+  ASSERT_TRUE(copy.ch && copy.haar && copy.glossy && copy.lightGroups);
+  EXPECT_FALSE(copy.sh);
+  EXPECT_EQ(copy.ch->coefficients, bake.ch->coefficients);
+  EXPECT_TRUE(copy.ch->naive);
+  EXPECT_EQ(copy.haar->faceSize, 4);
+  EXPECT_EQ(copy.haar->offsets, bake.haar->offsets);
+  EXPECT_EQ(copy.haar->indices, bake.haar->indices);
+  EXPECT_EQ(copy.haar->values, bake.haar->values);
+  EXPECT_EQ(copy.glossy->matrices, bake.glossy->matrices);
+  EXPECT_EQ(copy.lightGroups->coefficients, bake.lightGroups->coefficients);
+  ASSERT_EQ(copy.lightGroups->groups.size(), 2u);
+  EXPECT_EQ(copy.lightGroups->groups[1].name, "sky \"light\"");
+  EXPECT_EQ(copy.lightGroups->groups[1].color, glm::vec3(0, 0, 0.5f));
+}
+
+TEST(BakedTechniques, WaveletsOfNothing_AreReadBackEmpty) {
+  const GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = compileDocument(document);
+  Bake bake;
+  bake.haar = HaarTransfer{2, 1, 0, {0, 0, 0, 0}, {}, {}};
+  const Bake copy = copyOf(document, scene, bake);
+  ASSERT_TRUE(copy.haar);
+  EXPECT_EQ(copy.haar->offsets, bake.haar->offsets);
+  EXPECT_TRUE(copy.haar->indices.empty());
+}
+
+TEST(BakedTechniques, Compressed_IsReadBackAsItWas) {
+  const GltfDocument document = makeBuiltinScene("shapes");
+  const CompiledScene scene = compileDocument(document);
+  const HarmonicTransfer sh{3, 3, 1, someNumbers(scene.vertexCount() * 27, 5), false};
+  for (const char* method :
+       {"half", "band8", "pca:4", "pca:3:byte", "vq:8", "cpca:4:2:float", "cpca:4:2:byte"}) {
+    Bake bake;
+    bake.compressedSh = compress(sh, parseCompression(method));
+    const Bake copy = copyOf(document, scene, bake);
+    ASSERT_TRUE(copy.compressedSh) << method;
+    EXPECT_FALSE(copy.sh);
+    EXPECT_EQ(decompress(*copy.compressedSh).coefficients, decompress(*bake.compressedSh).coefficients)
+        << method;
+  }
+}
+
+TEST(BakedTechniques, BakingAgain_LeavesNothingOfThem) {
+  GltfDocument document = makeBuiltinScene("shapes");
+  const CompiledScene scene = compileDocument(document);
+  const Json accessors = document.json["accessors"];
+  Bake bake = everyTechnique(scene.vertexCount());
+  const HarmonicTransfer sh{2, 1, 0, someNumbers(scene.vertexCount() * 4, 6), false};
+  bake.compressedSh = compress(sh, parseCompression("cpca:3:2:byte"));
+  embedBake(document, scene, bake);
+  embedBake(document, scene, Bake{});
+  EXPECT_TRUE(document.json["accessors"] == accessors);
+}
+
+struct Damage {
+  const char* name;
+  std::function<void(Bake&)> change;
+  const char* expected;
+};
+
+class DamagedTechnique : public testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedTechnique, Read_NamesThePlace) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = compileDocument(document);
+  Bake bake = everyTechnique(scene.vertexCount());
+  GetParam().change(bake);
+  embedBake(document, scene, bake);
+  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
+  EXPECT_NE(message.find(GetParam().expected), std::string::npos) << message;
+}
+
+const Damage damages[] = {
+    {"FaceSize", [](Bake& b) { b.haar->faceSize = 3; }, "haar/faceSize: expected a power of two"},
+    {"IndexTooLarge", [](Bake& b) { b.haar->indices.back() = 96; }, "haar/indices: index"},
+    {"IndexTwice", [](Bake& b) { b.haar->indices[2] = b.haar->indices[1]; }, "expected ascending indices"},
+    {"OffsetsFall", [](Bake& b) { b.haar->offsets[2] = 100000; },
+     "haar/offsets: expected offsets that ascend"},
+    {"WaveletNan", [](Bake& b) { b.haar->values[0] = std::numeric_limits<float>::quiet_NaN(); },
+     "haar/values: value 0"},
+    {"GlossyOrder", [](Bake& b) { b.glossy->order = 0; }, "glossy/order: expected 1.."},
+    {"GroupColour", [](Bake& b) { b.lightGroups->groups[0].color.x = -1.0f; }, "lightGroups/0/color"},
+    {"ChInfinite", [](Bake& b) { b.ch->coefficients[4] = std::numeric_limits<float>::infinity(); },
+     "ch/coefficients: value 4"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Table, DamagedTechnique, testing::ValuesIn(damages),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+}  // namespace
+}  // namespace prelight
