@@ -8,6 +8,7 @@
 #include <string>
 
 #include "benchmarks/charts.h"
+#include "benchmarks/transfer_plots.h"
 
 namespace prelight::benchmarks {
 
@@ -303,7 +304,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 12> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 14> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -314,7 +315,9 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"reference", "reference", referencePlot},
                                            {"wavelets", "wavelets", waveletsPlot},
                                            {"relight", "relight", relightPlot},
-                                           {"compress", "compress", compressPlot}}};
+                                           {"compress", "compress", compressPlot},
+                                           {"animation", "animation", animationPlot},
+                                           {"thesis", "thesis", thesisPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

@@ -71,7 +71,8 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .compressBounces = 0,
           .compressMethods = {"half", "band8", "pca:2", "vq:8", "cpca:4:2"},
           .thesisRays = 16,
-          .thesisRuns = 1};
+          .thesisRuns = 1,
+          .thesisOrder = 3};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
@@ -105,7 +106,8 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"compressBounces", compressBounces},
           {"compressMethods", compressMethods},
           {"thesisRays", thesisRays},
-          {"thesisRuns", thesisRuns}};
+          {"thesisRuns", thesisRuns},
+          {"thesisOrder", thesisOrder}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

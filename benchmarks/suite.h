@@ -58,6 +58,7 @@ struct BenchmarkOptions {
       "cpca:64:8", "cpca:64:16", "cpca:256:4", "cpca:256:8", "cpca:64:8:byte", "pca:16:byte"};
   std::uint64_t thesisRays = 10000;  ///< a vertex
   int thesisRuns = 3;
+  int thesisOrder = 6;  ///< largest of the rows that are measured
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

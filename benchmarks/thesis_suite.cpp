@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -141,6 +142,7 @@ std::vector<BenchmarkResult> runThesisSuite(const Device& device, const Benchmar
   StepCounter steps(progress, "bench thesis", rows.size());
   std::vector<BenchmarkResult> results;
   for (const ThesisRow& row : rows) {
+    if (std::max(row.shOrder, row.chOrder) > options.thesisOrder) continue;
     measureRow(scene, row, device, options, progress, results);
     steps.advance();
   }

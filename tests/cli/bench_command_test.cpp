@@ -119,8 +119,9 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  EXPECT_EQ(measured, (std::set<std::string>{"bake", "build", "cast", "error", "rays", "reference", "scaling",
-                                             "trees", "wavelets"}));
+  EXPECT_EQ(measured,
+            (std::set<std::string>{"animation", "bake", "build", "cast", "compress", "error", "rays",
+                                   "reference", "relight", "scaling", "thesis", "trees", "wavelets"}));
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }

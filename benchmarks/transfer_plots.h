@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "benchmarks/suite.h"
+
+/// Charts of the suites about baked transfer, as SVG.
+namespace prelight::benchmarks {
+
+/// Seconds of both passes of every technique, and the thesis' as a thinner bar.
+std::string thesisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
+/// Error between keys, by scene and choice of keys.
+std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
+}  // namespace prelight::benchmarks
