@@ -1,5 +1,7 @@
 #include "io/environment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,17 +24,41 @@ glm::dvec2 Environment::coordinates(const glm::dvec3& direction) {
   return {azimuth / (2.0 * std::numbers::pi) + 0.5, polar * std::numbers::inv_pi};
 }
 
+namespace {
+
+/// Radiance below 0 up to this part of the map's mean is rounding: maps come compressed with loss.
+constexpr double roundingShare = 0.01;
+
+void checkRadiance(const Pixels& pixels, const std::filesystem::path& path) {
+  double sum = 0.0;
+  for (const glm::vec3& texel : pixels.rgb)
+    for (int c = 0; c < 3; ++c) sum += std::isfinite(texel[c]) && texel[c] > 0.0f ? texel[c] : 0.0;
+  const double least = -roundingShare * sum / (3.0 * static_cast<double>(pixels.rgb.size()));
+  for (std::size_t i = 0; i < pixels.rgb.size(); ++i) {
+    const glm::vec3 texel = pixels.rgb[i];
+    bool good = true;
+    for (int c = 0; c < 3; ++c) good = good && std::isfinite(texel[c]) && texel[c] >= least;
+    if (good) continue;
+    const auto width = static_cast<std::size_t>(pixels.width);
+    throw InputError(
+        path.string(),
+        fmt::format("the texel in column {}, row {} is ({:g}, {:g}, {:g}), expected finite radiance >= 0",
+                    i % width, i / width, texel.x, texel.y, texel.z),
+        "repair the map, as with oiiotool --fixnan box3 --clamp:min=0");
+  }
+}
+
+}  // namespace
+
 Environment readEnvironment(const std::filesystem::path& path) {
   const std::string extension = lowerExtension(path);
   if (extension != ".hdr" && extension != ".exr") {
     throw InputError(path.string(), "an environment map is an .hdr or .exr file, got '" + extension + "'");
   }
   Pixels pixels = readPixels(path);
-  for (glm::vec3& texel : pixels.rgb) {
-    for (int c = 0; c < 3; ++c) {
-      if (!std::isfinite(texel[c]) || texel[c] < 0.0f) texel[c] = 0.0f;
-    }
-  }
+  checkRadiance(pixels, path);
+  // What lossy compression leaves below 0.
+  for (glm::vec3& texel : pixels.rgb) texel = glm::max(texel, glm::vec3(0.0f));
   return {pixels.width, pixels.height, std::move(pixels.rgb)};
 }
 

@@ -18,7 +18,7 @@ struct Environment {
   static glm::dvec2 coordinates(const glm::dvec3& direction);
 };
 
-/// Reads .hdr or .exr. Negative and non-finite texels become 0. Throws InputError.
+/// Reads .hdr or .exr. Throws InputError, also for texels that are not radiance (docs/conventions.md, "Sky").
 Environment readEnvironment(const std::filesystem::path& path);
 
 /// A sky of one radiance everywhere.

@@ -71,12 +71,23 @@ TEST_F(EnvironmentTest, Read_ExrAndHdr_KeepRowsAndColumns) {
   }
 }
 
-TEST_F(EnvironmentTest, Read_NegativeAndNonFiniteTexels_BecomeZero) {
+TEST_F(EnvironmentTest, Read_NegativeOrNonFiniteTexel_IsRefusedByPlace) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
+  for (const float bad : {-1.0f, -0.05f, std::nanf(""), infinity, -infinity}) {
+    const auto path = write("odd.exr", 2, 2, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, bad, 1}});
+    try {
+      readEnvironment(path);
+      ADD_FAILURE() << bad << " was taken";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("column 1, row 1"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST_F(EnvironmentTest, Read_RoundingBelowZero_BecomesZero) {
   const Environment sky =
-      readEnvironment(write("odd.exr", 2, 1, {{-1.0f, std::nanf(""), 2.0f}, {infinity, -infinity, 0.5f}}));
-  EXPECT_EQ(sky.radiance[0], glm::vec3(0.0f, 0.0f, 2.0f));
-  EXPECT_EQ(sky.radiance[1], glm::vec3(0.0f, 0.0f, 0.5f));
+      readEnvironment(write("odd.exr", 2, 1, {{1.0f, -0.001f, 2.0f}, {0.5f, 0.0f, 0.5f}}));
+  EXPECT_EQ(sky.radiance[0], glm::vec3(1.0f, 0.0f, 2.0f));
 }
 
 TEST_F(EnvironmentTest, Read_MissingFile_NamesIt) {
