@@ -84,29 +84,59 @@ class ShToHaar {
   std::vector<std::size_t> indices_;  ///< of the coarse coefficients in the whole cube map
 };
 
+/// What keepLargest() works in.
+struct Candidates {
+  std::vector<std::uint32_t> indices;
+  std::vector<float> values;
+};
+
+/// Sum of squares, in eight sums that a compiler can keep side by side.
+double squaredNorm(std::span<const float> values) {
+  std::array<float, 8> sums{};
+  std::size_t i = 0;
+  for (; i + 8 <= values.size(); i += 8)
+    for (std::size_t k = 0; k < 8; ++k) sums[k] += values[i + k] * values[i + k];
+  double total = 0.0;
+  for (; i < values.size(); ++i) total += double(values[i]) * values[i];
+  for (const float sum : sums) total += sum;
+  return total;
+}
+
 /// The largest coefficients that together leave at most `error` of the row's norm, found by a histogram of
 /// magnitudes: a sort would take longer than all the rest. Steps of a fifth of a magnitude: some more are
 /// kept than need be.
-SparseRow keepLargest(std::span<const float> coefficients, double error) {
+SparseRow keepLargest(std::span<const float> coefficients, double error, Candidates& work) {
+  const double total = squaredNorm(coefficients);
+  // All below the allowed mean may go together; they are most.
+  const auto least = static_cast<float>(error * error * total / static_cast<double>(coefficients.size()));
+  work.indices.clear();
+  work.values.clear();
+  double dropped = 0.0;
   std::array<double, 1024> energy{};
-  double total = 0.0;
   const auto binOf = [](float square) { return std::bit_cast<std::uint32_t>(square) >> 21; };
-  for (const float c : coefficients) {
-    const float square = c * c;
-    energy[binOf(square)] += square;
-    total += square;
-  }
-  double left = error * error * total;
-  std::uint32_t bin = 0;
-  while (bin < energy.size() && energy[bin] <= left) left -= energy[bin++];
-  SparseRow row;
   for (std::uint32_t i = 0; i < coefficients.size(); ++i) {
     const float square = coefficients[i] * coefficients[i];
-    if (square > 0.0f && binOf(square) >= bin) {
-      row.indices.push_back(i);
-      row.values.push_back(coefficients[i]);
+    if (square <= least) {
+      dropped += square;
+      continue;
     }
+    work.indices.push_back(i);
+    work.values.push_back(coefficients[i]);
+    energy[binOf(square)] += square;
   }
+  double left = error * error * total - dropped;
+  std::uint32_t bin = 0;
+  while (bin < energy.size() && energy[bin] <= left) left -= energy[bin++];
+  const auto kept = [&](float value) { return binOf(value * value) >= bin; };
+  SparseRow row;
+  const auto count = static_cast<std::size_t>(std::count_if(work.values.begin(), work.values.end(), kept));
+  row.indices.reserve(count);
+  row.values.reserve(count);
+  for (std::size_t k = 0; k < work.values.size(); ++k)
+    if (kept(work.values[k])) {
+      row.indices.push_back(work.indices[k]);
+      row.values.push_back(work.values[k]);
+    }
   return row;
 }
 
@@ -135,13 +165,14 @@ std::vector<SparseRow> makeRows(const FitMesh& mesh, const TexelTransfer& direct
     parallelRanges(count, slotGrain, [&](std::size_t begin, std::size_t end) {
       TexelTransfer::Workspace work = direct.workspace();
       std::vector<float> shared(texels), own(texels);
+      Candidates candidates;
       for (std::size_t s = first + begin; s < first + end; ++s) {
         direct.evaluate(static_cast<std::uint32_t>(s), work, shared);
         haar::forward(std::span(shared), faceSize);
         for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
           own = shared;
           if (shToHaar) shToHaar->add(bounced(transfer, s, c), own);
-          rows[s * static_cast<std::size_t>(channels) + c] = keepLargest(own, error);
+          rows[s * static_cast<std::size_t>(channels) + c] = keepLargest(own, error, candidates);
         }
       }
     });
