@@ -13,6 +13,11 @@ namespace {
 /// Rays that a square needs, effectively, for a fraction of its own.
 constexpr float leastRays = 2.0f;
 
+/// Receivers a slot that are looked at on triangles which do not touch it, where their weights are small; and
+/// how many one of them stands for at most.
+constexpr std::size_t farReceivers = 16;
+constexpr std::size_t largestFarStep = 4;
+
 /// Indices of items in the order of their keys, and where each key's begin: [key + 1].
 void bucket(const std::vector<std::uint32_t>& keys, std::size_t keyCount, std::vector<std::uint32_t>& start,
             std::vector<std::uint32_t>& order) {
@@ -40,6 +45,8 @@ TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, co
       levels_(std::bit_width(static_cast<unsigned>(faceSize))),
       levelStart_{0},
       equations_(side.fit().equations(defaultSmoothing)) {
+  const std::size_t receivers = side.records().size() / std::max(1u, mesh.slotCount());
+  farStep_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(receivers / farReceivers, 1, largestFarStep));
   for (int level = 0; level < levels_; ++level)
     levelStart_.push_back(levelStart_.back() + cubeTexelCount(faceSize >> level));
   std::vector<std::uint32_t> triangles;
@@ -94,11 +101,16 @@ bool TexelTransfer::addRays(std::uint32_t slot, Workspace& work, PlainWeights& p
   for (const std::uint32_t t : triangles) {
     std::array<double, 3> corner{};
     for (std::size_t k = 0; k < 3; ++k) corner[k] = weightOf(mesh_.triangles[t][k]);
-    for (std::uint32_t r = recordStart_[t]; r < recordStart_[t + 1]; ++r) {
+    // Weights away from the slot are small: one receiver in so many stands for the others there.
+    const auto& corners = mesh_.triangles[t];
+    const bool near = std::find(corners.begin(), corners.end(), slot) != corners.end();
+    const std::uint32_t step = near ? 1 : farStep_;
+    const std::uint32_t first = recordStart_[t] + (slot + step - recordStart_[t] % step) % step;
+    for (std::uint32_t r = first; r < recordStart_[t + 1]; r += step) {
       const SurfaceSample& sample = side_.records()[recordOrder_[r]].sample;
       const auto b = cornersOf(sample);
       const double share = b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
-      addReceiver(recordOrder_[r], side_.fit().weightOf(sample) * share, work, plain);
+      addReceiver(recordOrder_[r], step * side_.fit().weightOf(sample) * share, work, plain);
     }
   }
   return true;

@@ -66,6 +66,7 @@ class TexelTransfer {
   const SideCast& side_;
   CubeTexels texels_;
   int faceSize_;
+  std::uint32_t farStep_ = 1;
   int levels_;                           ///< 1 + log2 of the face size
   std::vector<std::size_t> levelStart_;  ///< [level + 1], into the pyramid
   NormalEquations equations_;
