@@ -120,13 +120,10 @@ std::vector<glm::dvec3> SkyCoefficients::turned(double angle, int order) const {
   if (order_ == 0) return result;
   const int stored = sh::coefficientCount(order_);
   const auto used = std::min(result.size(), static_cast<std::size_t>(stored));
-  for (int c = 0; c < 3; ++c) {
-    const auto channel =
-        std::span<const double>(coefficients_).subspan(static_cast<std::size_t>(c) * stored, stored);
-    const auto rotated = angle == 0.0 ? std::vector<double>(channel.begin(), channel.end())
-                                      : sh::rotate(channel, order_, skyTurn(angle));
-    for (std::size_t i = 0; i < used; ++i) result[i][c] = rotated[i];
-  }
+  std::vector<double> rotated = coefficients_;
+  if (angle != 0.0) sh::ShRotation(order_, skyTurn(angle)).apply(coefficients_, rotated);
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < used; ++i) result[i][c] = rotated[static_cast<std::size_t>(c) * stored + i];
   return result;
 }
 

@@ -64,7 +64,6 @@ class BakeRunner {
       : scene_(scene),
         request_(request),
         bounces_(plan.runs("bounces") ? request.bounces : 0),
-        channels_(bounces_ > 0 ? 3 : 1),
         mesh_(mesh),
         groups_(groups),
         tracer_(tracer),
@@ -94,14 +93,10 @@ class BakeRunner {
   void makeTransfers(const std::vector<double>& fitted, Bake& bake) {
     const SlotTransfer transfer = makeTransfer(scene_, mesh_, caster_, cast_, fitted, transferOrder(request_),
                                                bounces_, progress_, report_);
-    if (request_.shOrder > 0) bake.sh = packSh(mesh_, transfer, scene_, request_.shOrder, channels_);
-    if (request_.chOrder > 0)
-      bake.ch = packCh(mesh_, transfer, scene_, request_.chOrder, channels_, request_.chNaive);
+    if (request_.shOrder > 0) bake.sh = packSh(mesh_, transfer, scene_, request_.shOrder);
+    if (request_.chOrder > 0) bake.ch = packCh(mesh_, transfer, scene_, request_.chOrder, request_.chNaive);
     if (request_.lightGroups)
-      bake.lightGroups = packLightGroups(mesh_, transfer, scene_, groups_, groupChannels());
-    for (auto* harmonic : {&bake.sh, &bake.ch})
-      if (*harmonic) (*harmonic)->bounces = bounces_;
-    if (bake.lightGroups) bake.lightGroups->bounces = bounces_;
+      bake.lightGroups = packLightGroups(mesh_, transfer, scene_, groups_, groupChannels(transfer));
     clock_.mark("bounce");
     if (request_.volumeSize > 0) makeVolumeTransfer(transfer, bake);
     if (request_.haarSize > 0) makeHaar(transfer, bake);
@@ -122,9 +117,8 @@ class BakeRunner {
 
   void makeHaar(const SlotTransfer& transfer, Bake& bake) {
     const TexelTransfer direct(scene_, mesh_, cast_.front(), request_.haarSize);
-    bake.haar = makeHaarTransfer(scene_, mesh_, direct, transfer, request_.haarSize, channels_,
-                                 request_.haarError, progress_);
-    bake.haar->bounces = bounces_;
+    bake.haar =
+        makeHaarTransfer(scene_, mesh_, direct, transfer, request_.haarSize, request_.haarError, progress_);
     report_.notes.push_back(
         fmt::format("wavelets: {:.0f} of {} coefficients a row are kept, on average",
                     double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),
@@ -133,20 +127,20 @@ class BakeRunner {
   }
 
   void makeGlossy(const std::vector<double>& fitted, const SlotTransfer& transfer, Bake& bake) {
-    const std::vector<float> matrices = makeGlossyMatrices(scene_, mesh_, caster_, cast_, fitted, transfer,
-                                                           request_.glossyOrder, channels_, progress_);
-    bake.glossy = packGlossy(mesh_, matrices, scene_, request_.glossyOrder, channels_);
-    bake.glossy->bounces = bounces_;
+    const std::vector<float> matrices =
+        makeGlossyMatrices(scene_, mesh_, caster_, cast_, fitted, transfer, request_.glossyOrder, progress_);
+    bake.glossy = packGlossy(mesh_, transfer, matrices, scene_, request_.glossyOrder);
     clock_.mark("glossy");
   }
 
   /// Lights of different colours in one group make its channels differ even without bounces.
-  int groupChannels() const { return channels_ == 3 || !request_.namedGroups.empty() ? 3 : 1; }
+  int groupChannels(const SlotTransfer& transfer) const {
+    return request_.namedGroups.empty() ? transfer.channels() : 3;
+  }
 
   const CompiledScene& scene_;
   const BakeRequest& request_;
   int bounces_;
-  int channels_;
   const FitMesh& mesh_;
   const std::vector<LightGroup>& groups_;
   Tracer& tracer_;

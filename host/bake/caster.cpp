@@ -61,7 +61,8 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());
   }
   if (options_.storedReceivers == 0) return;
-  const auto& transport = device_.program("cast/transport_kernels.cl", transportOptions());
+  const auto& transport =
+      device_.program("cast/transport_kernels.cl", transportOptions(options_.bounceColumns));
   store_ = cl::Kernel(transport, "storeSenders");
   gather_ = cl::Kernel(transport, "gatherBounce");
   geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
@@ -70,9 +71,9 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   marks_.fill(0);
 }
 
-BuildOptions Caster::transportOptions() const {
+BuildOptions Caster::transportOptions(std::size_t columns) const {
   return tracer_.surfaceOptions()
-      .define("PRELIGHT_COLUMNS", static_cast<int>(options_.bounceColumns))
+      .define("PRELIGHT_COLUMNS", static_cast<int>(columns))
       .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
 }
 
@@ -181,9 +182,7 @@ void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>
 void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t first, int order,
                           std::size_t columns, std::vector<float>& values) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * columns;
-  const auto options = tracer_.surfaceOptions()
-                           .define("PRELIGHT_COLUMNS", static_cast<int>(columns))
-                           .define("PRELIGHT_GLOSSY_ORDER", order);
+  const auto options = transportOptions(columns).define("PRELIGHT_GLOSSY_ORDER", order);
   glossy_ = cl::Kernel(device_.program("cast/transport_kernels.cl", options), "gatherGlossy");
   if (glossyTable_.size() == 0)
     glossyTable_ = Buffer<float>(device_, std::span<const float>(makeShTable(order)));

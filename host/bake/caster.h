@@ -89,7 +89,7 @@ class Caster {
 
  private:
   void setParameters(std::uint32_t receivers, std::uint32_t firstStored);
-  BuildOptions transportOptions() const;
+  BuildOptions transportOptions(std::size_t columns) const;
   void generate(std::span<const device::Receiver> receivers);
   void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
   void project(std::uint32_t receivers);

@@ -9,10 +9,6 @@ namespace prelight {
 
 namespace {
 
-std::array<double, 3> weightsOf(const SurfaceSample& s) {
-  return {1.0 - double(s.b1) - double(s.b2), s.b1, s.b2};
-}
-
 /// Mean of each slot's value and its neighbours': eight groups alone make a variance that is good to a factor
 /// of 2.
 std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>& values) {
@@ -52,7 +48,7 @@ Deviations sandwich(const FitMesh& mesh, const VertexFit& empty, const std::vect
   std::vector<double> scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0);
   for (const auto& record : records) {
     const auto& slots = mesh.triangles[record.sample.triangle];
-    const auto b = weightsOf(record.sample);
+    const auto b = cornerWeights(record.sample);
     const double expected = b[0] * fitted[slots[0]] + b[1] * fitted[slots[1]] + b[2] * fitted[slots[2]];
     const double residual = double(record.open) - 1.0 - expected;
     for (std::size_t k = 0; k < 3; ++k)

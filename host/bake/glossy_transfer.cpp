@@ -71,9 +71,9 @@ std::vector<double> fitPart(Caster& caster, const SideCast& front, int order, Pr
 
 std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
                                       const SceneCast& cast, const std::vector<double>& fitted,
-                                      const SlotTransfer& transfer, int order, int channels,
-                                      Progress& progress) {
+                                      const SlotTransfer& transfer, int order, Progress& progress) {
   const auto n = static_cast<std::size_t>(order * order);
+  const int channels = transfer.channels();
   std::vector<float> matrices(std::size_t{mesh.slotCount()} * static_cast<std::size_t>(channels) * n * n);
   addDirect(mesh, cast.front(), fitted, order, channels, matrices);
   if (transfer.reflected.empty()) return matrices;

@@ -16,7 +16,6 @@ namespace prelight {
 /// from the stored rows.
 std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
                                       const SceneCast& cast, const std::vector<double>& fitted,
-                                      const SlotTransfer& transfer, int order, int channels,
-                                      Progress& progress);
+                                      const SlotTransfer& transfer, int order, Progress& progress);
 
 }  // namespace prelight

@@ -12,7 +12,6 @@ namespace prelight {
 /// the full detail of `direct`; what bounces add is smooth in the direction of the light, and comes from the
 /// SH transfer of as many bands as that has (docs/wavelets.md has what this leaves out).
 HaarTransfer makeHaarTransfer(const CompiledScene& scene, const FitMesh& mesh, const TexelTransfer& direct,
-                              const SlotTransfer& transfer, int faceSize, int channels, double error,
-                              Progress& progress);
+                              const SlotTransfer& transfer, int faceSize, double error, Progress& progress);
 
 }  // namespace prelight

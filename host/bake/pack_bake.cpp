@@ -54,10 +54,10 @@ void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double
 }
 
 HarmonicTransfer packSh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,
-                        int order, int channels) {
+                        int order) {
   const auto n = static_cast<std::size_t>(order * order);
-  return {order, channels, 0,
-          packRows(mesh, transfer, scene, channels, n,
+  return {order, transfer.channels(), transfer.bounces,
+          packRows(mesh, transfer, scene, transfer.channels(), n,
                    [&](const double* row, float* out) {
                      for (std::size_t i = 0; i < n; ++i) out[i] = finiteOr(row[i], 0.0f);
                    }),
@@ -65,12 +65,12 @@ HarmonicTransfer packSh(const FitMesh& mesh, const SlotTransfer& transfer, const
 }
 
 HarmonicTransfer packCh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,
-                        int order, int channels, bool naive) {
+                        int order, bool naive) {
   const auto n = static_cast<std::size_t>(order * order);
   const ch::Basis basis(order);
   std::vector<double> coefficients(n);
-  return {order, channels, 0,
-          packRows(mesh, transfer, scene, channels, n,
+  return {order, transfer.channels(), transfer.bounces,
+          packRows(mesh, transfer, scene, transfer.channels(), n,
                    [&](const double* row, float* out) {
                      const std::span<const double> sh(row, n);
                      naive ? basis.momentsFromSh(sh, coefficients) : basis.fromSh(sh, coefficients);
@@ -83,17 +83,17 @@ LightGroupTransfer packLightGroups(const FitMesh& mesh, const SlotTransfer& tran
                                    const CompiledScene& scene, const std::vector<LightGroup>& groups,
                                    int channels) {
   const std::size_t first = transfer.shColumns(), n = groups.size();
-  return {groups, channels, 0,
+  return {groups, channels, transfer.bounces,
           packRows(mesh, transfer, scene, channels, n, [&](const double* row, float* out) {
             // Light is never negative; a fit may dip below.
             for (std::size_t g = 0; g < n; ++g) out[g] = std::max(0.0f, finiteOr(row[first + g], 0.0f));
           })};
 }
 
-GlossyTransfer packGlossy(const FitMesh& mesh, const std::vector<float>& matrices, const CompiledScene& scene,
-                          int order, int channels) {
-  const auto width = static_cast<std::size_t>(channels * order * order * order * order);
-  GlossyTransfer glossy{order, channels, 0, {}};
+GlossyTransfer packGlossy(const FitMesh& mesh, const SlotTransfer& transfer,
+                          const std::vector<float>& matrices, const CompiledScene& scene, int order) {
+  const auto width = static_cast<std::size_t>(transfer.channels() * order * order * order * order);
+  GlossyTransfer glossy{order, transfer.channels(), transfer.bounces, {}};
   glossy.matrices.reserve(scene.vertexCount() * width);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
     for (std::size_t i = 0; i < width; ++i)

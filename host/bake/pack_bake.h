@@ -17,19 +17,20 @@ void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double
 
 /// The first `order` bands of SH transfer, at most those that it has.
 HarmonicTransfer packSh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,
-                        int order, int channels);
+                        int order);
 
 /// The same in cpherical harmonics: coefficients, or with `naive` the inner products that a projection onto
 /// non-orthogonal functions takes for them.
 HarmonicTransfer packCh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,
-                        int order, int channels, bool naive);
+                        int order, bool naive);
 
+/// `channels` is 1 only where neither bounces nor lights of different colours in one group tell them apart.
 LightGroupTransfer packLightGroups(const FitMesh& mesh, const SlotTransfer& transfer,
                                    const CompiledScene& scene, const std::vector<LightGroup>& groups,
                                    int channels);
 
-/// `matrices` is [slot][channel][i][j].
-GlossyTransfer packGlossy(const FitMesh& mesh, const std::vector<float>& matrices, const CompiledScene& scene,
-                          int order, int channels);
+/// `matrices` of `transfer` are [slot][channel][i][j].
+GlossyTransfer packGlossy(const FitMesh& mesh, const SlotTransfer& transfer,
+                          const std::vector<float>& matrices, const CompiledScene& scene, int order);
 
 }  // namespace prelight

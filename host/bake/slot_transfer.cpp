@@ -57,7 +57,7 @@ double addTo(std::vector<double>& total, const std::vector<double>& more) {
 SlotTransfer makeTransfer(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
                           const SceneCast& cast, const std::vector<double>& fitted, int order, int bounces,
                           Progress& progress, BakeReport& report) {
-  SlotTransfer transfer{order, caster.groupCount(), {}, {}, {}, {}};
+  SlotTransfer transfer{order, caster.groupCount(), {}, {}, {}, {}, bounces};
   transfer.direct = directTransfer(cast.front(), fitted, mesh.slotCount(), transfer);
   transfer.total = transfer.direct;
   if (bounces == 0) return transfer;

@@ -21,9 +21,13 @@ struct SlotTransfer {
   std::vector<double>
       reflected;  ///< the total without the last bounce: what was reflected last. Empty: no bounce
   std::vector<double> backReflected;  ///< the same of the vertices' backs; empty: none is seen
+  int bounces = 0;                    ///< as asked for
 
   std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
   std::size_t columns() const { return shColumns() + groups; }
+  int channels() const {
+    return bounces > 0 ? 3 : 1;
+  }  ///< that differ: without bounces nothing colours the light
 };
 
 /// Direct transfer from a cast that has run, and `bounces` of it from the caster's stored rows. `fitted` is

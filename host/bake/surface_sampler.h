@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -18,6 +19,11 @@ struct SurfaceSample {
   float b2 = 0.0f;
   float weight = 0.0f;  ///< surface that a receiver of its triangle and pass stands for, relative to the mean
 };
+
+/// Barycentric weights of a sample's triangle's corners.
+inline std::array<double, 3> cornerWeights(const SurfaceSample& sample) {
+  return {1.0 - double(sample.b1) - double(sample.b2), sample.b1, sample.b2};
+}
 
 enum class Side : std::uint8_t { Front, Back };
 

@@ -29,8 +29,10 @@ void bucket(const std::vector<std::uint32_t>& keys, std::size_t keyCount, std::v
   for (std::uint32_t i = 0; i < keys.size(); ++i) order[next[keys[i]]++] = i;
 }
 
-std::array<double, 3> cornersOf(const SurfaceSample& s) {
-  return {1.0 - double(s.b1) - double(s.b2), s.b1, s.b2};
+/// Squares of the next finer level, of `size` squares a side here, that make up a square.
+std::array<std::size_t, 4> quartersOf(std::size_t square, std::size_t size) {
+  const std::size_t first = 4 * (square / size) * size + 2 * (square % size);
+  return {first, first + 1, first + 2 * size, first + 2 * size + 1};
 }
 
 }  // namespace
@@ -108,7 +110,7 @@ bool TexelTransfer::addRays(std::uint32_t slot, Workspace& work, PlainWeights& p
     const std::uint32_t first = recordStart_[t] + (slot + step - recordStart_[t] % step) % step;
     for (std::uint32_t r = first; r < recordStart_[t + 1]; r += step) {
       const SurfaceSample& sample = side_.records()[recordOrder_[r]].sample;
-      const auto b = cornersOf(sample);
+      const auto b = cornerWeights(sample);
       const double share = b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
       addReceiver(recordOrder_[r], step * side_.fit().weightOf(sample) * share, work, plain);
     }
@@ -147,23 +149,20 @@ void TexelTransfer::buildPyramid(Workspace& work) const {
     const float* fineOpen = &work.open[levelStart_[level - 1]];
     TexelSums* coarse = &work.sums[levelStart_[level]];
     float* coarseOpen = &work.open[levelStart_[level]];
-    for (std::size_t row = 0; row < cubeFaces * size; ++row)
-      for (std::size_t column = 0; column < size; ++column) {
-        TexelSums sum;
-        float open = 0.0f;
-        for (const std::size_t at :
-             {4 * row * size + 2 * column, 4 * row * size + 2 * column + 1, (4 * row + 2) * size + 2 * column,
-              (4 * row + 2) * size + 2 * column + 1}) {
-          sum.weight += fine[at].weight;
-          sum.blocked += fine[at].blocked;
-          sum.shut += fine[at].shut;
-          sum.clear += fine[at].clear;
-          sum.square += fine[at].square;
-          open += fineOpen[at];
-        }
-        coarse[row * size + column] = sum;
-        coarseOpen[row * size + column] = open;
+    for (std::size_t square = 0; square < cubeFaces * size * size; ++square) {
+      TexelSums sum;
+      float open = 0.0f;
+      for (const std::size_t at : quartersOf(square, size)) {
+        sum.weight += fine[at].weight;
+        sum.blocked += fine[at].blocked;
+        sum.shut += fine[at].shut;
+        sum.clear += fine[at].clear;
+        sum.square += fine[at].square;
+        open += fineOpen[at];
       }
+      coarse[square] = sum;
+      coarseOpen[square] = open;
+    }
   }
 }
 
@@ -202,11 +201,7 @@ bool TexelTransfer::mixed(int level, std::size_t square, const PlainWeights& pla
 void TexelTransfer::descend(int level, std::size_t square, float fraction, const PlainWeights& plain,
                             Workspace& work, std::span<float> texels) const {
   if (level == 0) return settle(level, square, fraction, work, texels);
-  const auto size = static_cast<std::size_t>(faceSize_ >> level);
-  const std::size_t row = square / size, column = square % size;
-  const std::array<std::size_t, 4> children = {4 * row * size + 2 * column, 4 * row * size + 2 * column + 1,
-                                               (4 * row + 2) * size + 2 * column,
-                                               (4 * row + 2) * size + 2 * column + 1};
+  const auto children = quartersOf(square, static_cast<std::size_t>(faceSize_ >> level));
   std::array<float, 4> fractions{};
   std::array<bool, 4> isMixed{};
   float missing = work.open[levelStart_[level] + square] * fraction, room = 0.0f;

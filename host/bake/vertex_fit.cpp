@@ -90,7 +90,7 @@ VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<doubl
       right_(3 * mesh.triangles.size() * columns, 0.0) {}
 
 void VertexFit::add(const SurfaceSample& sample, std::span<const double> values) {
-  const std::array<double, 3> b{1.0 - double(sample.b1) - double(sample.b2), sample.b1, sample.b2};
+  const std::array<double, 3> b = cornerWeights(sample);
   auto& mass = mass_[sample.triangle];
   for (std::size_t k = 0; k < 3; ++k) {
     mass[k] += sample.weight * b[k] * b[k];

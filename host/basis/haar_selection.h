@@ -16,7 +16,7 @@ struct SparseRow {
   std::vector<float> values;
 };
 
-/// The fewest coefficients, largest first, whose relative L2 error is at most `relativeError` in [0, 1): the
+/// The fewest coefficients, largest first, whose relative L2 error is at most `relativeError` in [0, 1]: the
 /// square root of the sum of squares that is dropped over the whole. 0 keeps all that are not 0. Linear time.
 SparseRow keepError(std::span<const float> coefficients, double relativeError);
 

@@ -138,11 +138,16 @@ int cubeTexelNodes(int faceSize, int order) {
   }
 }
 
-/// Adds a face's part, projected along +z, turned to where the face looks.
-void addFace(int face, std::span<const double> alongZ, int order, std::span<double> out) {
+/// Turns functions from a face along +z to where the face looks.
+ShRotation turnToFace(int face, int order) {
   const CubeFace& frame = cubeFace(face);
+  return {order, glm::dmat3(frame.right, frame.down, frame.axis)};
+}
+
+/// Adds a face's part, projected along +z.
+void addFace(int face, std::span<const double> alongZ, int order, std::span<double> out) {
   std::vector<double> turned(alongZ.size());
-  ShRotation(order, glm::dmat3(frame.right, frame.down, frame.axis)).apply(alongZ, turned);
+  turnToFace(face, order).apply(alongZ, turned);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] += turned[i];
 }
 
@@ -186,6 +191,23 @@ std::vector<double> projectEnvironment(const CubeMap& map, int order) {
             order, result);
   }
   return result;
+}
+
+std::vector<double> cubeTexelIntegrals(int faceSize, int order) {
+  checkOrder(order, "cube map");
+  checkCubeFaceSize(faceSize, "cube map");
+  const std::size_t count = coefficientCount(order);
+  const auto texels = static_cast<std::size_t>(faceSize) * static_cast<std::size_t>(faceSize);
+  const auto rule = gaussLegendre(cubeTexelNodes(faceSize, order));
+  std::vector<double> alongZ(texels * count);
+  for (std::size_t t = 0; t < texels; ++t)
+    integrateCubeTexel(static_cast<int>(t) / faceSize, static_cast<int>(t) % faceSize, faceSize, rule, order,
+                       std::span(alongZ).subspan(t * count, count));
+  std::vector<double> integrals(cubeFaces * alongZ.size());
+  for (std::size_t face = 0; face < cubeFaces; ++face)
+    turnToFace(static_cast<int>(face), order)
+        .apply(alongZ, std::span(integrals).subspan(face * alongZ.size(), alongZ.size()));
+  return integrals;
 }
 
 }  // namespace prelight::sh

@@ -15,4 +15,8 @@ std::vector<double> projectEnvironment(const Environment& environment, int order
 /// The same for a cube map. Throws as well what checkCubeMap() throws.
 std::vector<double> projectEnvironment(const CubeMap& map, int order);
 
+/// Integrals of the functions over every texel of a cube map, exact up to rounding: [texel][i]. Throws
+/// UsageError for a bad order or face size.
+std::vector<double> cubeTexelIntegrals(int faceSize, int order);
+
 }  // namespace prelight::sh
