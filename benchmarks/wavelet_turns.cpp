@@ -16,8 +16,6 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr int modelRank = 16;
-
 /// About +Y, a degree a frame.
 glm::dmat3 frameRotation(int frame) {
   const double angle = frame * std::numbers::pi / 180.0;
@@ -96,8 +94,7 @@ void measureWaveletRotation(const WaveletScene& scene, const std::vector<NamedLi
     for (std::size_t l = 0; l < lights.size(); ++l) {
       const std::vector<float> light = haar::transformLight(lights[l].map);
       for (const std::size_t count : options.waveletCounts) {
-        const haar::SparseLight kept =
-            haar::fitSelection(light, haar::selectLight(light, scene.model.rms, count), scene.model);
+        const haar::SparseLight kept = haar::selectFitted(light, count, scene.model);
         const haar::SparseLight turned = rotation.rotate(kept);
         meters[{l, count}].add(scene.relight(turned), turns[l].exact[frame], turned.indices.size());
       }
@@ -117,7 +114,7 @@ WaveletScene::WaveletScene(int faceSize, int receiverCount)
     : texels(faceSize),
       receivers(receiverCount, 12, 1),
       transfer(receivers.transfer(texels, 0.0)),
-      model(haar::modelTransfer(transfer, modelRank)),
+      model(haar::modelTransfer(transfer, haar::usualRank)),
       columns(texels.count() * receivers.count(), 0.0f) {
   for (std::size_t v = 0; v < receivers.count(); ++v) {
     for (std::uint32_t k = transfer.offsets[v]; k < transfer.offsets[v + 1]; ++k) {

@@ -36,8 +36,7 @@ void measureSelection(const WaveletScene& scene, const NamedLight& light, const 
       const haar::SparseLight part = haar::selectLight(coefficients, *weights, count);
       add(results, name(how), "error", 100.0 * relativeRms(haar::relight(scene.transfer, part), exact), "%");
     }
-    const haar::SparseLight chosen = haar::selectLight(coefficients, scene.model.rms, count);
-    const haar::SparseLight fitted = haar::fitSelection(coefficients, chosen, scene.model);
+    const haar::SparseLight fitted = haar::selectFitted(coefficients, count, scene.model);
     add(results, name("transfer, fitted"), "error",
         100.0 * relativeRms(haar::relight(scene.transfer, fitted), exact), "%");
     add(results, name("transfer, fitted"), "expected error",
@@ -107,7 +106,7 @@ void measureTimes(const WaveletScene& scene, const NamedLight& light, const Benc
   time("fit of 100 coefficients", [&] { haar::fitSelection(coefficients, chosen, scene.model); });
   time("wavelet columns of 100 coefficients",
        [&] { haar::WaveletRotation(turn, size, 0.01).rotate(chosen); });
-  time("model of the transfer", [&] { haar::modelTransfer(scene.transfer, 16); });
+  time("model of the transfer", [&] { haar::modelTransfer(scene.transfer, haar::usualRank); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <random>
 
 #include "basis/cube_map.h"
 #include "basis/haar_relight.h"
@@ -42,40 +43,54 @@ void orthonormalise(Vectors& vectors) {
   }
 }
 
-/// Rows of the transfer that stand for all.
+/// Rows of the transfer that stand for all: vertices evenly, channels in turn.
 std::vector<std::size_t> sampleRows(const HaarTransfer& transfer) {
-  const std::size_t rows = transfer.offsets.size() - 1;
+  const auto channels = static_cast<std::size_t>(transfer.channels);
+  const std::size_t rows = transfer.offsets.size() - 1, vertices = rows / channels;
   const std::size_t count = std::min(rows, maxRows);
   std::vector<std::size_t> sample(count);
-  for (std::size_t i = 0; i < count; ++i) sample[i] = i * rows / count;
+  for (std::size_t i = 0; i < count; ++i) sample[i] = i * vertices / count * channels + i % channels;
   return sample;
 }
 
-/// Products of a row with all vectors.
-void project(const HaarTransfer& transfer, std::size_t row, const Vectors& vectors,
-             std::vector<double>& products) {
+/// [k][i] as [i][k], so that an entry of a row meets all vectors side by side.
+std::vector<double> interleaved(const Vectors& vectors) {
+  std::vector<double> sideBySide(vectors.size() * vectors[0].size());
   for (std::size_t k = 0; k < vectors.size(); ++k) {
-    double sum = 0.0;
-    for (std::uint32_t e = transfer.offsets[row]; e < transfer.offsets[row + 1]; ++e) {
-      sum += static_cast<double>(transfer.values[e]) * vectors[k][transfer.indices[e]];
-    }
-    products[k] = sum;
+    for (std::size_t i = 0; i < vectors[k].size(); ++i) sideBySide[i * vectors.size() + k] = vectors[k][i];
+  }
+  return sideBySide;
+}
+
+/// Products of a row with all vectors, [i][k].
+void project(const HaarTransfer& transfer, std::size_t row, std::span<const double> vectors,
+             std::vector<double>& products) {
+  const std::size_t count = products.size();
+  std::fill(products.begin(), products.end(), 0.0);
+  for (std::uint32_t e = transfer.offsets[row]; e < transfer.offsets[row + 1]; ++e) {
+    const double value = transfer.values[e];
+    const double* at = vectors.data() + transfer.indices[e] * count;
+    for (std::size_t k = 0; k < count; ++k) products[k] += value * at[k];
   }
 }
 
 /// One step of subspace iteration: vectors become (R^T R) vectors.
 void multiply(const HaarTransfer& transfer, std::span<const std::size_t> rows, Vectors& vectors) {
-  Vectors result(vectors.size(), std::vector<double>(vectors[0].size(), 0.0));
-  std::vector<double> products(vectors.size());
+  const std::size_t count = vectors.size();
+  const std::vector<double> sideBySide = interleaved(vectors);
+  std::vector<double> result(sideBySide.size(), 0.0);
+  std::vector<double> products(count);
   for (const std::size_t row : rows) {
-    project(transfer, row, vectors, products);
-    for (std::size_t k = 0; k < vectors.size(); ++k) {
-      for (std::uint32_t e = transfer.offsets[row]; e < transfer.offsets[row + 1]; ++e) {
-        result[k][transfer.indices[e]] += static_cast<double>(transfer.values[e]) * products[k];
-      }
+    project(transfer, row, sideBySide, products);
+    for (std::uint32_t e = transfer.offsets[row]; e < transfer.offsets[row + 1]; ++e) {
+      const double value = transfer.values[e];
+      double* at = result.data() + transfer.indices[e] * count;
+      for (std::size_t k = 0; k < count; ++k) at[k] += value * products[k];
     }
   }
-  vectors = std::move(result);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < vectors[k].size(); ++i) vectors[k][i] = result[i * count + k];
+  }
 }
 
 /// Lower triangle L of a positive semidefinite matrix, A = L L^T; directions without extent become 0.
@@ -161,15 +176,15 @@ Vectors normalSystem(std::span<const std::uint32_t> indices, const TransferModel
   return system;
 }
 
-/// Sums of rows under fixed patterns of signs: where the iteration starts [1].
+/// Sums of rows with random weights, always the same ones: where the iteration starts [1].
 Vectors mixRows(const HaarTransfer& transfer, std::span<const std::size_t> rows, std::size_t vectorCount) {
   Vectors vectors(vectorCount, std::vector<double>(cubeTexelCount(transfer.faceSize), 0.0));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t k = 0; k < vectorCount; ++k) {
-      const std::uint32_t hash = (static_cast<std::uint32_t>(i * vectorCount + k) + 1u) * 0x9e3779b1u;
-      const double sign = (hash >> 31) != 0 ? 1.0 : -1.0;
-      for (std::uint32_t e = transfer.offsets[rows[i]]; e < transfer.offsets[rows[i] + 1]; ++e) {
-        vectors[k][transfer.indices[e]] += sign * static_cast<double>(transfer.values[e]);
+  std::mt19937 random(1);
+  for (const std::size_t row : rows) {
+    for (std::vector<double>& vector : vectors) {
+      const double weight = static_cast<double>(random()) / 2147483648.0 - 1.0;
+      for (std::uint32_t e = transfer.offsets[row]; e < transfer.offsets[row + 1]; ++e) {
+        vector[transfer.indices[e]] += weight * static_cast<double>(transfer.values[e]);
       }
     }
   }
@@ -180,9 +195,10 @@ Vectors mixRows(const HaarTransfer& transfer, std::span<const std::size_t> rows,
 Vectors momentsAlong(const HaarTransfer& transfer, std::span<const std::size_t> rows,
                      const Vectors& vectors) {
   Vectors moments(vectors.size(), std::vector<double>(vectors.size(), 0.0));
+  const std::vector<double> sideBySide = interleaved(vectors);
   std::vector<double> products(vectors.size());
   for (const std::size_t row : rows) {
-    project(transfer, row, vectors, products);
+    project(transfer, row, sideBySide, products);
     for (std::size_t a = 0; a < vectors.size(); ++a) {
       for (std::size_t b = 0; b < vectors.size(); ++b) {
         moments[a][b] += products[a] * products[b] / static_cast<double>(rows.size());
@@ -260,6 +276,10 @@ SparseLight fitSelection(std::span<const float> light, const SparseLight& select
     }
   }
   return fitted;
+}
+
+SparseLight selectFitted(std::span<const float> light, std::size_t count, const TransferModel& model) {
+  return fitSelection(light, selectLight(light, model.rms, count), model);
 }
 
 double expectedError(std::span<const float> light, const SparseLight& part, const TransferModel& model) {

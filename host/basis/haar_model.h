@@ -18,8 +18,11 @@ struct TransferModel {
   std::vector<float> rest;       ///< [i], > 0 where rms is
 };
 
-/// Model of a transfer from 4096 of its rows at most, evenly spaced, by `rank` >= 0 directions of greatest
-/// moment (subspace iteration from a fixed start). Fewer rows than `rank` lower it.
+/// Directions of a model from which on more of them gain little (docs/wavelets.md).
+constexpr int usualRank = 16;
+
+/// Model of a transfer from 4096 of its rows at most, evenly spaced over vertices and channels, by `rank` >=
+/// 0 directions of greatest moment (subspace iteration from a fixed start). Fewer rows than `rank` lower it.
 TransferModel modelTransfer(const HaarTransfer& transfer, int rank);
 
 /// The values for the indices of `selection` with which the expected square of the error is least under the
@@ -27,6 +30,10 @@ TransferModel modelTransfer(const HaarTransfer& transfer, int rank);
 /// of the light and a rank x rank system.
 SparseLight fitSelection(std::span<const float> light, const SparseLight& selection,
                          const TransferModel& model);
+
+/// The `count` most important coefficients of a light with fitted values: selectLight() by the model's
+/// weights, then fitSelection().
+SparseLight selectFitted(std::span<const float> light, std::size_t count, const TransferModel& model);
 
 /// The relative RMS error to be expected of results lit by a part of a light, under the model.
 double expectedError(std::span<const float> light, const SparseLight& part, const TransferModel& model);

@@ -178,6 +178,36 @@ TEST(HaarModel, OfAsManyDirectionsAsRows_ExpectsTheErrorThatThereIs) {
   }
 }
 
+TEST(HaarModel, OfEqualRows_IsTheirOneDirection) {
+  const OccludedReceivers one(8, 1, 12);
+  for (const int rows : {1, 2, 4, 16, 64}) {
+    HaarTransfer transfer{8, 1, 0, {0}, {}, {}};
+    for (int row = 0; row < rows; ++row)
+      haar::appendRow(transfer, {one.transfer.indices, one.transfer.values});
+    const haar::TransferModel model = haar::modelTransfer(transfer, 16);
+    double left = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < model.rms.size(); ++i) {
+      left += double(model.rest[i]) * model.rest[i];
+      whole += double(model.rms[i]) * model.rms[i];
+    }
+    EXPECT_LT(std::sqrt(left / whole), 0.01) << rows;
+  }
+}
+
+TEST(HaarModel, OfManyRowsInThreeChannels_KnowsThemAll) {
+  // Channels that have nothing in common, 4096 vertices: every third row of them is of one channel.
+  HaarTransfer transfer{1, 3, 1, {0}, {}, {}};
+  for (int v = 0; v < 4096; ++v) {
+    const float value = 1.0f + 0.5f * std::sin(static_cast<float>(v));
+    for (std::uint32_t c = 0; c < 3; ++c) haar::appendRow(transfer, {{c}, {value}});
+  }
+  const haar::TransferModel model = haar::modelTransfer(transfer, 3);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_GT(model.rms[i], 0.5f);
+    EXPECT_LT(model.rest[i], 0.2f * model.rms[i]) << "coefficient " << i << " is not explained";
+  }
+}
+
 glm::dmat3 turnY(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {{c, 0.0, -s}, {0.0, 1.0, 0.0}, {s, 0.0, c}};
