@@ -35,7 +35,6 @@ std::vector<float> accessibilityOf(const HaarTransfer& transfer) {
 HaarLighting::HaarLighting(const HaarTransfer& transfer, const Device* device)
     : transfer_(transfer),
       device_(device),
-      weights_(haar::coefficientRms(transfer)),
       accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
       radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
 
@@ -56,15 +55,22 @@ std::vector<float> HaarLighting::lightCoefficients(const Illumination& light) co
   return haar::transformLight(cube);
 }
 
-std::vector<glm::vec3> HaarLighting::relight(const std::vector<float>& coefficients, std::size_t terms) {
+haar::SparseLight HaarLighting::kept(const std::vector<float>& coefficients, std::size_t terms) {
   const std::size_t all = cubeTexelCount(transfer_.faceSize);
-  const haar::SparseLight kept =
-      haar::selectLight(coefficients, weights_, terms == 0 ? all : std::min(terms, all));
-  if (device_ == nullptr) return asFloat(haar::relight(transfer_, kept));
+  if (terms == 0 || terms >= all) return haar::selectLight(coefficients, std::vector<float>(all, 1.0f), all);
+  // The model is of the transfer alone and serves every light; a fit is far cheaper than the light's cube
+  // map.
+  if (!model_) model_ = haar::modelTransfer(transfer_, haar::usualRank);
+  return haar::selectFitted(coefficients, terms, *model_);
+}
+
+std::vector<glm::vec3> HaarLighting::relight(const std::vector<float>& coefficients, std::size_t terms) {
+  const haar::SparseLight light = kept(coefficients, terms);
+  if (device_ == nullptr) return asFloat(haar::relight(transfer_, light));
 
   if (relighter_ == nullptr) relighter_ = std::make_unique<HaarRelighter>(device_->context(), transfer_);
   std::vector<LitWavelet> lit;
-  for (std::size_t i = 0; i < kept.indices.size(); ++i) lit.push_back({kept.indices[i], kept.values[i]});
+  for (std::size_t i = 0; i < light.indices.size(); ++i) lit.push_back({light.indices[i], light.values[i]});
   relighter_->setLight(lit);
   Buffer<float> radiance(device_->context(), 3 * relighter_->vertexCount());
   relighter_->relight(radiance);

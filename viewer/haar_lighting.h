@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bake/bake.h"
+#include "basis/haar_model.h"
 #include "device/device.h"
 #include "viewer/drawn_transfer.h"
 
@@ -29,12 +31,16 @@ class HaarLighting : public DrawnTransfer {
   /// Coefficients of the light on the transfer's cube, [channel][i].
   std::vector<float> lightCoefficients(const Illumination& light) const;
 
- private:
+  /// Radiance before albedo, [vertex], by the light's `terms` most important coefficients, or by all: 0.
+  /// Their values are fitted under a model of the transfer, which is made when it is first needed.
   std::vector<glm::vec3> relight(const std::vector<float>& coefficients, std::size_t terms);
+
+ private:
+  haar::SparseLight kept(const std::vector<float>& coefficients, std::size_t terms);
 
   const HaarTransfer& transfer_;
   const Device* device_;
-  std::vector<float> weights_;  ///< by which coefficients are chosen
+  std::optional<haar::TransferModel> model_;  ///< by which coefficients are chosen and fitted
   std::unique_ptr<HaarRelighter> relighter_;
   VertexStream accessibility_;
   VertexStream radiance_;

@@ -171,7 +171,8 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
   addWholeNumber(
       app, "--haar-terms", {1, maxHaarTerms},
       [&](std::uint64_t n) { options.haarTerms = static_cast<std::size_t>(n); },
-      "haar shading: coefficients that the light keeps, the most important ones (default: all)");
+      "haar shading: coefficients that the light keeps, the most important ones, their values fitted to make "
+      "up for the others (default: all)");
   app.add_option_function<std::string>(
          "--ao-correction",
          [&](const std::string& name) {

@@ -14,6 +14,16 @@ Material lambertian(const glm::vec3& albedo) {
   return material;
 }
 
+Light makeLight(LightType type, const glm::vec3& intensity, const glm::dvec3& position,
+                const glm::dvec3& direction) {
+  Light light;
+  light.type = type;
+  light.intensity = intensity;
+  light.position = position;
+  light.direction = glm::normalize(direction);
+  return light;
+}
+
 Primitive& QuadScene::add(const Material& material, float half, const glm::dmat4& transform) {
   Primitive quad;
   quad.positions = {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}};

@@ -13,6 +13,10 @@ namespace prelight::test {
 /// White, dielectric and without any specular reflection: the Lambertian surface of the closed forms.
 Material lambertian(const glm::vec3& albedo);
 
+/// A punctual light; `direction` need not be unit.
+Light makeLight(LightType type, const glm::vec3& intensity, const glm::dvec3& position,
+                const glm::dvec3& direction = {0, 0, -1});
+
 /// Scenes of quads and what is drawn of them.
 struct QuadScene {
   Scene scene;

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "basis/sh.h"
 #include "viewer/lighting.h"
+#include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight {
@@ -18,22 +19,6 @@ using namespace test;
 using viewer::Shading;
 
 constexpr double pi = std::numbers::pi;
-
-void expectColor(const glm::vec3& got, const glm::dvec3& expected, double tolerance) {
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(got[c], expected[c], tolerance * std::max(1e-3, expected[c])) << "channel " << c;
-  }
-}
-
-Light makeLight(LightType type, const glm::vec3& intensity, const glm::dvec3& position,
-                const glm::dvec3& direction = {0, 0, -1}) {
-  Light light;
-  light.type = type;
-  light.intensity = intensity;
-  light.position = position;
-  light.direction = glm::normalize(direction);
-  return light;
-}
 
 QuadScene facingQuad(const glm::vec3& albedo) {
   QuadScene quad;
@@ -157,6 +142,20 @@ TEST(AoShading, BentNormal_PicksItsSideOfTheSky) {
   const glm::vec3 pixel = pixelAt(quad.render(square(Shading::Ao)));
   EXPECT_GT(pixel.r, 0.95f);
   EXPECT_LT(pixel.g, 0.05f);
+}
+
+TEST(AoShading, Interreflection_BrightensByTheAlbedoAChannel) {
+  QuadScene quad;
+  quad.add(lambertian({0.9f, 0.5f, 0.0f}));
+  quad.lookFrom({0, 0, 2}, {0, 0, 0});
+  quad.setSky(constantEnvironment(glm::vec3(1)));
+  quad.compile();
+  quad.bakeOpen(2, 1, 0.4f);
+  viewer::RenderOptions options = square(Shading::Ao);
+  expectColor(pixelAt(quad.render(options)), {0.9 * 0.4, 0.5 * 0.4, 0}, 1e-4);
+  options.aoCorrection = viewer::AoCorrection::Interreflection;
+  expectColor(pixelAt(quad.render(options)), {0.9 * 0.4 / (1 - 0.9 * 0.6), 0.5 * 0.4 / (1 - 0.5 * 0.6), 0},
+              1e-4);
 }
 
 TEST(ShShading, ConstantSky_ThroughAnOpenTransfer_IsAlbedoTimesRadiance) {
