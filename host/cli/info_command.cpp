@@ -6,6 +6,7 @@
 
 #include "bvh/bvh_report.h"
 #include "cli/bake_options.h"
+#include "cli/baked_contents.h"
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/session.h"
@@ -87,35 +88,6 @@ std::optional<Bake> readBakeOrWarn(Session& session, const LoadedScene& loaded) 
   }
 }
 
-Json bakedJson(const Bake& bake) {
-  Json json = {{"ao", !bake.ao.empty()}, {"bentNormal", !bake.bentNormals.empty()}};
-  if (bake.sh)
-    json["sh"] = {{"order", bake.sh->order}, {"channels", bake.sh->channels}, {"bounces", bake.sh->bounces}};
-  if (bake.animation)
-    json["animation"] = {{"index", bake.animation->animation}, {"times", bake.animation->times}};
-  json["generator"] = bake.info.generator;
-  json["seed"] = bake.info.seed;
-  json["rays"] = bake.info.rays;
-  json["error"] = bake.info.error;
-  return json;
-}
-
-std::string bakedText(const Bake& bake) {
-  std::string text;
-  const auto append = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (!bake.ao.empty()) append("AO");
-  if (!bake.bentNormals.empty()) append("bent normals");
-  if (bake.sh)
-    append(fmt::format("SH order {} ({} channel{}, {} bounce{})", bake.sh->order, bake.sh->channels,
-                       bake.sh->channels == 1 ? "" : "s", bake.sh->bounces,
-                       bake.sh->bounces == 1 ? "" : "s"));
-  if (bake.animation)
-    append(fmt::format("{} keys of animation {}", bake.animation->times.size(), bake.animation->animation));
-  if (text.empty()) text = "nothing that this version reads";
-  return fmt::format("{}; {} rays, seed {}, by {}", text, shortCount(static_cast<double>(bake.info.rays)),
-                     bake.info.seed, bake.info.generator);
-}
-
 void printContents(const Console& console, const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   console.line("scene", fmt::format("{}: {}", loaded.path.string(), sceneText(loaded)));
@@ -133,6 +105,17 @@ void printContents(const Console& console, const LoadedScene& loaded) {
   for (const Camera& camera : scene.cameras)
     console.line("camera",
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
+}
+
+void printBaked(const Console& console, const std::optional<Bake>& bake, std::size_t vertices) {
+  if (!bake) {
+    console.line("baked", "nothing");
+    return;
+  }
+  console.line("baked", bakedOriginText(bake->info));
+  const std::vector<BakedTechnique> techniques = bakedTechniques(*bake, vertices);
+  for (const BakedTechnique& technique : techniques) console.line("holds", technique.text);
+  if (techniques.empty()) console.line("holds", "nothing that this version reads");
 }
 
 void printAnimations(const Console& console, const Scene& scene) {
@@ -183,7 +166,7 @@ void runInfo(const InfoCommand& command, Context& context) {
   printContents(console, loaded);
   printAnimations(console, loaded.scene);
   if (tree) console.line("tree", treeText(*tree));
-  console.line("baked", bake ? bakedText(*bake) : "nothing");
+  printBaked(console, bake, loaded.compiled.vertexCount());
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
   printPlan(console, plan);
   console.json({{"command", "info"},
@@ -191,7 +174,7 @@ void runInfo(const InfoCommand& command, Context& context) {
                 {"scene", command.scene.string()},
                 {"contents", contentsJson(loaded)},
                 {"tree", tree ? treeJson(*tree) : Json(nullptr)},
-                {"baked", bake ? bakedJson(*bake) : Json(nullptr)},
+                {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount()) : Json(nullptr)},
                 {"options", toJson(request)},
                 {"plan", plan.toJson()},
                 {"warnings", session.warnings()}});
@@ -208,7 +191,7 @@ void addInfoCommand(CLI::App& program, Context& context) {
   addTechniqueOptions(*app, command->bake);
   addEffortOptions(*app, command->bake);
   app->footer(
-      "Without --ao and --sh the plan is that of bake --ao --sh 3 --bounces 1.\n\n"
+      "Without a technique the plan is that of bake --ao --sh 3 --bounces 1.\n\n"
       "Examples:\n"
       "  prelight info level.glb\n"
       "  prelight info level.glb --ao --sh 6 --json");

@@ -77,10 +77,7 @@ std::string unexpectedArgument(const CLI::App& program, const CLI::App* command,
     return fmt::format("{}: unknown command; this version has {}", *word, commandNames(program));
   if (option == arguments.end()) return fmt::format("{}: one argument too many", *word);
   const CLI::App& app = command != nullptr ? *command : program;
-  const bool bakes = app.get_option_no_throw("--sh") != nullptr;
-  return fmt::format("{}: unknown option; {}{} takes {}", *option,
-                     bakes ? "the techniques of this version are --ao and --sh (with --bounces), and " : "",
-                     app.get_name(), optionNames(app));
+  return fmt::format("{}: unknown option; {} takes {}", *option, app.get_name(), optionNames(app));
 }
 
 int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
