@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "benchmarks/charts.h"
 
@@ -10,8 +11,10 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr double width = 760.0;
-constexpr double left = 230.0;   // of the bars; labels lie before it
-constexpr double right = 640.0;  // of the axis; notes lie behind the bars
+constexpr double margin = 20.0;
+constexpr double leastLeft = 150.0;  // of the bars; labels lie before it
+constexpr double labelGap = 10.0;
+constexpr double noteGap = 6.0;  // notes lie behind the bars
 constexpr double top = 96.0;
 constexpr double rowHeight = 22.0;
 constexpr double barHeight = 12.0;
@@ -20,6 +23,9 @@ constexpr double groupGap = 14.0;
 constexpr std::string_view gridColor = "#e4e6e9";
 constexpr std::string_view peerColor = "#a9b0b8";
 constexpr std::string_view quietColor = "#6b7178";
+constexpr TextStyle labelStyle{12, "#3c4043", Anchor::End};
+constexpr TextStyle nameStyle{12, "#202124", Anchor::Start, true};
+constexpr TextStyle noteStyle{11, quietColor};
 
 double lengthOf(const Bar& bar) {
   double sum = 0.0;
@@ -27,56 +33,112 @@ double lengthOf(const Bar& bar) {
   return sum;
 }
 
-double largest(const BarChart& chart) {
-  double most = 0.0;
+template <typename Function>
+void forBars(const BarChart& chart, const Function& function) {
   for (const BarGroup& group : chart.groups)
-    for (const Bar& bar : group.bars) most = std::max({most, lengthOf(bar), bar.peer});
-  return most > 0.0 ? most : 1.0;
+    for (const Bar& bar : group.bars) function(bar);
 }
 
-/// 1, 2 or 5 times a power of ten, so that about five steps reach `range`.
-double tickStep(double range) {
-  const double power = std::pow(10.0, std::floor(std::log10(range / 5.0)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power * 5.0 >= range) return factor * power;
-  return 10.0 * power;
+/// Where things lie, by what there is to write.
+struct Layout {
+  double left = leastLeft;
+  double right = 0.0;
+  bool namesAbove = false;  ///< groups' names in rows of their own: there is no room beside the labels
+  double min = 0.0;         ///< value at the left end
+  double max = 1.0;         ///< at the right end
+  bool logarithmic = false;
+  std::vector<double> ticks;
+
+  double x(double value) const {
+    if (!logarithmic) return left + (right - left) * (value - min) / (max - min);
+    return left + (right - left) * std::log(std::max(value, min) / min) / std::log(max / min);
+  }
+};
+
+/// The axis ends at round numbers, whole powers of ten if it is logarithmic.
+void chooseAxis(const BarChart& chart, Layout& layout) {
+  double least = std::numeric_limits<double>::max(), most = 0.0;
+  forBars(chart, [&](const Bar& bar) {
+    most = std::max({most, lengthOf(bar), bar.peer});
+    for (const double value : {lengthOf(bar), bar.peer})
+      if (value > 0.0) least = std::min(least, value);
+  });
+  if (most <= 0.0) least = most = 1.0;
+  layout.logarithmic = chart.logarithmic;
+  if (chart.logarithmic) {
+    layout.min = std::pow(10.0, std::floor(std::log10(0.8 * least)));
+    layout.max = std::pow(10.0, std::ceil(std::log10(most)));
+    layout.ticks = logTicks(layout.min, layout.max);
+    return;
+  }
+  layout.ticks = linearTicks(0.0, most, 8.0);
+  const double step = layout.ticks[1] - layout.ticks[0];
+  if (layout.ticks.back() < most * (1.0 - 1e-9)) layout.ticks.push_back(layout.ticks.back() + step);
+  layout.max = layout.ticks.back();
 }
 
-double bottomOf(const BarChart& chart) {
+Layout layoutOf(const BarChart& chart) {
+  Layout layout;
+  double labels = 0.0, names = 0.0;
+  forBars(chart, [&](const Bar& bar) { labels = std::max(labels, textWidth(bar.label, labelStyle)); });
+  for (const BarGroup& group : chart.groups) names = std::max(names, textWidth(group.name, nameStyle));
+  layout.namesAbove = margin + names + 1.5 * labelGap + labels + labelGap > 240.0;
+  layout.left =
+      std::max(leastLeft, margin + labels + labelGap + (layout.namesAbove ? 0.0 : names + 1.5 * labelGap));
+  chooseAxis(chart, layout);
+  // As far right as the notes allow: each lies behind its bar.
+  layout.right = width - margin;
+  forBars(chart, [&](const Bar& bar) {
+    const double room = width - margin - layout.left - noteGap - textWidth(bar.note, noteStyle);
+    Layout unit = layout;
+    unit.left = 0.0;
+    unit.right = 1.0;
+    const double share = unit.x(std::max(lengthOf(bar), bar.peer));
+    if (share > 0.0) layout.right = std::min(layout.right, layout.left + room / share);
+  });
+  return layout;
+}
+
+double bottomOf(const BarChart& chart, const Layout& layout) {
   double y = top;
   for (const BarGroup& group : chart.groups)
-    y += static_cast<double>(group.bars.size()) * rowHeight + groupGap;
+    y += (static_cast<double>(group.bars.size()) + (layout.namesAbove && !group.name.empty() ? 1.0 : 0.0)) *
+             rowHeight +
+         groupGap;
   return y;
 }
 
-void drawAxis(Svg& svg, const BarChart& chart, double scale, double bottom) {
-  const double most = largest(chart), step = tickStep(most);
-  for (double tick = 0.0; tick <= most * 1.0001; tick += step) {
-    const double x = left + tick * scale;
-    svg.line({{x, top - 6}, {x, bottom}}, {gridColor});
-    svg.text({x, bottom + 16}, fmt::format("{:.6g}", tick), {11, quietColor, Anchor::Middle});
+void drawAxis(Svg& svg, const BarChart& chart, const Layout& layout, double bottom) {
+  for (const double tick : layout.ticks) {
+    svg.line({{layout.x(tick), top - 6}, {layout.x(tick), bottom}}, {gridColor});
+    svg.text({layout.x(tick), bottom + 16}, tickText(tick), {11, quietColor, Anchor::Middle});
   }
-  svg.text({0.5 * (left + right), bottom + 36}, chart.axis, {12, quietColor, Anchor::Middle});
+  svg.text({0.5 * (layout.left + layout.right), bottom + 36}, chart.axis, {12, quietColor, Anchor::Middle});
 }
 
 void drawLegend(Svg& svg, const BarChart& chart) {
-  double x = left;
+  double x = margin;
   for (const LegendEntry& entry : chart.legend) {
     svg.rectangle({x, 64}, 10, 10, entry.color);
     svg.text({x + 15, 73}, entry.name);
-    x += 40 + 6.2 * static_cast<double>(entry.name.size());
+    x += 40 + textWidth(entry.name);
   }
 }
 
-void drawBar(Svg& svg, const Bar& bar, double y, double scale) {
-  double x = left;
+void drawBar(Svg& svg, const Bar& bar, double y, const Layout& layout) {
+  double sum = 0.0;
   for (const Bar::Part& part : bar.parts) {
-    svg.rectangle({x, y}, part.value * scale, barHeight, part.color);
-    x += part.value * scale;
+    const double from = sum > 0.0 ? layout.x(sum) : layout.left;
+    sum += part.value;
+    svg.rectangle({from, y}, layout.x(sum) - from, barHeight, part.color);
   }
-  svg.rectangle({left, y + barHeight}, bar.peer * scale, peerHeight, peerColor);
-  svg.text({left - 10, y + barHeight}, bar.label, {12, "#3c4043", Anchor::End});
-  svg.text({std::max(x, left + bar.peer * scale) + 6, y + barHeight - 1}, bar.note, {11, quietColor});
+  double end = sum > 0.0 ? layout.x(sum) : layout.left;
+  if (bar.peer > 0.0) {
+    svg.rectangle({layout.left, y + barHeight}, layout.x(bar.peer) - layout.left, peerHeight, peerColor);
+    end = std::max(end, layout.x(bar.peer));
+  }
+  svg.text({layout.left - labelGap, y + barHeight - 1}, bar.label, labelStyle);
+  svg.text({end + noteGap, y + barHeight - 1}, bar.note, noteStyle);
 }
 
 }  // namespace
@@ -87,17 +149,18 @@ void drawTitle(Svg& svg, double x, const std::string& title, const std::string& 
 }
 
 std::string drawBarChart(const BarChart& chart) {
-  const double bottom = bottomOf(chart);
-  const double scale = (right - left) / largest(chart);
+  const Layout layout = layoutOf(chart);
+  const double bottom = bottomOf(chart, layout);
   Svg svg(width, bottom + 52);
-  drawTitle(svg, 20, chart.title, chart.subtitle);
+  drawTitle(svg, margin, chart.title, chart.subtitle);
   drawLegend(svg, chart);
-  drawAxis(svg, chart, scale, bottom);
+  drawAxis(svg, chart, layout, bottom);
   double y = top;
   for (const BarGroup& group : chart.groups) {
-    svg.text({20, y + barHeight}, group.name, {12, "#202124", Anchor::Start, true});
+    svg.text({margin, y + barHeight - 1}, group.name, nameStyle);
+    if (layout.namesAbove && !group.name.empty()) y += rowHeight;
     for (const Bar& bar : group.bars) {
-      drawBar(svg, bar, y, scale);
+      drawBar(svg, bar, y, layout);
       y += rowHeight;
     }
     y += groupGap;

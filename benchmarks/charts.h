@@ -36,6 +36,7 @@ struct BarChart {
   std::string axis;
   std::vector<LegendEntry> legend;
   std::vector<BarGroup> groups;
+  bool logarithmic = false;  ///< for values of many magnitudes; bars have one part each, above 0
 };
 
 std::string drawBarChart(const BarChart& chart);
@@ -55,10 +56,21 @@ struct CurveChart {
   std::string subtitle;
   std::string xAxis;
   std::string yAxis;
-  std::vector<Curve> curves;  ///< with at least one point in all
+  std::vector<Curve> curves;
 };
 
 std::string drawCurveChart(const CurveChart& chart);
+
+/// About `count` round numbers from `min` to `max`, which is above it: multiples of 1, 2 or 5 times a power
+/// of ten.
+std::vector<double> linearTicks(double min, double max, double count);
+
+/// Round numbers on a logarithmic axis from `min` > 0 to `max`: powers of ten, or more of them where these
+/// would be few, at least two wherever numbers differ.
+std::vector<double> logTicks(double min, double max);
+
+/// "250 k", "0.02", "2e-5".
+std::string tickText(double tick);
 
 /// Title and subtitle in the upper left corner.
 void drawTitle(Svg& svg, double left, const std::string& title, const std::string& subtitle);

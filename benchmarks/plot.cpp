@@ -291,7 +291,7 @@ std::string relightPlot(const Results& results, const std::string& subtitle) {
         .bars.push_back({result.case_,
                          {{gigabytes, palette[0]}},
                          gigabytes / *result.ratio,
-                         fmt::format("{:.3g}, {:.2f} x", gigabytes, *result.ratio)});
+                         fmt::format("{:.3g} GB/s, {:.2g} x", gigabytes, *result.ratio)});
   }
   return drawBarChart(chart);
 }

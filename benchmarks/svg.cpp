@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace prelight::benchmarks {
@@ -24,6 +25,12 @@ std::string escaped(std::string_view text) {
 }
 
 }  // namespace
+
+double textWidth(std::string_view text, const TextStyle& style) {
+  // UTF-8 continues a character by bytes 10xxxxxx.
+  const auto characters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
+  return static_cast<double>(characters) * style.size * (style.bold ? 0.66 : 0.58);
+}
 
 Svg::Svg(double width, double height)
     : body_(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "

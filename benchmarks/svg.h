@@ -27,6 +27,9 @@ struct Stroke {
   bool dashed = false;
 };
 
+/// Pixels that a text takes at most in the usual fonts, which this program cannot ask.
+double textWidth(std::string_view text, const TextStyle& style = {});
+
 /// A drawing of the few shapes that charts are made of, in pixels from the upper left corner.
 class Svg {
  public:

@@ -11,7 +11,6 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr const char* blue = "#2f6db5";
-constexpr const char* orange = "#d97b29";
 constexpr const char* grey = "#a9b0b8";
 
 std::string sceneOf(const std::string& name) { return name.substr(0, name.find('/')); }
@@ -31,26 +30,31 @@ Bar& barNamed(BarChart& chart, const std::string& group, const std::string& labe
 }  // namespace
 
 std::string thesisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
-  BarChart chart{"Precomputation at 10 000 rays a vertex, and a thesis of 2013", subtitle, "seconds", {}, {}};
-  chart.legend = {{"visibility", blue}, {"bounce, matrices", orange}, {"thesis, both", grey}};
+  BarChart chart{"Precomputation now and in a thesis of 2013",
+                 subtitle,
+                 "seconds of both passes (visibility; bounce and matrices)",
+                 {{"now", blue}, {"thesis", grey}},
+                 {},
+                 true};
   for (const BenchmarkResult& result : results) {
     if (!result.metric.starts_with("pass")) continue;
     Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
-    bar.parts.push_back({result.value, result.metric == "pass 1" ? blue : orange});
+    const double before = bar.parts.empty() ? 0.0 : bar.parts[0].value;
+    bar.parts = {{before + result.value, blue}};
     if (result.ratio) bar.peer += result.value * *result.ratio;
-    double total = 0.0;
-    for (const Bar::Part& part : bar.parts) total += part.value;
-    bar.note = fmt::format("{:.3g} s, {:.0f} s then", total, bar.peer);
+    bar.note = fmt::format("{:.3g} s, {:.0f} s then", bar.parts[0].value, bar.peer);
   }
   return drawBarChart(chart);
 }
 
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of transfer between an animation's keys", subtitle, "relative RMS error, %", {}, {}};
-  chart.legend = {{"error", blue}};
   for (const BenchmarkResult& result : results) {
     if (result.metric != "rms error") continue;
-    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    std::string setting = settingOf(result.case_);
+    if (const std::size_t slash = setting.find('/'); slash != std::string::npos)
+      setting.replace(slash, 1, ", ");
+    Bar& bar = barNamed(chart, sceneOf(result.case_), setting);
     bar.parts = {{100.0 * result.value, blue}};
     bar.note = fmt::format("{:.3g} %", 100.0 * result.value);
   }

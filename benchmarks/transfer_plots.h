@@ -8,7 +8,7 @@
 /// Charts of the suites about baked transfer, as SVG.
 namespace prelight::benchmarks {
 
-/// Seconds of both passes of every technique, and the thesis' as a thinner bar.
+/// Seconds of both passes of every technique together, and the thesis' as a thinner bar.
 std::string thesisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
 /// Error between keys, by scene and choice of keys.

@@ -81,9 +81,10 @@ Json reportOf(const std::vector<BenchmarkResult>& results, const std::vector<std
 }
 
 void writePlots(const std::filesystem::path& folder, const std::vector<BenchmarkResult>& results,
-                const DeviceInfo& device, const Console& console) {
+                const DeviceInfo& device, bool quick, const Console& console) {
   const std::string subtitle =
-      fmt::format("{} ({} compute units), {}", device.name, device.computeUnits, device.platform);
+      fmt::format("{}{} ({} compute units), {}", quick ? "Quick run, not to be kept. " : "", device.name,
+                  device.computeUnits, device.platform);
   for (const benchmarks::Plot& plot : benchmarks::makePlots(results, subtitle)) {
     const std::filesystem::path file = folder / (plot.name + ".svg");
     writeTextFile(file, plot.svg);
@@ -115,7 +116,8 @@ void runBench(const BenchCommand& command, Context& context) {
                   report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     session.console().line("wrote", command.json.string());
   }
-  if (!command.plots.empty()) writePlots(command.plots, results, device.info(), session.console());
+  if (!command.plots.empty())
+    writePlots(command.plots, results, device.info(), command.quick, session.console());
   session.console().json(report);
 }
 
