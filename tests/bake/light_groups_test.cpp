@@ -7,7 +7,6 @@
 
 #include "bake/run_bake.h"
 #include "base/error.h"
-#include "base/pattern.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -29,16 +28,6 @@ BakeRequest groupRequest(int bounces = 0, std::uint64_t rays = 256) {
   request.bounces = bounces;
   request.rays = rays;
   return request;
-}
-
-TEST(MatchesPattern, StarsAndQuestionMarks_MatchRunsAndSingles) {
-  EXPECT_TRUE(matchesPattern("Lamp.001", "Lamp*"));
-  EXPECT_TRUE(matchesPattern("Lamp", "L?mp"));
-  EXPECT_TRUE(matchesPattern("ceiling lamp left", "*lamp*left"));
-  EXPECT_TRUE(matchesPattern("", "*"));
-  EXPECT_FALSE(matchesPattern("Lamp", "Lam"));
-  EXPECT_FALSE(matchesPattern("Lamp", "amp*"));
-  EXPECT_FALSE(matchesPattern("Lamp", "Lamp?"));
 }
 
 TEST(GroupLights, NamedAndOthers_AreDealtInOrder) {

@@ -7,7 +7,6 @@
 
 #include "bake/baker.h"
 #include "base/error.h"
-#include "base/pattern.h"
 #include "bvh/tracer.h"
 #include "plan/shadow_sets.h"
 #include "support/devices.h"
@@ -241,15 +240,6 @@ TEST_P(PartialTracer, Hits_AreThoseOfASceneOfThePartWithTheWholesIndices) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, PartialTracer, ::testing::Values(BvhLayout::Wide, BvhLayout::Narrow));
-
-TEST(Pattern, StarsAndQuestionMarks) {
-  EXPECT_TRUE(matchesPattern("Lamp.001", "Lamp*"));
-  EXPECT_TRUE(matchesPattern("a:b", "a?b"));
-  EXPECT_TRUE(matchesPattern("", "*"));
-  EXPECT_FALSE(matchesPattern("Lamp", "Lamp?"));
-  EXPECT_FALSE(matchesPattern("xLamp", "Lamp*"));
-  EXPECT_EQ(splitPatterns(",a,,b*,"), (std::vector<std::string>{"a", "b*"}));
-}
 
 }  // namespace
 }  // namespace prelight

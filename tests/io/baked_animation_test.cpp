@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "io/baked_file.h"
-#include "scene/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
@@ -26,11 +25,6 @@ GltfDocument movingDocument() {
   return document;
 }
 
-CompiledScene compileDocument(const GltfDocument& document) {
-  Warnings warnings;
-  return compileScene(loadScene(document, warnings), warnings);
-}
-
 HarmonicTransfer transferOf(const CompiledScene& scene, float offset) {
   HarmonicTransfer transfer{2, 3, 1, {}};
   for (std::uint32_t v = 0; v < 12 * scene.vertexCount(); ++v)
@@ -50,13 +44,13 @@ Bake makeBake(const CompiledScene& scene) {
 TEST(BakedAnimation, EmbedWriteRead_GivesTheKeysBack) {
   const test::TemporaryFolder folder;
   GltfDocument document = movingDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const Bake bake = makeBake(scene);
   embedBake(document, scene, bake);
   writeGlb(folder / "baked.glb", document);
   Warnings warnings;
   const GltfDocument copy = readGltf(folder / "baked.glb", warnings);
-  const std::optional<Bake> read = readBake(copy, compileDocument(copy));
+  const std::optional<Bake> read = readBake(copy, test::compileDocument(copy));
   ASSERT_TRUE(read && read->animation);
   EXPECT_EQ(read->sh->coefficients, bake.sh->coefficients);
   EXPECT_EQ(read->animation->animation, 0u);
@@ -72,7 +66,7 @@ TEST(BakedAnimation, EmbedWriteRead_GivesTheKeysBack) {
 
 TEST(BakedAnimation, BakingAgain_TakesTheKeysAway) {
   GltfDocument document = movingDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const Json original = document.json;
   const std::size_t bytes = document.bin.size();
   embedBake(document, scene, makeBake(scene));
@@ -95,7 +89,7 @@ class MisfitKeys : public testing::TestWithParam<Misfit> {};
 
 TEST_P(MisfitKeys, Read_ThrowsNamingThePlace) {
   GltfDocument document = movingDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   embedBake(document, scene, makeBake(scene));
   document.json[Json::json_pointer(GetParam().pointer)] = Json::parse(GetParam().value);
   const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
@@ -126,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Table, MisfitKeys, testing::ValuesIn(misfits),
 
 TEST(BakedAnimation, KeysOnOnePrimitiveOnly_AreRefused) {
   GltfDocument document = movingDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   embedBake(document, scene, makeBake(scene));
   document.json["nodes"][1]["extensions"]["PRELIGHT_transfer"]["primitives"][0].erase("keys");
   const std::string message = test::inputErrorOf([&] { readBake(document, scene); });

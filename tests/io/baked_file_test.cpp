@@ -6,18 +6,12 @@
 
 #include "base/error.h"
 #include "scene/builtin.h"
-#include "scene/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-CompiledScene compileDocument(const GltfDocument& document) {
-  Warnings warnings;
-  return compileScene(loadScene(document, warnings), warnings);
-}
 
 Bake makeBake(const CompiledScene& scene) {
   Bake bake;
@@ -47,7 +41,7 @@ GltfDocument sharedMeshDocument() {
 TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   const test::TemporaryFolder folder;
   GltfDocument document = makeBuiltinScene("cornell");
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const Bake bake = makeBake(scene);
   embedBake(document, scene, bake);
   writeGlb(folder / "baked.glb", document);
@@ -70,7 +64,7 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
 
 TEST(BakedFile, Extension_IsUsedButNotRequired) {
   GltfDocument document = test::triangleDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   embedBake(document, scene, makeBake(scene));
   EXPECT_EQ(document.json["extensionsUsed"], Json::array({"PRELIGHT_transfer"}));
   EXPECT_FALSE(document.json.contains("extensionsRequired"));
@@ -80,7 +74,7 @@ TEST(BakedFile, Extension_IsUsedButNotRequired) {
 
 TEST(BakedFile, SharedMesh_HasValuesOnEachNodeAndNoneForPoints) {
   GltfDocument document = sharedMeshDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   ASSERT_EQ(scene.vertexCount(), 6u);
   const Bake bake = makeBake(scene);
   embedBake(document, scene, bake);
@@ -99,7 +93,7 @@ TEST(BakedFile, Instances_AreStoredOneAfterTheOther) {
   GltfDocument document = test::triangleDocument();
   const int offsets = test::appendFloats(document, {0, 0, 0, 0, 0, 4}, "VEC3");
   document.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = offsets;
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const Bake bake = makeBake(scene);
   embedBake(document, scene, bake);
   const auto& primitive = document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0];
@@ -111,7 +105,7 @@ TEST(BakedFile, Instances_AreStoredOneAfterTheOther) {
 
 TEST(BakedFile, BakingAgain_DoesNotGrowTheFile) {
   for (GltfDocument document : {makeBuiltinScene("shapes"), sharedMeshDocument()}) {
-    const CompiledScene scene = compileDocument(document);
+    const CompiledScene scene = test::compileDocument(document);
     const Json original = document.json;
     const auto originalBin = document.bin;
     const Bake bake = makeBake(scene);
@@ -129,7 +123,7 @@ TEST(BakedFile, BakingAgain_DoesNotGrowTheFile) {
 
 TEST(BakedFile, BakingAgain_KeepsWhatSomethingElseRefersTo) {
   GltfDocument document = test::triangleDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   embedBake(document, scene, makeBake(scene));
   const std::size_t last = document.json["accessors"].size() - 1;
   document.json["meshes"][0]["primitives"][0]["attributes"]["_BORROWED"] = last;
@@ -140,7 +134,7 @@ TEST(BakedFile, BakingAgain_KeepsWhatSomethingElseRefersTo) {
 
 TEST(BakedFile, NoExtension_IsNoBake) {
   const GltfDocument document = test::triangleDocument();
-  EXPECT_FALSE(readBake(document, compileDocument(document)));
+  EXPECT_FALSE(readBake(document, test::compileDocument(document)));
 }
 
 struct Misfit {
@@ -156,7 +150,7 @@ class MisfitBake : public testing::TestWithParam<Misfit> {};
 
 TEST_P(MisfitBake, Read_ThrowsNamingThePlace) {
   GltfDocument document = test::triangleDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   embedBake(document, scene, makeBake(scene));
   document.json[Json::json_pointer(GetParam().pointer)] = Json::parse(GetParam().value);
   const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
@@ -186,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(Table, MisfitBake, testing::ValuesIn(misfits),
 
 TEST(BakedFile, NanValue_IsRefused) {
   GltfDocument document = test::triangleDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   Bake bake = makeBake(scene);
   bake.ao[1] = std::numeric_limits<float>::quiet_NaN();
   embedBake(document, scene, bake);
@@ -204,7 +198,7 @@ VolumeTransfer makeVolume() {
 TEST(BakedFile, Volume_IsReadBackAndReplaced) {
   const test::TemporaryFolder folder;
   GltfDocument document = makeBuiltinScene("cornell");
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   Bake bake = makeBake(scene);
   bake.volume = makeVolume();
   embedBake(document, scene, bake);
@@ -227,7 +221,7 @@ TEST(BakedFile, Volume_IsReadBackAndReplaced) {
 
 TEST(BakedFile, VolumeThatDoesNotFitItself_IsRefused) {
   const GltfDocument plain = makeBuiltinScene("cornell");
-  const CompiledScene scene = compileDocument(plain);
+  const CompiledScene scene = test::compileDocument(plain);
   const auto refuses = [&](const char* member, const Json& value) {
     GltfDocument document = plain;
     Bake bake = makeBake(scene);

@@ -6,18 +6,12 @@
 
 #include "io/baked_file.h"
 #include "scene/builtin.h"
-#include "scene/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-CompiledScene compileDocument(const GltfDocument& document) {
-  Warnings warnings;
-  return compileScene(loadScene(document, warnings), warnings);
-}
 
 std::vector<float> someNumbers(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
@@ -63,7 +57,7 @@ Bake copyOf(GltfDocument document, const CompiledScene& scene, const Bake& bake)
 
 TEST(BakedTechniques, WriteRead_GivesEveryOneBack) {
   const GltfDocument document = makeBuiltinScene("cornell");
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const Bake bake = everyTechnique(scene.vertexCount()), copy = copyOf(document, scene, bake);
   ASSERT_TRUE(copy.ch && copy.haar && copy.glossy && copy.lightGroups);
   EXPECT_FALSE(copy.sh);
@@ -82,7 +76,7 @@ TEST(BakedTechniques, WriteRead_GivesEveryOneBack) {
 
 TEST(BakedTechniques, WaveletsOfNothing_AreReadBackEmpty) {
   const GltfDocument document = test::triangleDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   Bake bake;
   bake.haar = HaarTransfer{2, 1, 0, {0, 0, 0, 0}, {}, {}};
   const Bake copy = copyOf(document, scene, bake);
@@ -93,7 +87,7 @@ TEST(BakedTechniques, WaveletsOfNothing_AreReadBackEmpty) {
 
 TEST(BakedTechniques, Compressed_IsReadBackAsItWas) {
   const GltfDocument document = makeBuiltinScene("shapes");
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const HarmonicTransfer sh{3, 3, 1, someNumbers(scene.vertexCount() * 27, 5), false};
   for (const char* method :
        {"half", "band8", "pca:4", "pca:3:byte", "vq:8", "cpca:4:2:float", "cpca:4:2:byte"}) {
@@ -109,7 +103,7 @@ TEST(BakedTechniques, Compressed_IsReadBackAsItWas) {
 
 TEST(BakedTechniques, BakingAgain_LeavesNothingOfThem) {
   GltfDocument document = makeBuiltinScene("shapes");
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   const Json accessors = document.json["accessors"];
   Bake bake = everyTechnique(scene.vertexCount());
   const HarmonicTransfer sh{2, 1, 0, someNumbers(scene.vertexCount() * 4, 6), false};
@@ -129,7 +123,7 @@ class DamagedTechnique : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedTechnique, Read_NamesThePlace) {
   GltfDocument document = test::triangleDocument();
-  const CompiledScene scene = compileDocument(document);
+  const CompiledScene scene = test::compileDocument(document);
   Bake bake = everyTechnique(scene.vertexCount());
   GetParam().change(bake);
   embedBake(document, scene, bake);

@@ -66,6 +66,11 @@ Scene reload(const GltfDocument& document, Warnings& warnings) {
   return loadScene(readGltf(folder / "scene.glb", warnings), warnings);
 }
 
+CompiledScene compileDocument(const GltfDocument& document) {
+  Warnings warnings;
+  return compileScene(loadScene(document, warnings), warnings);
+}
+
 CompiledScene recompile(const GltfDocument& document, Warnings& warnings) {
   return compileScene(reload(document, warnings), warnings);
 }

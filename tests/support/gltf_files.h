@@ -39,6 +39,9 @@ int appendFloats(GltfDocument& document, const std::vector<float>& values, const
 int appendBytes(GltfDocument& document, const std::vector<std::uint8_t>& values, const std::string& type,
                 std::size_t count, int componentType);
 
+/// The document's scene, compiled.
+CompiledScene compileDocument(const GltfDocument& document);
+
 /// Writes the document as .glb, reads it again and loads it.
 Scene reload(const GltfDocument& document, Warnings& warnings);
 CompiledScene recompile(const GltfDocument& document, Warnings& warnings);
