@@ -20,6 +20,7 @@ enum class Attribute : GLuint {
   BentNormal = 6,        ///< vec3, baked; zero where there is none
   Radiance = 7,          ///< vec3, transferred light before albedo
   Glow = 8,              ///< vec3, factor of the emission
+  ChartCoord = 9,        ///< vec4: place and layer in the light maps, 1 where there is one
 };
 
 /// Texture units of the surface program.
@@ -38,6 +39,7 @@ enum Unit : GLuint {
   positionsUnit = 11,     ///< the same
   arrivingUnit = 12,      ///< the same
   lobesUnit = 13,         ///< the same
+  lightMapsUnit = 14,     ///< shaders/surface.frag
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

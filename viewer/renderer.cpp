@@ -22,7 +22,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 14> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 15> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -36,7 +36,8 @@ void prepare(const gl::Program& program) {
        {"triangleCorners", trianglesUnit},
        {"cornerPositions", positionsUnit},
        {"arriving", arrivingUnit},
-       {"lobes", lobesUnit}}};
+       {"lobes", lobesUnit},
+       {"lightMaps", lightMapsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 
@@ -46,6 +47,7 @@ int largestOrder(const Bake* bake) {
   if (bake == nullptr) return order;
   if (bake->sh) order = std::max(order, bake->sh->order);
   if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
+  if (bake->texels) order = std::max(order, bake->texels->order);
   if (bake->ch) order = std::max(order, bake->ch->order);
   if (bake->glossy) order = std::max(order, bake->glossy->order);
   return order;
@@ -120,7 +122,7 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       backgroundProgram_("fullscreen.vert", "background.frag"),
       neutralSkyMap_(constantSky(1.0f)),
       blackSkyMap_(constantSky(0.0f)) {
-  if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_.vertexCount());
+  if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
   if (inputs.environment != nullptr) {
     const Environment& sky = *inputs.environment;
     sky_ = SkyCoefficients(sky, largestOrder(inputs.bake));
@@ -241,8 +243,8 @@ void Renderer::setSurface(const Surface& surface) const {
 void Renderer::drawBatches(const std::vector<const Batch*>& batches, const DrawnTransfer* transfer) const {
   surfaceProgram_.use();
   glBindVertexArray(scene_.vertexArray().name());
-  for (const Attribute attribute :
-       {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow})
+  for (const Attribute attribute : {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance,
+                                    Attribute::Glow, Attribute::ChartCoord})
     glDisableVertexAttribArray(static_cast<GLuint>(attribute));
   // Attributes without an array read these: a white colour, an open sky.
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
@@ -250,6 +252,7 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Drawn
   glVertexAttrib3f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Radiance), 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Glow), 1.0f, 1.0f, 1.0f);
+  glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
   surfaceProgram_.set("transferForm", static_cast<int>(TransferForm::None));
   if (transfer != nullptr) transfer->bind(surfaceProgram_);
   for (const Batch* batch : batches) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"
 #include "viewer/glossy_lighting.h"
 #include "viewer/haar_lighting.h"
@@ -34,12 +35,18 @@ class AoAttributes : public DrawnTransfer {
 
 using Maker = std::unique_ptr<DrawnTransfer> (*)(const RenderInputs&, Lobe);
 
-std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
+std::unique_ptr<DrawnTransfer> makeShOfVertices(const RenderInputs& inputs) {
   if (inputs.bake->sh) return std::make_unique<HarmonicSeries>(*inputs.bake->sh, HarmonicSeries::Basis::Sh);
   const CompressedTransfer& compressed = *inputs.bake->compressedSh;
   if (compressed.method == CompressionMethod::Half || compressed.method == CompressionMethod::Band8)
     return std::make_unique<HarmonicSeries>(compressed);
   return std::make_unique<ClusterTransfer>(compressed);
+}
+
+std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
+  std::unique_ptr<DrawnTransfer> vertices = makeShOfVertices(inputs);
+  if (!inputs.bake->texels) return vertices;
+  return std::make_unique<ChartLighting>(*inputs.bake->texels, inputs.compiled, std::move(vertices));
 }
 
 struct Technique {
@@ -101,11 +108,24 @@ void checkHarmonics(const char* what, const HarmonicTransfer& transfer, std::uin
   expectSize(what, transfer.coefficients.size(), numbers(vertices, transfer.channels, transfer.order, 2));
 }
 
+void checkCharts(const ChartTransfer& texels, const CompiledScene& scene) {
+  expectDrawable("light maps", texels.order, maxTransferOrder, texels.channels);
+  for (const ChartTransfer::Map& map : texels.maps) {
+    expectSize("primitives with light maps", map.primitive < scene.primitives.size() ? 1 : 0, 1);
+    expectSize("texture coordinates of light maps", map.coords.size(),
+               scene.primitives[map.primitive].vertexCount);
+    expectSize(
+        "light maps", map.coefficients.size(),
+        static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height) * texels.rowLength());
+  }
+}
+
 }  // namespace
 
 DrawingRules rulesOf(Shading shading) { return table[static_cast<std::size_t>(shading)].rules; }
 
-void checkBake(const Bake& bake, std::uint32_t vertices) {
+void checkBake(const Bake& bake, const CompiledScene& scene) {
+  const std::uint32_t vertices = scene.vertexCount();
   if (!bake.ao.empty()) expectSize("ambient occlusion", bake.ao.size(), vertices);
   if (!bake.bentNormals.empty()) expectSize("bent normals", bake.bentNormals.size(), vertices);
   if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
@@ -122,6 +142,7 @@ void checkBake(const Bake& bake, std::uint32_t vertices) {
     expectSize("glossy transfer", glossy->matrices.size(),
                numbers(vertices, glossy->channels, glossy->order, 4));
   }
+  if (bake.texels) checkCharts(*bake.texels, scene);
   if (const auto& lights = bake.lightGroups) {
     const auto groups = static_cast<int>(lights->groups.size());
     expectSize("light groups", lights->coefficients.size(), numbers(vertices, lights->channels, groups, 1));

@@ -35,7 +35,7 @@ struct DrawingRules {
 DrawingRules rulesOf(Shading shading);
 
 /// Throws Error when something in the bake does not fit the scene or cannot be drawn.
-void checkBake(const Bake& bake, std::uint32_t vertices);
+void checkBake(const Bake& bake, const CompiledScene& scene);
 
 /// Uploads what the shading needs of a bake that carries it; nullptr for Phong.
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe);

@@ -37,7 +37,7 @@ BakeRequest onlySh(const BakeRequest& request) {
   BakeRequest only = request;
   only.ao = only.lightGroups = false;
   only.namedGroups.clear();
-  only.chOrder = only.haarSize = only.glossyOrder = only.volumeSize = 0;
+  only.chOrder = only.haarSize = only.glossyOrder = only.volumeSize = only.texelSize = 0;
   return only;
 }
 

@@ -38,6 +38,7 @@ struct Bake {
   std::optional<GlossyTransfer> glossy;
   std::optional<LightGroupTransfer> lightGroups;
   std::optional<VolumeTransfer> volume;  ///< of points in the air
+  std::optional<ChartTransfer> texels;   ///< of light maps
   BakeInfo info;
 };
 

@@ -31,7 +31,7 @@ std::uint64_t hashOf(const BakeRequest& request) {
   StateHash hash;
   hash.value(request.ao).value(request.shOrder).value(request.bounces).value(request.maxMemory);
   hash.value(request.chOrder).value(request.chNaive).value(request.haarSize).value(request.haarError);
-  hash.value(request.volumeSize);
+  hash.value(request.volumeSize).value(request.texelSize);
   hash.value(request.glossyOrder).value(request.lightGroups);
   for (const LightGroupRequest& group : request.namedGroups) {
     hash.text(group.name);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "bake/chart_caster.h"
+#include "bake/chart_sampler.h"
 #include "bake/glossy_transfer.h"
 #include "bake/haar_transfer.h"
 #include "bake/light_groups.h"
@@ -55,59 +57,68 @@ CastLimits castLimits(const BakeRequest& request) {
   return {request.nearLimit, request.farLimit, request.obscurance};
 }
 
+/// What the stages of a bake work on and with.
+struct BakeParts {
+  const CompiledScene& scene;
+  const BakeRequest& request;
+  const FitMesh& mesh;
+  const GroupedLights& lights;
+  const ShadowSets& sets;
+  const Charts* charts;
+  Tracer& tracer;
+  std::span<Tracer> setTracers;
+  Caster& caster;
+  SceneCast& cast;
+};
+
 /// The stages of a bake after its parts are made.
-class BakeRunner {
+class BakeRunner : BakeParts {
  public:
-  BakeRunner(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const FitMesh& mesh,
-             const std::vector<LightGroup>& groups, Tracer& tracer, Caster& caster, SceneCast& cast,
-             Progress& progress, BakeReport& report, StageClock& clock)
-      : scene_(scene),
-        request_(request),
+  BakeRunner(const BakeParts& parts, const Plan& plan, Progress& progress, BakeReport& report,
+             StageClock& clock)
+      : BakeParts(parts),
         bounces_(plan.runs("bounces") ? request.bounces : 0),
-        mesh_(mesh),
-        groups_(groups),
-        tracer_(tracer),
-        caster_(caster),
-        cast_(cast),
         progress_(progress),
         report_(report),
         clock_(clock) {}
 
   /// Everything but the info.
   Bake run() {
-    cast_.run(progress_);
-    if (bounces_ > 0) report_.notes.push_back(backNote(cast_));
+    cast.run(progress_);
+    if (bounces_ > 0) report_.notes.push_back(backNote(cast));
     clock_.mark("cast");
-    const std::vector<double> fitted = cast_.front().solve();
-    const ErrorEstimate error = cast_.front().estimateError();
+    const std::vector<double> fitted = cast.front().solve();
+    const ErrorEstimate error = cast.front().estimateError();
     report_.aoErrorRms = error.rms;
     report_.aoErrorMax = error.max;
     clock_.mark("fit");
     Bake bake;
-    if (request_.ao) packAo(mesh_, cast_.front(), fitted, scene_, bake);
-    if (request_.carriesLight()) makeTransfers(fitted, bake);
+    if (request.ao) packAo(mesh, cast.front(), fitted, scene, bake);
+    if (request.carriesLight()) makeTransfers(fitted, bake);
     return bake;
   }
 
  private:
   void makeTransfers(const std::vector<double>& fitted, Bake& bake) {
-    const SlotTransfer transfer = makeTransfer(scene_, mesh_, caster_, cast_, fitted, transferOrder(request_),
-                                               bounces_, progress_, report_);
-    if (request_.shOrder > 0) bake.sh = packSh(mesh_, transfer, scene_, request_.shOrder);
-    if (request_.chOrder > 0) bake.ch = packCh(mesh_, transfer, scene_, request_.chOrder, request_.chNaive);
-    if (request_.lightGroups)
-      bake.lightGroups = packLightGroups(mesh_, transfer, scene_, groups_, groupChannels(transfer));
+    const SlotTransfer transfer =
+        makeTransfer(scene, mesh, caster, cast, fitted, transferOrder(request), bounces_, progress_, report_);
+    if (request.shOrder > 0) bake.sh = packSh(mesh, transfer, scene, request.shOrder);
+    if (request.chOrder > 0) bake.ch = packCh(mesh, transfer, scene, request.chOrder, request.chNaive);
+    if (request.lightGroups)
+      bake.lightGroups = packLightGroups(mesh, transfer, scene, lights.groups, groupChannels(transfer));
     clock_.mark("bounce");
-    if (request_.volumeSize > 0) makeVolumeTransfer(transfer, bake);
-    if (request_.haarSize > 0) makeHaar(transfer, bake);
-    if (request_.glossyOrder > 0) makeGlossy(fitted, transfer, bake);
+    if (request.volumeSize > 0) makeVolumeTransfer(transfer, bake);
+    if (charts != nullptr && !charts->charts.empty()) makeTexels(transfer, bake);
+    if (request.haarSize > 0) makeHaar(transfer, bake);
+    if (request.glossyOrder > 0) makeGlossy(fitted, transfer, bake);
   }
 
   void makeVolumeTransfer(const SlotTransfer& transfer, Bake& bake) {
-    const VolumeGrid grid = makeVolumeGrid(scene_, request_.volumeSize);
-    const VolumeOptions options{request_.shOrder, bounces_, volumeRays(request_), request_.seed,
-                                castLimits(request_)};
-    bake.volume = makeVolume(scene_, mesh_, tracer_, transfer, grid, options, progress_);
+    const VolumeGrid grid = makeVolumeGrid(scene, request.volumeSize);
+    const VolumeOptions options{request.shOrder, bounces_, raysEach(request), request.seed,
+                                castLimits(request)};
+    bake.volume = makeVolume(scene, mesh, tracer, transfer, grid, options, progress_);
+    report_.rays += std::uint64_t{options.rays} * grid.count();
     report_.notes.push_back(
         fmt::format("volume: {} x {} x {} voxels of {:.3g} m, {} rays each, {} of them inside objects",
                     grid.size.x, grid.size.y, grid.size.z, grid.cell(), options.rays,
@@ -115,37 +126,45 @@ class BakeRunner {
     clock_.mark("volume");
   }
 
+  void makeTexels(const SlotTransfer& transfer, Bake& bake) {
+    const ChartOptions options{request.shOrder,     bounces_, raysEach(request), request.seed,
+                               castLimits(request), &sets,    setTracers};
+    ChartReport made;
+    bake.texels = makeChartTransfer(scene, *charts, mesh, tracer, transfer, options, progress_, made);
+    report_.rays += made.rays;
+    report_.notes.push_back(
+        fmt::format("texels: {} light maps, {} texels of them on the surface, {} rays each, {:.3g} % of "
+                    "those from inside objects",
+                    bake.texels->maps.size(), made.texels, options.rays,
+                    100.0 * double(made.hidden * (options.rays / ChartSampler::positionsPerTexel)) /
+                        double(std::max<std::uint64_t>(made.rays, 1))));
+    clock_.mark("texels");
+  }
+
   void makeHaar(const SlotTransfer& transfer, Bake& bake) {
-    const TexelTransfer direct(scene_, mesh_, cast_.front(), request_.haarSize);
+    const TexelTransfer direct(scene, mesh, cast.front(), request.haarSize);
     bake.haar =
-        makeHaarTransfer(scene_, mesh_, direct, transfer, request_.haarSize, request_.haarError, progress_);
+        makeHaarTransfer(scene, mesh, direct, transfer, request.haarSize, request.haarError, progress_);
     report_.notes.push_back(
         fmt::format("wavelets: {:.0f} of {} coefficients a row are kept, on average",
                     double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),
-                    cubeTexelCount(request_.haarSize)));
+                    cubeTexelCount(request.haarSize)));
     clock_.mark("haar");
   }
 
   void makeGlossy(const std::vector<double>& fitted, const SlotTransfer& transfer, Bake& bake) {
     const std::vector<float> matrices =
-        makeGlossyMatrices(scene_, mesh_, caster_, cast_, fitted, transfer, request_.glossyOrder, progress_);
-    bake.glossy = packGlossy(mesh_, transfer, matrices, scene_, request_.glossyOrder);
+        makeGlossyMatrices(scene, mesh, caster, cast, fitted, transfer, request.glossyOrder, progress_);
+    bake.glossy = packGlossy(mesh, transfer, matrices, scene, request.glossyOrder);
     clock_.mark("glossy");
   }
 
   /// Lights of different colours in one group make its channels differ even without bounces.
   int groupChannels(const SlotTransfer& transfer) const {
-    return request_.namedGroups.empty() ? transfer.channels() : 3;
+    return request.namedGroups.empty() ? transfer.channels() : 3;
   }
 
-  const CompiledScene& scene_;
-  const BakeRequest& request_;
   int bounces_;
-  const FitMesh& mesh_;
-  const std::vector<LightGroup>& groups_;
-  Tracer& tracer_;
-  Caster& caster_;
-  SceneCast& cast_;
   Progress& progress_;
   BakeReport& report_;
   StageClock& clock_;
@@ -184,6 +203,24 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Of receivers that are not vertices.
+void checkPlaces(const BakeRequest& request, const Charts* charts) {
+  const bool texels = charts != nullptr && !charts->charts.empty();
+  if (request.shOrder == 0 && (request.volumeSize > 0 || texels))
+    throw UsageError(request.volumeSize > 0 ? "--volume" : "--texels",
+                     "it has the order of the SH transfer, and none is asked for", "add --sh N");
+  if (!texels) return;
+  std::uint64_t bytes = 0;
+  for (const Chart& chart : charts->charts)
+    bytes += static_cast<std::uint64_t>(chart.width) * static_cast<std::uint64_t>(chart.height) * 4u *
+             static_cast<std::uint64_t>(request.shOrder * request.shOrder * (request.bounces > 0 ? 3 : 1));
+  if (bytes > request.maxMemory)
+    throw UsageError("--texels",
+                     fmt::format("{} light maps take {} MB, more than the {} MB of --max-memory",
+                                 charts->charts.size(), bytes >> 20, request.maxMemory >> 20),
+                     "bake fewer texels or a lower order, or raise --max-memory");
+}
+
 void saveTo(BakeCheckpoint& checkpoint, const SceneCast& cast, Clock::time_point start) {
   if (cast.receivers() == 0) return;
   StateWriter state;
@@ -195,13 +232,11 @@ void saveTo(BakeCheckpoint& checkpoint, const SceneCast& cast, Clock::time_point
 }  // namespace
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint) {
+               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint, const Charts* charts) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
-  if (request.volumeSize > 0 && request.shOrder == 0)
-    throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
-                     "add --sh N");
+  checkPlaces(request, charts);
   std::optional<StateReader> saved = checkpoint != nullptr ? checkpoint->load() : std::nullopt;
   double earlierSeconds = 0.0;
   if (saved) saved->value(earlierSeconds);
@@ -229,14 +264,13 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
 
   Bake bake;
   try {
-    bake =
-        BakeRunner(scene, request, plan, mesh, lights.groups, tracer, caster, cast, progress, report, clock)
-            .run();
+    const BakeParts parts{scene, request, mesh, lights, sets, charts, tracer, setTracers, caster, cast};
+    bake = BakeRunner(parts, plan, progress, report, clock).run();
   } catch (const Interrupted&) {
     if (checkpoint != nullptr) saveTo(*checkpoint, cast, start);
     throw;
   }
-  report.rays = cast.rays();
+  report.rays += cast.rays();
   report.receivers = cast.receivers();
   if (!request.error && !request.seconds)
     report.skippedRayFraction =

@@ -11,6 +11,7 @@
 #include "device/device.h"
 #include "io/state_file.h"
 #include "plan/plan.h"
+#include "scene/charts.h"
 
 namespace prelight {
 
@@ -44,8 +45,10 @@ StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const D
 /// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.
 /// Same scene, request and seed give the same bytes on the same device, whatever the thread count.
 /// However often it was interrupted and continued in between, too, unless it bakes against time.
+/// Light maps are made of `charts`, which must outlive the call; without any, none are.
 /// Throws Error (a scene without triangles, device failure, out of memory) and Interrupted.
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint = nullptr);
+               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint = nullptr,
+               const Charts* charts = nullptr);
 
 }  // namespace prelight

@@ -13,13 +13,20 @@ using namespace device;
 
 constexpr std::size_t groupSize = 64;
 
-/// Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and
-/// that a launch stays far below a second anywhere.
-std::uint32_t raysPerBlock(const DeviceInfo& info) {
-  return info.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16;
+}  // namespace
+
+// Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and
+// that a launch stays far below a second anywhere.
+std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerReceiver) {
+  return std::max(1u, (device.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16) / raysPerReceiver);
 }
 
-}  // namespace
+std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene) {
+  std::vector<std::uint8_t> twoSided;
+  for (const std::uint32_t material : scene.triangleMaterials)
+    twoSided.push_back(scene.materials[material].doubleSided ? 1 : 0);
+  return twoSided;
+}
 
 std::vector<float> orientedNormals(const CompiledScene& scene) {
   std::vector<float> normals;
@@ -43,7 +50,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       vertexCount_(scene.vertexCount()),
       translucent_(scene.hasDiffuseTransmission()),
       valueCount_(4 + static_cast<std::uint32_t>(options.shOrder * options.shOrder)),
-      blockSize_(std::max(1u, raysPerBlock(device_.info()) / options.raysPerReceiver)),
+      blockSize_(receiversPerBlock(device_.info(), options.raysPerReceiver)),
       parameters_(device_, 1),
       shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))),
       receivers_(device_, blockSize_),
@@ -60,12 +67,18 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
     texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());
   }
+  if (options_.storedReceivers > 0 || options_.marksInside)
+    geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
+  if (options_.marksInside) {
+    insideMarks_ = cl::Kernel(device_.program("cast/inside_kernels.cl", {}), "markInside");
+    twoSided_ = Buffer<std::uint8_t>(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene)));
+    inside_ = Buffer<std::uint8_t>(device_, blockSize_);
+  }
   if (options_.storedReceivers == 0) return;
   const auto& transport =
       device_.program("cast/transport_kernels.cl", transportOptions(options_.bounceColumns));
   store_ = cl::Kernel(transport, "storeSenders");
   gather_ = cl::Kernel(transport, "gatherBounce");
-  geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
   senders_ = Buffer<Sender>(device_, std::size_t{options_.storedReceivers} * options_.raysPerReceiver);
   marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
   marks_.fill(0);
@@ -102,15 +115,24 @@ void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const
   setParameters(count, storedRow != nullptr ? *storedRow : 0);
   generate(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
-  const bool closest =
-      storedRow != nullptr || options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
+  const bool closest = storedRow != nullptr || options_.marksInside || options_.limits.obscurance > 0.0 ||
+                       (lights_ && lights_->hasEmitters());
   closest ? tracer.traceClosest(rays_, hits_, rayCount) : tracer.traceAny(rays_, hits_, rayCount);
   if (storedRow != nullptr) store(count);
   project(count);
   values.values.resize(std::size_t{count} * valueCount_);
   values_.read(std::span(values.values));
   if (options_.texelFaceSize > 0) codeTexels(count, values.texels);
+  if (options_.marksInside) markInside(count, values.inside);
   if (lights_) lights_->cast({parameters_, receivers_, rays_, hits_}, count, tracer, set, values.lights);
+}
+
+void Caster::markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside) {
+  setArguments(insideMarks_, parameters_.get(), receivers_.get(), rays_.get(), hits_.get(),
+               geometricNormals_.get(), twoSided_.get(), inside_.get());
+  device_.launch(insideMarks_, receivers, groupSize);
+  inside.resize(receivers);
+  inside_.read(std::span(inside));
 }
 
 void Caster::codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels) {

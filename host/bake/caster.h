@@ -25,6 +25,12 @@ double reachOf(const CastLimits& limits);
 /// [triangle][3], orientedNormal of each.
 std::vector<float> orientedNormals(const CompiledScene& scene);
 
+/// [triangle], 1 where both sides are fronts.
+std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene);
+
+/// Receivers a block, of that many rays each: what one round of launches takes.
+std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerReceiver);
+
 struct CastOptions {
   int shOrder = 0;                        ///< 0: no SH
   std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256
@@ -33,6 +39,7 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   CastLimits limits;
+  bool marksInside = false;           ///< tell which receivers lie inside objects
   const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
 };
@@ -43,6 +50,8 @@ struct CastValues {
   std::vector<std::uint32_t>
       texels;                 ///< [receiver][raysPerReceiver], texel x 256 + blocked part of 255; or empty
   std::vector<float> lights;  ///< [receiver][3][group], see LightCaster; or empty
+  std::vector<std::uint8_t> inside;  ///< [receiver], 1: rays met nothing but backs of one-sided surfaces; or
+                                     ///< empty
 };
 
 /// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored
@@ -91,6 +100,7 @@ class Caster {
   void setParameters(std::uint32_t receivers, std::uint32_t firstStored);
   BuildOptions transportOptions(std::size_t columns) const;
   void generate(std::span<const device::Receiver> receivers);
+  void markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside);
   void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
   void project(std::uint32_t receivers);
   void store(std::uint32_t receivers);
@@ -111,10 +121,12 @@ class Caster {
   Buffer<float> geometricNormals_;
   Buffer<device::Sender> senders_;
   Buffer<std::uint8_t> marks_;
+  Buffer<std::uint8_t> twoSided_;
+  Buffer<std::uint8_t> inside_;
   Buffer<float> transfer_;
   Buffer<std::uint32_t> texels_;
   std::optional<LightCaster> lights_;
-  cl::Kernel generate_, project_, store_, gather_, texelCodes_, glossy_;
+  cl::Kernel generate_, project_, store_, gather_, texelCodes_, insideMarks_, glossy_;
   Buffer<float> glossyTable_;
   Buffer<float> glossyValues_;
 };

@@ -1,6 +1,7 @@
 #include "bake/schedule.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "bake/error_estimate.h"
@@ -44,6 +45,11 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
                                 (schedule.raysPerReceiver * static_cast<double>(schedule.passes));
   }
   return schedule;
+}
+
+std::uint32_t raysEach(const BakeRequest& request) {
+  const std::uint64_t rays = request.error || request.seconds ? 1024 : request.rays;
+  return static_cast<std::uint32_t>(std::bit_floor(std::clamp<std::uint64_t>(rays, 16, 4096)));
 }
 
 }  // namespace prelight

@@ -25,4 +25,8 @@ struct Schedule {
 Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
                       std::chrono::steady_clock::time_point start);
 
+/// Rays of a place that no fit smooths, a voxel or texel: those of a vertex, as a power of two from 16 to
+/// 4096.
+std::uint32_t raysEach(const BakeRequest& request);
+
 }  // namespace prelight

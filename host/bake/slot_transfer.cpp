@@ -81,4 +81,17 @@ SlotTransfer makeTransfer(const CompiledScene& scene, const FitMesh& mesh, Caste
   return transfer;
 }
 
+std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns) {
+  std::vector<float> sent;
+  const auto add = [&](const std::vector<double>& slots) {
+    for (const std::uint32_t slot : mesh.slotOfVertex)
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < columns; ++i)
+          sent.push_back(static_cast<float>(slots[(slot * 3 + c) * surface.columns() + i]));
+  };
+  add(surface.reflected);
+  if (!surface.backReflected.empty()) add(surface.backReflected);
+  return sent;
+}
+
 }  // namespace prelight

@@ -36,4 +36,8 @@ SlotTransfer makeTransfer(const CompiledScene& scene, const FitMesh& mesh, Caste
                           const SceneCast& cast, const std::vector<double>& fitted, int order, int bounces,
                           Progress& progress, BakeReport& report);
 
+/// What is reflected last, in the layout of the kernels: [vertex][3][columns], then, where any is seen, the
+/// vertices' backs alike. `columns` is at most shColumns().
+std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns);
+
 }  // namespace prelight

@@ -40,6 +40,10 @@ double insetOf(const CompiledScene& scene, std::uint32_t triangle, double area) 
   return std::clamp(share, leastInset, 0.5);
 }
 
+glm::dvec2 insetBy(double share, const glm::dvec2& weights) {
+  return glm::mix(weights, glm::dvec2(1.0 / 3.0), share);
+}
+
 /// Bits 0, 1, 2 ... of x to places 0, stride, 2 stride ...
 std::uint64_t spread(std::uint64_t x, unsigned bits, unsigned stride) {
   std::uint64_t code = 0;
@@ -118,6 +122,30 @@ glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
   return glm::dot(normal, shading) < 0.0 ? -normal : normal;
 }
 
+glm::dvec2 keptOffEdges(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec2& weights) {
+  const double area = 0.5 * glm::length(geometricNormal(scene, triangle));
+  return insetBy(insetOf(scene, triangle, area), weights);
+}
+
+device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sample, Side side) {
+  const auto& t = scene.triangles[sample.triangle];
+  const double sign = side == Side::Front ? 1.0 : -1.0;
+  const auto [b0, b1, b2] = cornerWeights(sample);
+  const glm::dvec3 p0(scene.positions[t.x]), p1(scene.positions[t.y]), p2(scene.positions[t.z]);
+  const glm::dvec3 geometric = orientedNormal(scene, sample.triangle) * sign;
+  glm::dvec3 normal = geometric;
+  if (!scene.triangleFlat[sample.triangle]) {
+    normal = b0 * glm::dvec3(scene.normals[t.x]) + b1 * glm::dvec3(scene.normals[t.y]) +
+             b2 * glm::dvec3(scene.normals[t.z]);
+    const double length = glm::length(normal);
+    normal = length > 1e-6 ? normal / length * sign : geometric;
+  }
+  const double lift = liftPerMagnitude * largestCoordinate(scene, sample.triangle);
+  const glm::vec3 position(b0 * p0 + b1 * p1 + b2 * p2 + lift * geometric);
+  const glm::vec3 n(normal), g(geometric);
+  return {{position.x, position.y, position.z}, sample.triangle, {n.x, n.y, n.z}, 0, {g.x, g.y, g.z}, 0};
+}
+
 void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink) {
   // Systematic sampling: a comb of unit spacing over the running sum of expected counts, shifted a pass.
   const double shift = sampling::sobol(position_.passes, seed_).x;
@@ -135,11 +163,12 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
     choosePlaces(sequence, chosen);
     const double inset = insetOf(scene_, t, areas_[t]);
     for (const Place& chosenPlace : places_) {
-      const glm::dvec2 b =
-          glm::mix(sampling::uniformTriangle(chosenPlace.point), glm::dvec2(1.0 / 3.0), inset);
+      const glm::dvec2 b = insetBy(inset, sampling::uniformTriangle(chosenPlace.point));
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
                                  static_cast<float>(areas_[t] / (totalArea_ * share))};
-      sink(sample, place(sample, sequence, chosenPlace.index, raysPerReceiver));
+      device::Receiver receiver = receiverAt(scene_, sample, side_);
+      setSequence(sequence, chosenPlace.index, raysPerReceiver, receiver);
+      sink(sample, receiver);
     }
   }
 }
@@ -156,28 +185,11 @@ void SurfaceSampler::choosePlaces(std::uint32_t sequence, std::uint64_t count) {
   });
 }
 
-device::Receiver SurfaceSampler::place(const SurfaceSample& sample, std::uint32_t sequence,
-                                       std::uint32_t index, std::uint32_t raysPerReceiver) const {
-  const auto& t = scene_.triangles[sample.triangle];
-  const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
-  const glm::dvec3 p0(scene_.positions[t.x]), p1(scene_.positions[t.y]), p2(scene_.positions[t.z]);
-  const glm::dvec3 side = orientedNormal(scene_, sample.triangle) * (side_ == Side::Front ? 1.0 : -1.0);
-  glm::dvec3 normal = side;
-  if (!scene_.triangleFlat[sample.triangle]) {
-    normal = b0 * glm::dvec3(scene_.normals[t.x]) + b1 * glm::dvec3(scene_.normals[t.y]) +
-             b2 * glm::dvec3(scene_.normals[t.z]);
-    const double length = glm::length(normal);
-    normal = length > 1e-6 ? normal / length * (side_ == Side::Front ? 1.0 : -1.0) : side;
-  }
-  const double lift = liftPerMagnitude * largestCoordinate(scene_, sample.triangle);
-  const glm::vec3 position(b0 * p0 + b1 * p1 + b2 * p2 + lift * side);
-  const glm::vec3 n(normal), g(side);
-  return {{position.x, position.y, position.z},
-          sample.triangle,
-          {n.x, n.y, n.z},
-          seed_ ^ sampling::hashInteger(2 * sequence + 1),
-          {g.x, g.y, g.z},
-          sampling::shuffledIndex(index, seed_ ^ sampling::hashInteger(~sequence)) * raysPerReceiver};
+void SurfaceSampler::setSequence(std::uint32_t sequence, std::uint32_t index, std::uint32_t raysPerReceiver,
+                                 device::Receiver& receiver) const {
+  receiver.seed = seed_ ^ sampling::hashInteger(2 * sequence + 1);
+  receiver.firstSample =
+      sampling::shuffledIndex(index, seed_ ^ sampling::hashInteger(~sequence)) * raysPerReceiver;
 }
 
 }  // namespace prelight

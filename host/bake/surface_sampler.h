@@ -30,6 +30,14 @@ enum class Side : std::uint8_t { Front, Back };
 /// Unit geometric normal, turned to the side of the shading normals: the front as the file means it.
 glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle);
 
+/// Weights of vertices 1 and 2 of a point of a triangle, moved towards its centroid where rounding could put
+/// the point beyond an edge, to see past the wall that meets it there.
+glm::dvec2 keptOffEdges(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec2& weights);
+
+/// A receiver at a sample, lifted off its triangle by the rounding error. Its sequence (seed, firstSample) is
+/// the caller's to set.
+device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sample, Side side);
+
 /// Places receivers on the surface, pass by pass. Half of them go to triangles by area and half to every
 /// triangle alike, so that large triangles are covered and small ones are not starved. Positions within a
 /// triangle are low-discrepancy over all passes. Triangles, and places within one, follow Morton curves, so
@@ -79,8 +87,8 @@ class SurfaceSampler {
   };
 
   void choosePlaces(std::uint32_t sequence, std::uint64_t count);
-  device::Receiver place(const SurfaceSample& sample, std::uint32_t sequence, std::uint32_t index,
-                         std::uint32_t raysPerReceiver) const;
+  void setSequence(std::uint32_t sequence, std::uint32_t index, std::uint32_t raysPerReceiver,
+                   device::Receiver& receiver) const;
 
   const CompiledScene& scene_;
   std::uint32_t seed_;

@@ -19,6 +19,25 @@ struct HarmonicTransfer {
   bool naive = false;               ///< CH: inner products <T, C_i> in place of coefficients
 };
 
+/// Diffuse SH transfer at the texels of charts (scene/charts.h): HarmonicTransfer's, with the texel's own
+/// normal where the surface has a normal map.
+struct ChartTransfer {
+  struct Map {
+    std::size_t primitive = 0;  ///< into CompiledScene::primitives
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec2> coords;    ///< [vertex of the primitive], in [0,1]^2; row 0 is at v = 0
+    std::vector<float> coefficients;  ///< [row][column][channel][i]; off the surface, those of what is next
+  };
+  int order = 0;
+  int channels = 1;  ///< 3 with bounces, 1 without
+  int bounces = 0;
+  std::vector<Map> maps;  ///< ascending by primitive; at most one a primitive
+
+  /// Coefficients a texel.
+  std::size_t rowLength() const { return static_cast<std::size_t>(order * order * channels); }
+};
+
 /// Transfer at moments of an animation, in world space as the nodes stand then. Between them it is
 /// interpolated (bake/animated_transfer.h).
 struct AnimatedTransfer {

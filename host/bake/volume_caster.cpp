@@ -1,7 +1,6 @@
 #include "bake/volume_caster.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "bake/surface_sampler.h"
 #include "basis/sh_table.h"
@@ -13,28 +12,6 @@ namespace {
 using namespace device;
 
 constexpr std::size_t groupSize = 64;
-constexpr std::uint64_t leastRays = 16, mostRays = 4096;
-
-std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene) {
-  std::vector<std::uint8_t> twoSided;
-  for (const std::uint32_t material : scene.triangleMaterials)
-    twoSided.push_back(scene.materials[material].doubleSided ? 1 : 0);
-  return twoSided;
-}
-
-/// [vertex][3][order^2], then the backs, of what is reflected last.
-std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns) {
-  std::vector<float> sent;
-  const auto add = [&](const std::vector<double>& slots) {
-    for (const std::uint32_t slot : mesh.slotOfVertex)
-      for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < columns; ++i)
-          sent.push_back(static_cast<float>(slots[(slot * 3 + c) * surface.columns() + i]));
-  };
-  add(surface.reflected);
-  if (!surface.backReflected.empty()) add(surface.backReflected);
-  return sent;
-}
 
 class VolumeCaster {
  public:
@@ -45,8 +22,7 @@ class VolumeCaster {
         grid_(grid),
         options_(options),
         columns_(static_cast<std::size_t>(options.order * options.order)),
-        blockSize_(
-            std::max(1u, (device_.info().kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16) / options.rays)),
+        blockSize_(receiversPerBlock(device_.info(), options.rays)),
         vertexCount_(scene.vertexCount()),
         lower_(grid.min - scene.origin),
         parameters_(device_, 1),
@@ -155,11 +131,6 @@ class VolumeCaster {
 };
 
 }  // namespace
-
-std::uint32_t volumeRays(const BakeRequest& request) {
-  const std::uint64_t rays = request.error || request.seconds ? 1024 : request.rays;
-  return static_cast<std::uint32_t>(std::bit_floor(std::clamp(rays, leastRays, mostRays)));
-}
 
 VolumeTransfer makeVolume(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer,
                           const SlotTransfer& surface, const VolumeGrid& grid, const VolumeOptions& options,

@@ -18,9 +18,6 @@ struct VolumeOptions {
   CastLimits limits;
 };
 
-/// Rays a voxel for a request: those of a vertex, as a power of two.
-std::uint32_t volumeRays(const BakeRequest& request);
-
 /// Casts from the centres of a grid's cells. `surface` is the fit's transfer with bounces; read only when
 /// options.bounces is above 0. Voxels that see nothing but backs are dark and are not air.
 VolumeTransfer makeVolume(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer,

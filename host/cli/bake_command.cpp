@@ -47,6 +47,7 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
     throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
   if (command.bake.compression)
     throw UsageError("--animation", "keys are not compressed", "leave out --compress");
+  if (request.texelSize > 0) throw UsageError("--animation", "keys have no light maps", "leave out --texels");
   if (command.resume)
     throw UsageError("--resume", "a bake of an animation starts anew", "leave out --resume");
 }
@@ -65,6 +66,9 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
     throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
   if (request.volumeSize > 0 && request.shOrder == 0)
     throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
+                     "add --sh N");
+  if (request.texelSize > 0 && request.shOrder == 0)
+    throw UsageError("--texels", "light maps have the order of the SH transfer, and none is asked for",
                      "add --sh N");
   checkAnimationOptions(command, request);
   if (request.farLimit > 0.0 && request.nearLimit >= request.farLimit)
@@ -215,6 +219,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --ao --sh 4 --bounces 2\n"
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
+      "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");
   app->callback([command, &context] { runBake(*command, context); });

@@ -46,6 +46,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.haarSize > 0, fmt::format("--haar {}", request.haarSize));
   add(request.glossyOrder > 0, fmt::format("--glossy {}", request.glossyOrder));
   add(request.volumeSize > 0, fmt::format("--volume {}", request.volumeSize));
+  add(request.texelSize > 0, fmt::format("--texels {}", request.texelSize));
   add(request.lightGroups, "--light-groups");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
@@ -175,6 +176,13 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       fmt::format("SH transfer of points in the air, on a grid of this many voxels along the scene's longest "
                   "side, 1 to {} (32 is usual)",
                   BakeRequest::maxVolumeSize));
+  addWholeNumber(
+      app, "--texels", {1, BakeRequest::maxTexelSize},
+      [&](std::uint64_t n) { request.texelSize = static_cast<int>(n); },
+      fmt::format(
+          "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
+          "largest, 1 to {}",
+          BakeRequest::maxTexelSize));
   addWholeNumber(
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },

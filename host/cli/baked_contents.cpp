@@ -135,6 +135,28 @@ BakedTechnique describe(const VolumeTransfer& transfer) {
        {"bytes", bytes}}};
 }
 
+BakedTechnique describe(const ChartTransfer& transfer) {
+  std::size_t bytes = 0, texels = 0;
+  int most = 0;
+  for (const ChartTransfer::Map& map : transfer.maps) {
+    bytes += bytesOf(map.coefficients);
+    texels += static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+    most = std::max({most, map.width, map.height});
+  }
+  return {
+      "texels",
+      fmt::format("{} of at most {} texels a side, {} texels in all; SH of order {}, {}; {}",
+                  counted(transfer.maps.size(), "light map"), most, texels, transfer.order,
+                  channelsText(transfer.channels, transfer.bounces), shortBytes(static_cast<double>(bytes))),
+      {{"maps", transfer.maps.size()},
+       {"largestSide", most},
+       {"texels", texels},
+       {"order", transfer.order},
+       {"channels", transfer.channels},
+       {"bounces", transfer.bounces},
+       {"bytes", bytes}}};
+}
+
 BakedTechnique describe(const AnimatedTransfer& transfer, std::size_t vertices) {
   std::size_t bytes = 0;
   for (const HarmonicTransfer& key : transfer.keys) bytes += bytesOf(key.coefficients);
@@ -160,6 +182,7 @@ std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertic
   if (bake.glossy) found.push_back(describe(*bake.glossy, vertices));
   if (bake.lightGroups) found.push_back(describe(*bake.lightGroups, vertices));
   if (bake.volume) found.push_back(describe(*bake.volume));
+  if (bake.texels) found.push_back(describe(*bake.texels));
   if (bake.animation) found.push_back(describe(*bake.animation, vertices));
   return found;
 }

@@ -97,6 +97,23 @@ Bake requireBake(Session& session, const LoadedScene& loaded) {
   return std::move(*bake);
 }
 
+void compareTexels(const ChartTransfer& first, const ChartTransfer& second, Session& session,
+                   Differences& result) {
+  std::vector<float> a, b;
+  for (const ChartTransfer::Map& map : first.maps)
+    a.insert(a.end(), map.coefficients.begin(), map.coefficients.end());
+  for (const ChartTransfer::Map& map : second.maps)
+    b.insert(b.end(), map.coefficients.begin(), map.coefficients.end());
+  const auto sameShape = [](const ChartTransfer::Map& one, const ChartTransfer::Map& other) {
+    return one.primitive == other.primitive && one.width == other.width && one.height == other.height;
+  };
+  if (first.rowLength() == second.rowLength() && first.channels == second.channels &&
+      std::equal(first.maps.begin(), first.maps.end(), second.maps.begin(), second.maps.end(), sameShape))
+    result.emplace_back("texels", difference(a, b));
+  else
+    session.warn("the light maps differ in order, channels or size and are not compared");
+}
+
 Differences compareBakes(const CompareCommand& command, Session& session) {
   const LoadedScene firstScene = session.load(command.first);
   const LoadedScene secondScene = session.load(command.second);
@@ -112,12 +129,16 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   if (!first.ao.empty() && !second.ao.empty()) result.emplace_back("ao", difference(first.ao, second.ao));
   if (!first.bentNormals.empty() && !second.bentNormals.empty())
     result.emplace_back("bentNormal", difference(floats(first.bentNormals), floats(second.bentNormals)));
-  if (first.sh && second.sh) {
-    if (first.sh->order == second.sh->order && first.sh->channels == second.sh->channels)
-      result.emplace_back("sh", difference(first.sh->coefficients, second.sh->coefficients));
+  const auto compareHarmonics = [&](const char* name, const auto& one, const auto& other) {
+    if (!one || !other) return;
+    if (one->order == other->order && one->channels == other->channels)
+      result.emplace_back(name, difference(one->coefficients, other->coefficients));
     else
-      session.warn("the SH transfers differ in order or channels and are not compared");
-  }
+      session.warn(fmt::format("the {} transfers differ in order or channels and are not compared", name));
+  };
+  compareHarmonics("sh", first.sh, second.sh);
+  compareHarmonics("ch", first.ch, second.ch);
+  if (first.texels && second.texels) compareTexels(*first.texels, *second.texels, session, result);
   if (result.empty())
     throw InputError(command.second.string(),
                      fmt::format("shares no technique with {}", command.first.string()),

@@ -42,7 +42,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   BakeRequest request = asked;
   request.ao = request.lightGroups = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
-  request.volumeSize = 0;  // no picture shows one
+  request.volumeSize = request.texelSize = 0;  // no picture shows the first
   request.namedGroups.clear();
   bool light = false;
   bool lightAsked = false;
@@ -52,6 +52,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     light = light || shading != viewer::Shading::Ao;
     lightAsked = lightAsked || (shading != viewer::Shading::Ao && info.askedBy(asked));
   }
+  if (request.shOrder > 0) request.texelSize = asked.texelSize;
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
@@ -74,6 +75,7 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.haar, from.haar);
   take(into.glossy, from.glossy);
   take(into.lightGroups, from.lightGroups);
+  take(into.texels, from.texels);
 }
 
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {

@@ -31,7 +31,7 @@ std::uint64_t peakResidentBytes() {
 double castSeconds(const BakeReport& report) {
   double seconds = 0.0;
   for (const auto& [stage, time] : report.stageSeconds)
-    if (stage == "cast") seconds += time;
+    if (stage == "cast" || stage == "volume" || stage == "texels") seconds += time;
   return seconds;
 }
 
@@ -68,6 +68,7 @@ Json toJson(const BakeRequest& request) {
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
   if (request.volumeSize > 0) json["volume"] = request.volumeSize;
+  if (request.texelSize > 0) json["texels"] = request.texelSize;
   if (request.nearLimit > 0.0) json["near"] = request.nearLimit;
   if (request.farLimit > 0.0) json["far"] = request.farLimit;
   if (request.obscurance > 0.0) json["obscurance"] = request.obscurance;

@@ -36,11 +36,34 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   run.plan = times_.measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
   const Device device = times_.measure("device", [&] { return Device::open(deviceOptions); });
   run.device = device.info();
+  const Charts charts = chartsOf(loaded, request.texelSize);
   if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
-  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state);
+  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts);
   progress_.clear();
+  if (!charts.leftOut.empty())
+    run.report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
   return run;
+}
+
+Charts Session::chartsOf(const LoadedScene& loaded, int size) {
+  if (size == 0) return {};
+  Warnings odd;
+  Charts charts = times_.measure(
+      "charts", [&] { return makeCharts(loaded.document, loaded.scene, loaded.compiled, size, odd); });
+  for (const std::string& warning : odd) warn(warning);
+  if (charts.charts.empty())
+    throw InputError(loaded.path.string(),
+                     fmt::format("no primitive has texture coordinates for a light map: {}",
+                                 fmt::join(charts.leftOut, "; ")),
+                     "unwrap the meshes into TEXCOORD_1, within 0..1 and without overlaps, or leave out "
+                     "--texels");
+  constexpr std::size_t shown = 4;
+  for (std::size_t i = 0; i < std::min(shown, charts.leftOut.size()); ++i)
+    warn("--texels: left out " + charts.leftOut[i]);
+  if (charts.leftOut.size() > shown)
+    warn(fmt::format("--texels: {} more primitives are left out", charts.leftOut.size() - shown));
+  return charts;
 }
 
 DeviceOptions Session::deviceOptions() const {

@@ -53,7 +53,8 @@ class Session {
   /// Reads and flattens a glTF file and shows what was odd about it.
   LoadedScene load(const std::filesystem::path& path);
 
-  /// Plans and bakes. Throws InputError for a scene without triangles.
+  /// Plans and bakes. Throws InputError for a scene without triangles, or for light maps of one that has no
+  /// texture coordinates for them.
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
                BakeStateFile* state = nullptr);
 
@@ -61,6 +62,8 @@ class Session {
   DeviceOptions deviceOptions() const;
 
  private:
+  Charts chartsOf(const LoadedScene& loaded, int size);
+
   Context& context_;
   Console console_;
   TerminalProgress progress_;

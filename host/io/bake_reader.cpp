@@ -8,74 +8,16 @@
 #include <cmath>
 
 #include "io/baked_ranges.h"
+#include "io/chart_file.h"
 #include "io/compression_names.h"
-#include "scene/accessor.h"
+#include "io/value_reader.h"
 
 namespace prelight {
 
 namespace {
 
-constexpr const char* rebake = "bake the scene again";
 constexpr std::uint64_t maxOrder = 32, maxGlossyOrder = 32, maxFaceSize = 1024, maxGroups = 1u << 16,
                         maxClusters = 1u << 16, maxComponents = 3 * 32 * 32, maxKeys = 1024;
-
-/// Reads typed values of accessors, and complains about those that do not fit.
-class ValueReader {
- public:
-  ValueReader(const GltfDocument& document, const JsonCursor& root) : document_(document), root_(root) {}
-
-  std::vector<float> floats(const JsonCursor& reference, const char* type, std::size_t count) const {
-    const AccessorReader reader = open(reference, type, 5126, count);
-    std::vector<float> values = reader.floats();
-    const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
-    if (bad != values.end())
-      reference.fail(fmt::format("value {} is {}, expected finite numbers", bad - values.begin(), *bad),
-                     rebake);
-    return values;
-  }
-
-  /// Unsigned integers of 1, 2 or 4 bytes.
-  template <typename T>
-  std::vector<T> integers(const JsonCursor& reference, std::optional<std::size_t> count) const {
-    constexpr int componentType = sizeof(T) == 4 ? 5125 : sizeof(T) == 2 ? 5123 : 5121;
-    const auto values = open(reference, "SCALAR", componentType, count).unsignedIntegers();
-    return std::vector<T>(values.begin(), values.end());
-  }
-
- private:
-  AccessorReader open(const JsonCursor& reference, const char* type, int componentType,
-                      std::optional<std::size_t> count) const {
-    AccessorReader reader(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));
-    if (reader.type() != type || reader.componentType() != componentType) {
-      reference.fail(fmt::format("expected an accessor of type {} and component type {}, got {} and {}", type,
-                                 componentType, reader.type(), reader.componentType()),
-                     rebake);
-    }
-    if (count && reader.count() != *count)
-      reference.fail(fmt::format("expected {} values, got {}", *count, reader.count()), rebake);
-    return reader;
-  }
-
-  const GltfDocument& document_;
-  const JsonCursor& root_;
-};
-
-int readNumber(const JsonCursor& json, const char* member, std::uint64_t least, std::uint64_t most) {
-  const std::uint64_t value = json.at(member).asUnsigned();
-  if (value < least || value > most)
-    json.at(member).fail(fmt::format("expected {}..{}, got {}", least, most, value), rebake);
-  return static_cast<int>(value);
-}
-
-int readChannels(const JsonCursor& json) {
-  const int channels = readNumber(json, "channels", 1, 3);
-  if (channels == 2) json.at("channels").fail("expected 1 or 3, got 2", rebake);
-  return channels;
-}
-
-int readBounces(const JsonCursor& json) {
-  return static_cast<int>(std::min<std::uint64_t>(json.unsignedOr("bounces", 0), 1u << 20));
-}
 
 /// All primitives must tell the same of what they share; the first sets it.
 void expectSame(const JsonCursor& json, bool same, const char* what) {
@@ -91,7 +33,11 @@ struct RowPlace {
 class VertexReader {
  public:
   VertexReader(const GltfDocument& document, const JsonCursor& root, const CompiledScene& scene)
-      : values_(document, root), root_(root), scene_(scene), extension_(transferExtension(root)) {}
+      : document_(document),
+        values_(document, root),
+        root_(root),
+        scene_(scene),
+        extension_(transferExtension(root)) {}
 
   void readPrimitive(const JsonCursor& json, const PrimitiveRanges& ranges) {
     json.expectObject();
@@ -113,10 +59,13 @@ class VertexReader {
     if (const auto groups = json.find("lightGroups")) readLightGroups(*groups, ranges);
     if (const auto compressed = json.find("shCompressed")) readCompressed(*compressed, ranges);
     if (const auto keys = json.find("keys")) readKeys(*keys, ranges);
+    if (const auto texels = json.find("texels"))
+      readCharts(document_, root_, *texels, scene_, ranges, bake_.texels);
   }
 
   Bake finish() {
     if (bake_.haar) assembleHaar();
+    if (bake_.texels) sortMaps(*bake_.texels);
     for (std::optional<HarmonicTransfer>& key : keys_) bake_.animation->keys.push_back(*std::move(key));
     return std::move(bake_);
   }
@@ -140,7 +89,7 @@ class VertexReader {
   void readHarmonic(const JsonCursor& json, const PrimitiveRanges& ranges,
                     std::optional<HarmonicTransfer>& target) {
     HarmonicTransfer header;
-    header.order = readNumber(json, "order", 1, maxOrder);
+    header.order = readNumber(json.at("order"), 1, maxOrder);
     header.channels = readChannels(json);
     header.bounces = readBounces(json);
     header.naive = json.stringOr("projection", "") == "naive";
@@ -191,7 +140,7 @@ class VertexReader {
 
   void readHaar(const JsonCursor& json, const PrimitiveRanges& ranges) {
     HaarTransfer header;
-    header.faceSize = readNumber(json, "faceSize", 1, maxFaceSize);
+    header.faceSize = readNumber(json.at("faceSize"), 1, maxFaceSize);
     if (!std::has_single_bit(static_cast<unsigned>(header.faceSize)))
       json.at("faceSize").fail(fmt::format("expected a power of two, got {}", header.faceSize), rebake);
     header.channels = readChannels(json);
@@ -245,7 +194,7 @@ class VertexReader {
 
   void readGlossy(const JsonCursor& json, const PrimitiveRanges& ranges) {
     GlossyTransfer header;
-    header.order = readNumber(json, "order", 1, maxGlossyOrder);
+    header.order = readNumber(json.at("order"), 1, maxGlossyOrder);
     header.channels = readChannels(json);
     header.bounces = readBounces(json);
     if (!bake_.glossy) bake_.glossy = header;
@@ -321,7 +270,7 @@ class VertexReader {
     if (!shared) json.fail("the root's extension does not describe the compression", rebake);
     CompressedTransfer transfer;
     transfer.method = static_cast<CompressionMethod>(indexOfName(shared->at("method"), compressionMethods));
-    transfer.order = readNumber(*shared, "order", 1, maxOrder);
+    transfer.order = readNumber(shared->at("order"), 1, maxOrder);
     transfer.channels = readChannels(*shared);
     transfer.bounces = readBounces(*shared);
     transfer.vertexCount = scene_.vertexCount();
@@ -333,8 +282,8 @@ class VertexReader {
       transfer.ranges = read("ranges", 2 * static_cast<std::size_t>(transfer.channels * transfer.order));
       return transfer;
     }
-    transfer.clusters = readNumber(*shared, "clusterCount", 1, maxClusters);
-    transfer.components = readNumber(*shared, "componentCount", 0, maxComponents);
+    transfer.clusters = readNumber(shared->at("clusterCount"), 1, maxClusters);
+    transfer.components = readNumber(shared->at("componentCount"), 0, maxComponents);
     const auto clusters = static_cast<std::size_t>(transfer.clusters);
     const auto components = static_cast<std::size_t>(transfer.components);
     transfer.means = read("means", clusters * transfer.dimension());
@@ -354,6 +303,7 @@ class VertexReader {
     return static_cast<std::size_t>(at - names.begin());
   }
 
+  const GltfDocument& document_;
   ValueReader values_;
   const JsonCursor& root_;
   const CompiledScene& scene_;

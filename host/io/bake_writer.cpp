@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "io/chart_file.h"
 #include "io/compression_names.h"
 #include "scene/gltf_embed.h"
 
@@ -123,7 +124,8 @@ Json sharedCompression(GltfDocument& document, const CompressedTransfer& transfe
 
 }  // namespace
 
-Json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges& ranges) {
+Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
+                const PrimitiveRanges& ranges) {
   Json json = Json::object();
   if (vertexCount(ranges) == 0) return json;
   if (!bake.ao.empty()) json["ao"] = appendVertices(document, bake.ao, ranges, 1);
@@ -140,6 +142,10 @@ Json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges&
   if (bake.haar) json["haar"] = haarToJson(document, *bake.haar, ranges);
   if (bake.glossy) json["glossy"] = glossyToJson(document, *bake.glossy, ranges);
   if (bake.lightGroups) json["lightGroups"] = lightGroupsToJson(document, *bake.lightGroups, ranges);
+  if (bake.texels) {
+    Json texels = chartsToJson(document, *bake.texels, scene, ranges);
+    if (!texels.is_null()) json["texels"] = std::move(texels);
+  }
   return json;
 }
 

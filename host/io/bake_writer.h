@@ -10,7 +10,8 @@ namespace prelight {
 
 /// The entry of PRELIGHT_transfer for one primitive: what was baked at its vertices, as accessors that are
 /// appended to the document. docs/file-format.md has every member.
-nlohmann::ordered_json bakeToJson(GltfDocument& document, const Bake& bake, const PrimitiveRanges& ranges);
+nlohmann::ordered_json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
+                                  const PrimitiveRanges& ranges);
 
 /// The members of the root's extension that vertices share: names of light groups, times of keys,
 /// compression's tables.

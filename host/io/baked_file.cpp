@@ -43,7 +43,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   stripBake(document);
   for (const auto& [key, ranges] : groupRanges(scene)) {
     const auto node = static_cast<std::size_t>(key.first);
-    Json primitive = bakeToJson(document, bake, ranges);
+    Json primitive = bakeToJson(document, scene, bake, ranges);
     auto& extension = document.json["nodes"][node]["extensions"][extensionName];
     extension["primitives"].push_back(std::move(primitive));
   }

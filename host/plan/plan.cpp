@@ -94,6 +94,18 @@ PlannedPass planVolume(const BakeRequest& request, bool bounces) {
                   bounces ? " and one without bounces" : "", 4 * volumeValues(request, bounces))};
 }
 
+PlannedPass planTexels(const Scene& scene, const BakeRequest& request, bool bounces) {
+  if (request.texelSize == 0) return {"texels", false, "not asked for"};
+  if (request.shOrder == 0) return {"texels", false, "no SH transfer is asked for, whose order they have"};
+  const std::size_t mapped =
+      countMaterials(scene, [](const Material& m) { return m.normalTexture.image >= 0; });
+  return {"texels", true,
+          fmt::format("light maps of at most {0} x {0}, order {1}, {2}, with {3}", request.texelSize,
+                      request.shOrder, channelsText(bounces),
+                      mapped > 0 ? fmt::format("the normals of {} normal-mapped materials", mapped)
+                                 : "shading normals, as no material has a normal map")};
+}
+
 PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
   if (request.shadowSets.empty()) return {"shadow sets", false, "not asked for: everything shadows all"};
   if (sets.empty()) return {"shadow sets", false, "every node sees every other all the same"};
@@ -188,6 +200,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planGlossy(request, bounces.runs));
   add(planLightGroups(request));
   add(planVolume(request, bounces.runs));
+  add(planTexels(scene, request, bounces.runs));
   add(bounces);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});

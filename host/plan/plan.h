@@ -35,6 +35,7 @@ struct BakeRequest {
   bool lightGroups = false;  ///< transfer of the scene's own lights
   std::vector<LightGroupRequest> namedGroups;  ///< lights that none of these names are groups of their own
   int volumeSize = 0;  ///< voxels along the scene's longest side; 0: none; needs shOrder, which is its order
+  int texelSize = 0;   ///< texels along the largest light map, 0: none; needs shOrder, which is its order
   int bounces = 0;     ///< diffuse interreflections, 0..16
   double nearLimit = 0.0;   ///< m, >= 0; what is nearer to a receiver occludes nothing
   double farLimit = 0.0;    ///< m; what is farther occludes nothing; 0: no limit
@@ -56,6 +57,7 @@ struct BakeRequest {
   static constexpr int maxGlossyOrder = 8;
   static constexpr int maxHaarSize = 128;
   static constexpr int maxVolumeSize = 64;
+  static constexpr int maxTexelSize = 4096;
   static constexpr int maxBounces = 16;
   static constexpr std::uint64_t maxRays = 1u << 20;
 };

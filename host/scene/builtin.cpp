@@ -23,6 +23,8 @@ const std::vector<Recipe>& recipes() {
        makeRoomsScene},
       {{"swing", "a turning box, a crossing ball and a swinging board under a lamp (an animation of 4 s)"},
        makeSwingScene},
+      {{"bumps", "a ground of cobbles, a rough wall and a block, by normal maps, unfolded for light maps"},
+       makeBumpsScene},
   };
   return list;
 }

@@ -13,6 +13,9 @@ GltfDocument makeCornellScene();
 GltfDocument makeCausticsScene();
 /// Two closed rooms joined by a door opening; a point light in the left, the camera in the right.
 GltfDocument makeRoomsScene();
+/// A ground of cobbles and a rough wall, by normal maps, and a block that reaches into the ground; all
+/// unfolded for light maps.
+GltfDocument makeBumpsScene();
 /// A ground under an emissive lamp with a box that turns, a ball that crosses and a board that swings: one
 /// animation of 4 s.
 GltfDocument makeSwingScene();

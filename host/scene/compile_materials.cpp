@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "scene/compile_parts.h"
+#include "scene/image_lookup.h"
 
 namespace prelight {
 
@@ -22,35 +23,12 @@ struct SrgbTable {
   }
 };
 
-int wrapTexel(int i, int size, WrapMode mode) {
-  if (mode == WrapMode::ClampToEdge) return std::clamp(i, 0, size - 1);
-  const int period = mode == WrapMode::MirroredRepeat ? 2 * size : size;
-  const int wrapped = ((i % period) + period) % period;
-  return wrapped < size ? wrapped : period - 1 - wrapped;
-}
-
 /// Metalness (blue, linear) of an image between its texels at the centre of texel (x, y) of a width x height
 /// grid.
 float metalnessAt(const Image& image, const TextureRef& ref, int x, int y, int width, int height) {
-  constexpr std::size_t blue = 2;
-  const auto texel = [&](int column, int row) {
-    const auto i = static_cast<std::size_t>(wrapTexel(row, image.height, ref.wrapT)) *
-                       static_cast<std::size_t>(image.width) +
-                   static_cast<std::size_t>(wrapTexel(column, image.width, ref.wrapS));
-    return static_cast<float>(image.rgba[4 * i + blue]) / 255.0f;
-  };
-  if (image.width == width && image.height == height) return texel(x, y);
-  const float u =
-      (static_cast<float>(x) + 0.5f) / static_cast<float>(width) * static_cast<float>(image.width) - 0.5f;
-  const float v =
-      (static_cast<float>(y) + 0.5f) / static_cast<float>(height) * static_cast<float>(image.height) - 0.5f;
-  const int column = static_cast<int>(std::floor(u));
-  const int row = static_cast<int>(std::floor(v));
-  const float fu = u - static_cast<float>(column);
-  const float fv = v - static_cast<float>(row);
-  const float top = std::lerp(texel(column, row), texel(column + 1, row), fu);
-  const float bottom = std::lerp(texel(column, row + 1), texel(column + 1, row + 1), fu);
-  return std::lerp(top, bottom, fv);
+  const glm::vec2 center((static_cast<float>(x) + 0.5f) / static_cast<float>(width),
+                         (static_cast<float>(y) + 0.5f) / static_cast<float>(height));
+  return sampleImage(image, center, ref.wrapS, ref.wrapT).z;
 }
 
 float meanChannel(const Image& image, std::size_t channel) {

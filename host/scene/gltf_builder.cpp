@@ -5,6 +5,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <span>
 
+#include "scene/gltf_embed.h"
+#include "scene/image_encode.h"
+
 namespace prelight {
 
 namespace {
@@ -64,6 +67,20 @@ int GltfBuilder::addDiffuse(const std::string& name, const glm::vec3& albedo) {
   return addMaterial(std::move(material));
 }
 
+int GltfBuilder::addBumpy(const std::string& name, const glm::vec3& albedo, const Image& normals,
+                          float repeats) {
+  Json& json = document_.json;
+  const int view = appendBufferView(document_, encodePng(normals));
+  json["images"].push_back({{"name", normals.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+  json["textures"].push_back({{"source", json["images"].size() - 1}});
+  const int material = addDiffuse(name, albedo);
+  Json texture = {{"index", json["textures"].size() - 1}};
+  texture["extensions"]["KHR_texture_transform"]["scale"] = {repeats, repeats};
+  useExtension("KHR_texture_transform");
+  json["materials"][static_cast<std::size_t>(material)]["normalTexture"] = std::move(texture);
+  return material;
+}
+
 int GltfBuilder::addEmitter(const std::string& name, const glm::vec3& radiance) {
   Json material = plainMaterial(name, glm::vec3(0.0f));
   const float strength = std::max({radiance.x, radiance.y, radiance.z});
@@ -120,6 +137,14 @@ int GltfBuilder::addObject(const std::string& name, const MeshShape& shape, int 
   if (yAngle != 0.0) node["rotation"] = {0.0, std::sin(yAngle / 2.0), 0.0, std::cos(yAngle / 2.0)};
   addNode(std::move(node));
   return static_cast<int>(document_.json["nodes"].size()) - 1;
+}
+
+int GltfBuilder::addUnfolded(const std::string& name, const MeshShape& shape, int material,
+                             const glm::vec3& translation, double yAngle) {
+  const int node = addObject(name, shape, material, translation, yAngle);
+  const int coords = appendVectors(document_, shape.texCoords, "VEC2", float32, 2);
+  document_.json["meshes"].back()["primitives"][0]["attributes"]["TEXCOORD_0"] = coords;
+  return node;
 }
 
 void GltfBuilder::animate(const std::string& animation, int node, AnimatedPath path,

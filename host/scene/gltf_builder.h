@@ -6,6 +6,7 @@
 #include "scene/animation.h"
 #include "scene/gltf_document.h"
 #include "scene/mesh_shapes.h"
+#include "scene/scene.h"
 
 namespace prelight {
 
@@ -16,6 +17,8 @@ class GltfBuilder {
 
   /// Untextured Lambertian surface: no metal, no specular. `albedo` is linear.
   int addDiffuse(const std::string& name, const glm::vec3& albedo);
+  /// A diffuse surface with a normal map that repeats so often along each texture coordinate.
+  int addBumpy(const std::string& name, const glm::vec3& albedo, const Image& normals, float repeats);
   /// Black diffuse surface that emits `radiance` (W/(m2 sr)) from its front.
   int addEmitter(const std::string& name, const glm::vec3& radiance);
   int addMirror(const std::string& name, const glm::vec3& color);
@@ -25,6 +28,9 @@ class GltfBuilder {
   /// A node of its own with a mesh, turned by `yAngle` (radians) around +Y, then moved. Returns its index.
   int addObject(const std::string& name, const MeshShape& shape, int material,
                 const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
+  /// The same with the shape's texture coordinates, which it must have.
+  int addUnfolded(const std::string& name, const MeshShape& shape, int material,
+                  const glm::vec3& translation = glm::vec3(0.0f), double yAngle = 0.0);
   /// A channel of the animation of that name, which the first channel makes.
   void animate(const std::string& animation, int node, AnimatedPath path, const AnimationSampler& sampler);
   /// Point light of `intensity` W/sr.

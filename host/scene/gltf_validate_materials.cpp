@@ -78,6 +78,7 @@ void validateMaterial(const JsonCursor& root, const JsonCursor& material) {
   for (const char* texture : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
     validateTextureInfo(root, material, texture);
   }
+  if (const auto normal = material.find("normalTexture")) validateNumbers(*normal, {"scale"});
   validateColors(material, {{"emissiveFactor", 3}});
   validateNumbers(material, {"alphaCutoff"});
   material.boolOr("doubleSided", false);

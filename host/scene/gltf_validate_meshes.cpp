@@ -20,8 +20,9 @@ struct AttributeRule {
   std::array<std::string_view, 2> types;
 };
 
-constexpr std::array<AttributeRule, 4> attributeRules = {{{"POSITION", {"VEC3", "VEC3"}},
+constexpr std::array<AttributeRule, 5> attributeRules = {{{"POSITION", {"VEC3", "VEC3"}},
                                                           {"NORMAL", {"VEC3", "VEC3"}},
+                                                          {"TANGENT", {"VEC4", "VEC4"}},
                                                           {"TEXCOORD_", {"VEC2", "VEC2"}},
                                                           {"COLOR_", {"VEC3", "VEC4"}}}};
 

@@ -174,6 +174,9 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
                                ": above 1; taken as radiance all the same");
   }
   material.emissiveTexture = loadTexture(context, json, "emissiveTexture");
+  material.normalTexture = loadTexture(context, json, "normalTexture");
+  if (const auto info = json.find("normalTexture"))
+    material.normalScale = info->find("scale") ? finiteFloat(info->at("scale")) : 1.0f;
   if (const auto pbr = json.find("pbrMetallicRoughness")) {
     material.baseColor = clampedColor<4>(context, *pbr, "baseColorFactor", glm::vec4(1.0f));
     material.metallic = clampedOr(context, *pbr, "metallicFactor", 1.0f);

@@ -128,6 +128,27 @@ std::vector<glm::vec3> loadNormals(const LoadContext& context, const tinygltf::P
   return normals;
 }
 
+/// Tangents as unit vectors and a sign; none at all where one has no direction.
+std::vector<glm::vec4> loadTangents(const LoadContext& context, const tinygltf::Primitive& source,
+                                    const std::string& path) {
+  const auto reader = attributeReader(context, source, "TANGENT");
+  if (!reader) return {};
+  const std::vector<float> values = reader->floats();
+  std::vector<glm::vec4> tangents;
+  for (std::size_t i = 0; i + 3 < values.size(); i += 4) {
+    const glm::dvec3 tangent(values[i], values[i + 1], values[i + 2]);
+    const double length = glm::length(tangent);
+    if (!std::isfinite(length) || length < 1e-12) {
+      context.warn(path + "/attributes/TANGENT",
+                   fmt::format("tangent {} has no direction; those of the texture coordinates stand in",
+                               tangents.size()));
+      return {};
+    }
+    tangents.emplace_back(glm::vec3(tangent / length), values[i + 3] < 0.0f ? -1.0f : 1.0f);
+  }
+  return tangents;
+}
+
 std::vector<std::uint32_t> loadIndices(const LoadContext& context, const tinygltf::Primitive& primitive,
                                        std::size_t vertices, const std::string& path) {
   if (primitive.indices < 0) {
@@ -189,6 +210,7 @@ Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& s
   }
   primitive.triangles = assembleTriangles(indices, mode);
   primitive.normals = loadNormals(context, source, primitive, path);
+  primitive.tangents = loadTangents(context, source, path);
   primitive.texCoords0 = loadTexCoords(context, source, path, "TEXCOORD_0");
   primitive.texCoords1 = loadTexCoords(context, source, path, "TEXCOORD_1");
   primitive.colors = loadColors(context, source, path);

@@ -29,10 +29,15 @@ MeshShape makeDisc(float radius, float height, bool facesUp, int segments, int r
 
 }  // namespace
 
+void MeshShape::placeTexCoords(const glm::vec2& corner, const glm::vec2& size) {
+  for (glm::vec2& uv : texCoords) uv = corner + uv * size;
+}
+
 void MeshShape::add(const MeshShape& other) {
   const auto first = static_cast<std::uint32_t>(positions.size());
   positions.insert(positions.end(), other.positions.begin(), other.positions.end());
   normals.insert(normals.end(), other.normals.begin(), other.normals.end());
+  texCoords.insert(texCoords.end(), other.texCoords.begin(), other.texCoords.end());
   for (const glm::uvec3& triangle : other.triangles) triangles.push_back(triangle + first);
 }
 
@@ -45,6 +50,7 @@ MeshShape makeGrid(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm:
       grid.positions.push_back(snap(corner + edgeU * (static_cast<double>(column) / columns) +
                                     edgeV * (static_cast<double>(row) / rows)));
       grid.normals.push_back(normal);
+      grid.texCoords.emplace_back(fraction(column, columns), 1.0f - fraction(row, rows));
     }
   }
   const auto vertex = [&](int column, int row) {
@@ -68,12 +74,23 @@ MeshShape makeBox(const glm::dvec3& size, int cells, bool withBottom) {
   const glm::dvec3 y(0.0, size.y, 0.0);
   const glm::dvec3 z(0.0, 0.0, size.z);
   const glm::dvec3 low(-0.5 * size.x, 0.0, -0.5 * size.z);
-  MeshShape box = makeGrid(low + z, x, y, cells, cells);  // +z
-  box.add(makeGrid(low + x, -x, y, cells, cells));        // -z
-  box.add(makeGrid(low + x + z, -z, y, cells, cells));    // +x
-  box.add(makeGrid(low, z, y, cells, cells));             // -x
-  box.add(makeGrid(low + y + z, x, -z, cells, cells));    // +y
-  if (withBottom) box.add(makeGrid(low, x, z, cells, cells));
+  MeshShape box;
+  int faces = 0;
+  const auto addFace = [&](const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v) {
+    constexpr float gap = 0.02f;
+    MeshShape face = makeGrid(corner, u, v, cells, cells);
+    const glm::vec2 cell(1.0f / 3.0f, 0.5f),
+        place(static_cast<float>(faces % 3), static_cast<float>(faces / 3));
+    face.placeTexCoords(place * cell + gap, cell - 2.0f * gap);
+    box.add(face);
+    ++faces;
+  };
+  addFace(low + z, x, y);       // +z
+  addFace(low + x, -x, y);      // -z
+  addFace(low + x + z, -z, y);  // +x
+  addFace(low, z, y);           // -x
+  addFace(low + y + z, x, -z);  // +y
+  if (withBottom) addFace(low, x, z);
   return box;
 }
 

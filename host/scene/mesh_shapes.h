@@ -11,6 +11,10 @@ struct MeshShape {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::uvec3> triangles;
+  std::vector<glm::vec2> texCoords = {};  ///< of grids, (0, 0) at the end of edgeV; empty: none
+
+  /// Moves texture coordinates from the unit square to a rectangle.
+  void placeTexCoords(const glm::vec2& corner, const glm::vec2& size);
 
   /// Appends another shape, its vertices kept apart.
   void add(const MeshShape& other);
@@ -22,7 +26,7 @@ MeshShape makeGrid(const glm::dvec3& corner, const glm::dvec3& edgeU, const glm:
                    int rows);
 
 /// A box of a face each of cells x cells quads, hard edges, facing outwards, standing on y = 0 around the
-/// y axis.
+/// y axis. Texture coordinates lay the faces out in three columns and two rows, with gaps.
 MeshShape makeBox(const glm::dvec3& size, int cells, bool withBottom);
 
 /// A point of the outline of a surface of revolution around the y axis, and the outline's normal there.

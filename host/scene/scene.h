@@ -43,6 +43,8 @@ struct Material {
   TextureRef metallicRoughnessTexture;  ///< linear: G roughness, B metallic
   glm::vec3 emission{0.0f};             ///< emissiveFactor x emissiveStrength, W/(m2 sr)
   TextureRef emissiveTexture;           ///< sRGB
+  TextureRef normalTexture;  ///< linear tangent-space normals; not among Scene::images' decoded ones
+  float normalScale = 1.0f;  ///< of the texture's x and y
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
@@ -72,7 +74,8 @@ struct Material {
 /// triangles.
 struct Primitive {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;  ///< unit; empty when the file has none (flat shading, as glTF demands)
+  std::vector<glm::vec3> normals;   ///< unit; empty when the file has none (flat shading, as glTF demands)
+  std::vector<glm::vec4> tangents;  ///< xyz unit, w +-1 (bitangent = w n x t); empty when the file has none
   std::vector<glm::vec2> texCoords0;
   std::vector<glm::vec2> texCoords1;
   std::vector<glm::vec4> colors;      ///< linear RGBA of COLOR_0; empty means white

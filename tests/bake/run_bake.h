@@ -11,11 +11,11 @@ struct BakeResult {
 };
 
 /// Plans and bakes on the shared device.
-inline BakeResult runBake(const CompiledScene& scene, const BakeRequest& request) {
+inline BakeResult runBake(const CompiledScene& scene, const BakeRequest& request, const Charts& charts = {}) {
   BakeResult result;
   Progress progress;
-  result.bake =
-      bakeScene(scene, request, makePlan(Scene(), scene, request), sharedDevice(), progress, result.report);
+  result.bake = bakeScene(scene, request, makePlan(Scene(), scene, request), sharedDevice(), progress,
+                          result.report, nullptr, &charts);
   return result;
 }
 

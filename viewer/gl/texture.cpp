@@ -68,6 +68,35 @@ Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texel
   return texture;
 }
 
+Texture makeFloatArray(int side, int layers, const char* what) {
+  const int mostSide = limit(GL_MAX_TEXTURE_SIZE), mostLayers = limit(GL_MAX_ARRAY_TEXTURE_LAYERS);
+  if (side > mostSide || layers > mostLayers) {
+    throw Error(ExitCode::RuntimeFailure, what,
+                std::to_string(layers) + " layers of " + std::to_string(side) +
+                    " texels a side; OpenGL here takes " + std::to_string(mostLayers) + " of " +
+                    std::to_string(mostSide),
+                "bake fewer texels");
+  }
+  Texture texture;
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGB32F, side, side, layers, 0, GL_RGB, GL_FLOAT, nullptr);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
+  check(std::string("making ") + what);
+  return texture;
+}
+
+void fillFloatArray(const Texture& texture, const glm::ivec3& corner, const glm::ivec2& size,
+                    std::span<const glm::vec3> texels) {
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, corner.x, corner.y, corner.z, size.x, size.y, 1, GL_RGB, GL_FLOAT,
+                  texels.data());
+  check("filling a layer of a texture");
+}
+
 BufferTexture makeBufferTexture(std::span<const std::byte> bytes, std::size_t count, GLenum format,
                                 const char* what) {
   const auto largest = static_cast<std::size_t>(limit(GL_MAX_TEXTURE_BUFFER_SIZE));

@@ -19,6 +19,14 @@ Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode
 /// A mipmapped RGB float texture, repeating in u.
 Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texels);
 
+/// Layers of RGB floats, bilinear within a layer, with undefined texels. Throws Error when OpenGL does not
+/// allow as many or as large ones; `what` names the data.
+Texture makeFloatArray(int side, int layers, const char* what);
+
+/// Sets a rectangle of a layer, from its corner (x, y, layer).
+void fillFloatArray(const Texture& texture, const glm::ivec3& corner, const glm::ivec2& size,
+                    std::span<const glm::vec3> texels);
+
 /// Texels of a buffer as vec4, addressed by number. The buffer belongs to the texture.
 struct BufferTexture {
   Buffer buffer;

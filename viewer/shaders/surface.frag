@@ -19,6 +19,9 @@ in float vAccessibility;
 in vec3 vBentNormal;
 in vec3 vTransferred;
 in vec3 vGlow;
+in vec4 vChartCoord;
+
+uniform sampler2DArray lightMaps;  // radiance before albedo
 
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
@@ -58,7 +61,9 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
 }
 
 vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
-  if (rules.x == ambientTransferred) return m.albedo * vTransferred;
+  if (rules.x == ambientTransferred) {
+    return m.albedo * (vChartCoord.w > 0.5 ? texture(lightMaps, vChartCoord.xyz).rgb : vTransferred);
+  }
   vec3 around = n;
   if (rules.x == ambientAccessible && gl_FrontFacing && dot(vBentNormal, vBentNormal) > 1e-12) {
     around = normalize(vBentNormal);

@@ -13,6 +13,7 @@ layout(location = 5) in float accessibility;
 layout(location = 6) in vec3 bentNormal;
 layout(location = 7) in vec3 radiance;
 layout(location = 8) in vec3 glow;
+layout(location = 9) in vec4 chartCoord;
 
 out vec3 vPosition;
 out vec3 vNormal;
@@ -23,6 +24,7 @@ out float vAccessibility;
 out vec3 vBentNormal;
 out vec3 vTransferred;
 out vec3 vGlow;
+out vec4 vChartCoord;
 
 void main() {
   vPosition = position;
@@ -34,5 +36,6 @@ void main() {
   vBentNormal = bentNormal;
   vTransferred = transferredLight(gl_VertexID, position, radiance);
   vGlow = glow;
+  vChartCoord = chartCoord;
   gl_Position = clipFromScene * vec4(position, 1.0);
 }

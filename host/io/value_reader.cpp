@@ -1,0 +1,51 @@
+#include "io/value_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace prelight {
+
+std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* type,
+                                       std::size_t count) const {
+  const AccessorReader reader = open(reference, type, 5126, count);
+  std::vector<float> values = reader.floats();
+  const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+  if (bad != values.end())
+    reference.fail(fmt::format("value {} is {}, expected finite numbers", bad - values.begin(), *bad),
+                   rebake);
+  return values;
+}
+
+AccessorReader ValueReader::open(const JsonCursor& reference, const char* type, int componentType,
+                                 std::optional<std::size_t> count) const {
+  AccessorReader reader(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));
+  if (reader.type() != type || reader.componentType() != componentType) {
+    reference.fail(fmt::format("expected an accessor of type {} and component type {}, got {} and {}", type,
+                               componentType, reader.type(), reader.componentType()),
+                   rebake);
+  }
+  if (count && reader.count() != *count)
+    reference.fail(fmt::format("expected {} values, got {}", *count, reader.count()), rebake);
+  return reader;
+}
+
+int readNumber(const JsonCursor& json, std::uint64_t least, std::uint64_t most) {
+  const std::uint64_t value = json.asUnsigned();
+  if (value < least || value > most)
+    json.fail(fmt::format("expected {}..{}, got {}", least, most, value), rebake);
+  return static_cast<int>(value);
+}
+
+int readChannels(const JsonCursor& json) {
+  const int channels = readNumber(json.at("channels"), 1, 3);
+  if (channels == 2) json.at("channels").fail("expected 1 or 3, got 2", rebake);
+  return channels;
+}
+
+int readBounces(const JsonCursor& json) {
+  return static_cast<int>(std::min<std::uint64_t>(json.unsignedOr("bounces", 0), 1u << 20));
+}
+
+}  // namespace prelight

@@ -1,0 +1,48 @@
+#include "bake/texel_fill.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace prelight {
+namespace {
+
+TEST(FillTexels, OneTexel_SpreadsEverywhere) {
+  std::vector<std::uint8_t> filled(20, 0);
+  std::vector<float> values(40, -9.0f);
+  filled[7] = 1;
+  values[14] = 3.0f;
+  values[15] = 5.0f;
+  fillTexels(5, 4, 2, filled, values);
+  for (std::size_t texel = 0; texel < 20; ++texel) {
+    EXPECT_EQ(filled[texel], 1);
+    EXPECT_EQ(values[2 * texel], 3.0f);
+    EXPECT_EQ(values[2 * texel + 1], 5.0f);
+  }
+}
+
+TEST(FillTexels, Neighbours_AreAveragedAndKept) {
+  std::vector<std::uint8_t> filled = {1, 0, 1};
+  std::vector<float> values = {2.0f, 100.0f, 4.0f};
+  fillTexels(3, 1, 1, filled, values);
+  EXPECT_EQ(values, (std::vector<float>{2.0f, 3.0f, 4.0f}));
+}
+
+// Two texels of one ring must not see one another.
+TEST(FillTexels, Ring_TakesOnlyWhatWasThere) {
+  std::vector<std::uint8_t> filled = {0, 1, 0, 0};
+  std::vector<float> values = {0.0f, 8.0f, 50.0f, 70.0f};
+  fillTexels(2, 2, 1, filled, values);
+  EXPECT_EQ(values, (std::vector<float>{8.0f, 8.0f, 8.0f, 8.0f}));
+}
+
+TEST(FillTexels, NothingFilled_StaysAsItIs) {
+  std::vector<std::uint8_t> filled(4, 0);
+  std::vector<float> values = {1, 2, 3, 4};
+  fillTexels(2, 2, 1, filled, values);
+  EXPECT_EQ(values, (std::vector<float>{1, 2, 3, 4}));
+  EXPECT_EQ(filled, std::vector<std::uint8_t>(4, 0));
+}
+
+}  // namespace
+}  // namespace prelight

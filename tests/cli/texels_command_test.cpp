@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "cli/cli_test.h"
+#include "cli/glb_scene.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int badUsage = 2;
+constexpr int badInput = 3;
+
+class CliTexels : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    prelightDone({"scene", "bumps", "-o", "bumps.glb"});
+  }
+
+  static const nlohmann::ordered_json& baked(const GlbScene& scene, std::size_t node) {
+    return scene.json.at("nodes").at(node).at("extensions").at("PRELIGHT_transfer").at("primitives").at(0);
+  }
+};
+
+TEST_F(CliTexels, Bumps_GetLightMapsInProportion) {
+  const auto result = prelightDone({"bake", "bumps.glb", "-o", "out.glb", "--sh", "3", "--bounces", "1",
+                                    "--texels", "48", "--rays", "32", "--report", "report.json"});
+  const GlbScene scene = parseGlb(readFile("out.glb"));
+  const auto& ground = baked(scene, 0).at("texels");
+  EXPECT_EQ(ground.at("width"), 48);
+  EXPECT_EQ(ground.at("channels"), 3);
+  const std::vector<float> values = floatAccessor(scene, ground.at("coefficients"));
+  EXPECT_EQ(values.size(), 48u * 48u * 27u);
+  for (const float value : values) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_LT(baked(scene, 1).at("texels").at("width"), 48);
+  const auto info = nlohmann::json::parse(prelightDone({"info", "out.glb", "--json"}).output);
+  EXPECT_THAT(info.dump(), HasSubstr("\"largestSide\":48"));
+  const auto report = nlohmann::json::parse(readFile("report.json"));
+  EXPECT_EQ(report.at("options").at("texels"), 48);
+  EXPECT_TRUE(report.at("stages").contains("texels"));
+  EXPECT_THAT(report.at("plan").dump(), HasSubstr("normals of 2 normal-mapped materials"));
+}
+
+TEST_F(CliTexels, Picture_ShowsTheRelief) {
+  prelightDone({"bake", "bumps.glb", "-o", "smooth.glb", "--sh", "3", "--rays", "64"});
+  prelightDone({"bake", "bumps.glb", "-o", "relief.glb", "--sh", "3", "--rays", "64", "--texels", "128"});
+  for (const char* name : {"smooth", "relief"})
+    prelightDone({"render", std::string(name) + ".glb", "-o", std::string(name) + ".exr", "--shading", "sh",
+                  "--size", "160x120"});
+  const auto same =
+      nlohmann::json::parse(prelightDone({"compare", "smooth.exr", "smooth.exr", "--json"}).output);
+  const auto other =
+      nlohmann::json::parse(prelightDone({"compare", "smooth.exr", "relief.exr", "--json"}).output);
+  EXPECT_EQ(same.at("picture").at("rmse"), 0.0);
+  EXPECT_GT(other.at("picture").at("rmse"), 0.02);
+}
+
+TEST_F(CliTexels, WrongUse_IsExplained) {
+  expectFailure(badUsage, {"bake", "bumps.glb", "-o", "x.glb", "--ao", "--texels", "16"},
+                {"--texels", "--sh"});
+  for (const char* size : {"0", "5000", "many"})
+    expectFailure(badUsage, {"bake", "bumps.glb", "-o", "x.glb", "--sh", "2", "--texels", size},
+                  {"--texels"});
+  prelightDone({"scene", "swing", "-o", "swing.glb"});
+  expectFailure(badUsage,
+                {"bake", "swing.glb", "-o", "x.glb", "--sh", "2", "--animation", "0", "--texels", "16"},
+                {"--animation", "--texels"});
+  expectFailure(badUsage,
+                {"bake", "bumps.glb", "-o", "x.glb", "--sh", "8", "--bounces", "1", "--texels", "1024",
+                 "--max-memory", "16M"},
+                {"--texels", "--max-memory"});
+}
+
+TEST_F(CliTexels, SceneWithoutCoordinates_IsBadInput) {
+  prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  expectFailure(badInput, {"bake", "cornell.glb", "-o", "x.glb", "--sh", "2", "--texels", "16"},
+                {"TEXCOORD_1 is not there", "unwrap"});
+}
+
+}  // namespace
+}  // namespace prelight::test

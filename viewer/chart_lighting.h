@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bake/bake.h"
+#include "scene/compiled_scene.h"
+#include "viewer/chart_atlas.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/gl/texture.h"
+
+namespace prelight::viewer {
+
+/// SH transfer of light maps, beside that of the vertices, which primitives without a light map have: the
+/// light through every texel is computed once a light, on the host, and looked up in the fragment shader.
+/// Lights outside the scene shine as seen from its centre.
+class ChartLighting : public DrawnTransfer {
+ public:
+  /// The transfer outlives it.
+  ChartLighting(const ChartTransfer& transfer, const CompiledScene& scene,
+                std::unique_ptr<DrawnTransfer> vertices);
+
+  void light(const Illumination& light) override;
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  const ChartTransfer& transfer_;
+  std::unique_ptr<DrawnTransfer> vertices_;
+  ChartAtlas atlas_;
+  VertexStream coords_;
+  gl::Texture radiance_;
+};
+
+}  // namespace prelight::viewer
