@@ -143,8 +143,7 @@ class BakeRunner : BakeParts {
 
   void makeHaar(const SlotTransfer& transfer, Bake& bake) {
     const TexelTransfer direct(scene, mesh, cast.front(), request.haarSize);
-    bake.haar =
-        makeHaarTransfer(scene, mesh, direct, transfer, request.haarSize, request.haarError, progress_);
+    bake.haar = makeHaarTransfer(mesh, direct, transfer, request.haarSize, request.haarError, progress_);
     report_.notes.push_back(
         fmt::format("wavelets: {:.0f} of {} coefficients a row are kept, on average",
                     double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),

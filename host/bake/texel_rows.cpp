@@ -14,6 +14,8 @@ void TexelRows::add(std::span<const std::uint32_t> codes, std::size_t capacity) 
     return rows_.push_back(closed);
   rows_.push_back(count_++);
   width_ = static_cast<std::uint32_t>(codes.size());
+  // Where it grows bit by bit, it is copied as often.
+  if (codes_.capacity() == 0) codes_.reserve(capacity * width_);
   codes_.insert(codes_.end(), codes.begin(), codes.end());
 }
 

@@ -18,6 +18,17 @@ constexpr float leastRays = 2.0f;
 constexpr std::size_t farReceivers = 16;
 constexpr std::size_t largestFarStep = 4;
 
+/// Rows of rays that are asked for before they are needed.
+constexpr std::size_t rowsAhead = 3;
+
+/// Asks for memory that is soon read.
+void prefetch([[maybe_unused]] std::span<const std::uint32_t> values) {
+#ifdef __GNUC__
+  constexpr std::size_t line = 64 / sizeof(std::uint32_t);
+  for (std::size_t i = 0; i < values.size(); i += line) __builtin_prefetch(&values[i]);
+#endif
+}
+
 /// Indices of items in the order of their keys, and where each key's begin: [key + 1].
 void bucket(const std::vector<std::uint32_t>& keys, std::size_t keyCount, std::vector<std::uint32_t>& start,
             std::vector<std::uint32_t>& order) {
@@ -29,10 +40,21 @@ void bucket(const std::vector<std::uint32_t>& keys, std::size_t keyCount, std::v
   for (std::uint32_t i = 0; i < keys.size(); ++i) order[next[keys[i]]++] = i;
 }
 
-/// Squares of the next finer level, of `size` squares a side here, that make up a square.
-std::array<std::size_t, 4> quartersOf(std::size_t square, std::size_t size) {
-  const std::size_t first = 4 * (square / size) * size + 2 * (square % size);
+/// Squares of the next finer level that make up a square, of 2^bits a side here.
+std::array<std::size_t, 4> quartersOf(std::size_t square, int bits) {
+  const std::size_t size = std::size_t{1} << bits;
+  const std::size_t first = 4 * (square >> bits) * size + 2 * (square & (size - 1));
   return {first, first + 1, first + 2 * size, first + 2 * size + 1};
+}
+
+/// Sums of four neighbours: from faces of 2 size x 2 size to faces of size x size.
+template <typename T, typename Add>
+void halve(const T* fine, std::size_t size, T* coarse, const Add& add) {
+  for (std::size_t row = 0; row < cubeFaces * size; ++row, fine += 4 * size, coarse += size)
+    for (std::size_t column = 0; column < size; ++column) {
+      const T *upper = fine + 2 * column, *lower = upper + 2 * size;
+      coarse[column] = add(upper[0], upper[1], lower[0], lower[1]);
+    }
 }
 
 }  // namespace
@@ -53,7 +75,16 @@ TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, co
     levelStart_.push_back(levelStart_.back() + cubeTexelCount(faceSize >> level));
   std::vector<std::uint32_t> triangles;
   for (const SampleRecord& record : side.records()) triangles.push_back(record.sample.triangle);
-  bucket(triangles, mesh.triangles.size(), recordStart_, recordOrder_);
+  std::vector<std::uint32_t> order;
+  bucket(triangles, mesh.triangles.size(), receiverStart_, order);
+  for (const std::uint32_t record : order) {
+    const SurfaceSample& sample = side.records()[record].sample;
+    const double weight = side.fit().weightOf(sample);
+    const auto b = cornerWeights(sample);
+    receivers_.push_back({{static_cast<float>(weight * b[0]), static_cast<float>(weight * b[1]),
+                           static_cast<float>(weight * b[2])},
+                          side.texelRows().rowOf(record)});
+  }
   std::vector<std::uint32_t> corners;
   for (const auto& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
   bucket(corners, mesh.slotCount(), triangleStart_, slotTriangles_);
@@ -61,18 +92,20 @@ TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, co
 }
 
 TexelTransfer::Workspace TexelTransfer::workspace() const {
-  return {std::vector<TexelSums>(levelStart_.back()), std::vector<float>(levelStart_.back())};
+  const std::vector<RaySums> sums(levelStart_.back());
+  return {{sums, sums}, std::vector<float>(levelStart_.back()), {}};
 }
 
 bool TexelTransfer::evaluate(std::uint32_t slot, Workspace& work, std::span<float> texels) const {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(scene_.normals[mesh_.vertexOfSlot[slot]]));
   texels_.open(normal, std::span(work.open).first(texels_.count()));
-  std::fill_n(work.sums.begin(), texels_.count(), TexelSums{});
+  for (std::vector<RaySums>& sums : work.sums) std::fill_n(sums.begin(), texels_.count(), RaySums{});
   PlainWeights plain;
-  if (!addRays(slot, work, plain)) {
+  if (!weighReceivers(slot, work, plain)) {
     std::copy_n(work.open.begin(), texels_.count(), texels.begin());
     return false;
   }
+  addRays(work);
   buildPyramid(work);
   const int top = levels_ - 1;
   const float whole = wholeFraction(plain, work);
@@ -86,7 +119,9 @@ bool TexelTransfer::evaluate(std::uint32_t slot, Workspace& work, std::span<floa
   return true;
 }
 
-bool TexelTransfer::addRays(std::uint32_t slot, Workspace& work, PlainWeights& plain) const {
+// Lists the receivers around a slot that have rows, and sums up the others.
+bool TexelTransfer::weighReceivers(std::uint32_t slot, Workspace& work, PlainWeights& plain) const {
+  work.rows.clear();
   const std::vector<SlotWeight> row = equations_.inverseRow(slot);
   if (row.empty()) return false;
   const auto weightOf = [&](std::uint32_t s) {
@@ -107,70 +142,67 @@ bool TexelTransfer::addRays(std::uint32_t slot, Workspace& work, PlainWeights& p
     const auto& corners = mesh_.triangles[t];
     const bool near = std::find(corners.begin(), corners.end(), slot) != corners.end();
     const std::uint32_t step = near ? 1 : farStep_;
-    const std::uint32_t first = recordStart_[t] + (slot + step - recordStart_[t] % step) % step;
-    for (std::uint32_t r = first; r < recordStart_[t + 1]; r += step) {
-      const SurfaceSample& sample = side_.records()[recordOrder_[r]].sample;
-      const auto b = cornerWeights(sample);
-      const double share = b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
-      addReceiver(recordOrder_[r], step * side_.fit().weightOf(sample) * share, work, plain);
+    const std::uint32_t begin = receiverStart_[t];
+    for (std::uint32_t r = begin + (slot + step - begin % step) % step; r < receiverStart_[t + 1];
+         r += step) {
+      const auto& [w, texelRow] = receivers_[r];
+      const double weight = step * (w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2]);
+      if (texelRow == TexelRows::open) plain.open += weight;
+      if (texelRow == TexelRows::closed) plain.closed += weight;
+      if (texelRow < TexelRows::missing) work.rows.push_back({texelRow, static_cast<float>(weight)});
     }
   }
   return true;
 }
 
-void TexelTransfer::addReceiver(std::size_t record, double weight, Workspace& work,
-                                PlainWeights& plain) const {
-  const std::uint32_t row = side_.texelRows().rowOf(record);
-  if (row == TexelRows::missing) return;
-  if (row == TexelRows::open || row == TexelRows::closed) {
-    (row == TexelRows::open ? plain.open : plain.closed) += weight;
-    return;
+void TexelTransfer::addRays(Workspace& work) const {
+  const TexelRows& texelRows = side_.texelRows();
+  for (std::size_t i = 0; i < work.rows.size(); ++i) {
+    // Rows lie anywhere in memory, and their rays would be waited for.
+    if (i + rowsAhead < work.rows.size()) prefetch(texelRows.codes(work.rows[i + rowsAhead].row));
+    const auto codes = texelRows.codes(work.rows[i].row);
+    addRow(codes, work.rows[i].weight / static_cast<float>(codes.size()), work);
   }
-  const auto codes = side_.texelRows().codes(row);
-  const float share = static_cast<float>(weight / static_cast<double>(codes.size()));
-  const float magnitude = std::abs(share), square = share * share;
+}
+
+void TexelTransfer::addRow(std::span<const std::uint32_t> codes, float share, Workspace& work) {
+  const float square = share * share;
+  const auto add = [](RaySums& sums, float rayShare, float raySquare) {
+    sums.weight += rayShare;
+    sums.square += raySquare;
+  };
+  const std::array<RaySums*, 2> sums = {work.sums[0].data(), work.sums[1].data()};
   for (const std::uint32_t code : codes) {
-    TexelSums& sums = work.sums[code >> 8];
-    const std::uint32_t blocked = code & 255u;
-    sums.weight += share;
-    sums.square += square;
-    if (blocked > 0) {
-      sums.blocked += share * static_cast<float>(blocked) / 255.0f;
-      sums.shut += magnitude;
+    const std::uint32_t texel = code >> 8, blocked = code & 255u;
+    // 0 or 255, in one test: which of them it is cannot be foreseen.
+    if (((blocked + 1u) & 0xfeu) == 0) {
+      add(sums[blocked & 1u][texel], share, square);
+    } else {
+      const float fraction = static_cast<float>(blocked) / 255.0f;
+      add(sums[0][texel], share * (1.0f - fraction), square * (1.0f - fraction));
+      add(sums[1][texel], share * fraction, square * fraction);
     }
-    if (blocked < 255) sums.clear += magnitude;
   }
 }
 
 void TexelTransfer::buildPyramid(Workspace& work) const {
   for (int level = 1; level < levels_; ++level) {
     const auto size = static_cast<std::size_t>(faceSize_ >> level);
-    const TexelSums* fine = &work.sums[levelStart_[level - 1]];
-    const float* fineOpen = &work.open[levelStart_[level - 1]];
-    TexelSums* coarse = &work.sums[levelStart_[level]];
-    float* coarseOpen = &work.open[levelStart_[level]];
-    for (std::size_t square = 0; square < cubeFaces * size * size; ++square) {
-      TexelSums sum;
-      float open = 0.0f;
-      for (const std::size_t at : quartersOf(square, size)) {
-        sum.weight += fine[at].weight;
-        sum.blocked += fine[at].blocked;
-        sum.shut += fine[at].shut;
-        sum.clear += fine[at].clear;
-        sum.square += fine[at].square;
-        open += fineOpen[at];
-      }
-      coarse[square] = sum;
-      coarseOpen[square] = open;
-    }
+    for (std::vector<RaySums>& sums : work.sums)
+      halve(&sums[levelStart_[level - 1]], size, &sums[levelStart_[level]], [](const auto&... quarters) {
+        return RaySums{(quarters.weight + ...), (quarters.square + ...)};
+      });
+    halve(&work.open[levelStart_[level - 1]], size, &work.open[levelStart_[level]],
+          [](auto... quarters) { return (quarters + ...); });
   }
 }
 
 float TexelTransfer::wholeFraction(const PlainWeights& plain, const Workspace& work) const {
   double weight = plain.open + plain.closed, blocked = plain.closed;
   for (std::size_t face = 0; face < cubeFaces; ++face) {
-    weight += work.sums[levelStart_[levels_ - 1] + face].weight;
-    blocked += work.sums[levelStart_[levels_ - 1] + face].blocked;
+    const std::size_t at = levelStart_[levels_ - 1] + face;
+    weight += work.sums[0][at].weight + work.sums[1][at].weight;
+    blocked += work.sums[1][at].weight;
   }
   return weight > 0.0 ? static_cast<float>(std::clamp(blocked / weight, 0.0, 1.0)) : 0.0f;
 }
@@ -180,28 +212,29 @@ float TexelTransfer::wholeFraction(const PlainWeights& plain, const Workspace& w
 bool TexelTransfer::mixed(int level, std::size_t square, const PlainWeights& plain, const Workspace& work,
                           float& fraction) const {
   const std::size_t at = levelStart_[level] + square;
-  const TexelSums& sums = work.sums[at];
   const float open = work.open[at];
   if (open <= 0.0f) return false;
+  const RaySums &escaped = work.sums[0][at], &hit = work.sums[1][at];
   // Receivers without a row have their rays where the closed form has its light.
   const float openWeight = static_cast<float>(plain.open) * open,
               closedWeight = static_cast<float>(plain.closed) * open;
-  const float shut = sums.shut + std::abs(closedWeight), clear = sums.clear + std::abs(openWeight);
-  if (shut == 0.0f && clear == 0.0f) return false;
-  if (shut == 0.0f || clear == 0.0f) {
-    fraction = shut == 0.0f ? 0.0f : 1.0f;
+  const bool shut = hit.square > 0.0f || closedWeight != 0.0f,
+             clear = escaped.square > 0.0f || openWeight != 0.0f;
+  if (!shut && !clear) return false;
+  if (!shut || !clear) {
+    fraction = shut ? 1.0f : 0.0f;
     return false;
   }
-  const float weight = sums.weight + openWeight + closedWeight;
-  if (weight * weight < leastRays * sums.square || weight <= 0.0f) return false;
-  fraction = std::clamp((sums.blocked + closedWeight) / weight, 0.0f, 1.0f);
+  const float weight = escaped.weight + hit.weight + openWeight + closedWeight;
+  if (weight * weight < leastRays * (escaped.square + hit.square) || weight <= 0.0f) return false;
+  fraction = std::clamp((hit.weight + closedWeight) / weight, 0.0f, 1.0f);
   return true;
 }
 
 void TexelTransfer::descend(int level, std::size_t square, float fraction, const PlainWeights& plain,
                             Workspace& work, std::span<float> texels) const {
   if (level == 0) return settle(level, square, fraction, work, texels);
-  const auto children = quartersOf(square, static_cast<std::size_t>(faceSize_ >> level));
+  const auto children = quartersOf(square, levels_ - 1 - level);
   std::array<float, 4> fractions{};
   std::array<bool, 4> isMixed{};
   float missing = work.open[levelStart_[level] + square] * fraction, room = 0.0f;
@@ -225,10 +258,14 @@ void TexelTransfer::descend(int level, std::size_t square, float fraction, const
 
 void TexelTransfer::settle(int level, std::size_t square, float fraction, const Workspace& work,
                            std::span<float> texels) const {
-  const auto size = static_cast<std::size_t>(faceSize_ >> level), width = static_cast<std::size_t>(1)
-                                                                          << level;
-  const std::size_t first =
-      (square / size * width) * static_cast<std::size_t>(faceSize_) + square % size * width;
+  if (level == 0) {
+    texels[square] = work.open[square] * (1.0f - fraction);
+    return;
+  }
+  const int bits = levels_ - 1 - level;
+  const std::size_t width = std::size_t{1} << level,
+                    column0 = (square & ((std::size_t{1} << bits) - 1)) * width;
+  const std::size_t first = (square >> bits) * width * static_cast<std::size_t>(faceSize_) + column0;
   for (std::size_t row = 0; row < width; ++row)
     for (std::size_t column = 0; column < width; ++column) {
       const std::size_t at = first + row * static_cast<std::size_t>(faceSize_) + column;

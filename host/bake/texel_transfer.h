@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -12,13 +13,10 @@
 
 namespace prelight {
 
-/// Sums over the rays in a texel or a square of texels.
-struct TexelSums {
-  float weight = 0.0f;   ///< of all rays
-  float blocked = 0.0f;  ///< of the blocked ones
-  float shut = 0.0f;     ///< absolute weight of rays that are blocked at least in part
-  float clear = 0.0f;    ///< of those that are open at least in part
-  float square = 0.0f;   ///< of weights, for their effective number
+/// Sums over rays in a texel or a square of texels.
+struct RaySums {
+  float weight = 0.0f;
+  float square = 0.0f;  ///< of weights: their effective number, and above 0 if there is any ray
 };
 
 /// Direct transfer of the fit's slots over the texels of a cube map, from the rays that a side's receivers
@@ -34,10 +32,19 @@ class TexelTransfer {
   /// The side must outlive this; its rays were coded on a cube map of this face size.
   TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, const SideCast& side, int faceSize);
 
+  /// Rays of a receiver.
+  struct WeightedRow {
+    std::uint32_t row;  ///< of TexelRows
+    float weight;       ///< of all its rays
+  };
+
   /// Memory that evaluate() works in, one a thread.
   struct Workspace {
-    std::vector<TexelSums> sums;  ///< pyramid: [level], finest first, [face][row][column]
-    std::vector<float> open;      ///< the same, of the closed form
+    /// Pyramids: [level], finest first, [face][row][column]. Of rays that met the open, and of those that met
+    /// a surface; one that is blocked in part counts for both.
+    std::array<std::vector<RaySums>, 2> sums;
+    std::vector<float> open;        ///< the same, of the closed form
+    std::vector<WeightedRow> rows;  ///< around the slot
   };
   Workspace workspace() const;
 
@@ -50,8 +57,15 @@ class TexelTransfer {
     double closed = 0.0;  ///< of those that saw none of it
   };
 
-  bool addRays(std::uint32_t slot, Workspace& work, PlainWeights& plain) const;
-  void addReceiver(std::size_t record, double weight, Workspace& work, PlainWeights& plain) const;
+  /// A receiver of the side.
+  struct Receiver {
+    std::array<float, 3> weights;  ///< what it weighs in the fit, times the barycentric weights of corners
+    std::uint32_t row;             ///< of TexelRows, or what it says in place of one
+  };
+
+  bool weighReceivers(std::uint32_t slot, Workspace& work, PlainWeights& plain) const;
+  void addRays(Workspace& work) const;
+  static void addRow(std::span<const std::uint32_t> codes, float share, Workspace& work);
   void buildPyramid(Workspace& work) const;
   float wholeFraction(const PlainWeights& plain, const Workspace& work) const;
   void descend(int level, std::size_t square, float fraction, const PlainWeights& plain, Workspace& work,
@@ -70,8 +84,8 @@ class TexelTransfer {
   int levels_;                           ///< 1 + log2 of the face size
   std::vector<std::size_t> levelStart_;  ///< [level + 1], into the pyramid
   NormalEquations equations_;
-  std::vector<std::uint32_t> recordStart_;    ///< [triangle + 1], into recordOrder_
-  std::vector<std::uint32_t> recordOrder_;    ///< the side's records by triangle
+  std::vector<std::uint32_t> receiverStart_;  ///< [triangle + 1], into receivers_
+  std::vector<Receiver> receivers_;           ///< by triangle
   std::vector<std::uint32_t> triangleStart_;  ///< [slot + 1], into slotTriangles_
   std::vector<std::uint32_t> slotTriangles_;  ///< triangles around every slot
 };

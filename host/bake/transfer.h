@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "basis/cube_map.h"
+
 namespace prelight {
 
 /// Diffuse transfer of every vertex in spherical or cpherical harmonics. For SH, T_i = (1/pi) integral V
@@ -56,6 +58,9 @@ struct HaarTransfer {
   std::vector<std::uint32_t> offsets;  ///< [vertex * channels + channel], then the end
   std::vector<std::uint32_t> indices;  ///< ascending within a row, below 6 faceSize^2
   std::vector<float> values;           ///< parallel to indices
+
+  /// Of an index in a file: 16 bits wherever they tell the texels of six faces apart.
+  std::size_t storedIndexBytes() const { return cubeTexelCount(faceSize) <= 0x10000 ? 2 : 4; }
 };
 
 /// Transfer matrices of glossy receivers: M_ij = (1/pi) integral V max(n.w,0) Y_i Y_j dw plus bounces. With

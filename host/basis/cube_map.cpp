@@ -53,6 +53,17 @@ CutTexel cutAtHorizon(const std::array<glm::dvec3, 4>& corners, const glm::dvec3
   return part;
 }
 
+/// The angle between two vectors over the length of their cross product, of which this is given the square;
+/// with their dot product.
+double angleOverSine(double crossSquare, double dot) {
+  const double x = crossSquare / (dot * dot);  // square of the tangent
+  if (dot > 0.0 && x < 0.01)                   // atan(t) / t; what is left out is below 1e-15
+    return (1.0 - x * (1.0 / 3 - x * (1.0 / 5 - x * (1.0 / 7 - x * (1.0 / 9 - x * (1.0 / 11 - x / 13)))))) /
+           dot;
+  const double sine = std::sqrt(crossSquare);
+  return sine > 0.0 ? std::atan2(sine, dot) / sine : 0.0;
+}
+
 /// Integral of n.w over a spherical polygon: half the sum over its edges of the angle they subtend times the
 /// cosine between n and the normal of their plane (Lambert 1760).
 double lambert(const CutTexel& polygon, const glm::dvec3& normal) {
@@ -61,44 +72,91 @@ double lambert(const CutTexel& polygon, const glm::dvec3& normal) {
     const glm::dvec3& from = polygon.corners[i];
     const glm::dvec3& to = polygon.corners[(i + 1) % polygon.count];
     const glm::dvec3 across = glm::cross(from, to - from);
-    const double sine = glm::length(across);
-    if (sine > 0.0) sum += glm::dot(normal, across) / sine * std::atan2(sine, glm::dot(from, to));
+    sum += glm::dot(normal, across) * angleOverSine(glm::dot(across, across), glm::dot(from, to));
   }
   return std::abs(0.5 * sum);
 }
 
-/// open() of one face. `n` is the normal along right, down and axis of the face.
-template <typename T>
-void openFace(int size, const std::vector<glm::dvec3>& moments, const glm::dvec3& n, T* out) {
-  const double step = 2.0 / size;
-  for (int row = 0; row < size; ++row) {
-    const double b0 = -1.0 + row * step, b1 = -1.0 + (row + 1) * step;
-    const double low = n.z + std::min(n.y * b0, n.y * b1);
-    const double high = n.z + std::max(n.y * b0, n.y * b1);
-    for (int column = 0; column < size; ++column) {
-      const double a0 = -1.0 + column * step, a1 = -1.0 + (column + 1) * step;
-      const std::size_t i = static_cast<std::size_t>(row) * size + column;
-      double integral = 0.0;
-      if (low + std::min(n.x * a0, n.x * a1) >= 0.0) {
-        integral = glm::dot(n, moments[i]);
-      } else if (high + std::max(n.x * a0, n.x * a1) > 0.0) {
-        const std::array<glm::dvec3, 4> corners = {glm::dvec3(a0, b0, 1.0), glm::dvec3(a1, b0, 1.0),
-                                                   glm::dvec3(a1, b1, 1.0), glm::dvec3(a0, b1, 1.0)};
-        integral = lambert(cutAtHorizon(corners, n), n);
-      }
-      out[i] = static_cast<T>(integral * std::numbers::inv_pi);
+/// open() of one row of a face. `n` is the normal along right, down and axis of the face, `row` from b0 to
+/// b1.
+class OpenRow {
+ public:
+  OpenRow(int size, const glm::dvec3& n, double b0, double b1)
+      : step_(2.0 / size),
+        n_(n),
+        b0_(b0),
+        b1_(b1),
+        low_(n.z + std::min(n.y * b0, n.y * b1)),
+        high_(n.z + std::max(n.y * b0, n.y * b1)) {}
+
+  bool whole(int column) const {
+    return low_ + std::min(n_.x * left(column), n_.x * left(column + 1)) >= 0.0;
+  }
+  bool any(int column) const { return high_ + std::max(n_.x * left(column), n_.x * left(column + 1)) > 0.0; }
+
+  /// Over pi not yet.
+  double cut(int column) const {
+    const double a0 = left(column), a1 = left(column + 1);
+    const std::array<glm::dvec3, 4> corners = {glm::dvec3(a0, b0_, 1.0), glm::dvec3(a1, b0_, 1.0),
+                                               glm::dvec3(a1, b1_, 1.0), glm::dvec3(a0, b1_, 1.0)};
+    return lambert(cutAtHorizon(corners, n_), n_);
+  }
+
+ private:
+  double left(int column) const { return -1.0 + column * step_; }
+
+  double step_;
+  glm::dvec3 n_;
+  double b0_, b1_, low_, high_;
+};
+
+/// How many of the first `size` numbers a condition holds for, that holds for none after the first failure.
+template <typename Condition>
+int countWhile(int size, const Condition& holds) {
+  int count = 0;
+  for (int more = size; more > 0;) {
+    const int half = more / 2;
+    if (holds(count + half)) {
+      count += half + 1;
+      more -= half + 1;
+    } else {
+      more = half;
     }
+  }
+  return count;
+}
+
+/// open() of one face. Along a row, the texels that are seen as a whole, those that the horizon cuts and
+/// those below follow each other, from the side that the normal leans to.
+template <typename T>
+void openFace(int size, const CubeMoments<T>& moments, const glm::dvec3& n, T* out) {
+  const double step = 2.0 / size;
+  const glm::vec<3, T> scaled = n * std::numbers::inv_pi;
+  for (int r = 0; r < size; ++r, out += size) {
+    const OpenRow row(size, n, -1.0 + r * step, -1.0 + (r + 1) * step);
+    const int from = n.x >= 0.0 ? size - 1 : 0, toward = n.x >= 0.0 ? -1 : 1;
+    const int count = countWhile(size, [&](int k) { return row.whole(from + k * toward); });
+    const int seen = countWhile(size, [&](int k) { return row.any(from + k * toward); });
+    const std::size_t first = static_cast<std::size_t>(r) * size;
+    for (int c = n.x >= 0.0 ? size - count : 0, end = c + count; c < end; ++c) {
+      const std::size_t i = first + c;
+      // At the horizon, rounding may go below.
+      out[c] = std::max(scaled.x * moments.x[i] + scaled.y * moments.y[i] + scaled.z * moments.z[i], T(0));
+    }
+    for (int k = count; k < seen; ++k)
+      out[from + k * toward] = static_cast<T>(row.cut(from + k * toward) * std::numbers::inv_pi);
+    std::fill_n(out + (n.x >= 0.0 ? 0 : seen), size - seen, T(0));
   }
 }
 
 template <typename T>
-void openFaces(int size, const std::vector<glm::dvec3>& moments, const glm::dvec3& normal, std::span<T> out) {
+void openFaces(int size, const CubeMoments<T>& moments, const glm::dvec3& normal, std::span<T> out) {
   assert(out.size() == cubeTexelCount(size));
   for (int f = 0; f < cubeFaces; ++f) {
     const CubeFace& face = cubeFace(f);
     const glm::dvec3 n(glm::dot(normal, face.right), glm::dot(normal, face.down),
                        glm::dot(normal, face.axis));
-    openFace(size, moments, n, out.data() + f * moments.size());
+    openFace(size, moments, n, out.data() + f * moments.x.size());
   }
 }
 
@@ -159,21 +217,26 @@ CubeTexels::CubeTexels(int faceSize) : faceSize_(faceSize) {
   checkCubeFaceSize(faceSize, "cube map");
   const double step = 2.0 / faceSize;
   solidAngles_.reserve(static_cast<std::size_t>(faceSize) * faceSize);
-  moments_.reserve(solidAngles_.capacity());
   for (int row = 0; row < faceSize; ++row) {
     const double b0 = -1.0 + row * step, b1 = -1.0 + (row + 1) * step;
     for (int column = 0; column < faceSize; ++column) {
       const double a0 = -1.0 + column * step, a1 = -1.0 + (column + 1) * step;
       solidAngles_.push_back(overRectangle(a0, a1, b0, b1, solidAngleTo));
-      moments_.push_back(overRectangle(a0, a1, b0, b1, momentTo));
+      const glm::dvec3 moment = overRectangle(a0, a1, b0, b1, momentTo);
+      moments_.x.push_back(moment.x);
+      moments_.y.push_back(moment.y);
+      moments_.z.push_back(moment.z);
+      shortMoments_.x.push_back(static_cast<float>(moment.x));
+      shortMoments_.y.push_back(static_cast<float>(moment.y));
+      shortMoments_.z.push_back(static_cast<float>(moment.z));
     }
   }
 }
 
 glm::dvec3 CubeTexels::moment(std::uint32_t texel) const {
-  const CubeFace& face = cubeFace(static_cast<int>(texel / moments_.size()));
-  const glm::dvec3& local = moments_[texel % moments_.size()];
-  return local.x * face.right + local.y * face.down + local.z * face.axis;
+  const std::size_t i = texel % moments_.x.size();
+  const CubeFace& face = cubeFace(static_cast<int>(texel / moments_.x.size()));
+  return moments_.x[i] * face.right + moments_.y[i] * face.down + moments_.z[i] * face.axis;
 }
 
 void CubeTexels::open(const glm::dvec3& normal, std::span<double> out) const {
@@ -181,7 +244,7 @@ void CubeTexels::open(const glm::dvec3& normal, std::span<double> out) const {
 }
 
 void CubeTexels::open(const glm::dvec3& normal, std::span<float> out) const {
-  openFaces(faceSize_, moments_, normal, out);
+  openFaces(faceSize_, shortMoments_, normal, out);
 }
 
 void checkCubeMap(const CubeMap& map, const std::string& where) {

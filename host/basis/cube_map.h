@@ -46,6 +46,13 @@ glm::dvec3 cubeTexelDirection(std::uint32_t texel, int faceSize);
 /// one of the x axis before y before z.
 std::uint32_t cubeTexel(const glm::dvec3& direction, int faceSize);
 
+/// Integrals of the unit direction over the texels of a face, [row][column], along right, down and axis of
+/// the face.
+template <typename T>
+struct CubeMoments {
+  std::vector<T> x, y, z;
+};
+
 /// What integrals over texels need, in closed form. All faces are alike, so that tables hold one.
 class CubeTexels {
  public:
@@ -69,7 +76,8 @@ class CubeTexels {
  private:
   int faceSize_;
   std::vector<double> solidAngles_;  ///< [row][column]
-  std::vector<glm::dvec3> moments_;  ///< [row][column], along right, down and axis of the face
+  CubeMoments<double> moments_;
+  CubeMoments<float> shortMoments_;  ///< the same, for results as short
 };
 
 /// Linear radiance of the texels, constant over each.

@@ -1,13 +1,11 @@
 #include "basis/haar_selection.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include "basis/haar.h"
+#include "basis/haar_cut.h"
 
 namespace prelight::haar {
 namespace {
@@ -35,68 +33,12 @@ glm::vec3 lightAt(std::span<const float> light, std::uint32_t i) {
   return {light[i], light[count + i], light[2 * count + i]};
 }
 
-constexpr unsigned bucketShift = 19;  ///< of a float's bits: its exponent and four bits of its fraction
-
-std::uint32_t bucketOf(float value) { return std::bit_cast<std::uint32_t>(std::abs(value)) >> bucketShift; }
-
-/// The magnitude up to which coefficients can be dropped within a sum of squares; 0 if none can. Equal
-/// magnitudes are dropped together or not at all.
-float dropLimit(std::span<const float> coefficients, double budget) {
-  std::vector<double> squares(std::size_t(1) << (31 - bucketShift), 0.0);
-  for (const float value : coefficients) squares[bucketOf(value)] += double(value) * double(value);
-  std::uint32_t bucket = 0;
-  double dropped = 0.0;
-  while (bucket < squares.size() && dropped + squares[bucket] <= budget) dropped += squares[bucket++];
-  std::vector<float> undecided;
-  for (const float value : coefficients) {
-    if (bucketOf(value) == bucket) undecided.push_back(std::abs(value));
-  }
-  std::sort(undecided.begin(), undecided.end());
-  float limit = std::bit_cast<float>((bucket << bucketShift) - (bucket > 0 ? 1u : 0u));
-  for (std::size_t i = 0; i < undecided.size();) {
-    std::size_t end = i;
-    while (end < undecided.size() && undecided[end] == undecided[i]) ++end;
-    dropped += static_cast<double>(end - i) * undecided[i] * undecided[i];
-    if (dropped > budget) break;
-    limit = undecided[i];
-    i = end;
-  }
-  return limit;
-}
-
-/// Sum of squares, in eight sums that a compiler can keep side by side.
-double squaredNorm(std::span<const float> values) {
-  std::array<double, 8> sums{};
-  for (std::size_t i = 0; i < values.size(); ++i) sums[i % 8] += double(values[i]) * double(values[i]);
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
 }  // namespace
 
 SparseRow keepError(std::span<const float> coefficients, double relativeError) {
-  assert(relativeError >= 0.0 && relativeError <= 1.0);
-  const double total = squaredNorm(coefficients);
   SparseRow row;
-  if (total <= 0.0 || relativeError >= 1.0) return row;
-  // All squares up to the mean that may go can go together; they are most, and the rest is soon searched.
-  double budget = relativeError * relativeError * total;
-  const double mean = budget / static_cast<double>(coefficients.size());
-  SparseRow candidates;
-  for (std::uint32_t i = 0; i < coefficients.size(); ++i) {
-    const double square = double(coefficients[i]) * double(coefficients[i]);
-    if (square <= mean) {
-      budget -= square;
-      continue;
-    }
-    candidates.indices.push_back(i);
-    candidates.values.push_back(coefficients[i]);
-  }
-  const float limit = dropLimit(candidates.values, budget);
-  for (std::size_t k = 0; k < candidates.values.size(); ++k) {
-    if (std::abs(candidates.values[k]) <= limit) continue;
-    row.indices.push_back(candidates.indices[k]);
-    row.values.push_back(candidates.values[k]);
-  }
+  std::vector<std::size_t> ends;
+  RowCutter(coefficients.size()).cut(coefficients, {}, 1, relativeError, row, ends);
   return row;
 }
 

@@ -71,7 +71,8 @@ BakedTechnique describe(const CompressedTransfer& transfer, std::size_t vertices
 }
 
 BakedTechnique describe(const HaarTransfer& transfer, std::size_t vertices) {
-  const std::size_t bytes = bytesOf(transfer.offsets) + bytesOf(transfer.indices) + bytesOf(transfer.values);
+  const std::size_t bytes = bytesOf(transfer.offsets) +
+                            transfer.indices.size() * transfer.storedIndexBytes() + bytesOf(transfer.values);
   const std::size_t rows = transfer.offsets.empty() ? 0 : transfer.offsets.size() - 1;
   const double mean =
       rows == 0 ? 0.0 : static_cast<double>(transfer.values.size()) / static_cast<double>(rows);

@@ -153,7 +153,7 @@ class VertexReader {
     const auto channels = static_cast<std::size_t>(header.channels);
     const auto offsets =
         values_.integers<std::uint32_t>(json.at("offsets"), vertexCount(ranges) * channels + 1);
-    const auto indices = values_.integers<std::uint32_t>(json.at("indices"), std::nullopt);
+    const auto indices = values_.shortOrLongIntegers(json.at("indices"));
     const auto values = values_.floats(json.at("values"), "SCALAR", indices.size());
     checkRows(json, offsets, indices);
     rows_.resize(scene_.vertexCount() * channels);

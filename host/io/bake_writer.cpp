@@ -21,10 +21,16 @@ constexpr int componentTypeOf() {
 }
 
 template <typename T>
+int append(GltfDocument& document, std::span<const T> values, const char* type = "SCALAR",
+           std::size_t components = 1) {
+  return appendAccessor(document, std::as_bytes(values), type, componentTypeOf<T>(),
+                        values.size() / components);
+}
+
+template <typename T>
 int append(GltfDocument& document, const std::vector<T>& values, const char* type = "SCALAR",
            std::size_t components = 1) {
-  return appendAccessor(document, std::as_bytes(std::span(values)), type, componentTypeOf<T>(),
-                        values.size() / components);
+  return append(document, std::span(values), type, components);
 }
 
 template <typename T>
@@ -46,27 +52,40 @@ Json harmonicToJson(GltfDocument& document, const HarmonicTransfer& transfer, co
   return json;
 }
 
-Json haarToJson(GltfDocument& document, const HaarTransfer& haar, const PrimitiveRanges& ranges) {
-  std::vector<std::uint32_t> offsets = {0}, indices;
-  std::vector<float> values;
+/// The parts of a scene's sparse rows that belong to ranges, one after the other, in an accessor of numbers
+/// of type T.
+template <typename T, typename Stored>
+int appendRows(GltfDocument& document, const std::vector<Stored>& values, const HaarTransfer& haar,
+               const PrimitiveRanges& ranges) {
+  const auto channels = static_cast<std::size_t>(haar.channels);
+  std::vector<T> gathered;
   for (const PrimitiveRange& range : ranges) {
-    const auto channels = static_cast<std::size_t>(haar.channels);
+    const std::uint32_t first = haar.offsets[range.firstVertex * channels],
+                        last = haar.offsets[(range.firstVertex + range.vertexCount) * channels];
+    const auto rows = std::span(values).subspan(first, last - first);
+    if constexpr (std::is_same_v<T, Stored>)
+      if (ranges.size() == 1 && !rows.empty()) return append(document, rows);
+    gathered.insert(gathered.end(), rows.begin(), rows.end());
+  }
+  // glTF has no accessor of 0 elements: rows that are all empty point at nothing.
+  if (gathered.empty()) gathered.push_back(0);
+  return append(document, gathered);
+}
+
+Json haarToJson(GltfDocument& document, const HaarTransfer& haar, const PrimitiveRanges& ranges) {
+  const auto channels = static_cast<std::size_t>(haar.channels);
+  std::vector<std::uint32_t> offsets = {0};
+  for (const PrimitiveRange& range : ranges) {
     const std::size_t first = range.firstVertex * channels, last = first + range.vertexCount * channels;
-    const std::uint32_t start = haar.offsets[first];
-    const auto base = static_cast<std::uint32_t>(indices.size());
-    for (std::size_t row = first; row < last; ++row) offsets.push_back(base + haar.offsets[row + 1] - start);
-    indices.insert(indices.end(), haar.indices.begin() + start, haar.indices.begin() + haar.offsets[last]);
-    values.insert(values.end(), haar.values.begin() + start, haar.values.begin() + haar.offsets[last]);
+    const std::uint32_t base = offsets.back() - haar.offsets[first];  // may wrap, as the sums below do
+    for (std::size_t row = first; row < last; ++row) offsets.push_back(base + haar.offsets[row + 1]);
   }
   Json json = {{"faceSize", haar.faceSize}, {"channels", haar.channels}, {"bounces", haar.bounces}};
   json["offsets"] = append(document, offsets);
-  // glTF has no accessor of 0 elements: rows that are all empty point at nothing.
-  if (indices.empty()) {
-    indices.push_back(0);
-    values.push_back(0.0f);
-  }
-  json["indices"] = append(document, indices);
-  json["values"] = append(document, values);
+  json["indices"] = haar.storedIndexBytes() == sizeof(std::uint16_t)
+                        ? appendRows<std::uint16_t>(document, haar.indices, haar, ranges)
+                        : appendRows<std::uint32_t>(document, haar.indices, haar, ranges);
+  json["values"] = appendRows<float>(document, haar.values, haar, ranges);
   return json;
 }
 
@@ -123,6 +142,18 @@ Json sharedCompression(GltfDocument& document, const CompressedTransfer& transfe
 }
 
 }  // namespace
+
+std::size_t storedBytes(const Bake& bake) {
+  std::size_t bytes = bake.ao.size() * sizeof(float) + bake.bentNormals.size() * sizeof(glm::vec3);
+  if (bake.sh) bytes += bake.sh->coefficients.size() * sizeof(float);
+  if (bake.ch) bytes += bake.ch->coefficients.size() * sizeof(float);
+  if (bake.haar)
+    bytes += bake.haar->offsets.size() * sizeof(std::uint32_t) +
+             bake.haar->indices.size() * (bake.haar->storedIndexBytes() + sizeof(float));
+  if (bake.glossy) bytes += bake.glossy->matrices.size() * sizeof(float);
+  if (bake.lightGroups) bytes += bake.lightGroups->coefficients.size() * sizeof(float);
+  return bytes;
+}
 
 Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                 const PrimitiveRanges& ranges) {

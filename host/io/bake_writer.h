@@ -13,6 +13,9 @@ namespace prelight {
 nlohmann::ordered_json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                                   const PrimitiveRanges& ranges);
 
+/// About what bakeToJson() appends in all, without what is compressed, animated or in light maps.
+std::size_t storedBytes(const Bake& bake);
+
 /// The members of the root's extension that vertices share: names of light groups, times of keys,
 /// compression's tables.
 void addSharedData(GltfDocument& document, const Bake& bake, nlohmann::ordered_json& root);

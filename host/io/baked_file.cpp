@@ -41,6 +41,9 @@ BakeInfo infoFromJson(const JsonCursor& json) {
 
 void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake) {
   stripBake(document);
+  // Asked for at once: where it grows bit by bit, it is copied as often.
+  const std::size_t bytes = storedBytes(bake);
+  document.bin.reserve(document.bin.size() + bytes + bytes / 16);
   for (const auto& [key, ranges] : groupRanges(scene)) {
     const auto node = static_cast<std::size_t>(key.first);
     Json primitive = bakeToJson(document, scene, bake, ranges);

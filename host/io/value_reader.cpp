@@ -18,6 +18,12 @@ std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* 
   return values;
 }
 
+std::vector<std::uint32_t> ValueReader::shortOrLongIntegers(const JsonCursor& reference) const {
+  const AccessorReader reader(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));
+  return open(reference, "SCALAR", reader.componentType() == 5123 ? 5123 : 5125, std::nullopt)
+      .unsignedIntegers();
+}
+
 AccessorReader ValueReader::open(const JsonCursor& reference, const char* type, int componentType,
                                  std::optional<std::size_t> count) const {
   AccessorReader reader(document_, reference.asIndex(root_.countOf("accessors"), "accessor"));

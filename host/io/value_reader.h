@@ -24,6 +24,9 @@ class ValueReader {
   /// Finite numbers; `count` elements of `type`.
   std::vector<float> floats(const JsonCursor& reference, const char* type, std::size_t count) const;
 
+  /// Unsigned integers of 2 or 4 bytes, as the file has them.
+  std::vector<std::uint32_t> shortOrLongIntegers(const JsonCursor& reference) const;
+
   /// Unsigned integers of 1, 2 or 4 bytes.
   template <typename T>
   std::vector<T> integers(const JsonCursor& reference, std::optional<std::size_t> count) const {

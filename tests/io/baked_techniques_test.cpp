@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "basis/cube_map.h"
 #include "io/baked_file.h"
 #include "scene/builtin.h"
 #include "support/gltf_files.h"
@@ -72,6 +73,66 @@ TEST(BakedTechniques, WriteRead_GivesEveryOneBack) {
   ASSERT_EQ(copy.lightGroups->groups.size(), 2u);
   EXPECT_EQ(copy.lightGroups->groups[1].name, "sky \"light\"");
   EXPECT_EQ(copy.lightGroups->groups[1].color, glm::vec3(0, 0, 0.5f));
+}
+
+/// One row a vertex, with the first and the last coefficients of its face size.
+Bake longRows(int faceSize, std::uint32_t vertices) {
+  const auto last = static_cast<std::uint32_t>(cubeTexelCount(faceSize)) - 1;
+  Bake bake;
+  bake.haar = HaarTransfer{faceSize, 1, 0, {0}, {}, {}};
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    bake.haar->indices.insert(bake.haar->indices.end(), {v, last / 2, last - v});
+    bake.haar->values.insert(bake.haar->values.end(), {1.0f, -2.0f, 0.5f});
+    bake.haar->offsets.push_back(static_cast<std::uint32_t>(bake.haar->indices.size()));
+  }
+  return bake;
+}
+
+Json& haarOf(GltfDocument& document) {
+  return document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["haar"];
+}
+
+struct IndexWidth {
+  int faceSize;
+  int componentType;
+};
+
+class WaveletIndices : public testing::TestWithParam<IndexWidth> {};
+
+TEST_P(WaveletIndices, WriteRead_TakeTheBitsTheyNeed) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = test::compileDocument(document);
+  const Bake bake = longRows(GetParam().faceSize, 3);
+  EXPECT_EQ(copyOf(document, scene, bake).haar->indices, bake.haar->indices);
+  embedBake(document, scene, bake);
+  EXPECT_EQ(document.json["accessors"][haarOf(document)["indices"].get<std::size_t>()]["componentType"],
+            GetParam().componentType);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, WaveletIndices,
+                         testing::Values(IndexWidth{32, 5123}, IndexWidth{64, 5123}, IndexWidth{128, 5125}),
+                         [](const auto& instance) {
+                           return "FaceSize" + std::to_string(instance.param.faceSize);
+                         });
+
+// Files of the first versions have 32 bits for every face size.
+TEST(BakedTechniques, WaveletIndicesLongerThanTheyNeed_AreRead) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = test::compileDocument(document);
+  const Bake bake = longRows(32, 3);
+  embedBake(document, scene, bake);
+  haarOf(document)["indices"] =
+      appendAccessor(document, std::as_bytes(std::span(bake.haar->indices)), "SCALAR", 5125, 9);
+  EXPECT_EQ(readBake(document, scene)->haar->indices, bake.haar->indices);
+}
+
+TEST(BakedTechniques, WaveletIndicesOfOtherTypes_AreRefused) {
+  GltfDocument document = test::triangleDocument();
+  const CompiledScene scene = test::compileDocument(document);
+  embedBake(document, scene, longRows(32, 3));
+  haarOf(document)["indices"] = haarOf(document)["values"];
+  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
+  EXPECT_NE(message.find("haar/indices: expected an accessor of type SCALAR"), std::string::npos) << message;
 }
 
 TEST(BakedTechniques, WaveletsOfNothing_AreReadBackEmpty) {
