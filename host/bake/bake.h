@@ -37,6 +37,7 @@ struct Bake {
   std::optional<HaarTransfer> haar;
   std::optional<GlossyTransfer> glossy;
   std::optional<LightGroupTransfer> lightGroups;
+  std::optional<OccluderTransfer> occluders;
   std::optional<VolumeTransfer> volume;  ///< of points in the air
   std::optional<ChartTransfer> texels;   ///< of light maps
   BakeInfo info;

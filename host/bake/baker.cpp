@@ -10,6 +10,7 @@
 #include "bake/glossy_transfer.h"
 #include "bake/haar_transfer.h"
 #include "bake/light_groups.h"
+#include "bake/occluder_transfer.h"
 #include "bake/pack_bake.h"
 #include "bake/scene_cast.h"
 #include "bake/slot_transfer.h"
@@ -94,6 +95,7 @@ class BakeRunner : BakeParts {
     clock_.mark("fit");
     Bake bake;
     if (request.ao) packAo(mesh, cast.front(), fitted, scene, bake);
+    if (request.occluders) makeOccluders(fitted, bake);
     if (request.carriesLight()) makeTransfers(fitted, bake);
     return bake;
   }
@@ -111,6 +113,27 @@ class BakeRunner : BakeParts {
     if (charts != nullptr && !charts->charts.empty()) makeTexels(transfer, bake);
     if (request.haarSize > 0) makeHaar(transfer, bake);
     if (request.glossyOrder > 0) makeGlossy(fitted, transfer, bake);
+  }
+
+  void makeOccluders(const std::vector<double>& fitted, Bake& bake) {
+    const std::size_t columns = cast.front().baseline().columns();
+    std::vector<double> accessibility(mesh.slotCount());
+    for (std::size_t s = 0; s < accessibility.size(); ++s)
+      accessibility[s] = std::clamp(1.0 + fitted[s * columns], 0.0, 1.0);
+    const OccluderGroups groups = makeOccluderGroups(scene, request.occluderKind);
+    OccluderReport made;
+    bake.occluders = makeOccluderTransfer(scene, mesh, caster, cast, accessibility, groups,
+                                          request.leastFormFactor, progress_, made);
+    std::string text = fmt::format("vector occluders: {} of them, {:.1f} records a vertex",
+                                   groups.names.size(), made.recordsPerVertex);
+    if (request.leastFormFactor > 0.0)
+      text += fmt::format("; what was dropped hides {:.2g} of the sky on average, {:.2g} at most",
+                          made.droppedMean, made.droppedMost);
+    if (made.receivers < cast.front().receivers())
+      text += fmt::format("; from {:.0f} % of the receivers, for which --max-memory has room",
+                          100.0 * double(made.receivers) / double(cast.front().receivers()));
+    report_.notes.push_back(text);
+    clock_.mark("occluders");
   }
 
   void makeVolumeTransfer(const SlotTransfer& transfer, Bake& bake) {
@@ -182,6 +205,7 @@ CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, st
   options.sets = &sets;
   options.setTracers = setTracers;
   options.limits = castLimits(request);
+  options.storesBlack = request.occluders;
   return options;
 }
 
@@ -194,7 +218,8 @@ Projections projectionsOf(const BakeRequest& request, const Plan& plan, const Sc
   projections.groups = static_cast<std::uint32_t>(lights.groups.size());
   if (request.haarSize > 0)
     projections.texelRows = plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
-  projections.receivers = request.glossyOrder > 0 && plan.runs("bounces");
+  projections.backs = plan.runs("bounces");
+  projections.receivers = (request.glossyOrder > 0 && plan.runs("bounces")) || request.occluders;
   return projections;
 }
 
@@ -249,7 +274,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   Tracer tracer(scene, device);
   std::vector<Tracer> setTracers;
   for (const ShadowSets::Occluders& set : sets.sets) setTracers.emplace_back(tracer, scene, set.triangles);
-  const std::uint32_t capacity = withBounces ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
+  const std::uint32_t capacity =
+      withBounces || request.occluders ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
   const GroupedLights lights =
       request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{};
   Caster caster(scene, tracer, castOptions(request, schedule, capacity, lights, sets, setTracers));

@@ -86,7 +86,8 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
 
 BuildOptions Caster::transportOptions(std::size_t columns) const {
   return tracer_.surfaceOptions()
-      .define("PRELIGHT_COLUMNS", static_cast<int>(columns))
+      .define("PRELIGHT_COLUMNS", static_cast<int>(std::max<std::size_t>(columns, 1)))
+      .defineIf(options_.storesBlack, "PRELIGHT_STORES_BLACK")
       .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
 }
 
@@ -193,6 +194,12 @@ void Caster::setTransfer(const std::vector<float>& transfer) {
   transfer_.write(std::span<const float>(transfer));
 }
 
+Caster::StoredRows Caster::replay(std::span<const Receiver> receivers, std::uint32_t first) {
+  setParameters(static_cast<std::uint32_t>(receivers.size()), first);
+  generate(receivers);
+  return {parameters_, receivers_, rays_, senders_};
+}
+
 void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
   setParameters(count, first);
   setArguments(gather_, parameters_.get(), senders_.get(), transfer_.get(), values_.get());
@@ -210,8 +217,7 @@ void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t fir
     glossyTable_ = Buffer<float>(device_, std::span<const float>(makeShTable(order)));
   if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(device_, blockSize_ * width);
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  setParameters(count, first);
-  generate(receivers);
+  replay(receivers, first);
   setArguments(glossy_, parameters_.get(), glossyTable_.get(), rays_.get(), senders_.get(), transfer_.get(),
                glossyValues_.get());
   device_.launch(glossy_, count, groupSize);

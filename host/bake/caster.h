@@ -39,6 +39,7 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   CastLimits limits;
+  bool storesBlack = false;           ///< stored rows tell of surfaces that reflect nothing, too
   bool marksInside = false;           ///< tell which receivers lie inside objects
   const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
@@ -74,6 +75,7 @@ class Caster {
             std::uint32_t set = 0);
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
+  DeviceContext& device() const { return device_; }
   std::uint32_t groupCount() const { return lights_ ? lights_->groupCount() : 0; }
 
   /// The first `rows` stored rows and the marks, for a bake that will go on later.
@@ -85,6 +87,18 @@ class Caster {
 
   /// Transfer that gather() reads: [slot][3][columns], slots are vertices, then vertices' backs.
   void setTransfer(const std::vector<float>& transfer);
+
+  /// Rows of senders in device memory, with the rays that met them.
+  struct StoredRows {
+    const Buffer<device::CastParameters>& parameters;
+    const Buffer<device::Receiver>& receivers;
+    const Buffer<device::Ray>& rays;
+    const Buffer<device::Sender>& senders;
+  };
+
+  /// Generates anew the rays of the rows from `first` on. `receivers` are theirs, at most a block. Holds
+  /// until the next call of anything else.
+  StoredRows replay(std::span<const device::Receiver> receivers, std::uint32_t first);
 
   /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
   /// [row][3][bounceColumns].

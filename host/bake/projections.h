@@ -13,6 +13,7 @@ struct Projections {
   bool bentNormal = false;           ///< fitted for fronts only
   std::uint32_t groups = 0;          ///< of lights
   std::size_t texelRows = 0;         ///< receivers whose rays are kept texel by texel, fronts only
+  bool backs = true;                 ///< cast from backs that rays meet, where rows are stored
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only
   const ShadowSets* sets = nullptr;  ///< of occluders; nullptr: all see everything
 };

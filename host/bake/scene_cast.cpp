@@ -24,7 +24,7 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
 void SceneCast::run(Progress& progress) {
   if (!frontDone_) front_.run(progress, 0, capacity_);
   frontDone_ = true;
-  for (; capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
+  for (; projections_.backs && capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
     if (!goesOn && !markFreshBacks()) return;
     back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());

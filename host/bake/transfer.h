@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "basis/cube_map.h"
@@ -71,6 +73,33 @@ struct GlossyTransfer {
   int channels = 1;  ///< 3 with bounces, 1 without
   int bounces = 0;
   std::vector<float> matrices;  ///< [vertex][channel][i][j]
+};
+
+/// What a record of vector occluders may hold (Sherif 2013, 7.2). xyz, and w.
+enum class OccluderVector : std::uint8_t {
+  Position,        ///< mean of the part that is seen, world space; mean distance, m
+  Occlusion,       ///< form-factor weighted sum of directions; form factor
+  Caustic,         ///< the same of directions after refraction; form factor
+  Transmissive,    ///< mean colour that comes through; 0
+  DiffuseNormal,   ///< sum of normals weighted by form factor and their AO; sum of the weights
+  DiffuseColor,    ///< mean diffuse colour; 0
+  SpecularNormal,  ///< sum of normals whose reflection is open, weighted by form factor; sum of the weights
+  SpecularColor,   ///< mean specular colour; 0
+};
+
+constexpr std::array<std::string_view, 8> occluderVectorNames = {
+    "position",      "occlusion",    "caustic",        "transmissive",
+    "diffuseNormal", "diffuseColor", "specularNormal", "specularColor"};
+
+/// What every vertex sees of every occluder: a sparse row of records a vertex.
+struct OccluderTransfer {
+  std::vector<std::string> names;        ///< [occluder]
+  std::vector<OccluderVector> stored;    ///< of a record, ascending
+  std::vector<std::uint32_t> offsets;    ///< [vertex] into the records, then the end
+  std::vector<std::uint32_t> occluders;  ///< [record], ascending within a vertex
+  std::vector<glm::vec4> vectors;        ///< [record][stored]
+
+  std::size_t recordCount() const { return occluders.size(); }
 };
 
 /// Lights that are scaled and coloured together at run time.

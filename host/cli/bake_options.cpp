@@ -45,6 +45,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.chOrder > 0, fmt::format("--ch {}", request.chOrder));
   add(request.haarSize > 0, fmt::format("--haar {}", request.haarSize));
   add(request.glossyOrder > 0, fmt::format("--glossy {}", request.glossyOrder));
+  add(request.occluders, "--vo");
   add(request.volumeSize > 0, fmt::format("--volume {}", request.volumeSize));
   add(request.texelSize > 0, fmt::format("--texels {}", request.texelSize));
   add(request.lightGroups, "--light-groups");
@@ -124,6 +125,29 @@ void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void addOccluderOptions(CLI::App& app, BakeRequest& request) {
+  app.add_flag("--vo", request.occluders,
+               "vector occluders: what every vertex sees of each object, for shadows and colour bleeding");
+  app.add_option_function<std::string>(
+         "--occluders",
+         [&](const std::string& text) {
+           if (text == "node")
+             request.occluderKind = OccluderKind::Node;
+           else if (text == "mesh")
+             request.occluderKind = OccluderKind::Mesh;
+           else if (text == "material")
+             request.occluderKind = OccluderKind::Material;
+           else
+             throw CLI::ValidationError("--occluders",
+                                        fmt::format("got '{}', expected node, mesh or material", text));
+         },
+         "what makes an occluder: node (default), mesh or material")
+      ->type_name("KIND");
+  addRealNumber(
+      app, "--vo-min-form-factor", {0.0, 1.0}, [&](double value) { request.leastFormFactor = value; },
+      "drop occluders of a vertex that hide less of its sky than this (default 0)");
+}
+
 void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
   constexpr double most = 1e9;
   addRealNumber(
@@ -170,6 +194,7 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossyOrder,
            "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");
   addLightGroupOptions(app, request);
+  addOccluderOptions(app, request);
   addWholeNumber(
       app, "--volume", {1, BakeRequest::maxVolumeSize},
       [&](std::uint64_t n) { request.volumeSize = static_cast<int>(n); },

@@ -136,6 +136,27 @@ BakedTechnique describe(const VolumeTransfer& transfer) {
        {"bytes", bytes}}};
 }
 
+BakedTechnique describe(const OccluderTransfer& transfer, std::size_t vertices) {
+  const std::size_t bytes =
+      bytesOf(transfer.offsets) + bytesOf(transfer.occluders) + bytesOf(transfer.vectors);
+  const double records = perVertex(transfer.recordCount(), vertices);
+  Json stored = Json::array();
+  std::string names;
+  for (const OccluderVector vector : transfer.stored) {
+    const std::string_view name = occluderVectorNames[static_cast<std::size_t>(vector)];
+    stored.push_back(name);
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  }
+  return {
+      "vo",
+      fmt::format("{}, {:.1f} records a vertex of {}; {}", counted(transfer.names.size(), "vector occluder"),
+                  records, names, sizeText(bytes, vertices)),
+      {{"occluders", transfer.names.size()},
+       {"recordsPerVertex", records},
+       {"stored", std::move(stored)},
+       {"bytes", bytes}}};
+}
+
 BakedTechnique describe(const ChartTransfer& transfer) {
   std::size_t bytes = 0, texels = 0;
   int most = 0;
@@ -182,6 +203,7 @@ std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertic
   if (bake.haar) found.push_back(describe(*bake.haar, vertices));
   if (bake.glossy) found.push_back(describe(*bake.glossy, vertices));
   if (bake.lightGroups) found.push_back(describe(*bake.lightGroups, vertices));
+  if (bake.occluders) found.push_back(describe(*bake.occluders, vertices));
   if (bake.volume) found.push_back(describe(*bake.volume));
   if (bake.texels) found.push_back(describe(*bake.texels));
   if (bake.animation) found.push_back(describe(*bake.animation, vertices));

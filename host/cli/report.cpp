@@ -64,6 +64,7 @@ Json toJson(const BakeRequest& request) {
   if (request.haarSize > 0) json["haarError"] = request.haarError;
   if (request.glossyOrder > 0) json["glossy"] = request.glossyOrder;
   if (request.lightGroups) json["lightGroups"] = true;
+  if (request.occluders) json["vo"] = true;
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));

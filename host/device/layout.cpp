@@ -6,6 +6,7 @@
 #include "device/buffer.h"
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
+#include "shared/occluder_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
@@ -35,6 +36,8 @@ static_assert(isShared<ReferenceMaterial, 64>);
 static_assert(isShared<ReferenceLight, 64>);
 static_assert(isShared<PathState, 48>);
 static_assert(isShared<ShadowItem, 16>);
+static_assert(isShared<OccluderVertex, 32>);
+static_assert(isShared<OccluderSums, 64>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -59,7 +62,9 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<ReferenceMaterial>("ReferenceMaterial", offsetof(ReferenceMaterial, flags)),
           layoutOf<ReferenceLight>("ReferenceLight", offsetof(ReferenceLight, coneOffset)),
           layoutOf<PathState>("PathState", offsetof(PathState, diffuseBounces)),
-          layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path))};
+          layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path)),
+          layoutOf<OccluderVertex>("OccluderVertex", offsetof(OccluderVertex, group)),
+          layoutOf<OccluderSums>("OccluderSums", offsetof(OccluderSums, group))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

@@ -10,6 +10,7 @@
 #include "io/baked_ranges.h"
 #include "io/chart_file.h"
 #include "io/compression_names.h"
+#include "io/occluder_file.h"
 #include "io/value_reader.h"
 
 namespace prelight {
@@ -41,9 +42,9 @@ class VertexReader {
 
   void readPrimitive(const JsonCursor& json, const PrimitiveRanges& ranges) {
     json.expectObject();
-    const std::array<const char*, 9> names = {"ao",   "bentNormal", "sh",          "shCompressed", "ch",
-                                              "haar", "glossy",     "lightGroups", "keys"};
-    std::array<bool, 9> techniques{};
+    const std::array<const char*, 10> names = {"ao",   "bentNormal", "sh",          "shCompressed", "ch",
+                                               "haar", "glossy",     "lightGroups", "keys",         "vo"};
+    std::array<bool, 10> techniques{};
     for (std::size_t i = 0; i < names.size(); ++i) techniques[i] = json.find(names[i]).has_value();
     if (started_ && techniques != techniques_)
       json.fail("expected the same techniques as on the other primitives", rebake);
@@ -59,6 +60,10 @@ class VertexReader {
     if (const auto groups = json.find("lightGroups")) readLightGroups(*groups, ranges);
     if (const auto compressed = json.find("shCompressed")) readCompressed(*compressed, ranges);
     if (const auto keys = json.find("keys")) readKeys(*keys, ranges);
+    if (const auto vo = json.find("vo")) {
+      if (!occluders_) occluders_.emplace(document_, root_);
+      occluders_->read(*vo, ranges, extension_ ? extension_->find("vo") : std::nullopt);
+    }
     if (const auto texels = json.find("texels"))
       readCharts(document_, root_, *texels, scene_, ranges, bake_.texels);
   }
@@ -66,6 +71,7 @@ class VertexReader {
   Bake finish() {
     if (bake_.haar) assembleHaar();
     if (bake_.texels) sortMaps(*bake_.texels);
+    if (occluders_) bake_.occluders = occluders_->finish(scene_.vertexCount());
     for (std::optional<HarmonicTransfer>& key : keys_) bake_.animation->keys.push_back(*std::move(key));
     return std::move(bake_);
   }
@@ -310,8 +316,9 @@ class VertexReader {
   std::optional<JsonCursor> extension_;
   Bake bake_;
   bool started_ = false;
-  std::array<bool, 9> techniques_{};
+  std::array<bool, 10> techniques_{};
   std::vector<std::optional<HarmonicTransfer>> keys_;  ///< of an animation
+  std::optional<OccluderRows> occluders_;
   std::vector<RowPlace> rows_;  ///< of wavelets, [vertex * channels + channel], into the pools
   std::vector<std::uint32_t> pooledIndices_;
   std::vector<float> pooledValues_;

@@ -4,6 +4,7 @@
 
 #include "io/chart_file.h"
 #include "io/compression_names.h"
+#include "io/occluder_file.h"
 #include "scene/gltf_embed.h"
 
 namespace prelight {
@@ -173,6 +174,7 @@ Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& 
   if (bake.haar) json["haar"] = haarToJson(document, *bake.haar, ranges);
   if (bake.glossy) json["glossy"] = glossyToJson(document, *bake.glossy, ranges);
   if (bake.lightGroups) json["lightGroups"] = lightGroupsToJson(document, *bake.lightGroups, ranges);
+  if (bake.occluders) json["vo"] = occludersToJson(document, *bake.occluders, ranges);
   if (bake.texels) {
     Json texels = chartsToJson(document, *bake.texels, scene, ranges);
     if (!texels.is_null()) json["texels"] = std::move(texels);
@@ -182,6 +184,7 @@ Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& 
 
 void addSharedData(GltfDocument& document, const Bake& bake, Json& root) {
   if (bake.compressedSh) root["shCompressed"] = sharedCompression(document, *bake.compressedSh);
+  if (bake.occluders) root["vo"] = occluderNames(*bake.occluders);
   if (bake.animation)
     root["animation"] = {{"index", bake.animation->animation}, {"times", bake.animation->times}};
   if (!bake.lightGroups) return;

@@ -78,6 +78,12 @@ PlannedPass planLightGroups(const BakeRequest& request) {
   return {"light groups", true, "shadow rays from every receiver to every light"};
 }
 
+PlannedPass planOccluders(const BakeRequest& request) {
+  if (!request.occluders) return {"vector occluders", false, "not asked for"};
+  return {"vector occluders", true,
+          "position, occlusion, diffuse normal and diffuse colour, from the rays of the same cast"};
+}
+
 /// Values a voxel of a volume.
 std::uint64_t volumeValues(const BakeRequest& request, bool bounces) {
   return static_cast<std::uint64_t>(request.shOrder * request.shOrder) * (bounces ? 4 : 1);
@@ -135,7 +141,9 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
   const auto glossy = static_cast<std::uint64_t>(request.glossyOrder);
   std::uint64_t texels = 0;
   for (const Image& image : scene.albedoImages) texels += 2 * image.rgba.size();
-  plan.transportBytes = bounces ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2) : 0;
+  plan.transportBytes = bounces || request.occluders
+                            ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2)
+                            : 0;
   if (request.haarSize > 0)
     plan.texelBytes = std::min(castRays(scene, request) * texelCodeBytes, request.maxMemory / 4);
   plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes +
@@ -186,6 +194,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   };
   add({"cast", true,
        bounces.runs               ? "closest hits, because bounces need to know what was hit"
+       : request.occluders        ? "closest hits, because occluders are told apart by what was hit"
        : request.obscurance > 0.0 ? "closest hits, because obscurance fades with the distance"
        : request.lightGroups      ? "closest hits where a group has emitters"
                                   : "any hit is enough, because nothing bounces"});
@@ -199,6 +208,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planHaar(request, bounces.runs));
   add(planGlossy(request, bounces.runs));
   add(planLightGroups(request));
+  add(planOccluders(request));
   add(planVolume(request, bounces.runs));
   add(planTexels(scene, request, bounces.runs));
   add(bounces);

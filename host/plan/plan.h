@@ -23,6 +23,9 @@ struct ShadowSetRequest {
   std::vector<std::string> occluders;  ///< none: nothing shadows them
 };
 
+/// What makes an occluder of vector occluders.
+enum class OccluderKind : std::uint8_t { Node, Mesh, Material };
+
 /// What the user asked a bake for.
 struct BakeRequest {
   bool ao = false;           ///< ambient occlusion and bent normal
@@ -34,6 +37,9 @@ struct BakeRequest {
   int glossyOrder = 0;       ///< 0: none; 1..maxGlossyOrder
   bool lightGroups = false;  ///< transfer of the scene's own lights
   std::vector<LightGroupRequest> namedGroups;  ///< lights that none of these names are groups of their own
+  bool occluders = false;                      ///< vector occluders
+  OccluderKind occluderKind = OccluderKind::Node;
+  double leastFormFactor = 0.0;  ///< occluders that hide less of the sky than this are dropped, 0..1
   int volumeSize = 0;  ///< voxels along the scene's longest side; 0: none; needs shOrder, which is its order
   int texelSize = 0;   ///< texels along the largest light map, 0: none; needs shOrder, which is its order
   int bounces = 0;     ///< diffuse interreflections, 0..16
@@ -51,7 +57,7 @@ struct BakeRequest {
   bool carriesLight() const {
     return shOrder > 0 || chOrder > 0 || haarSize > 0 || glossyOrder > 0 || lightGroups;
   }
-  bool anything() const { return ao || carriesLight(); }
+  bool anything() const { return ao || occluders || carriesLight(); }
 
   static constexpr int maxShOrder = 32;
   static constexpr int maxGlossyOrder = 8;

@@ -48,6 +48,7 @@ std::vector<Draw> listDraws(const Scene& scene) {
         Draw draw{&node, &primitive, {}, node.transforms[instance]};
         draw.range.node = node.node;
         draw.range.name = node.name;
+        draw.range.mesh = node.mesh;
         draw.range.primitive = static_cast<int>(p);
         draw.range.instance = static_cast<int>(instance);
         draw.range.firstVertex = static_cast<std::uint32_t>(vertices);

@@ -21,6 +21,7 @@ struct PrimitiveRange {
   std::uint32_t firstTriangle = 0;
   std::uint32_t triangleCount = 0;
   std::string name = {};  ///< of the node; may be empty
+  int mesh = -1;          ///< into Scene::meshes
 };
 
 /// An image that is looked up with the texture coordinates of the albedo image.

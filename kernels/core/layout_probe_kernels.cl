@@ -3,6 +3,7 @@
 
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
+#include "shared/occluder_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
@@ -30,4 +31,6 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(13, ReferenceLight, coneOffset);
   PROBE(14, PathState, diffuseBounces);
   PROBE(15, ShadowItem, path);
+  PROBE(16, OccluderVertex, group);
+  PROBE(17, OccluderSums, group);
 }

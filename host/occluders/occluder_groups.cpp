@@ -1,0 +1,53 @@
+#include "occluders/occluder_groups.h"
+
+#include <map>
+
+#include "plan/shadow_sets.h"
+
+namespace prelight {
+
+namespace {
+
+/// What tells occluders of a kind apart.
+std::uint32_t keyOf(const CompiledScene& scene, const PrimitiveRange& range, OccluderKind kind) {
+  switch (kind) {
+    case OccluderKind::Mesh:
+      return static_cast<std::uint32_t>(range.mesh);
+    case OccluderKind::Material:
+      return range.triangleCount > 0 ? scene.triangleMaterials[range.firstTriangle] : 0;
+    case OccluderKind::Node:
+      break;
+  }
+  return static_cast<std::uint32_t>(range.node);
+}
+
+std::string nameOf(const PrimitiveRange& range, OccluderKind kind, std::uint32_t key) {
+  switch (kind) {
+    case OccluderKind::Mesh:
+      return "mesh " + std::to_string(key);
+    case OccluderKind::Material:
+      return "material " + std::to_string(key);
+    case OccluderKind::Node:
+      break;
+  }
+  return nodeNameOf(range);
+}
+
+}  // namespace
+
+OccluderGroups makeOccluderGroups(const CompiledScene& scene, OccluderKind kind) {
+  OccluderGroups groups;
+  groups.groupOfVertex.resize(scene.vertexCount());
+  std::map<std::uint32_t, std::uint32_t> groupOfKey;
+  for (const PrimitiveRange& range : scene.primitives) {
+    if (range.triangleCount == 0) continue;
+    const std::uint32_t key = keyOf(scene, range, kind);
+    const auto [found, fresh] = groupOfKey.try_emplace(key, static_cast<std::uint32_t>(groups.names.size()));
+    if (fresh) groups.names.push_back(nameOf(range, kind, key));
+    for (std::uint32_t v = 0; v < range.vertexCount; ++v)
+      groups.groupOfVertex[range.firstVertex + v] = found->second;
+  }
+  return groups;
+}
+
+}  // namespace prelight
