@@ -10,22 +10,6 @@
 namespace prelight::viewer {
 namespace {
 
-/// As perpendicularIrradiance() of shaders/lights.glsl has it.
-double falloffAt(const ShadedLight& light, const glm::dvec3& path) {
-  const double distance2 = glm::dot(path, path);
-  double falloff = 1.0 / distance2;
-  if (light.range > 0.0f) {
-    const double ratio2 = distance2 / (double(light.range) * light.range);
-    falloff *= glm::clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
-  }
-  if (light.kind == LightKind::Spot) {
-    const double cosine = -glm::dot(glm::dvec3(light.direction), path) / std::sqrt(distance2);
-    const double angular = glm::clamp(cosine * light.coneScale + light.coneOffset, 0.0, 1.0);
-    falloff *= angular * angular;
-  }
-  return falloff;
-}
-
 void addDelta(const ShadedLight& light, int order, bool windowed, std::vector<double>& basis,
               std::vector<glm::dvec3>& sum) {
   sh::evaluate(-glm::normalize(glm::dvec3(light.direction)), order, basis);
@@ -39,12 +23,12 @@ void addDelta(const ShadedLight& light, int order, bool windowed, std::vector<do
 
 ShadedLight seenFromCentre(const ShadedLight& light) {
   if (light.kind == LightKind::Directional) return light;
-  const glm::dvec3 path(light.position);
+  const IncidentLight incident = incidentFrom(light, glm::dvec3(0.0));
   ShadedLight far;
   far.kind = LightKind::Directional;
   far.throughTransfer = light.throughTransfer;
-  far.direction = glm::vec3(-glm::normalize(path));
-  far.intensity = light.intensity * static_cast<float>(falloffAt(light, path));
+  far.direction = glm::vec3(-incident.toLight);
+  far.intensity = glm::vec3(incident.irradiance);
   return far;
 }
 

@@ -9,6 +9,14 @@
 
 namespace prelight::viewer {
 
+/// How vector occluders are lit.
+struct OccluderOptions {
+  OccluderShading shading;
+  int skyLights = defaultSkyLights;  ///< that stand for a sky, >= 1
+
+  bool operator==(const OccluderOptions&) const = default;
+};
+
 /// What lights a view. Transfer is lit anew when it is not equal to what it was; the camera has no part in
 /// it. Referents outlive it.
 struct Illumination {
@@ -16,8 +24,9 @@ struct Illumination {
   const Environment* skyMap = nullptr;  ///< what `sky` was made from; nullptr: no sky
   double skyRotation = 0.0;             ///< radians about +Y
   std::vector<ShadedLight> lights;
-  bool windowLights = true;             ///< damps the SH bands of delta lights
-  std::size_t haarTerms = 0;            ///< coefficients that a wavelet light keeps; 0: all
+  bool windowLights = true;   ///< damps the SH bands of delta lights
+  std::size_t haarTerms = 0;  ///< coefficients that a wavelet light keeps; 0: all
+  OccluderOptions occluders;
   std::vector<glm::vec3> groupFactors;  ///< [light group]; fewer: the others are 1
 
   bool operator==(const Illumination&) const = default;

@@ -79,6 +79,29 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
   return result;
 }
 
+IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
+  if (light.kind == LightKind::Directional)
+    return {glm::dvec3(light.intensity), -glm::dvec3(light.direction)};
+  const glm::dvec3 path = glm::dvec3(light.position) - point;
+  const double distance2 = std::max(glm::dot(path, path), 1e-12);
+  const glm::dvec3 toLight = path / std::sqrt(distance2);
+  const double cosine = -glm::dot(glm::dvec3(light.direction), toLight);
+  if (light.kind == LightKind::Emitter) {
+    const double area = light.area, lobe = light.twoSided ? std::abs(cosine) : std::max(cosine, 0.0);
+    return {glm::dvec3(light.intensity) * (lobe * area / (distance2 + area / std::numbers::pi)), toLight};
+  }
+  double falloff = 1.0 / distance2;
+  if (light.range > 0.0f) {
+    const double ratio2 = distance2 / (double(light.range) * light.range);
+    falloff *= glm::clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
+  }
+  if (light.kind == LightKind::Spot) {
+    const double angular = glm::clamp(cosine * light.coneScale + light.coneOffset, 0.0, 1.0);
+    falloff *= angular * angular;
+  }
+  return {glm::dvec3(light.intensity) * falloff, toLight};
+}
+
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {
   const std::vector<Emitter> emitters = findEmitters(scene);
   double total = 0.0;

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "io/environment.h"
+#include "occluders/occluder_light.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
 
@@ -55,6 +56,10 @@ constexpr int maxTransferOrder = 32;
 constexpr int maxGlossyOrder = 8;
 
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
+
+/// What a light sends to a point of the scene, scene coordinates: perpendicularIrradiance() of
+/// shaders/lights.glsl.
+IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point);
 
 /// At most `count` samples of the emissive triangles by emitted power, spread evenly over them: the same for
 /// the same scene. Empty when nothing emits.

@@ -40,6 +40,7 @@ View makeView(const RenderInputs& inputs, const RenderOptions& options) {
   view.emitters = options.emitters;
   view.windowLights = options.windowLights;
   view.haarTerms = options.haarTerms;
+  view.occluders = options.occluders;
   view.aoCorrection = options.aoCorrection;
   if (inputs.bake != nullptr && inputs.bake->lightGroups)
     view.groupFactors = groupFactors(*inputs.bake->lightGroups, options.groups);

@@ -11,6 +11,7 @@
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
 #include "viewer/group_option.h"
+#include "viewer/illumination.h"
 #include "viewer/shading.h"
 #include "viewer/specular_lobes.h"
 
@@ -48,6 +49,7 @@ struct RenderOptions {
   std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
   Lobe lobe = Lobe::Ggx;      ///< of glossy shading
   AoCorrection aoCorrection = AoCorrection::None;
+  OccluderOptions occluders;        ///< of vo shading
   std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
   int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8
 };

@@ -148,6 +148,7 @@ Illumination Renderer::illuminationOf(const View& view) const {
   light.lights = lightsOf(view);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
+  light.occluders = view.occluders;
   light.groupFactors = view.groupFactors;
   if (usesNeutralSky(view)) {
     light.sky = &neutralSky_;

@@ -34,6 +34,7 @@ struct View {
   bool emitters = true;
   bool windowLights = true;
   std::size_t haarTerms = 0;
+  OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
 };

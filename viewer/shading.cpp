@@ -52,11 +52,16 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
        request.lightGroups = true;
        request.namedGroups = asked.namedGroups;
      }},
+    {Shading::Vo, "vo", "lights anywhere, with the shadows and colours of vector occluders", "--vo",
+     [](const Bake& bake) { return bake.occluders.has_value(); },
+     [](const BakeRequest& request) { return request.occluders; },
+     [](BakeRequest& request, const BakeRequest&) { request.occluders = true; }},
 }};
 
 /// From the one that shows most.
-constexpr std::array<Shading, shadingCount> byPreference = {
-    Shading::Sh, Shading::Ch, Shading::Glossy, Shading::Haar, Shading::Lights, Shading::Ao, Shading::Phong};
+constexpr std::array<Shading, shadingCount> byPreference = {Shading::Sh,   Shading::Ch,     Shading::Glossy,
+                                                            Shading::Haar, Shading::Lights, Shading::Vo,
+                                                            Shading::Ao,   Shading::Phong};
 
 }  // namespace
 

@@ -19,9 +19,10 @@ enum class Shading : std::uint8_t {
   Haar,    ///< the same through wavelet transfer
   Glossy,  ///< diffuse and glossy reflection through transfer matrices
   Lights,  ///< the scene's own lights through light-group transfer, with shadows
+  Vo,      ///< lights anywhere with the shadows and the diffuse light of vector occluders
 };
 
-constexpr int shadingCount = 7;
+constexpr int shadingCount = 8;
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {

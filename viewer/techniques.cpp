@@ -1,5 +1,6 @@
 #include "viewer/techniques.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "viewer/cluster_transfer.h"
 #include "viewer/glossy_lighting.h"
 #include "viewer/haar_lighting.h"
+#include "viewer/occluder_lighting.h"
 #include "viewer/series_transfer.h"
 
 namespace prelight::viewer {
@@ -81,6 +83,10 @@ constexpr std::array<Technique, shadingCount> table = {{
        const LightGroupTransfer& transfer = *inputs.bake->lightGroups;
        return std::make_unique<GroupSeries>(transfer, glowGroups(transfer, inputs.compiled));
      }},
+    {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<OccluderLighting>(*inputs.bake->occluders, inputs.compiled);
+     }},
 }};
 
 void expectSize(const char* what, std::size_t got, std::size_t expected) {
@@ -106,6 +112,17 @@ std::size_t numbers(std::uint32_t vertices, int channels, int order, int power) 
 void checkHarmonics(const char* what, const HarmonicTransfer& transfer, std::uint32_t vertices) {
   expectDrawable(what, transfer.order, maxTransferOrder, transfer.channels);
   expectSize(what, transfer.coefficients.size(), numbers(vertices, transfer.channels, transfer.order, 2));
+}
+
+void checkOccluders(const OccluderTransfer& occluders, std::uint32_t vertices) {
+  expectSize("vector occluders", occluders.offsets.size(), std::size_t{vertices} + 1);
+  expectSize("vector occluders", occluders.vectors.size(), occluders.recordCount() * occluders.stored.size());
+  for (const OccluderVector needed : {OccluderVector::Position, OccluderVector::Occlusion,
+                                      OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor})
+    if (std::find(occluders.stored.begin(), occluders.stored.end(), needed) == occluders.stored.end())
+      throw Error(ExitCode::RuntimeFailure, "vector occluders",
+                  "the bake has no " + std::string(occluderVectorNames[static_cast<std::size_t>(needed)]),
+                  "bake this scene again");
 }
 
 void checkCharts(const ChartTransfer& texels, const CompiledScene& scene) {
@@ -142,6 +159,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
     expectSize("glossy transfer", glossy->matrices.size(),
                numbers(vertices, glossy->channels, glossy->order, 4));
   }
+  if (bake.occluders) checkOccluders(*bake.occluders, vertices);
   if (bake.texels) checkCharts(*bake.texels, scene);
   if (const auto& lights = bake.lightGroups) {
     const auto groups = static_cast<int>(lights->groups.size());

@@ -16,6 +16,7 @@ namespace prelight::cli {
 namespace {
 
 constexpr int defaultHeight = 720;
+constexpr std::uint64_t maxSkyLights = 4096;
 constexpr std::uint64_t maxCameraIndex = 1u << 20;
 constexpr std::uint64_t maxHaarTerms = 6 * 128 * 128;
 constexpr int defaultBounces = 1;
@@ -40,7 +41,7 @@ std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bak
 /// The request that makes what shadings need: as asked where they are asked for, by default where not.
 BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked) {
   BakeRequest request = asked;
-  request.ao = request.lightGroups = false;
+  request.ao = request.lightGroups = request.occluders = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
   request.volumeSize = request.texelSize = 0;  // no picture shows the first
   request.namedGroups.clear();
@@ -49,8 +50,9 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   for (const viewer::Shading shading : missing) {
     const viewer::ShadingInfo& info = viewer::infoOf(shading);
     info.addTo(request, asked);
-    light = light || shading != viewer::Shading::Ao;
-    lightAsked = lightAsked || (shading != viewer::Shading::Ao && info.askedBy(asked));
+    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Vo;
+    light = light || bounces;
+    lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
   if (request.shOrder > 0) request.texelSize = asked.texelSize;
   if (!light) {
@@ -76,6 +78,7 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.glossy, from.glossy);
   take(into.lightGroups, from.lightGroups);
   take(into.texels, from.texels);
+  take(into.occluders, from.occluders);
 }
 
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {
@@ -134,6 +137,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   unused(!options.groups.empty(), "--group", viewer::Shading::Lights);
   unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
   unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction", viewer::Shading::Ao);
+  unused(options.occluders != viewer::OccluderOptions{}, "--shadow-strength, --bleeding or --sky-lights",
+         viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
   if (shading == viewer::Shading::Lights && options.lights)
     session.warn(
@@ -185,6 +190,18 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          },
          "ao shading: none, or interreflection, the light that creases reflect into themselves")
       ->type_name("NAME");
+  addRealNumber(
+      app, "--shadow-strength", {0.0, 100.0},
+      [&](double value) { options.occluders.shading.shadowStrength = value; },
+      fmt::format("vo shading: how wide occluders shadow, 0.2 to 5.5 are usual (default {:g})",
+                  options.occluders.shading.shadowStrength));
+  addRealNumber(
+      app, "--bleeding", {0.0, 100.0}, [&](double value) { options.occluders.shading.bleeding = value; },
+      "vo shading: factor of the light that diffuse occluders send on (default 1)");
+  addWholeNumber(
+      app, "--sky-lights", {1, maxSkyLights},
+      [&](std::uint64_t n) { options.occluders.skyLights = static_cast<int>(n); },
+      fmt::format("vo shading: lights that stand for the sky (default {})", defaultSkyLights));
   app.add_option_function<std::string>(
          "--lobe",
          [&](const std::string& name) {
@@ -261,6 +278,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.lights = options.lights;
   render.groups = options.groups;
   render.haarTerms = options.haarTerms;
+  render.occluders = options.occluders;
   render.aoCorrection = options.aoCorrection;
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);

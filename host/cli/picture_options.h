@@ -28,6 +28,7 @@ struct PictureOptions {
   std::optional<std::vector<Light>> lights;
   std::vector<viewer::GroupFactor> groups;
   std::size_t haarTerms = 0;
+  viewer::OccluderOptions occluders;
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
   viewer::Lobe lobe = viewer::Lobe::Ggx;
   PoseOptions pose;
