@@ -84,11 +84,13 @@ IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
     return {glm::dvec3(light.intensity), -glm::dvec3(light.direction)};
   const glm::dvec3 path = glm::dvec3(light.position) - point;
   const double distance2 = std::max(glm::dot(path, path), 1e-12);
-  const glm::dvec3 toLight = path / std::sqrt(distance2);
+  const double distance = std::sqrt(distance2);
+  const glm::dvec3 toLight = path / distance;
   const double cosine = -glm::dot(glm::dvec3(light.direction), toLight);
   if (light.kind == LightKind::Emitter) {
     const double area = light.area, lobe = light.twoSided ? std::abs(cosine) : std::max(cosine, 0.0);
-    return {glm::dvec3(light.intensity) * (lobe * area / (distance2 + area / std::numbers::pi)), toLight};
+    return {glm::dvec3(light.intensity) * (lobe * area / (distance2 + area / std::numbers::pi)), toLight,
+            distance};
   }
   double falloff = 1.0 / distance2;
   if (light.range > 0.0f) {
@@ -99,7 +101,7 @@ IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
     const double angular = glm::clamp(cosine * light.coneScale + light.coneOffset, 0.0, 1.0);
     falloff *= angular * angular;
   }
-  return {glm::dvec3(light.intensity) * falloff, toLight};
+  return {glm::dvec3(light.intensity) * falloff, toLight, distance};
 }
 
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {

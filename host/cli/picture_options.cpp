@@ -137,8 +137,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   unused(!options.groups.empty(), "--group", viewer::Shading::Lights);
   unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
   unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction", viewer::Shading::Ao);
-  unused(options.occluders != viewer::OccluderOptions{}, "--shadow-strength, --bleeding or --sky-lights",
-         viewer::Shading::Vo);
+  unused(options.occluders != viewer::OccluderOptions{},
+         "--shadow-formula, --shadow-strength, --bleeding or --sky-lights", viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
   if (shading == viewer::Shading::Lights && options.lights)
     session.warn(
@@ -190,11 +190,21 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          },
          "ao shading: none, or interreflection, the light that creases reflect into themselves")
       ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--shadow-formula",
+         [&](const std::string& name) {
+           options.occluders.shading.formula = chooseNamed<OccluderFormula, 2>(
+               "--shadow-formula", name,
+               {{{"soft", OccluderFormula::Soft}, {"thesis", OccluderFormula::Thesis}}});
+         },
+         "vo shading: soft (default), or thesis, Sherif's of 2013")
+      ->type_name("NAME");
   addRealNumber(
       app, "--shadow-strength", {0.0, 100.0},
       [&](double value) { options.occluders.shading.shadowStrength = value; },
-      fmt::format("vo shading: how wide occluders shadow, 0.2 to 5.5 are usual (default {:g})",
-                  options.occluders.shading.shadowStrength));
+      fmt::format(
+          "vo shading: how wide occluders shadow in the thesis' formula, 0.2 to 5.5 are usual (default {:g})",
+          options.occluders.shading.shadowStrength));
   addRealNumber(
       app, "--bleeding", {0.0, 100.0}, [&](double value) { options.occluders.shading.bleeding = value; },
       "vo shading: factor of the light that diffuse occluders send on (default 1)");
