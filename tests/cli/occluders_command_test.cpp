@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+
+#include "cli/cli_test.h"
+#include "cli/glb_scene.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int badUsage = 2;
+
+class CliOccluders : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    prelightDone({"scene", "shapes", "-o", "shapes.glb"});
+  }
+
+  double rmse(const std::string& a, const std::string& b) const {
+    const auto json = nlohmann::json::parse(prelightDone({"compare", a, b, "--json"}).output);
+    return json.at("picture").at("rmse");
+  }
+};
+
+TEST_F(CliOccluders, Bake_StoresRecordsAndNamesThem) {
+  prelightDone({"bake", "shapes.glb", "-o", "out.glb", "--ao", "--vo", "--rays", "64"});
+  const GlbScene scene = parseGlb(readFile("out.glb"));
+  const auto& vo =
+      scene.json.at("nodes").at(0).at("extensions").at("PRELIGHT_transfer").at("primitives").at(0).at("vo");
+  EXPECT_EQ(vo.at("stored").dump(), R"(["position","occlusion","diffuseNormal","diffuseColor"])");
+  EXPECT_EQ(scene.json.at("extensions").at("PRELIGHT_transfer").at("vo").at("occluders").size(), 6u);
+  const auto info = prelightDone({"info", "out.glb"});
+  EXPECT_THAT(info.output, HasSubstr("6 vector occluders"));
+}
+
+TEST_F(CliOccluders, Picture_HasShadowsThatFollowTheLight) {
+  prelightDone({"bake", "shapes.glb", "-o", "vo.glb", "--vo", "--rays", "256"});
+  const auto render = [&](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "vo.glb", "-o", name, "--size", "160x120"});
+    prelightDone(options);
+  };
+  const std::string left = "point:-4,4,1:40,40,40", right = "point:4,4,1:40,40,40";
+  render("phong.exr", {"--shading", "phong", "--light", left});
+  render("left.exr", {"--shading", "vo", "--light", left});
+  render("right.exr", {"--shading", "vo", "--light", right});
+  render("thesis.exr", {"--shading", "vo", "--light", left, "--shadow-formula", "thesis"});
+  render("dry.exr", {"--shading", "vo", "--light", left, "--bleeding", "0"});
+  EXPECT_GT(rmse("phong.exr", "left.exr"), 0.02);
+  EXPECT_GT(rmse("left.exr", "right.exr"), 0.02);
+  EXPECT_GT(rmse("left.exr", "thesis.exr"), 0.005);
+  EXPECT_GT(rmse("left.exr", "dry.exr"), 0.001);
+}
+
+TEST_F(CliOccluders, WrongUse_IsExplained) {
+  expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--occluders", "triangle"},
+                {"--occluders", "node, mesh or material"});
+  expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--vo-min-form-factor", "2"},
+                {"--vo-min-form-factor"});
+  expectFailure(badUsage, {"render", "shapes.glb", "-o", "x.png", "--shading", "vo", "--sky-lights", "0"},
+                {"--sky-lights"});
+  expectFailure(badUsage,
+                {"render", "shapes.glb", "-o", "x.png", "--shading", "vo", "--shadow-formula", "hard"},
+                {"--shadow-formula", "soft"});
+}
+
+}  // namespace
+}  // namespace prelight::test
