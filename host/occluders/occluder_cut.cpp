@@ -1,0 +1,245 @@
+#include "occluders/occluder_cut.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t grain = 64;    // vertices that share a row's memory
+constexpr double leavesOnly = -1.0;  // price at which records are a gain: nothing is joined
+constexpr double leastPrice = 1e-9;  // below any error that means something
+constexpr int bisections = 30;       // of the price's logarithm
+
+/// How a record's vectors add up.
+bool isMean(OccluderVector vector) {
+  switch (vector) {
+    case OccluderVector::Position:
+    case OccluderVector::Transmissive:
+    case OccluderVector::DiffuseColor:
+    case OccluderVector::SpecularColor:
+      return true;  // weighted by form factor
+    case OccluderVector::Occlusion:
+    case OccluderVector::Caustic:
+    case OccluderVector::DiffuseNormal:
+    case OccluderVector::SpecularNormal:
+      break;
+  }
+  return false;
+}
+
+/// Areas over their mean. [vertex]
+std::vector<double> weightsOf(std::span<const double> areas) {
+  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
+  std::vector<double> weights(areas.size(), 1.0);
+  if (!(sum > 0.0)) return weights;
+  const double mean = sum / static_cast<double>(areas.size());
+  for (std::size_t v = 0; v < areas.size(); ++v) weights[v] = areas[v] / mean;
+  return weights;
+}
+
+/// The records that are cut.
+struct Leaves {
+  const OccluderTransfer& transfer;
+  const OccluderTree& tree;
+  std::size_t occlusion;  ///< place in `stored`
+
+  Leaves(const OccluderTransfer& leaves, const OccluderTree& occluderTree)
+      : transfer(leaves), tree(occluderTree) {
+    const auto found = std::find(leaves.stored.begin(), leaves.stored.end(), OccluderVector::Occlusion);
+    assert(found != leaves.stored.end());
+    occlusion = static_cast<std::size_t>(found - leaves.stored.begin());
+  }
+
+  std::size_t vertexCount() const { return transfer.offsets.empty() ? 0 : transfer.offsets.size() - 1; }
+  std::size_t width() const { return transfer.stored.size(); }
+  const glm::vec4* record(std::size_t r) const { return &transfer.vectors[r * width()]; }
+  double formFactor(std::size_t r) const { return record(r)[occlusion].w; }
+};
+
+/// The cut of one vertex at a time.
+class RowCut {
+ public:
+  explicit RowCut(const Leaves& leaves) : leaves_(leaves), seen_(leaves.tree.size()) {}
+
+  /// Finds the cut of a vertex; returns its number of records.
+  std::size_t cut(std::size_t vertex, double weight, double price) {
+    gather(vertex);
+    for (std::size_t i = nodes_.size(); i-- > 0;) decide(nodes_[i], weight, price);
+    kept_.clear();
+    for (const std::uint32_t node : nodes_) keep(node);
+    return kept_.size();
+  }
+
+  /// Writes the records of the vertex that was cut last.
+  void write(std::size_t vertex, std::uint32_t* occluders, glm::vec4* vectors) {
+    const OccluderTransfer& from = leaves_.transfer;
+    const std::size_t width = leaves_.width();
+    std::copy(kept_.begin(), kept_.end(), occluders);
+    sums_.assign(kept_.size() * width, glm::dvec4(0.0));
+    for (std::size_t r = from.offsets[vertex]; r < from.offsets[vertex + 1]; ++r) {
+      const double formFactor = leaves_.formFactor(r);
+      if (!(formFactor > 0.0)) continue;
+      const auto k = static_cast<std::size_t>(seen_[from.occluders[r]].record);
+      for (std::size_t s = 0; s < width; ++s)
+        sums_[k * width + s] +=
+            (isMean(from.stored[s]) ? formFactor : 1.0) * glm::dvec4(leaves_.record(r)[s]);
+      if (leaves_.tree.isLeaf(kept_[k])) std::copy_n(leaves_.record(r), width, vectors + k * width);
+    }
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      if (leaves_.tree.isLeaf(kept_[k])) continue;
+      const double formFactor = seen_[kept_[k]].formFactor;
+      for (std::size_t s = 0; s < width; ++s)
+        vectors[k * width + s] =
+            glm::vec4(sums_[k * width + s] / (isMean(from.stored[s]) ? formFactor : 1.0));
+    }
+  }
+
+ private:
+  /// What a vertex sees of a tree node.
+  struct Seen {
+    double formFactor = 0.0;
+    glm::dvec3 direction{0.0};  ///< the occlusion vector
+    double childrenCost = 0.0;
+    int children = 0;     ///< that are seen
+    bool listed = false;  ///< in nodes_
+    bool joined = false;  ///< kept, unless something above it is
+    int record = -1;      ///< into kept_, that it belongs to
+  };
+
+  /// Lists the tree nodes that a vertex sees, ascending: parents first.
+  void gather(std::size_t vertex) {
+    for (const std::uint32_t node : nodes_) seen_[node] = {};
+    nodes_.clear();
+    const OccluderTransfer& from = leaves_.transfer;
+    for (std::size_t r = from.offsets[vertex]; r < from.offsets[vertex + 1]; ++r) {
+      if (!(leaves_.formFactor(r) > 0.0)) continue;
+      const std::uint32_t leaf = from.occluders[r];
+      assert(leaf < leaves_.tree.size() && leaves_.tree.isLeaf(leaf));
+      seen_[leaf].formFactor = leaves_.formFactor(r);
+      seen_[leaf].direction = glm::dvec3(leaves_.record(r)[leaves_.occlusion]);
+      for (int node = static_cast<int>(leaf); node >= 0; node = parentOf(node)) {
+        Seen& seen = seen_[static_cast<std::size_t>(node)];
+        if (seen.listed) break;
+        seen.listed = true;
+        nodes_.push_back(static_cast<std::uint32_t>(node));
+      }
+    }
+    std::sort(nodes_.begin(), nodes_.end());
+  }
+
+  /// Least cost of what lies below a node: its children come before it.
+  void decide(std::uint32_t node, double weight, double price) {
+    Seen& seen = seen_[node];
+    const double length = glm::length(seen.direction);
+    const double own =
+        weight * seen.formFactor * std::sqrt(std::max(0.0, 1.0 - length / seen.formFactor)) + price;
+    seen.joined = seen.children == 0 || (seen.children == 2 && own <= seen.childrenCost);
+    const int above = parentOf(static_cast<int>(node));
+    if (above < 0) return;
+    Seen& parent = seen_[static_cast<std::size_t>(above)];
+    parent.formFactor += seen.formFactor;
+    parent.direction += seen.direction;
+    parent.childrenCost += seen.joined ? own : seen.childrenCost;
+    ++parent.children;
+  }
+
+  /// Takes a node into the cut unless it lies below one that is in: its parent comes before it.
+  void keep(std::uint32_t node) {
+    const int above = parentOf(static_cast<int>(node));
+    Seen& seen = seen_[node];
+    if (above >= 0) seen.record = seen_[static_cast<std::size_t>(above)].record;
+    if (seen.record >= 0 || !seen.joined) return;
+    seen.record = static_cast<int>(kept_.size());
+    kept_.push_back(node);
+  }
+
+  int parentOf(int node) const { return leaves_.tree.parent[static_cast<std::size_t>(node)]; }
+
+  const Leaves& leaves_;
+  std::vector<Seen> seen_;            ///< [tree node]
+  std::vector<std::uint32_t> nodes_;  ///< seen, ascending
+  std::vector<std::uint32_t> kept_;   ///< ascending
+  std::vector<glm::dvec4> sums_;      ///< [kept][stored]
+};
+
+class Cutter {
+ public:
+  Cutter(const Leaves& leaves, std::span<const double> areas) : leaves_(leaves), weights_(weightsOf(areas)) {}
+
+  /// The least price at which there are at most `limit` records, else one at which there are fewest.
+  double priceOf(double limit) const {
+    const auto meets = [&](double price) { return double(offsetsAt(price).back()) <= limit; };
+    for (const double price : {leavesOnly, leastPrice})
+      if (meets(price)) return price;
+    double low = leastPrice, high = coarsestPrice();
+    if (!meets(high)) return high;
+    for (int i = 0; i < bisections; ++i) {
+      const double middle = std::sqrt(low * high);
+      (meets(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  OccluderTransfer cut(double price) const {
+    OccluderTransfer out{leaves_.tree.names, leaves_.transfer.stored, offsetsAt(price), {}, {}};
+    out.occluders.resize(out.offsets.back());
+    out.vectors.resize(out.offsets.back() * leaves_.width());
+    forEachRow(price, [&](RowCut& row, std::size_t vertex, std::size_t) {
+      const std::size_t first = out.offsets[vertex];
+      row.write(vertex, out.occluders.data() + first, out.vectors.data() + first * leaves_.width());
+    });
+    return out;
+  }
+
+ private:
+  /// Calls visit(row, vertex, records) for every vertex at a price, from several threads.
+  template <class Visit>
+  void forEachRow(double price, const Visit& visit) const {
+    parallelRanges(leaves_.vertexCount(), grain, [&](std::size_t begin, std::size_t end) {
+      RowCut row(leaves_);
+      for (std::size_t v = begin; v < end; ++v) visit(row, v, row.cut(v, weights_[v], price));
+    });
+  }
+
+  std::vector<std::uint32_t> offsetsAt(double price) const {
+    std::vector<std::uint32_t> offsets(leaves_.vertexCount() + 1, 0);
+    forEachRow(price, [&](RowCut&, std::size_t vertex, std::size_t records) {
+      offsets[vertex + 1] = static_cast<std::uint32_t>(records);
+    });
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+    return offsets;
+  }
+
+  /// A price above every error, for which nothing stays apart.
+  double coarsestPrice() const {
+    double most = 1.0;
+    for (std::size_t v = 0; v < leaves_.vertexCount(); ++v) {
+      double sum = 0.0;
+      for (std::size_t r = leaves_.transfer.offsets[v]; r < leaves_.transfer.offsets[v + 1]; ++r)
+        sum += std::max(0.0, leaves_.formFactor(r));
+      most = std::max(most, 2.0 * weights_[v] * sum);
+    }
+    return most;
+  }
+
+  const Leaves& leaves_;
+  std::vector<double> weights_;  ///< [vertex]
+};
+
+}  // namespace
+
+OccluderTransfer cutOccluders(const OccluderTransfer& leaves, const OccluderTree& tree,
+                              std::span<const double> areaOfVertex, double recordsPerVertex) {
+  const Leaves rows(leaves, tree);
+  assert(areaOfVertex.size() == rows.vertexCount());
+  const Cutter cutter(rows, areaOfVertex);
+  return cutter.cut(cutter.priceOf(recordsPerVertex * static_cast<double>(rows.vertexCount())));
+}
+
+}  // namespace prelight
