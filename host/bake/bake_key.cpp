@@ -33,6 +33,7 @@ std::uint64_t hashOf(const BakeRequest& request) {
   hash.value(request.chOrder).value(request.chNaive).value(request.haarSize).value(request.haarError);
   hash.value(request.volumeSize).value(request.texelSize);
   hash.value(request.glossyOrder).value(request.lightGroups).value(request.occluders);
+  hash.value(request.occluderKind).value(request.occluderRecords).value(request.leastFormFactor);
   for (const LightGroupRequest& group : request.namedGroups) {
     hash.text(group.name);
     for (const std::string& pattern : group.patterns) hash.text(pattern);

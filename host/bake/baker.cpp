@@ -16,6 +16,8 @@
 #include "bake/slot_transfer.h"
 #include "bake/volume_caster.h"
 #include "bvh/tracer.h"
+#include "occluders/occluder_cut.h"
+#include "occluders/occluder_tree.h"
 #include "plan/shadow_sets.h"
 
 namespace prelight {
@@ -23,6 +25,9 @@ namespace prelight {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t occluderLeaves =
+    256;  // of all nodes; twice as many gain less than 0.01 of shadow error
 
 /// Adds the time since the last mark to the report under a name.
 class StageClock {
@@ -120,12 +125,33 @@ class BakeRunner : BakeParts {
     std::vector<double> accessibility(mesh.slotCount());
     for (std::size_t s = 0; s < accessibility.size(); ++s)
       accessibility[s] = std::clamp(1.0 + fitted[s * columns], 0.0, 1.0);
-    const OccluderGroups groups = makeOccluderGroups(scene, request.occluderKind);
     OccluderReport made;
-    bake.occluders = makeOccluderTransfer(scene, mesh, caster, cast, accessibility, groups,
-                                          request.leastFormFactor, progress_, made);
-    std::string text = fmt::format("vector occluders: {} of them, {:.1f} records a vertex",
-                                   groups.names.size(), made.recordsPerVertex);
+    bake.occluders = request.occluderKind == OccluderKind::Auto
+                         ? cutThroughTree(accessibility, made)
+                         : aggregated(accessibility, makeOccluderGroups(scene, request.occluderKind), made);
+    reportOccluders(*bake.occluders, made);
+    clock_.mark("occluders");
+  }
+
+  OccluderTransfer aggregated(const std::vector<double>& accessibility, const OccluderGroups& groups,
+                              OccluderReport& made) {
+    return makeOccluderTransfer(scene, mesh, caster, cast, accessibility, groups, request.leastFormFactor,
+                                progress_, made);
+  }
+
+  /// Clusters of every node's vertices, joined again for each vertex as its records allow.
+  OccluderTransfer cutThroughTree(const std::vector<double>& accessibility, OccluderReport& made) {
+    const OccluderTree tree = makeOccluderTree(scene, occluderLeaves);
+    OccluderTransfer leaves = aggregated(accessibility, leavesOf(tree), made);
+    const std::vector<std::uint32_t> nodes = leafNodes(tree);
+    for (std::uint32_t& occluder : leaves.occluders) occluder = nodes[occluder];
+    return cutOccluders(leaves, tree, vertexAreas(scene), request.occluderRecords);
+  }
+
+  void reportOccluders(const OccluderTransfer& transfer, const OccluderReport& made) {
+    std::string text =
+        fmt::format("vector occluders: {} of them, {:.1f} records a vertex", transfer.names.size(),
+                    double(transfer.recordCount()) / scene.vertexCount());
     if (request.leastFormFactor > 0.0)
       text += fmt::format("; what was dropped hides {:.2g} of the sky on average, {:.2g} at most",
                           made.droppedMean, made.droppedMost);
@@ -133,7 +159,6 @@ class BakeRunner : BakeParts {
       text += fmt::format("; from {:.0f} % of the receivers, for which --max-memory has room",
                           100.0 * double(made.receivers) / double(cast.front().receivers()));
     report_.notes.push_back(text);
-    clock_.mark("occluders");
   }
 
   void makeVolumeTransfer(const SlotTransfer& transfer, Bake& bake) {

@@ -6,44 +6,90 @@ namespace prelight {
 
 namespace {
 
-std::array<double, OccluderRightSides::columns> columnsOf(const device::OccluderSums& s) {
-  return {s.formFactor, s.direction[0],  s.direction[1], s.direction[2], s.offset[0],
-          s.offset[1],  s.offset[2],     s.distance,     s.normal[0],    s.normal[1],
-          s.normal[2],  s.accessibility, s.color[0],     s.color[1],     s.color[2]};
+constexpr int mostRings = 8;  // around a slot without receivers
+
+glm::dvec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
+
+void addTo(std::vector<SeenOccluder>& entries, const SeenOccluder& seen) {
+  const auto at = std::find_if(entries.begin(), entries.end(),
+                               [&](const SeenOccluder& entry) { return entry.group == seen.group; });
+  if (at == entries.end())
+    entries.push_back(seen);
+  else
+    *at += seen;
 }
 
 }  // namespace
 
-void OccluderRightSides::add(const SurfaceSample& sample, double weight, const device::OccluderSums& sums) {
-  const auto values = columnsOf(sums);
+SeenOccluder& SeenOccluder::operator+=(const SeenOccluder& other) {
+  formFactor += other.formFactor;
+  direction += other.direction;
+  position += other.position;
+  offset += other.offset;
+  distance += other.distance;
+  normal += other.normal;
+  accessibility += other.accessibility;
+  color += other.color;
+  return *this;
+}
+
+SeenOccluder& SeenOccluder::operator*=(double factor) {
+  formFactor *= factor;
+  direction *= factor;
+  position *= factor;
+  offset *= factor;
+  distance *= factor;
+  normal *= factor;
+  accessibility *= factor;
+  color *= factor;
+  return *this;
+}
+
+void OccluderMeans::addReceiver(const SurfaceSample& sample, double weight) {
+  const auto corners = cornerWeights(sample);
+  for (std::size_t k = 0; k < 3; ++k) weights_[mesh_.triangles[sample.triangle][k]] += weight * corners[k];
+}
+
+void OccluderMeans::add(const SurfaceSample& sample, double weight, const device::Receiver& receiver,
+                        const device::OccluderSums& sums) {
+  const SeenOccluder seen{
+      sums.group,          sums.formFactor,
+      vec(sums.direction), vec(sums.offset) + double(sums.formFactor) * vec(receiver.position),
+      vec(sums.offset),    sums.distance,
+      vec(sums.normal),    sums.accessibility,
+      vec(sums.color)};
   const auto corners = cornerWeights(sample);
   for (std::size_t k = 0; k < 3; ++k) {
-    std::vector<Entry>& entries = entries_[mesh_.triangles[sample.triangle][k]];
-    auto at = std::find_if(entries.begin(), entries.end(),
-                           [&](const Entry& entry) { return entry.group == sums.group; });
-    if (at == entries.end()) at = entries.insert(at, Entry{sums.group, {}});
-    for (std::size_t c = 0; c < columns; ++c) at->sums[c] += weight * corners[k] * values[c];
+    SeenOccluder part = seen;
+    part *= weight * corners[k];
+    addTo(entries_[mesh_.triangles[sample.triangle][k]], part);
   }
 }
 
-void OccluderRightSides::scatter(std::uint32_t group, std::span<double> rightSide, std::size_t width,
-                                 std::size_t first) const {
-  for (std::size_t slot = 0; slot < entries_.size(); ++slot)
-    for (const Entry& entry : entries_[slot])
-      if (entry.group == group)
-        for (std::size_t c = 0; c < columns; ++c) rightSide[slot * width + first + c] += entry.sums[c];
+std::vector<SeenOccluder> OccluderMeans::meanOver(const std::vector<std::uint32_t>& slots) const {
+  std::vector<SeenOccluder> mean;
+  double weight = 0.0;
+  for (const std::uint32_t slot : slots) {
+    weight += weights_[slot];
+    for (const SeenOccluder& seen : entries_[slot]) addTo(mean, seen);
+  }
+  for (SeenOccluder& seen : mean) seen *= 1.0 / weight;
+  std::sort(mean.begin(), mean.end(), [](const auto& a, const auto& b) { return a.group < b.group; });
+  return mean;
 }
 
-std::vector<std::uint32_t> OccluderRightSides::groupsNear(std::uint32_t slot) const {
-  std::vector<std::uint32_t> groups;
-  const auto addOf = [&](std::uint32_t other) {
-    for (const Entry& entry : entries_[other]) groups.push_back(entry.group);
-  };
-  addOf(slot);
-  for (std::uint32_t e = mesh_.rowStart[slot]; e < mesh_.rowStart[slot + 1]; ++e) addOf(mesh_.columns[e]);
-  std::sort(groups.begin(), groups.end());
-  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-  return groups;
+std::vector<SeenOccluder> OccluderMeans::around(std::uint32_t slot) const {
+  std::vector<std::uint32_t> slots = {slot};
+  for (int ring = 0; ring < mostRings && entries_[slot].empty(); ++ring) {
+    const std::vector<std::uint32_t> inner = slots;
+    for (const std::uint32_t s : inner)
+      slots.insert(slots.end(), mesh_.columns.begin() + mesh_.rowStart[s],
+                   mesh_.columns.begin() + mesh_.rowStart[s + 1]);
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    if (std::any_of(slots.begin(), slots.end(), [&](std::uint32_t s) { return !entries_[s].empty(); })) break;
+  }
+  return meanOver(slots);
 }
 
 }  // namespace prelight

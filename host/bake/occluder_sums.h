@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "bake/fit_mesh.h"
@@ -12,30 +11,47 @@
 
 namespace prelight {
 
-/// Right-hand sides of a vertex fit, sparse: for every slot those of the occluders that are seen around it.
-class OccluderRightSides {
+/// What is seen of an occluder around a slot: device::OccluderSums in double, positions in scene coordinates.
+struct SeenOccluder {
+  std::uint32_t group = 0;
+  double formFactor = 0.0;
+  glm::dvec3 direction{0.0};
+  glm::dvec3 position{0.0};  ///< times the form factor, as are offset, distance and colour
+  glm::dvec3 offset{0.0};    ///< from receivers
+  double distance = 0.0;
+  glm::dvec3 normal{0.0};
+  double accessibility = 0.0;
+  glm::dvec3 color{0.0};
+
+  SeenOccluder& operator+=(const SeenOccluder& other);
+  SeenOccluder& operator*=(double factor);
+};
+
+/// Means of what receivers saw over the surface around slots, sparse by occluder. A receiver counts for a
+/// corner of its triangle by its barycentric weight, so that nothing becomes negative, as it would in a
+/// least-squares fit: a noisy part of an object would be there with either sign.
+class OccluderMeans {
  public:
-  /// Of device::OccluderSums: form factor, direction, offset, distance, normal, accessibility, colour.
-  static constexpr std::size_t columns = 15;
+  explicit OccluderMeans(const FitMesh& mesh)
+      : mesh_(mesh), weights_(mesh.slotCount(), 0.0), entries_(mesh.slotCount()) {}
 
-  explicit OccluderRightSides(const FitMesh& mesh) : mesh_(mesh), entries_(mesh.slotCount()) {}
+  /// A receiver, once.
+  void addReceiver(const SurfaceSample& sample, double weight);
 
-  void add(const SurfaceSample& sample, double weight, const device::OccluderSums& sums);
+  /// What it saw of one occluder.
+  void add(const SurfaceSample& sample, double weight, const device::Receiver& receiver,
+           const device::OccluderSums& sums);
 
-  /// Adds occluder `group`'s columns to rightSide [slot][width], from column `first` on.
-  void scatter(std::uint32_t group, std::span<double> rightSide, std::size_t width, std::size_t first) const;
-
-  /// Occluders that were seen around a slot or its neighbours, ascending.
-  std::vector<std::uint32_t> groupsNear(std::uint32_t slot) const;
+  /// Ascending by group. A slot that no receiver is near has the mean of what lies around it, if anything is
+  /// seen there.
+  std::vector<SeenOccluder> around(std::uint32_t slot) const;
 
  private:
-  struct Entry {
-    std::uint32_t group = 0;
-    std::array<double, columns> sums{};
-  };
+  std::vector<SeenOccluder> meanOver(const std::vector<std::uint32_t>& slots) const;
 
   const FitMesh& mesh_;
-  std::vector<std::vector<Entry>> entries_;  ///< [slot]
+  std::vector<double> weights_;                     ///< [slot], of the receivers around
+  std::vector<std::vector<SeenOccluder>> entries_;  ///< [slot]
 };
 
 }  // namespace prelight

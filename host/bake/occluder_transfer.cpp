@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "bake/occluder_sums.h"
 #include "shared/occluder_types.h"
@@ -15,24 +14,7 @@ using device::OccluderSums;
 using device::OccluderVertex;
 
 constexpr std::size_t groupSize = 64;
-constexpr std::size_t groupsAtOnce = 4;  // of a solution
-constexpr double leastMeaning = 1e-7;    // form factor below which a fit's value is rounding
-
-struct Extent {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-};
-
-/// Bounds of every occluder, scene coordinates: mean positions lie inside, whatever the fit overshoots.
-std::vector<Extent> boundsOf(const CompiledScene& scene, const OccluderGroups& groups) {
-  std::vector<Extent> boxes(groups.names.size());
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-    Extent& box = boxes[groups.groupOfVertex[v]];
-    box.low = glm::min(box.low, glm::dvec3(scene.positions[v]));
-    box.high = glm::max(box.high, glm::dvec3(scene.positions[v]));
-  }
-  return boxes;
-}
+constexpr double leastMeaning = 1e-7;  // form factor below which a record is rounding
 
 std::vector<OccluderVertex> occluderVertices(const CompiledScene& scene, const FitMesh& mesh,
                                              const std::vector<double>& accessibility,
@@ -94,102 +76,47 @@ class Aggregator {
   std::vector<OccluderSums> recordsRead_;
 };
 
-OccluderRightSides aggregate(const FitMesh& mesh, Caster& caster, const SideCast& front,
-                             Aggregator& aggregator, Progress& progress) {
-  OccluderRightSides sides(mesh);
+OccluderMeans aggregate(const FitMesh& mesh, Caster& caster, const SideCast& front, Aggregator& aggregator,
+                        Progress& progress) {
+  OccluderMeans means(mesh);
   for (std::uint32_t first = 0; first < front.storedCount(); first += caster.blockSize()) {
     progress.check();
     const std::uint32_t count = std::min(caster.blockSize(), front.storedCount() - first);
-    aggregator.run(std::span(front.storedReceivers()).subspan(first, count), front.storedFirst() + first);
+    const auto receivers = std::span(front.storedReceivers()).subspan(first, count);
+    aggregator.run(receivers, front.storedFirst() + first);
     for (std::uint32_t i = 0; i < count; ++i) {
       const SurfaceSample& sample = front.records()[first + i].sample;
       const double weight = front.fit().weightOf(sample);
       const Aggregator::Span& span = aggregator.spans()[i];
+      means.addReceiver(sample, weight);
       for (std::uint32_t r = span.first; r < span.first + span.count; ++r)
-        sides.add(sample, weight, aggregator.records()[r]);
+        means.add(sample, weight, receivers[i], aggregator.records()[r]);
     }
     progress.report("occluders", double(first + count) / front.storedCount());
   }
-  return sides;
+  return means;
 }
 
-/// A slot's fitted values of an occluder.
-struct Fitted {
-  std::uint32_t group = 0;
-  std::array<double, OccluderRightSides::columns> values{};
-};
-
-bool isSeen(const Fitted& fitted) { return fitted.values[0] > 0.0; }
-
-/// [slot], of the occluders near it.
-std::vector<std::vector<Fitted>> solve(const FitMesh& mesh, const SideCast& front,
-                                       const OccluderRightSides& sides, std::size_t groups,
-                                       Progress& progress) {
-  constexpr std::size_t columns = OccluderRightSides::columns;
-  std::vector<std::vector<std::uint32_t>> near(mesh.slotCount());
-  for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) near[slot] = sides.groupsNear(slot);
-  std::vector<std::vector<Fitted>> fitted(mesh.slotCount());
-  std::vector<Fitted> largest(mesh.slotCount());
-  for (std::size_t first = 0; first < groups; first += groupsAtOnce) {
-    progress.check();
-    const std::size_t count = std::min(groupsAtOnce, groups - first), width = count * columns;
-    std::vector<double> right(mesh.slotCount() * width, 0.0);
-    for (std::size_t g = 0; g < count; ++g)
-      sides.scatter(static_cast<std::uint32_t>(first + g), right, width, g * columns);
-    const std::vector<double> solution = front.fit().solve(defaultSmoothing, right, width);
-    const auto valuesOf = [&](std::uint32_t slot, std::size_t group) {
-      Fitted values{static_cast<std::uint32_t>(group), {}};
-      std::copy_n(solution.begin() + static_cast<std::ptrdiff_t>(slot * width + (group - first) * columns),
-                  columns, values.values.begin());
-      return values;
-    };
-    for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) {
-      for (const std::uint32_t group : near[slot])
-        if (group >= first && group < first + count) fitted[slot].push_back(valuesOf(slot, group));
-      for (std::size_t group = first; group < first + count; ++group)
-        if (solution[slot * width + (group - first) * columns] > largest[slot].values[0])
-          largest[slot] = valuesOf(slot, group);
-    }
-  }
-  // What a fit leaves where nothing near hides anything belongs to something, too.
-  for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot)
-    if (std::none_of(fitted[slot].begin(), fitted[slot].end(), isSeen) && isSeen(largest[slot]))
-      fitted[slot] = {largest[slot]};
-  return fitted;
-}
-
-/// Form factors of a slot that are not negative and add up, with the accessibility, to 1.
-void normalize(std::vector<Fitted>& fitted, double accessibility) {
+/// What a slot sees, so that its form factors add up, with the accessibility, to 1.
+std::vector<SeenOccluder> normalized(std::vector<SeenOccluder> seen, double accessibility) {
   double sum = 0.0;
-  for (Fitted& f : fitted) {
-    f.values[0] = std::max(0.0, f.values[0]);
-    sum += f.values[0];
-  }
-  const double scale = sum > 0.0 ? (1.0 - accessibility) / sum : 0.0;
-  for (Fitted& f : fitted)
-    for (double& value : f.values) value *= scale;
+  for (const SeenOccluder& s : seen) sum += s.formFactor;
+  for (SeenOccluder& s : seen) s *= sum > 0.0 ? (1.0 - accessibility) / sum : 0.0;
+  return seen;
 }
 
-glm::dvec3 at(const Fitted& fitted, std::size_t first) {
-  return {fitted.values[first], fitted.values[first + 1], fitted.values[first + 2]};
-}
-
-glm::dvec3 noLongerThan(const glm::dvec3& v, double length) {
-  const double own = glm::length(v);
-  return own > length ? v * (length / own) : v;
-}
-
-/// The vectors of a record, in the order of `storedVectors`. Positions are the world's.
-std::array<glm::vec4, 4> packRecord(const CompiledScene& scene, const Fitted& fitted, const glm::vec3& vertex,
-                                    const Extent& box) {
-  const double formFactor = fitted.values[0];
-  const glm::dvec3 mean = glm::dvec3(vertex) + at(fitted, 4) / formFactor;
-  const glm::dvec3 position = scene.origin + glm::clamp(mean, box.low, box.high);
-  const double weight = std::clamp(fitted.values[11], 0.0, formFactor);
-  const glm::dvec3 color = glm::clamp(at(fitted, 12) / formFactor, 0.0, 1.0);
-  const double distance = std::max(0.0, fitted.values[7] / formFactor);
-  return {glm::vec4(position, distance), glm::vec4(noLongerThan(at(fitted, 1), formFactor), formFactor),
-          glm::vec4(noLongerThan(at(fitted, 8), weight), weight), glm::vec4(color, 0.0)};
+/// The vectors of a record of a vertex, in the order of `storedVectors`. Positions are the world's.
+std::array<glm::vec4, 4> packRecord(const CompiledScene& scene, const SeenOccluder& seen,
+                                    const glm::dvec3& vertex) {
+  const double formFactor = seen.formFactor;
+  const glm::dvec3 position = seen.position / formFactor;
+  // The receivers around lie to one side of a vertex at a border; what their distances are more than that to
+  // the mean position, the vertex' are, too.
+  const double excess = seen.distance / std::max(glm::length(seen.offset), 1e-9 * seen.distance);
+  const double distance = seen.distance > 0.0 ? glm::length(position - vertex) * excess : 0.0;
+  return {glm::vec4(scene.origin + position, distance), glm::vec4(seen.direction, formFactor),
+          glm::vec4(seen.normal, seen.accessibility),
+          glm::vec4(glm::clamp(seen.color / formFactor, 0.0, 1.0), 0.0)};
 }
 
 const std::vector<OccluderVector> storedVectors = {OccluderVector::Position, OccluderVector::Occlusion,
@@ -204,22 +131,19 @@ OccluderTransfer makeOccluderTransfer(const CompiledScene& scene, const FitMesh&
                                       Progress& progress, OccluderReport& report) {
   const SideCast& front = cast.front();
   Aggregator aggregator(caster, caster.device(), occluderVertices(scene, mesh, accessibility, groups));
-  const OccluderRightSides sides = aggregate(mesh, caster, front, aggregator, progress);
-  std::vector<std::vector<Fitted>> fitted = solve(mesh, front, sides, groups.names.size(), progress);
-  for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) normalize(fitted[slot], accessibility[slot]);
-
+  const OccluderMeans means = aggregate(mesh, caster, front, aggregator, progress);
   OccluderTransfer transfer{groups.names, storedVectors, {0}, {}, {}};
-  const std::vector<Extent> boxes = boundsOf(scene, groups);
   const double least = std::max(leastFormFactor, leastMeaning);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const std::uint32_t slot = mesh.slotOfVertex[v];
     double dropped = 0.0;
-    for (const Fitted& f : fitted[mesh.slotOfVertex[v]]) {
-      if (f.values[0] < least) {
-        dropped += f.values[0];
+    for (const SeenOccluder& seen : normalized(means.around(slot), accessibility[slot])) {
+      if (seen.formFactor < least) {
+        dropped += seen.formFactor;
         continue;
       }
-      transfer.occluders.push_back(f.group);
-      for (const glm::vec4& vector : packRecord(scene, f, scene.positions[v], boxes[f.group]))
+      transfer.occluders.push_back(seen.group);
+      for (const glm::vec4& vector : packRecord(scene, seen, scene.positions[v]))
         transfer.vectors.push_back(vector);
     }
     transfer.offsets.push_back(static_cast<std::uint32_t>(transfer.occluders.size()));
@@ -227,7 +151,6 @@ OccluderTransfer makeOccluderTransfer(const CompiledScene& scene, const FitMesh&
     report.droppedMost = std::max(report.droppedMost, dropped);
   }
   report.receivers = front.storedCount();
-  report.recordsPerVertex = double(transfer.recordCount()) / scene.vertexCount();
   return transfer;
 }
 

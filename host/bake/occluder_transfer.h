@@ -14,14 +14,13 @@ namespace prelight {
 /// What making vector occluders did.
 struct OccluderReport {
   std::uint64_t receivers = 0;  ///< that were aggregated
-  double recordsPerVertex = 0.0;
-  double droppedMean = 0.0;  ///< form factor of what was dropped, mean over vertices
-  double droppedMost = 0.0;  ///< at one vertex
+  double droppedMean = 0.0;     ///< form factor of what was dropped, mean over vertices
+  double droppedMost = 0.0;     ///< at one vertex
 };
 
-/// Aggregates the stored rows of a cast by occluder and fits the vertices. `accessibility` is AO a slot, in
-/// [0,1]: together with it, the form factors of a slot add up to 1 before those below `leastFormFactor` are
-/// dropped.
+/// Aggregates the stored rows of a cast by occluder; a vertex has the mean of the receivers around it.
+/// `accessibility` is AO a slot, in [0,1]: together with it, the form factors of a slot add up to 1 before
+/// those below `leastFormFactor` are dropped.
 OccluderTransfer makeOccluderTransfer(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
                                       const SceneCast& cast, const std::vector<double>& accessibility,
                                       const OccluderGroups& groups, double leastFormFactor,

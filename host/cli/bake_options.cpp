@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/pattern.h"
@@ -125,23 +129,34 @@ void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void readOccluderKind(const std::string& text, BakeRequest& request) {
+  constexpr std::array<std::pair<std::string_view, OccluderKind>, 3> kinds = {
+      {{"node", OccluderKind::Node}, {"mesh", OccluderKind::Mesh}, {"material", OccluderKind::Material}}};
+  for (const auto& [name, kind] : kinds)
+    if (text == name) {
+      request.occluderKind = kind;
+      return;
+    }
+  int records = 0;
+  const char* first = text.data() + std::min<std::size_t>(text.size(), 5);
+  const auto [end, error] = std::from_chars(first, text.data() + text.size(), records);
+  if (!text.starts_with("auto:") || error != std::errc{} || end != text.data() + text.size() || records < 1 ||
+      records > 256)
+    throw CLI::ValidationError(
+        "--occluders",
+        fmt::format("got '{}', expected node, mesh, material or auto:N with N from 1 to 256", text));
+  request.occluderKind = OccluderKind::Auto;
+  request.occluderRecords = records;
+}
+
 void addOccluderOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag("--vo", request.occluders,
                "vector occluders: what every vertex sees of each object, for shadows and colour bleeding");
   app.add_option_function<std::string>(
-         "--occluders",
-         [&](const std::string& text) {
-           if (text == "node")
-             request.occluderKind = OccluderKind::Node;
-           else if (text == "mesh")
-             request.occluderKind = OccluderKind::Mesh;
-           else if (text == "material")
-             request.occluderKind = OccluderKind::Material;
-           else
-             throw CLI::ValidationError("--occluders",
-                                        fmt::format("got '{}', expected node, mesh or material", text));
-         },
-         "what makes an occluder: node (default), mesh or material")
+         "--occluders", [&](const std::string& text) { readOccluderKind(text, request); },
+         "what makes an occluder: node (default), mesh, material, or auto:N, parts of nodes, chosen for "
+         "every "
+         "vertex so that there are N records a vertex in the mean")
       ->type_name("KIND");
   addRealNumber(
       app, "--vo-min-form-factor", {0.0, 1.0}, [&](double value) { request.leastFormFactor = value; },

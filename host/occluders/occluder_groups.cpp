@@ -16,6 +16,7 @@ std::uint32_t keyOf(const CompiledScene& scene, const PrimitiveRange& range, Occ
     case OccluderKind::Material:
       return range.triangleCount > 0 ? scene.triangleMaterials[range.firstTriangle] : 0;
     case OccluderKind::Node:
+    case OccluderKind::Auto:
       break;
   }
   return static_cast<std::uint32_t>(range.node);
@@ -28,6 +29,7 @@ std::string nameOf(const PrimitiveRange& range, OccluderKind kind, std::uint32_t
     case OccluderKind::Material:
       return "material " + std::to_string(key);
     case OccluderKind::Node:
+    case OccluderKind::Auto:
       break;
   }
   return nodeNameOf(range);
@@ -47,6 +49,25 @@ OccluderGroups makeOccluderGroups(const CompiledScene& scene, OccluderKind kind)
     for (std::uint32_t v = 0; v < range.vertexCount; ++v)
       groups.groupOfVertex[range.firstVertex + v] = found->second;
   }
+  return groups;
+}
+
+std::vector<std::uint32_t> leafNodes(const OccluderTree& tree) {
+  std::vector<std::uint32_t> leaves;
+  for (std::uint32_t node = 0; node < tree.size(); ++node)
+    if (tree.isLeaf(node)) leaves.push_back(node);
+  return leaves;
+}
+
+OccluderGroups leavesOf(const OccluderTree& tree) {
+  const std::vector<std::uint32_t> leaves = leafNodes(tree);
+  std::vector<std::uint32_t> groupOfNode(tree.size(), 0);
+  OccluderGroups groups;
+  for (std::uint32_t g = 0; g < leaves.size(); ++g) {
+    groupOfNode[leaves[g]] = g;
+    groups.names.push_back(tree.names[leaves[g]]);
+  }
+  for (const std::uint32_t leaf : tree.leafOfVertex) groups.groupOfVertex.push_back(groupOfNode[leaf]);
   return groups;
 }
 

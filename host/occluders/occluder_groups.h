@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "occluders/occluder_tree.h"
 #include "plan/plan.h"
 #include "scene/compiled_scene.h"
 
@@ -16,6 +17,13 @@ struct OccluderGroups {
   std::vector<std::uint32_t> groupOfVertex;  ///< [vertex]
 };
 
+/// `kind` is not Auto.
 OccluderGroups makeOccluderGroups(const CompiledScene& scene, OccluderKind kind);
+
+/// The leaves of a tree, in ascending order; names are theirs.
+OccluderGroups leavesOf(const OccluderTree& tree);
+
+/// [occluder of leavesOf], node of the tree.
+std::vector<std::uint32_t> leafNodes(const OccluderTree& tree);
 
 }  // namespace prelight

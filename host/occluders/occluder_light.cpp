@@ -17,6 +17,7 @@ constexpr double leastWidth = 1e-4;
 constexpr double cosineSlack = 0.1;  // between form factor and solid angle at the horizon
 constexpr double amplitude = 0.55;   // of a blob, by its solid angle over its width
 constexpr double mostAmplitude = 2.0;
+constexpr double flatShare = 0.95;  // of the foreshortening of something flat
 constexpr double frontDepth =
     0.2;  // of the mean distance, over which a light comes to lie behind an occluder
 constexpr double enclosure = 0.55;      // closes what is left between blobs that surround a vertex
@@ -80,7 +81,9 @@ double blobOf(const Record& record, const OccluderReceiver& receiver, const Inci
   gate = behind(record, receiver, normal, flatness, light);
   const double size = formFactor / (std::max(glm::dot(receiver.normal, direction), 0.0) + cosineSlack);
   const double width = widthOfSpread * (1.0 - resultant) + widthOfSize * size + leastWidth;
-  const double s = std::sqrt(flatness), facing = glm::dot(normal, direction);
+  // AO damps the normals of just those parts that lie close: how alike they are says little of how flat it
+  // is.
+  const double s = flatness > 0.0 ? flatShare : 0.0, facing = glm::dot(normal, direction);
   const double foreshortening = 1.001 - s * (1.0 - facing * facing);
   const double along = glm::dot(direction, light.toLight);
   const double across = glm::dot(normal, light.toLight) - facing * along;

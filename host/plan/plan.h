@@ -24,7 +24,7 @@ struct ShadowSetRequest {
 };
 
 /// What makes an occluder of vector occluders.
-enum class OccluderKind : std::uint8_t { Node, Mesh, Material };
+enum class OccluderKind : std::uint8_t { Node, Mesh, Material, Auto };
 
 /// What the user asked a bake for.
 struct BakeRequest {
@@ -39,6 +39,7 @@ struct BakeRequest {
   std::vector<LightGroupRequest> namedGroups;  ///< lights that none of these names are groups of their own
   bool occluders = false;                      ///< vector occluders
   OccluderKind occluderKind = OccluderKind::Node;
+  double occluderRecords = 8.0;  ///< Auto: records a vertex, in the mean, > 0
   double leastFormFactor = 0.0;  ///< occluders that hide less of the sky than this are dropped, 0..1
   int volumeSize = 0;  ///< voxels along the scene's longest side; 0: none; needs shOrder, which is its order
   int texelSize = 0;   ///< texels along the largest light map, 0: none; needs shOrder, which is its order

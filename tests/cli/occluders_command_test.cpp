@@ -54,7 +54,7 @@ TEST_F(CliOccluders, Picture_HasShadowsThatFollowTheLight) {
 
 TEST_F(CliOccluders, WrongUse_IsExplained) {
   expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--occluders", "triangle"},
-                {"--occluders", "node, mesh or material"});
+                {"--occluders", "node, mesh, material or auto:N"});
   expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--vo-min-form-factor", "2"},
                 {"--vo-min-form-factor"});
   expectFailure(badUsage, {"render", "shapes.glb", "-o", "x.png", "--shading", "vo", "--sky-lights", "0"},
