@@ -178,6 +178,25 @@ TEST(OccluderBake, Kinds_GroupByNodeMeshOrMaterial) {
   EXPECT_EQ(occluders(OccluderKind::Material), 2u);
 }
 
+TEST(OccluderBake, Auto_KeepsToTheRecordsAndToTheSum) {
+  const CompiledScene scene = groundAndBall(0.4f, 0.5f);
+  BakeRequest request = occludersOnly(256);
+  request.occluderKind = OccluderKind::Auto;
+  for (const double records : {1.0, 3.0, 6.0}) {
+    request.occluderRecords = records;
+    const Bake bake = test::runBake(scene, request).bake;
+    const OccluderTransfer& transfer = *bake.occluders;
+    EXPECT_LE(double(transfer.recordCount()), records * scene.vertexCount() + 1e-9);
+    EXPECT_GT(double(transfer.recordCount()), 0.7 * records * scene.vertexCount());
+    for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+      double sum = bake.ao[v];
+      for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)
+        sum += vectorOf(transfer, r, occlusion).w;
+      EXPECT_NEAR(sum, 1.0, 1e-5) << v;
+    }
+  }
+}
+
 TEST(OccluderBake, OpenPlane_HasNoRecords) {
   const OccluderTransfer transfer = *test::runBake(test::ground(4, 1.0f), occludersOnly(64)).bake.occluders;
   EXPECT_EQ(transfer.recordCount(), 0u);

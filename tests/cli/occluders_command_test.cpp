@@ -52,7 +52,15 @@ TEST_F(CliOccluders, Picture_HasShadowsThatFollowTheLight) {
   EXPECT_GT(rmse("left.exr", "dry.exr"), 0.001);
 }
 
+TEST_F(CliOccluders, Auto_StoresAsManyRecordsAsAskedFor) {
+  prelightDone({"bake", "shapes.glb", "-o", "out.glb", "--vo", "--occluders", "auto:5", "--rays", "64"});
+  EXPECT_THAT(prelightDone({"info", "out.glb"}).output, HasSubstr("5.0 records a vertex"));
+}
+
 TEST_F(CliOccluders, WrongUse_IsExplained) {
+  for (const char* kind : {"auto", "auto:", "auto:0", "auto:300", "auto:4x"})
+    expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--occluders", kind},
+                  {"--occluders"});
   expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--occluders", "triangle"},
                 {"--occluders", "node, mesh, material or auto:N"});
   expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--vo-min-form-factor", "2"},
