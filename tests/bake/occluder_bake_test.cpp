@@ -31,6 +31,17 @@ double formFactor(const OccluderTransfer& transfer, std::uint32_t vertex, std::u
   return 0.0;
 }
 
+/// Of every vertex, what all occluders hide and what is open.
+void expectSumsOfOne(const Bake& bake) {
+  const OccluderTransfer& transfer = *bake.occluders;
+  for (std::uint32_t v = 0; v < bake.ao.size(); ++v) {
+    double sum = bake.ao[v];
+    for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)
+      sum += vectorOf(transfer, r, occlusion).w;
+    EXPECT_NEAR(sum, 1.0, 1e-5) << v;
+  }
+}
+
 /// A ground of 2 m under a ball.
 CompiledScene groundAndBall(float radius, float height, int cells = 10, int segments = 16) {
   CompiledScene scene = test::ground(cells, 1.0f);
@@ -86,15 +97,7 @@ TEST(OccluderBake, SquareAbovePlane_HasItsFormFactor) {
 }
 
 TEST(OccluderBake, FormFactors_AddUpToOneWithAo) {
-  const CompiledScene scene = groundAndBall(0.4f, 0.3f);
-  const Bake bake = test::runBake(scene, occludersOnly(256)).bake;
-  const OccluderTransfer& transfer = *bake.occluders;
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-    double sum = bake.ao[v];
-    for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)
-      sum += vectorOf(transfer, r, occlusion).w;
-    EXPECT_NEAR(sum, 1.0, 1e-5) << v;
-  }
+  expectSumsOfOne(test::runBake(groundAndBall(0.4f, 0.3f), occludersOnly(256)).bake);
 }
 
 TEST(OccluderBake, Vectors_PointToWhatIsSeen) {
@@ -188,12 +191,7 @@ TEST(OccluderBake, Auto_KeepsToTheRecordsAndToTheSum) {
     const OccluderTransfer& transfer = *bake.occluders;
     EXPECT_LE(double(transfer.recordCount()), records * scene.vertexCount() + 1e-9);
     EXPECT_GT(double(transfer.recordCount()), 0.7 * records * scene.vertexCount());
-    for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-      double sum = bake.ao[v];
-      for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)
-        sum += vectorOf(transfer, r, occlusion).w;
-      EXPECT_NEAR(sum, 1.0, 1e-5) << v;
-    }
+    expectSumsOfOne(bake);
   }
 }
 
