@@ -10,6 +10,7 @@
 #include "benchmarks/suites.h"
 #include "compress/compression_error.h"
 #include "scene/pose.h"
+#include "scene/vertex_surface.h"
 
 namespace prelight::benchmarks {
 

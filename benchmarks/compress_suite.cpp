@@ -6,6 +6,7 @@
 #include "benchmarks/suites.h"
 #include "compress/compressed_transfer.h"
 #include "compress/compression_error.h"
+#include "scene/vertex_surface.h"
 
 namespace prelight::benchmarks {
 

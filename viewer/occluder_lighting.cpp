@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "occluders/occluder_light.h"
+#include "occluders/occluder_places.h"
 
 namespace prelight::viewer {
 namespace {
@@ -12,9 +13,7 @@ namespace {
 /// [vertex], what occluders leave of an even sky.
 std::vector<float> accessibilityOf(const OccluderTransfer& transfer) {
   std::vector<float> result;
-  const auto place = static_cast<std::size_t>(
-      std::find(transfer.stored.begin(), transfer.stored.end(), OccluderVector::Occlusion) -
-      transfer.stored.begin());
+  const std::size_t place = placeOf(transfer, OccluderVector::Occlusion);
   for (std::size_t v = 0; v + 1 < transfer.offsets.size(); ++v) {
     float open = 1.0f;
     for (std::uint32_t r = transfer.offsets[v]; r < transfer.offsets[v + 1]; ++r)

@@ -1,10 +1,10 @@
 #include "viewer/techniques.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
 #include "base/error.h"
+#include "occluders/occluder_places.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"
 #include "viewer/glossy_lighting.h"
@@ -119,7 +119,7 @@ void checkOccluders(const OccluderTransfer& occluders, std::uint32_t vertices) {
   expectSize("vector occluders", occluders.vectors.size(), occluders.recordCount() * occluders.stored.size());
   for (const OccluderVector needed : {OccluderVector::Position, OccluderVector::Occlusion,
                                       OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor})
-    if (std::find(occluders.stored.begin(), occluders.stored.end(), needed) == occluders.stored.end())
+    if (placeOf(occluders, needed) == occluders.stored.size())
       throw Error(ExitCode::RuntimeFailure, "vector occluders",
                   "the bake has no " + std::string(occluderVectorNames[static_cast<std::size_t>(needed)]),
                   "bake this scene again");

@@ -11,6 +11,7 @@
 #include "compress/compression_error.h"
 #include "io/state_file.h"
 #include "scene/pose.h"
+#include "scene/vertex_surface.h"
 
 namespace prelight {
 
@@ -34,10 +35,8 @@ class PoseProgress final : public Progress {
 };
 
 BakeRequest onlySh(const BakeRequest& request) {
-  BakeRequest only = request;
-  only.ao = only.lightGroups = false;
-  only.namedGroups.clear();
-  only.chOrder = only.haarSize = only.glossyOrder = only.volumeSize = only.texelSize = 0;
+  BakeRequest only = request.withoutTechniques();
+  only.shOrder = request.shOrder;
   return only;
 }
 

@@ -19,6 +19,7 @@
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_tree.h"
 #include "plan/shadow_sets.h"
+#include "scene/vertex_surface.h"
 
 namespace prelight {
 
@@ -121,10 +122,7 @@ class BakeRunner : BakeParts {
   }
 
   void makeOccluders(const std::vector<double>& fitted, Bake& bake) {
-    const std::size_t columns = cast.front().baseline().columns();
-    std::vector<double> accessibility(mesh.slotCount());
-    for (std::size_t s = 0; s < accessibility.size(); ++s)
-      accessibility[s] = std::clamp(1.0 + fitted[s * columns], 0.0, 1.0);
+    const std::vector<double> accessibility = accessibilityOf(mesh, cast.front(), fitted);
     OccluderReport made;
     bake.occluders = request.occluderKind == OccluderKind::Auto
                          ? cutThroughTree(accessibility, made)
@@ -145,7 +143,7 @@ class BakeRunner : BakeParts {
     OccluderTransfer leaves = aggregated(accessibility, leavesOf(tree), made);
     const std::vector<std::uint32_t> nodes = leafNodes(tree);
     for (std::uint32_t& occluder : leaves.occluders) occluder = nodes[occluder];
-    return cutOccluders(leaves, tree, vertexAreas(scene), request.occluderRecords);
+    return cutOccluders(leaves, tree, surfaceOfVertices(scene), request.occluderRecords);
   }
 
   void reportOccluders(const OccluderTransfer& transfer, const OccluderReport& made) {

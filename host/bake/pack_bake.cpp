@@ -45,12 +45,20 @@ std::vector<float> packRows(const FitMesh& mesh, const SlotTransfer& transfer, c
 
 }  // namespace
 
+std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
+                                    const std::vector<double>& fitted) {
+  std::vector<double> accessibility;
+  for (std::size_t slot = 0; slot < mesh.slotCount(); ++slot)
+    accessibility.push_back(std::clamp(1.0 + fitted[slot * front.baseline().columns()], 0.0, 1.0));
+  return accessibility;
+}
+
 void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
             const CompiledScene& scene, Bake& bake) {
-  const std::size_t columns = front.baseline().columns();
   bake.bentNormals = bentNormals(front, mesh, scene);
+  const std::vector<double> accessibility = accessibilityOf(mesh, front, fitted);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
-    bake.ao.push_back(finiteOr(std::clamp(1.0 + fitted[mesh.slotOfVertex[v] * columns], 0.0, 1.0), 1.0f));
+    bake.ao.push_back(finiteOr(accessibility[mesh.slotOfVertex[v]], 1.0f));
 }
 
 HarmonicTransfer packSh(const FitMesh& mesh, const SlotTransfer& transfer, const CompiledScene& scene,

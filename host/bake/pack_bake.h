@@ -11,6 +11,10 @@
 /// From the fit's slots to the vertices of a Bake. Every value that leaves here is finite.
 namespace prelight {
 
+/// AO of the slots from the front's solution, in [0,1].
+std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
+                                    const std::vector<double>& fitted);
+
 /// Ambient occlusion from the front's solution, and bent normals.
 void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
             const CompiledScene& scene, Bake& bake);

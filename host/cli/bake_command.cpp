@@ -14,6 +14,7 @@
 #include "io/baked_file.h"
 #include "io/environment.h"
 #include "scene/pose.h"
+#include "scene/vertex_surface.h"
 
 namespace prelight::cli {
 namespace {

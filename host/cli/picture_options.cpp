@@ -9,6 +9,7 @@
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
+#include "scene/vertex_surface.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
 
@@ -40,11 +41,7 @@ std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bak
 
 /// The request that makes what shadings need: as asked where they are asked for, by default where not.
 BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRequest& asked) {
-  BakeRequest request = asked;
-  request.ao = request.lightGroups = request.occluders = false;
-  request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
-  request.volumeSize = request.texelSize = 0;  // no picture shows the first
-  request.namedGroups.clear();
+  BakeRequest request = asked.withoutTechniques();
   bool light = false;
   bool lightAsked = false;
   for (const viewer::Shading shading : missing) {

@@ -21,15 +21,6 @@ void addLight(std::vector<std::vector<double>>& lights, std::span<const double> 
 
 }  // namespace
 
-std::vector<double> surfaceOfVertices(const CompiledScene& scene) {
-  std::vector<double> areas(scene.vertexCount(), 0.0);
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const double third = glm::length(geometricNormal(scene, t)) / 6.0;
-    for (int corner = 0; corner < 3; ++corner) areas[scene.triangles[t][corner]] += third;
-  }
-  return areas;
-}
-
 std::vector<std::vector<double>> testLights(int order) {
   std::vector<std::vector<double>> lights;
   std::vector<double> values(static_cast<std::size_t>(order * order), 0.0);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bake/bake.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 
@@ -16,9 +15,6 @@ struct CompressionError {
   double lightingRms = 0.0;       ///< of radiance before albedo, relative, over all of testLights()
   double worstLightingRms = 0.0;  ///< of the light that suffers most
 };
-
-/// Surface that each vertex stands for, m^2: a third of every triangle at it. [vertex]
-std::vector<double> surfaceOfVertices(const CompiledScene& scene);
 
 /// Coefficients of a few lights, [light][channel][i]: an even sky, a brighter zenith, two suns of different
 /// colours. A sun is a direction, the hardest light that there is.

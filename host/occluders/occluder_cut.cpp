@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "occluders/occluder_places.h"
 
 namespace prelight {
 
@@ -50,10 +51,8 @@ struct Leaves {
   std::size_t occlusion;  ///< place in `stored`
 
   Leaves(const OccluderTransfer& leaves, const OccluderTree& occluderTree)
-      : transfer(leaves), tree(occluderTree) {
-    const auto found = std::find(leaves.stored.begin(), leaves.stored.end(), OccluderVector::Occlusion);
-    assert(found != leaves.stored.end());
-    occlusion = static_cast<std::size_t>(found - leaves.stored.begin());
+      : transfer(leaves), tree(occluderTree), occlusion(placeOf(leaves, OccluderVector::Occlusion)) {
+    assert(occlusion < leaves.stored.size());
   }
 
   std::size_t vertexCount() const { return transfer.offsets.empty() ? 0 : transfer.offsets.size() - 1; }

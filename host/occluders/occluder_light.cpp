@@ -1,9 +1,10 @@
 #include "occluders/occluder_light.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "occluders/occluder_places.h"
 
 namespace prelight {
 
@@ -24,22 +25,38 @@ constexpr double enclosure = 0.55;      // closes what is left between blobs tha
 constexpr double shadowBegins = 0.075;  // sum of blobs
 constexpr double shadowIsWhole = 0.65;
 
-/// A record's vectors by what they are; nullptr: not stored.
+/// A record's vectors by what they are; only those that are stored may be looked at.
 struct Record {
-  Record(const OccluderTransfer& transfer, std::size_t record) {
-    for (std::size_t k = 0; k < transfer.stored.size(); ++k) {
-      const glm::vec4* vector = &transfer.vectors[record * transfer.stored.size() + k];
-      if (transfer.stored[k] == OccluderVector::Position) position = vector;
-      if (transfer.stored[k] == OccluderVector::Occlusion) occlusion = vector;
-      if (transfer.stored[k] == OccluderVector::DiffuseNormal) normal = vector;
-      if (transfer.stored[k] == OccluderVector::DiffuseColor) color = vector;
+  const glm::vec4* position;
+  const glm::vec4* occlusion;
+  const glm::vec4* normal;
+  const glm::vec4* color;
+};
+
+/// The records of a vertex.
+class Row {
+ public:
+  Row(const OccluderTransfer& transfer, std::uint32_t vertex)
+      : transfer_(transfer),
+        first_(transfer.offsets[vertex]),
+        end_(transfer.offsets[vertex + 1]),
+        position_(placeOf(transfer, OccluderVector::Position)),
+        occlusion_(placeOf(transfer, OccluderVector::Occlusion)),
+        normal_(placeOf(transfer, OccluderVector::DiffuseNormal)),
+        color_(placeOf(transfer, OccluderVector::DiffuseColor)) {}
+
+  template <typename Visitor>
+  void visit(const Visitor& visitor) const {
+    for (std::size_t r = first_; r < end_; ++r) {
+      const glm::vec4* vectors = transfer_.vectors.data() + r * transfer_.stored.size();
+      visitor(Record{vectors + position_, vectors + occlusion_, vectors + normal_, vectors + color_});
     }
   }
 
-  const glm::vec4* position = nullptr;
-  const glm::vec4* occlusion = nullptr;
-  const glm::vec4* normal = nullptr;
-  const glm::vec4* color = nullptr;
+ private:
+  const OccluderTransfer& transfer_;
+  std::size_t first_, end_;
+  std::size_t position_, occlusion_, normal_, color_;
 };
 
 /// sin^(2 N F) of the angle between an occluder and the light, where that is acute, else 1.
@@ -92,23 +109,31 @@ double blobOf(const Record& record, const OccluderReceiver& receiver, const Inci
   return std::min(mostAmplitude, amplitude * size / width) * std::exp(-std::min(reach, 60.0));
 }
 
-double softVisibility(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
-                      const IncidentLight& light) {
+double softVisibility(const Row& row, const OccluderReceiver& receiver, const IncidentLight& light) {
   double hidden = 0.0, around = 0.0, aroundBehind = 0.0;
-  for (std::uint32_t r = transfer.offsets[receiver.vertex]; r < transfer.offsets[receiver.vertex + 1]; ++r) {
-    const Record record(transfer, r);
+  row.visit([&](const Record& record) {
     const double formFactor = record.occlusion->w;
-    if (!(formFactor > 0.0)) continue;
+    if (!(formFactor > 0.0)) return;
     double gate = 1.0;
     const double blob = blobOf(record, receiver, light, gate);
     hidden += gate * blob;
     around += formFactor;
     aroundBehind += gate * formFactor;
-  }
+  });
   const double closed = std::pow(std::min(around, 1.0), 6.0);
   hidden += enclosure * closed * aroundBehind;
   const double x = std::clamp((hidden - shadowBegins) / (shadowIsWhole - shadowBegins), 0.0, 1.0);
   return 1.0 - x * x * (3.0 - 2.0 * x);
+}
+
+double visibilityThrough(const Row& row, const OccluderReceiver& receiver, const IncidentLight& light,
+                         const OccluderShading& shading) {
+  if (shading.formula == OccluderFormula::Soft) return softVisibility(row, receiver, light);
+  double visibility = 1.0;
+  row.visit([&](const Record& record) {
+    visibility *= thesisVisibility(record, light.toLight, shading.shadowStrength);
+  });
+  return visibility;
 }
 
 /// Light that an occluder's visible part reflects diffusely to the vertex; form factor and AO are in the
@@ -123,25 +148,20 @@ glm::dvec3 bleedingOf(const Record& record, const LightAt& light) {
 
 double visibilityOf(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                     const IncidentLight& light, const OccluderShading& shading) {
-  if (shading.formula == OccluderFormula::Soft) return softVisibility(transfer, receiver, light);
-  double visibility = 1.0;
-  for (std::uint32_t r = transfer.offsets[receiver.vertex]; r < transfer.offsets[receiver.vertex + 1]; ++r)
-    visibility *= thesisVisibility(Record(transfer, r), light.toLight, shading.shadowStrength);
-  return visibility;
+  return visibilityThrough(Row(transfer, receiver.vertex), receiver, light, shading);
 }
 
 glm::dvec3 lightThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                                  std::span<const LightAt> lights, const OccluderShading& shading) {
-  const std::size_t first = transfer.offsets[receiver.vertex], end = transfer.offsets[receiver.vertex + 1];
+  const Row row(transfer, receiver.vertex);
   glm::dvec3 sum(0.0);
   for (const LightAt& light : lights) {
     const IncidentLight incident = light(receiver.position);
     const double cosine = glm::dot(receiver.normal, incident.toLight);
     if (cosine > 0.0)
-      sum += cosine * visibilityOf(transfer, receiver, incident, shading) / std::numbers::pi *
+      sum += cosine * visibilityThrough(row, receiver, incident, shading) / std::numbers::pi *
              incident.irradiance;
-    for (std::size_t r = first; r < end; ++r)
-      sum += shading.bleeding * bleedingOf(Record(transfer, r), light);
+    row.visit([&](const Record& record) { sum += shading.bleeding * bleedingOf(record, light); });
   }
   return sum;
 }

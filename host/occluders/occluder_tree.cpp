@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "plan/shadow_sets.h"
+#include "scene/vertex_surface.h"
 
 namespace prelight {
 
@@ -18,7 +19,7 @@ constexpr double leastShare = 1e-12;  // of the mean area, for a vertex without
 
 /// Areas that are all positive, so that every cluster has a mean.
 std::vector<double> positiveAreas(const CompiledScene& scene) {
-  std::vector<double> areas = vertexAreas(scene);
+  std::vector<double> areas = surfaceOfVertices(scene);
   const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double least = sum > 0.0 ? leastShare * sum / static_cast<double>(areas.size()) : 1.0;
   for (double& area : areas) area = std::max(area, least);
@@ -141,15 +142,6 @@ class Splitter {
 std::size_t OccluderTree::leafCount() const {
   return static_cast<std::size_t>(
       std::count_if(children.begin(), children.end(), [](const auto& pair) { return pair[0] < 0; }));
-}
-
-std::vector<double> vertexAreas(const CompiledScene& scene) {
-  std::vector<double> areas(scene.vertexCount(), 0.0);
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const double third = glm::length(geometricNormal(scene, t)) / 6.0;
-    for (int k = 0; k < 3; ++k) areas[scene.triangles[t][k]] += third;
-  }
-  return areas;
 }
 
 OccluderTree makeOccluderTree(const CompiledScene& scene, std::size_t leaves) {

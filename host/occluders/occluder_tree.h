@@ -24,9 +24,6 @@ struct OccluderTree {
   std::size_t leafCount() const;
 };
 
-/// A third of the area of a vertex' triangles, m2. [vertex]
-std::vector<double> vertexAreas(const CompiledScene& scene);
-
 /// Splits the cluster whose vertices lie farthest apart (the sum of area x squared distance to their mean)
 /// until there are `leaves`: at the mean, across the direction in which they spread most. There may be fewer
 /// where vertices coincide (coincident ones share a leaf), and more where more nodes have triangles.

@@ -156,6 +156,15 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
 
 }  // namespace
 
+BakeRequest BakeRequest::withoutTechniques() const {
+  BakeRequest request = *this;
+  request.ao = request.lightGroups = request.occluders = false;
+  request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
+  request.volumeSize = request.texelSize = 0;
+  request.namedGroups.clear();
+  return request;
+}
+
 bool Plan::runs(const std::string& pass) const {
   return std::any_of(passes.begin(), passes.end(),
                      [&](const PlannedPass& p) { return p.name == pass && p.runs; });

@@ -60,6 +60,9 @@ struct BakeRequest {
   }
   bool anything() const { return ao || occluders || carriesLight(); }
 
+  /// The same effort, limits and seed, with nothing to make.
+  BakeRequest withoutTechniques() const;
+
   static constexpr int maxShOrder = 32;
   static constexpr int maxGlossyOrder = 8;
   static constexpr int maxHaarSize = 128;

@@ -15,6 +15,7 @@
 #include "scene/builtin.h"
 #include "scene/loader.h"
 #include "scene/pose.h"
+#include "scene/vertex_surface.h"
 #include "support/devices.h"
 
 namespace prelight {

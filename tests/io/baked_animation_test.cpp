@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "io/baked_file.h"
+#include "io/misfit.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
@@ -76,24 +77,14 @@ TEST(BakedAnimation, BakingAgain_TakesTheKeysAway) {
   EXPECT_EQ(document.bin.size(), (bytes + 3) / 4 * 4);
 }
 
-struct Misfit {
-  const char* name;
-  const char* pointer;
-  const char* value;
-  const char* expected;
-};
-
-std::ostream& operator<<(std::ostream& out, const Misfit& m) { return out << m.name; }
+using test::Misfit;
 
 class MisfitKeys : public testing::TestWithParam<Misfit> {};
 
 TEST_P(MisfitKeys, Read_ThrowsNamingThePlace) {
-  GltfDocument document = movingDocument();
+  const GltfDocument document = movingDocument();
   const CompiledScene scene = test::compileDocument(document);
-  embedBake(document, scene, makeBake(scene));
-  document.json[Json::json_pointer(GetParam().pointer)] = Json::parse(GetParam().value);
-  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
-  EXPECT_NE(message.find(GetParam().expected), std::string::npos) << message;
+  test::expectRefused(document, makeBake(scene), scene, GetParam());
 }
 
 #define KEYS "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/keys"

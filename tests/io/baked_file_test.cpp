@@ -1,4 +1,5 @@
 #include "io/baked_file.h"
+#include "io/misfit.h"
 
 #include <gtest/gtest.h>
 
@@ -137,24 +138,14 @@ TEST(BakedFile, NoExtension_IsNoBake) {
   EXPECT_FALSE(readBake(document, test::compileDocument(document)));
 }
 
-struct Misfit {
-  const char* name;
-  const char* pointer;
-  const char* value;
-  const char* expected;
-};
-
-std::ostream& operator<<(std::ostream& out, const Misfit& m) { return out << m.name; }
+using test::Misfit;
 
 class MisfitBake : public testing::TestWithParam<Misfit> {};
 
 TEST_P(MisfitBake, Read_ThrowsNamingThePlace) {
-  GltfDocument document = test::triangleDocument();
+  const GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);
-  embedBake(document, scene, makeBake(scene));
-  document.json[Json::json_pointer(GetParam().pointer)] = Json::parse(GetParam().value);
-  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
-  EXPECT_NE(message.find(GetParam().expected), std::string::npos) << message;
+  test::expectRefused(document, makeBake(scene), scene, GetParam());
 }
 
 const Misfit misfits[] = {

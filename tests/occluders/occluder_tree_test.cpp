@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "scene/vertex_surface.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -176,7 +177,7 @@ TEST(OccluderTree, SceneWithoutTriangles_HasNoNodes) {
 }
 
 TEST(OccluderTree, VertexAreas_AddUpToTheSurface) {
-  const std::vector<double> areas = vertexAreas(test::ground(4, 2.0f));
+  const std::vector<double> areas = surfaceOfVertices(test::ground(4, 2.0f));
   double sum = 0.0;
   for (const double area : areas) sum += area;
   EXPECT_NEAR(sum, 16.0, 1e-6);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// A third of the area of each vertex' triangles, m2: the surface that the vertex stands for. [vertex]
+std::vector<double> surfaceOfVertices(const CompiledScene& scene);
+
+}  // namespace prelight
