@@ -19,6 +19,7 @@ constexpr double cosineSlack = 0.1;  // between form factor and solid angle at t
 constexpr double amplitude = 0.55;   // of a blob, by its solid angle over its width
 constexpr double mostAmplitude = 2.0;
 constexpr double flatShare = 0.95;  // of the foreshortening of something flat
+constexpr double facingGain = 3.0;  // cosine at which normals that are alike make a plane: 1 / 3
 constexpr double frontDepth =
     0.2;  // of the mean distance, over which a light comes to lie behind an occluder
 constexpr double enclosure = 0.55;      // closes what is left between blobs that surround a vertex
@@ -94,13 +95,17 @@ double blobOf(const Record& record, const OccluderReceiver& receiver, const Inci
               double& gate) {
   const double formFactor = record.occlusion->w;
   const auto [direction, resultant] = meanOf(*record.occlusion);
-  const auto [normal, flatness] = meanOf(*record.normal);
+  const auto [normal, alike] = meanOf(*record.normal);
+  const double facing = glm::dot(normal, direction);
+  // AO takes what touches the receiver out of the normals. The few that are left of a cone that stands on the
+  // receiver's floor are alike, but its base is no plane of theirs: a plane that is seen faces who sees it.
+  const double flatness = alike * std::clamp(-facingGain * facing, 0.0, 1.0);
   gate = behind(record, receiver, normal, flatness, light);
   const double size = formFactor / (std::max(glm::dot(receiver.normal, direction), 0.0) + cosineSlack);
   const double width = widthOfSpread * (1.0 - resultant) + widthOfSize * size + leastWidth;
   // AO damps the normals of just those parts that lie close: how alike they are says little of how flat it
   // is.
-  const double s = flatness > 0.0 ? flatShare : 0.0, facing = glm::dot(normal, direction);
+  const double s = alike > 0.0 ? flatShare : 0.0;
   const double foreshortening = 1.001 - s * (1.0 - facing * facing);
   const double along = glm::dot(direction, light.toLight);
   const double across = glm::dot(normal, light.toLight) - facing * along;

@@ -77,6 +77,35 @@ TEST(OccluderLight, SoftFormula_LightBeforeTheOccluder_IsNotHidden) {
   EXPECT_LT(at(5.0), 0.01);
 }
 
+// A floor's vertex below a cone that stands on it: AO leaves nothing of the base's normals and a little of
+// the sides', which are alike.
+TEST(OccluderLight, SoftFormula_BelowWhatStandsOnIt_IsDark) {
+  const glm::vec4 sides(0.0006f, 0.0025f, 0.0059f, 0.0065f);
+  const OccluderTransfer transfer = oneRecord({0, 0.02f, 0, 0.03f}, {0, 0.654f, 0, 0.98f}, sides, {});
+  std::mt19937 random(4);
+  for (int i = 0; i < 200; ++i) {
+    glm::dvec3 d(test::randomDirection(random));
+    d.y = std::abs(d.y);
+    IncidentLight light = from(d);
+    light.distance = 10.0;
+    EXPECT_LT(visibilityOf(transfer, receiver, light, {}), 0.2) << d.x << " " << d.y << " " << d.z;
+  }
+}
+
+// A wall beside the vertex, most of whose normals AO has taken: what is before it is not hidden, however far.
+TEST(OccluderLight, SoftFormula_LightBeforeAWall_IsNotHidden) {
+  const OccluderTransfer transfer =
+      oneRecord({1, 1, 0, 2}, {0.25f, 0.2f, 0, 0.35f}, {-0.01f, 0, 0, 0.01f}, {});
+  IncidentLight light = from({0.2, 1, 0});
+  for (const double distance : {1.0, 3.0, 4.5}) {
+    light.distance = distance;
+    EXPECT_EQ(visibilityOf(transfer, receiver, light, {}), 1.0) << distance;
+  }
+  light = from({1, 0.8, 0});
+  light.distance = 4.0;
+  EXPECT_LT(visibilityOf(transfer, receiver, light, {}), 0.2);
+}
+
 TEST(OccluderLight, SoftFormula_WhatIsEnclosed_IsDark) {
   OccluderTransfer transfer{{"walls"}, stored, {0, 6}, {}, {}};
   for (int i = 0; i < 6; ++i) {
