@@ -304,7 +304,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 14> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 15> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -317,6 +317,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"relight", "relight", relightPlot},
                                            {"compress", "compress", compressPlot},
                                            {"animation", "animation", animationPlot},
+                                           {"vo", "vo", voPlot},
                                            {"thesis", "thesis", thesisPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

@@ -56,7 +56,15 @@ struct BenchmarkOptions {
       "half",      "band8",      "pca:4",      "pca:8",      "pca:16",         "pca:24",
       "vq:64",     "vq:256",     "vq:1024",    "cpca:16:4",  "cpca:16:8",      "cpca:64:4",
       "cpca:64:8", "cpca:64:16", "cpca:256:4", "cpca:256:8", "cpca:64:8:byte", "pca:16:byte"};
-  std::uint64_t thesisRays = 10000;  ///< a vertex
+  std::vector<std::string> voScenes = {"shapes", "swing", "bumps", "caustics", "cornell", "rooms"};
+  std::uint64_t voRays = 1024;       ///< a vertex, where `vo` measures errors
+  std::size_t voLights = 16;         ///< around a scene, and as many inside
+  std::size_t voPoints = 10000;      ///< of the surface, at which shadows are traced
+  std::uint64_t voCostRays = 10000;  ///< a vertex, where `vo` measures the time of a bake
+  int voCostRounds = 3;
+  std::uint64_t voShadingVertices = 100000;
+  std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
+  std::uint64_t thesisRays = 10000;                               ///< a vertex
   int thesisRuns = 3;
   int thesisOrder = 6;  ///< largest of the rows that are measured
 

@@ -56,8 +56,13 @@ std::vector<BenchmarkResult> runAnimationSuite(const Device& device, const Bench
 std::vector<BenchmarkResult> runCompressSuite(const Device& device, const BenchmarkOptions& options,
                                               Progress& progress);
 
-/// Seconds, storage and frames a second of AO, SH and CH on the built-in scene `shapes`, beside those that Sherif's thesis
-/// gives for a scene of about as many vertices (2013, Table 7.1).
+/// Error of the shadows of vector occluders, by formula and records, against traced ones; what they add to a
+/// bake, and what shading costs by lights.
+std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOptions& options,
+                                        Progress& progress);
+
+/// Seconds, storage and frames a second of AO, SH and CH on the built-in scene `shapes`, beside those that
+/// Sherif's thesis gives for a scene of about as many vertices (2013, Table 7.1).
 std::vector<BenchmarkResult> runThesisSuite(const Device& device, const BenchmarkOptions& options,
                                             Progress& progress);
 

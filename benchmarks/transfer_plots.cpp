@@ -61,4 +61,23 @@ std::string animationPlot(const std::vector<BenchmarkResult>& results, const std
   return drawBarChart(chart);
 }
 
+std::string voPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Error of shadows of vector occluders",
+                 subtitle,
+                 "RMS error of direct light, of that without shadows; 16 lights around the scene",
+                 {{"vector occluders", blue}, {"others", grey}},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    const std::string setting = settingOf(result.case_);
+    if (result.metric != "error, lights around" || setting == "no shadow") continue;
+    std::string label = setting;
+    const std::size_t slash = label.find('/');
+    if (slash != std::string::npos) label.replace(slash, 1, ", ");
+    Bar& bar = barNamed(chart, sceneOf(result.case_), label);
+    bar.parts = {{result.value, slash != std::string::npos ? blue : grey}};
+    bar.note = fmt::format("{:.2f}", result.value);
+  }
+  return drawBarChart(chart);
+}
+
 }  // namespace prelight::benchmarks

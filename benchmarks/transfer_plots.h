@@ -14,4 +14,7 @@ std::string thesisPlot(const std::vector<BenchmarkResult>& results, const std::s
 /// Error between keys, by scene and choice of keys.
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Errors of shadows with lights around each scene.
+std::string voPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 }  // namespace prelight::benchmarks

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "cli/cli_test.h"
@@ -41,7 +42,7 @@ void expectReport(const nlohmann::json& report) {
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
   for (const char* part : {"cast", "rays", "trees", "build", "scaling", "bake", "error", "reference",
-                           "relight", "compress", "Examples:", "prelight bench"})
+                           "relight", "compress", "vo", "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -105,6 +106,23 @@ TEST_F(CliBench, Compress_EveryMethod_IsSmallerThanFloats) {
   EXPECT_THAT(readFile("plots/compress.svg"), StartsWith("<svg"));
 }
 
+TEST_F(CliBench, Vo_EveryTechnique_IsMeasuredWithBothKindsOfLights) {
+  prelightDone({"bench", "vo", "--quick", "--quiet", "--json", "vo.json", "--plot", "plots"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("vo.json"));
+  expectReport(report);
+  std::map<std::string, std::set<std::string>> casesOf;
+  for (const auto& entry : report["results"]) casesOf[entry["metric"]].insert(entry["case"]);
+  for (const char* where : {"around", "inside"}) {
+    const std::set<std::string>& cases = casesOf[std::string("error, lights ") + where];
+    EXPECT_EQ(cases.size(), 11u);
+    for (const char* name : {"no shadow", "traced at vertices", "AO", "node/thesis, N = 2", "auto:12/soft"})
+      EXPECT_TRUE(cases.count(std::string("shapes/") + name) == 1) << name;
+  }
+  EXPECT_EQ(casesOf["added processor time"].size(), 2u);
+  EXPECT_EQ(casesOf["R2 of a line"].size(), 1u);
+  EXPECT_THAT(readFile("plots/vo.svg"), StartsWith("<svg"));
+}
+
 TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"bench", "cast", "--quick", "--json"},
@@ -121,7 +139,7 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
   EXPECT_EQ(measured,
             (std::set<std::string>{"animation", "bake", "build", "cast", "compress", "error", "rays",
-                                   "reference", "relight", "scaling", "thesis", "trees", "wavelets"}));
+                                   "reference", "relight", "scaling", "thesis", "trees", "vo", "wavelets"}));
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }
