@@ -6,6 +6,7 @@
 #include "device/buffer.h"
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
+#include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
@@ -38,6 +39,10 @@ static_assert(isShared<PathState, 48>);
 static_assert(isShared<ShadowItem, 16>);
 static_assert(isShared<OccluderVertex, 32>);
 static_assert(isShared<OccluderSums, 64>);
+static_assert(isShared<OccluderLight, 64>);
+static_assert(isShared<OccluderReceiverPoint, 48>);
+static_assert(isShared<LitVertex, 48>);
+static_assert(isShared<OccluderTerms, 80>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -64,7 +69,11 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<PathState>("PathState", offsetof(PathState, diffuseBounces)),
           layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path)),
           layoutOf<OccluderVertex>("OccluderVertex", offsetof(OccluderVertex, group)),
-          layoutOf<OccluderSums>("OccluderSums", offsetof(OccluderSums, group))};
+          layoutOf<OccluderSums>("OccluderSums", offsetof(OccluderSums, group)),
+          layoutOf<OccluderLight>("OccluderLight", offsetof(OccluderLight, twoSided)),
+          layoutOf<OccluderReceiverPoint>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
+          layoutOf<LitVertex>("LitVertex", offsetof(LitVertex, pad1)),
+          layoutOf<OccluderTerms>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

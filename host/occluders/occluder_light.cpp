@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "occluders/occluder_places.h"
+#include "occluders/occluder_record.h"
+#include "occluders/occluder_terms.h"
 
 namespace prelight {
 
@@ -25,63 +26,15 @@ constexpr double frontDepth =
 constexpr double enclosure = 0.55;      // closes what is left between blobs that surround a vertex
 constexpr double shadowBegins = 0.075;  // sum of blobs
 constexpr double shadowIsWhole = 0.65;
-
-/// A record's vectors by what they are; only those that are stored may be looked at.
-struct Record {
-  const glm::vec4* position;
-  const glm::vec4* occlusion;
-  const glm::vec4* normal;
-  const glm::vec4* color;
-};
-
-/// The records of a vertex.
-class Row {
- public:
-  Row(const OccluderTransfer& transfer, std::uint32_t vertex)
-      : transfer_(transfer),
-        first_(transfer.offsets[vertex]),
-        end_(transfer.offsets[vertex + 1]),
-        position_(placeOf(transfer, OccluderVector::Position)),
-        occlusion_(placeOf(transfer, OccluderVector::Occlusion)),
-        normal_(placeOf(transfer, OccluderVector::DiffuseNormal)),
-        color_(placeOf(transfer, OccluderVector::DiffuseColor)) {}
-
-  template <typename Visitor>
-  void visit(const Visitor& visitor) const {
-    for (std::size_t r = first_; r < end_; ++r) {
-      const glm::vec4* vectors = transfer_.vectors.data() + r * transfer_.stored.size();
-      visitor(Record{vectors + position_, vectors + occlusion_, vectors + normal_, vectors + color_});
-    }
-  }
-
- private:
-  const OccluderTransfer& transfer_;
-  std::size_t first_, end_;
-  std::size_t position_, occlusion_, normal_, color_;
-};
-
-/// sin^(2 N F) of the angle between an occluder and the light, where that is acute, else 1.
-double thesisVisibility(const Record& record, const glm::dvec3& toLight, double shadowStrength) {
-  const double length = glm::length(glm::dvec3(*record.occlusion));
-  if (!(length > 0.0)) return 1.0;
-  const double cosine = std::clamp(glm::dot(glm::dvec3(*record.occlusion), toLight) / length, 0.0, 1.0);
-  return std::pow(1.0 - cosine * cosine, shadowStrength * double(record.occlusion->w));
-}
-
-/// Unit vector of a sum of weighted ones, and its mean resultant length in [0,1]: 1 where all are alike.
-std::pair<glm::dvec3, double> meanOf(const glm::vec4& sum) {
-  const double length = glm::length(glm::dvec3(sum));
-  if (!(length > 0.0) || !(sum.w > 0.0f)) return {glm::dvec3(0.0), 0.0};
-  return {glm::dvec3(sum) / length, std::min(1.0, length / double(sum.w))};
-}
+constexpr double mostMagnification = 32.0;  // of light by the thesis' caustics
 
 /// 0 where the light lies in front of an occluder, 1 where it lies behind it: of its plane where it is flat,
 /// of its distance where it is not.
-double behind(const Record& record, const OccluderReceiver& receiver, const glm::dvec3& flatNormal,
+double behind(const OccluderRecord& record, const OccluderReceiver& receiver, const glm::dvec3& flatNormal,
               double flatness, const IncidentLight& light) {
   if (!std::isfinite(light.distance)) return 1.0;
-  const double distance = std::max(double(record.position->w), 1e-9);
-  const glm::dvec3 path = glm::dvec3(*record.position) - receiver.position;
+  const double distance = std::max(record.position.w, 1e-9);
+  const glm::dvec3 path = glm::dvec3(record.position) - receiver.position;
   const double byPlane =
       (glm::dot(flatNormal, path) - glm::dot(flatNormal, light.toLight) * light.distance) / distance;
   const double byDistance = light.distance / distance - 1.0;
@@ -91,11 +44,11 @@ double behind(const Record& record, const OccluderReceiver& receiver, const glm:
 /// How much of the light an occluder hides: a blob around its mean direction, as wide as its directions
 /// differ and as it is large, narrower along the way in which its normal shows it foreshortened, and lower
 /// where it fills but a part of that.
-double blobOf(const Record& record, const OccluderReceiver& receiver, const IncidentLight& light,
+double blobOf(const OccluderRecord& record, const OccluderReceiver& receiver, const IncidentLight& light,
               double& gate) {
-  const double formFactor = record.occlusion->w;
-  const auto [direction, resultant] = meanOf(*record.occlusion);
-  const auto [normal, alike] = meanOf(*record.normal);
+  const double formFactor = record.occlusion.w;
+  const auto [direction, resultant] = meanOf(record.occlusion);
+  const auto [normal, alike] = meanOf(record.normal);
   const double facing = glm::dot(normal, direction);
   // AO takes what touches the receiver out of the normals. The few that are left of a cone that stands on the
   // receiver's floor are alike, but its base is no plane of theirs: a plane that is seen faces who sees it.
@@ -114,61 +67,107 @@ double blobOf(const Record& record, const OccluderReceiver& receiver, const Inci
   return std::min(mostAmplitude, amplitude * size / width) * std::exp(-std::min(reach, 60.0));
 }
 
-double softVisibility(const Row& row, const OccluderReceiver& receiver, const IncidentLight& light) {
-  double hidden = 0.0, around = 0.0, aroundBehind = 0.0;
-  row.visit([&](const Record& record) {
-    const double formFactor = record.occlusion->w;
-    if (!(formFactor > 0.0)) return;
+/// Visibility a channel, with the opacity of every record.
+glm::dvec3 softVisibility(const OccluderRow& row, const OccluderReceiver& receiver,
+                          const IncidentLight& light, const OccluderShading& shading) {
+  glm::dvec3 hidden(0.0), aroundBehind(0.0);
+  double around = 0.0;
+  for (const OccluderRecord& record : row.records) {
+    const double formFactor = record.occlusion.w;
+    if (!(formFactor > 0.0)) continue;
+    const glm::dvec3 opacity = shadowOpacity(row, record, shading);
     double gate = 1.0;
     const double blob = blobOf(record, receiver, light, gate);
-    hidden += gate * blob;
+    hidden += gate * blob * opacity;
     around += formFactor;
-    aroundBehind += gate * formFactor;
-  });
+    aroundBehind += gate * formFactor * opacity;
+  }
   const double closed = std::pow(std::min(around, 1.0), 6.0);
   hidden += enclosure * closed * aroundBehind;
-  const double x = std::clamp((hidden - shadowBegins) / (shadowIsWhole - shadowBegins), 0.0, 1.0);
+  const glm::dvec3 x = glm::clamp((hidden - shadowBegins) / (shadowIsWhole - shadowBegins), 0.0, 1.0);
   return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
-double visibilityThrough(const Row& row, const OccluderReceiver& receiver, const IncidentLight& light,
-                         const OccluderShading& shading) {
-  if (shading.formula == OccluderFormula::Soft) return softVisibility(row, receiver, light);
-  double visibility = 1.0;
-  row.visit([&](const Record& record) {
-    visibility *= thesisVisibility(record, light.toLight, shading.shadowStrength);
-  });
-  return visibility;
+glm::dvec3 visibilityThrough(const OccluderRow& row, const OccluderReceiver& receiver,
+                             const IncidentLight& light, const OccluderShading& shading) {
+  if (shading.formula == OccluderFormula::Soft) return softVisibility(row, receiver, light, shading);
+  glm::dvec3 factor(1.0);
+  for (const OccluderRecord& record : row.records)
+    if (record.occlusion.w > 0.0)
+      factor = glm::min(factor * thesisFactor(row, record, light.toLight, shading), mostMagnification);
+  return factor;
 }
 
 /// Light that an occluder's visible part reflects diffusely to the vertex; form factor and AO are in the
 /// normal.
-glm::dvec3 bleedingOf(const Record& record, const LightAt& light) {
-  const IncidentLight incident = light(glm::dvec3(*record.position));
-  const double cosine = glm::dot(glm::dvec3(*record.normal), incident.toLight);
-  return std::max(cosine, 0.0) / std::numbers::pi * glm::dvec3(*record.color) * incident.irradiance;
+glm::dvec3 bleedingOf(const OccluderRecord& record, const IncidentLight& there) {
+  const double cosine = glm::dot(glm::dvec3(record.normal), there.toLight);
+  return std::max(cosine, 0.0) / std::numbers::pi * glm::dvec3(record.color) * there.irradiance;
+}
+
+/// Sums over lights that are not yet what is shown.
+struct Sums {
+  OccludedLight light;
+  double highlights = 0.0;      ///< reflection of all lights
+  double openHighlights = 0.0;  ///< the same without shadows
+};
+
+void addDirect(const OccluderRow& row, const OccluderReceiver& receiver, const IncidentLight& incident,
+               const glm::dvec3& flicker, const OccluderShading& shading, Sums& sums) {
+  const double cosine = glm::dot(receiver.normal, incident.toLight);
+  if (!(cosine > 0.0)) return;
+  const glm::dvec3 open = cosine * incident.irradiance;
+  const glm::dvec3 reached = open * flicker * visibilityThrough(row, receiver, incident, shading);
+  const double rough =
+      shading.receiver == DiffuseReceiver::OrenNayar ? roughDiffuse(receiver, incident.toLight) : 1.0;
+  sums.light.diffuse += rough / std::numbers::pi * reached;
+  if (!incident.highlights || receiver.f0 == glm::dvec3(0.0)) return;
+  sums.light.specular += glossyBrdf(receiver, incident.toLight) * reached;
+  const double shine = microfacets(receiver, incident.toLight);
+  sums.highlights += shine * (reached.x + reached.y + reached.z);
+  sums.openHighlights += shine * (open.x + open.y + open.z);
+}
+
+void addIndirect(const OccluderRow& row, const OccluderReceiver& receiver, const LightAt& light,
+                 const glm::dvec3& flicker, const OccluderShading& shading, OccludedLight& sum) {
+  for (const OccluderRecord& record : row.records) {
+    IncidentLight there = light(glm::dvec3(record.position));
+    there.irradiance *= flicker;
+    sum.diffuse += shading.bleeding * bleedingOf(record, there);
+    sum.diffuse += causticLight(row, record, there, shading);
+    if (!row.hasSpecular) continue;
+    sum.diffuse += mirroredLight(receiver, record, there, shading);
+    if (receiver.f0 != glm::dvec3(0.0)) sum.reflected += mirroredAgain(receiver, record, there, shading);
+  }
 }
 
 }  // namespace
 
 double visibilityOf(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                     const IncidentLight& light, const OccluderShading& shading) {
-  return visibilityThrough(Row(transfer, receiver.vertex), receiver, light, shading);
+  OccluderRow row = occluderRow(transfer, receiver.vertex);
+  row.hasCaustic = row.hasTransmissive = false;
+  return visibilityThrough(row, receiver, light, shading).x;
+}
+
+OccludedLight litThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
+                                  std::span<const LightAt> lights, const OccluderShading& shading) {
+  OccluderRow row = occluderRow(transfer, receiver.vertex);
+  for (OccluderRecord& record : row.records) record = bentRecord(receiver, record, shading.effects);
+  Sums sums;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const glm::dvec3 flicker = flickerOf(i, shading.effects);
+    addDirect(row, receiver, lights[i](receiver.position), flicker, shading, sums);
+    addIndirect(row, receiver, lights[i], flicker, shading, sums.light);
+  }
+  sums.light.diffuse = glm::max(sums.light.diffuse, glm::dvec3(0.0));
+  if (sums.openHighlights > 0.0) sums.light.highlight = sums.highlights / sums.openHighlights;
+  return sums.light;
 }
 
 glm::dvec3 lightThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                                  std::span<const LightAt> lights, const OccluderShading& shading) {
-  const Row row(transfer, receiver.vertex);
-  glm::dvec3 sum(0.0);
-  for (const LightAt& light : lights) {
-    const IncidentLight incident = light(receiver.position);
-    const double cosine = glm::dot(receiver.normal, incident.toLight);
-    if (cosine > 0.0)
-      sum += cosine * visibilityThrough(row, receiver, incident, shading) / std::numbers::pi *
-             incident.irradiance;
-    row.visit([&](const Record& record) { sum += shading.bleeding * bleedingOf(record, light); });
-  }
-  return sum;
+  return litThroughOccluders(transfer, receiver, lights, shading).diffuse;
 }
 
 }  // namespace prelight

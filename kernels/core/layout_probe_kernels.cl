@@ -3,6 +3,7 @@
 
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
+#include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
@@ -33,4 +34,8 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(15, ShadowItem, path);
   PROBE(16, OccluderVertex, group);
   PROBE(17, OccluderSums, group);
+  PROBE(18, OccluderLight, twoSided);
+  PROBE(19, OccluderReceiverPoint, pad1);
+  PROBE(20, LitVertex, pad1);
+  PROBE(21, OccluderTerms, eyeZ);
 }

@@ -1,0 +1,35 @@
+#include "occluders/occluder_record.h"
+
+#include <algorithm>
+
+#include "occluders/occluder_places.h"
+
+namespace prelight {
+
+OccluderRow occluderRow(const OccluderTransfer& transfer, std::size_t vertex) {
+  const std::size_t count = transfer.stored.size();
+  const auto read = [&](std::size_t record, OccluderVector vector) {
+    const std::size_t place = placeOf(transfer, vector);
+    return place == count ? glm::dvec4(0.0) : glm::dvec4(transfer.vectors[record * count + place]);
+  };
+  OccluderRow row;
+  row.hasCaustic = placeOf(transfer, OccluderVector::Caustic) < count;
+  row.hasTransmissive = placeOf(transfer, OccluderVector::Transmissive) < count;
+  row.hasSpecular = placeOf(transfer, OccluderVector::SpecularNormal) < count &&
+                    placeOf(transfer, OccluderVector::SpecularColor) < count;
+  for (std::size_t r = transfer.offsets[vertex]; r < transfer.offsets[vertex + 1]; ++r) {
+    row.records.push_back({read(r, OccluderVector::Position), read(r, OccluderVector::Occlusion),
+                           read(r, OccluderVector::Caustic), read(r, OccluderVector::Transmissive),
+                           read(r, OccluderVector::DiffuseNormal), read(r, OccluderVector::DiffuseColor),
+                           read(r, OccluderVector::SpecularNormal), read(r, OccluderVector::SpecularColor)});
+  }
+  return row;
+}
+
+MeanDirection meanOf(const glm::dvec4& sum) {
+  const double length = glm::length(glm::dvec3(sum));
+  if (!(length > 1e-15)) return {};
+  return {glm::dvec3(sum) / length, sum.w > 0.0 ? std::min(1.0, length / sum.w) : 0.0};
+}
+
+}  // namespace prelight

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bake/transfer.h"
+#include "device/buffer.h"
+#include "occluders/occluder_upload.h"
+
+namespace prelight {
+
+/// The vertices that are lit, [vertex] each.
+struct OccluderReceivers {
+  std::span<const glm::vec3> positions;  ///< scene coordinates: world minus `origin`
+  std::span<const glm::vec3> normals;    ///< unit
+  glm::dvec3 origin{0.0};
+  std::span<const glm::vec4> gloss = {};  ///< reflectance along the normal, roughness; empty: all diffuse
+
+  std::vector<device::OccluderReceiverPoint> points() const;
+};
+
+/// Vector occluders on the device (kernels/relight/occluder_kernels.cl): light of every vertex through its
+/// records, in time that is linear in records x lights. Records are uploaded once, and prepared once for all
+/// lights, anew where shading asks for it (waves; strength of caustics; exponent). The device must outlive
+/// the relighter.
+class OccluderRelighter {
+ public:
+  /// Throws UsageError when receivers do not fit the transfer or a vector is missing that shading needs.
+  OccluderRelighter(DeviceContext& device, const OccluderTransfer& transfer,
+                    const OccluderReceivers& receivers);
+
+  std::size_t vertexCount() const { return vertices_; }
+  std::size_t recordCount() const { return upload_.owners.size(); }
+
+  /// Light of every vertex into `lit`, at least vertexCount() long. Does not wait for the last launch.
+  void relight(std::span<const device::OccluderLight> lights, const OccluderShading& shading,
+               const OccluderEye& eye, Buffer<device::LitVertex>& lit);
+
+  /// The same to the host.
+  std::vector<device::LitVertex> relight(std::span<const device::OccluderLight> lights,
+                                         const OccluderShading& shading, const OccluderEye& eye = {});
+
+ private:
+  void prepare(const device::OccluderTerms& terms);
+
+  DeviceContext& device_;
+  OccluderUpload upload_;
+  std::size_t vertices_ = 0;
+  std::size_t longestRow_ = 0;  ///< records of a vertex
+  Buffer<glm::vec4> records_;
+  Buffer<std::int32_t> owners_;
+  Buffer<std::uint32_t> offsets_;
+  Buffer<device::OccluderReceiverPoint> receivers_;
+  Buffer<glm::vec4> waves_;
+  Buffer<glm::vec4> prepared_;
+  std::optional<device::OccluderTerms> preparedFor_;
+  cl::Kernel prepareKernel_, relightKernel_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,34 @@
+// The words in which OpenCL C and GLSL differ, for files that are both. Such files use float and int, vec3 and vec4,
+// structs by value, literals with f, and functions that the two languages share.
+#ifndef PRELIGHT_RELIGHT_DIALECT_H
+#define PRELIGHT_RELIGHT_DIALECT_H
+
+#ifdef __OPENCL_C_VERSION__
+#define vec3 float3
+#define vec4 float4
+#define VEC3 (float3)
+#define VEC4 (float4)
+#define TO_FLOAT(x) ((float)(x))
+#define TO_INT(x) ((int)(x))
+#define BITS_OF(x) as_int(x)
+#define FLOAT_OF_BITS(x) as_float(x)
+#define ABS fabs
+#define INVERSE_SQRT rsqrt
+#define STRUCT_NAME(name) typedef struct name name;
+#define TEXELS __global const float4*
+#define FETCH(texels, index) (texels)[index]
+#else
+#define VEC3 vec3
+#define VEC4 vec4
+#define TO_FLOAT(x) float(x)
+#define TO_INT(x) int(x)
+#define BITS_OF(x) floatBitsToInt(x)
+#define FLOAT_OF_BITS(x) intBitsToFloat(x)
+#define ABS abs
+#define INVERSE_SQRT inversesqrt
+#define STRUCT_NAME(name)
+#define TEXELS samplerBuffer
+#define FETCH(texels, index) texelFetch(texels, index)
+#endif
+
+#endif

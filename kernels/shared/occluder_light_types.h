@@ -1,0 +1,87 @@
+// Lighting of vector occluders: what OpenCL C, GLSL and the host share. GLSL takes this text as it is, so that structs
+// hold nothing but float and int.
+#ifndef PRELIGHT_SHARED_OCCLUDER_LIGHT_TYPES_H
+#define PRELIGHT_SHARED_OCCLUDER_LIGHT_TYPES_H
+
+#ifdef __cplusplus
+namespace prelight::device {
+#endif
+#ifdef __OPENCL_C_VERSION__
+typedef struct OccluderLight OccluderLight;
+typedef struct OccluderTerms OccluderTerms;
+typedef struct OccluderReceiverPoint OccluderReceiverPoint;
+typedef struct LitVertex LitVertex;
+#endif
+
+#define PRELIGHT_LIGHT_DIRECTIONAL 0
+#define PRELIGHT_LIGHT_POINT 1
+#define PRELIGHT_LIGHT_SPOT 2
+#define PRELIGHT_LIGHT_EMITTER 3
+
+/// A light in scene coordinates; shaders read it as four vec4.
+struct OccluderLight {
+  float position[3];
+  float kind;          ///< PRELIGHT_LIGHT_...
+  float direction[3];  ///< unit: the way of the light, or an emitter's normal
+  float extent;        ///< emitter: area, m2; point and spot: least distance that counts, squared, m2
+  float intensity[3];  ///< W/sr, W/m2 (directional), W/(m2 sr) (emitter)
+  float range;         ///< m; 0: infinite
+  float coneScale;     ///< spot: clamp(cosine x scale + offset, 0, 1) squared
+  float coneOffset;
+  float highlight;  ///< 1: glossy receivers show it, 0: they do not
+  float twoSided;   ///< 1: an emitter that shines to both sides
+};
+
+/// A vertex that is lit.
+struct OccluderReceiverPoint {
+  float position[3];  ///< scene coordinates
+  float roughness;
+  float normal[3];  ///< unit
+  float pad0;
+  float f0[3];  ///< reflectance at normal incidence; 0: nothing but diffuse
+  float pad1;
+};
+
+/// What reaches the eye from a vertex, or is yet to be multiplied by the albedo.
+struct LitVertex {
+  float diffuse[3];   ///< before the albedo
+  float highlight;    ///< share of the lights' specular reflection that shadows leave
+  float specular[3];  ///< of the lights, with shadows
+  float pad0;
+  float reflected[3];  ///< of what occluders mirror (specular from specular)
+  float pad1;
+};
+
+#define PRELIGHT_STORES_TRANSMISSIVE 1
+#define PRELIGHT_STORES_CAUSTIC 2
+#define PRELIGHT_STORES_SPECULAR 4
+
+/// OccluderShading and the shape of the records.
+struct OccluderTerms {
+  int stored;  ///< PRELIGHT_STORES_...
+  int stride;  ///< vec4 of a prepared record
+  int lightCount;
+  int thesisFormula;  ///< 1: Eq. 7.2 and 7.3, 0: soft
+  int orenNayar;      ///< 1: rough diffuse receivers
+  float shadowStrength;
+  float causticStrength;
+  float bleeding;
+  float diffuseFromSpecular;
+  float specularFromSpecular;
+  float specularExponent;
+  float waves;       ///< amplitude of the bend, about its tangent
+  float waveNumber;  ///< 1/m
+  float moment;      ///< of the period of all effects, [0,1)
+  float fire;        ///< amplitude of the flicker
+  float eyeIsPoint;  ///< 1: eye is a place, 0: the unit direction to it
+  float eyeX;        ///< scene coordinates
+  float eyeY;
+  float eyeZ;
+  float pad;
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

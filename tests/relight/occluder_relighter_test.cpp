@@ -1,0 +1,161 @@
+#include "relight/occluder_relighter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "support/devices.h"
+#include "support/occluders.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+using test::MadeOccluders;
+
+DeviceContext& device() { return test::sharedDevice().context(); }
+
+OccluderReceivers receiversOf(const MadeOccluders& made) {
+  return {made.positions, made.normals, glm::dvec3(0.0), made.gloss};
+}
+
+const OccluderEye eye{{2.0, 3.0, 5.0}, true};
+
+OccludedLight referenceAt(const MadeOccluders& made, std::size_t v,
+                          const std::vector<device::OccluderLight>& lights, const OccluderShading& shading) {
+  OccluderReceiver receiver;
+  receiver.vertex = static_cast<std::uint32_t>(v);
+  receiver.position = glm::dvec3(made.positions[v]);
+  receiver.normal = glm::dvec3(made.normals[v]);
+  receiver.toEye = glm::normalize(eye.position - receiver.position);
+  receiver.f0 = glm::dvec3(glm::vec3(made.gloss[v]));
+  receiver.roughness = made.gloss[v].w;
+  std::vector<LightAt> sources;
+  for (const device::OccluderLight& light : lights)
+    sources.emplace_back([&light](const glm::dvec3& point) { return incidentFrom(light, point); });
+  return litThroughOccluders(made.transfer, receiver, sources, shading);
+}
+
+glm::dvec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
+
+double largestOf(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Largest differences relative to the range of each part.
+void expectReference(const MadeOccluders& made, const std::vector<device::OccluderLight>& lights,
+                     const OccluderShading& shading, double tolerance) {
+  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  const std::vector<device::LitVertex> lit = relighter.relight(lights, shading, eye);
+  ASSERT_EQ(lit.size(), made.positions.size());
+  double range[3] = {}, error[4] = {};
+  for (std::size_t v = 0; v < lit.size(); ++v) {
+    const OccludedLight right = referenceAt(made, v, lights, shading);
+    const glm::dvec3 rights[3] = {right.diffuse, right.specular, right.reflected};
+    const glm::dvec3 gots[3] = {vec(lit[v].diffuse), vec(lit[v].specular), vec(lit[v].reflected)};
+    for (int part = 0; part < 3; ++part) {
+      range[part] = std::max(range[part], largestOf(rights[part]));
+      error[part] = std::max(error[part], largestOf(rights[part] - gots[part]));
+    }
+    error[3] = std::max(error[3], std::abs(right.highlight - lit[v].highlight));
+  }
+  EXPECT_GT(range[0], 0.1);
+  EXPECT_GT(range[1], 0.1);
+  for (int part = 0; part < 3; ++part) EXPECT_LE(error[part], tolerance * range[part]) << part;
+  EXPECT_LE(error[3], 10.0 * tolerance);
+}
+
+class Occluders : public ::testing::TestWithParam<OccluderFormula> {};
+
+TEST_P(Occluders, EveryVector_AgreesWithDoubleReference) {
+  OccluderShading shading;
+  shading.formula = GetParam();
+  const MadeOccluders made = test::makeOccluders(400, test::everyOptionalVector(), 1);
+  expectReference(made, test::makeLights(9, 2), shading, 1e-4);
+}
+
+TEST_P(Occluders, AnySubsetOfVectors_AgreesWithDoubleReference) {
+  OccluderShading shading;
+  shading.formula = GetParam();
+  for (const std::vector<OccluderVector>& optional :
+       {std::vector<OccluderVector>{},
+        {OccluderVector::Transmissive},
+        {OccluderVector::Caustic},
+        {OccluderVector::SpecularNormal, OccluderVector::SpecularColor},
+        {OccluderVector::Caustic, OccluderVector::Transmissive}})
+    expectReference(test::makeOccluders(200, optional, 3), test::makeLights(6, 4), shading, 1e-4);
+}
+
+TEST_P(Occluders, EveryParameterAndEffect_AgreesWithDoubleReference) {
+  OccluderShading shading;
+  shading.formula = GetParam();
+  shading.shadowStrength = 5.5;
+  shading.bleeding = -0.7;
+  shading.causticStrength = 0.6;
+  shading.diffuseFromSpecular = 2.0;
+  shading.specularFromSpecular = 3.0;
+  shading.specularExponent = 20.0;
+  shading.receiver = DiffuseReceiver::OrenNayar;
+  shading.effects = {0.3, 2.0, 0.8, 0.37};
+  const MadeOccluders made = test::makeOccluders(300, test::everyOptionalVector(), 5);
+  expectReference(made, test::makeLights(8, 6), shading, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formulas, Occluders,
+                         ::testing::Values(OccluderFormula::Soft, OccluderFormula::Thesis),
+                         [](const auto& instance) {
+                           return instance.param == OccluderFormula::Soft ? "Soft" : "Thesis";
+                         });
+
+TEST(OccluderRelighter, ShadingThatChanges_IsPreparedAnew) {
+  const MadeOccluders made = test::makeOccluders(100, test::everyOptionalVector(), 7);
+  const auto lights = test::makeLights(4, 8);
+  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  OccluderShading changed;
+  changed.causticStrength = 0.25;
+  changed.effects.waves = 0.2;
+  const auto before = relighter.relight(lights, {}, eye);
+  const auto between = relighter.relight(lights, changed, eye);
+  const auto after = relighter.relight(lights, {}, eye);
+  double moved = 0.0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    EXPECT_EQ(vec(before[v].diffuse), vec(after[v].diffuse));
+    moved = std::max(moved, largestOf(vec(before[v].diffuse) - vec(between[v].diffuse)));
+  }
+  EXPECT_GT(moved, 0.01);
+}
+
+TEST(OccluderRelighter, ManyLights_AddUp) {
+  const MadeOccluders made = test::makeOccluders(300, {}, 9);
+  const auto lights = test::makeLights(700, 10);  // takes several launches
+  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  const auto all = relighter.relight(lights, {}, eye);
+  const auto first = relighter.relight(std::span(lights).first(300), {}, eye);
+  const auto rest = relighter.relight(std::span(lights).subspan(300), {}, eye);
+  for (std::size_t v = 0; v < all.size(); ++v) {
+    const glm::dvec3 sum = vec(first[v].diffuse) + vec(rest[v].diffuse);
+    EXPECT_LE(largestOf(vec(all[v].diffuse) - sum), 1e-4 * std::max(1.0, largestOf(sum))) << v;
+  }
+}
+
+TEST(OccluderRelighter, NoVertexOrNoLight_IsDark) {
+  const MadeOccluders made = test::makeOccluders(10, {}, 11);
+  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  for (const device::LitVertex& lit : relighter.relight({}, {}, eye))
+    EXPECT_EQ(vec(lit.diffuse), glm::dvec3(0));
+  const MadeOccluders none = test::makeOccluders(0, {}, 12);
+  OccluderRelighter empty(device(), none.transfer, receiversOf(none));
+  EXPECT_TRUE(empty.relight(test::makeLights(2, 1), {}, eye).empty());
+}
+
+TEST(OccluderRelighter, WrongReceiversOrVectors_AreNamed) {
+  MadeOccluders made = test::makeOccluders(10, {}, 13);
+  OccluderReceivers receivers = receiversOf(made);
+  receivers.normals = receivers.normals.first(9);
+  EXPECT_THROW(OccluderRelighter(device(), made.transfer, receivers), UsageError);
+  made.transfer.stored[0] = OccluderVector::Caustic;
+  EXPECT_THROW(OccluderRelighter(device(), made.transfer, receiversOf(made)), UsageError);
+}
+
+}  // namespace
+}  // namespace prelight
