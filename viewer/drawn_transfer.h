@@ -21,6 +21,8 @@ enum class Attribute : GLuint {
   Radiance = 7,          ///< vec3, transferred light before albedo
   Glow = 8,              ///< vec3, factor of the emission
   ChartCoord = 9,        ///< vec4: place and layer in the light maps, 1 where there is one
+  Reflected = 10,        ///< vec3, radiance to the eye of what other surfaces mirror
+  Highlight = 11,        ///< float, share of the lights' specular reflection that shadows leave
 };
 
 /// Texture units of the surface program.
@@ -82,6 +84,9 @@ class DrawnTransfer {
 
   /// Makes a light ready; called before the first picture and whenever the light has changed.
   virtual void light(const Illumination& light) = 0;
+
+  /// True where what light() makes ready is for one place of the eye.
+  virtual bool dependsOnEye(const Illumination&) const { return false; }
 
   /// Binds textures, sets the uniforms of the program in use and the attributes of the vertex array in use.
   virtual void bind(const gl::Program& program) const = 0;

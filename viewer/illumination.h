@@ -13,12 +13,14 @@ namespace prelight::viewer {
 struct OccluderOptions {
   OccluderShading shading;
   int skyLights = defaultSkyLights;  ///< that stand for a sky, >= 1
+  bool allHighlights = false;        ///< lights shine off all surfaces, not off metals and glass alone
+  double waveLength = 0.0;           ///< of the longest wave, m; 0: half the scene's radius
+  double seconds = 0.0;              ///< time of the effects
 
   bool operator==(const OccluderOptions&) const = default;
 };
 
-/// What lights a view. Transfer is lit anew when it is not equal to what it was; the camera has no part in
-/// it. Referents outlive it.
+/// What lights a view. Transfer is lit anew when it is not equal to what it was. Referents outlive it.
 struct Illumination {
   const SkyCoefficients* sky = nullptr;
   const Environment* skyMap = nullptr;  ///< what `sky` was made from; nullptr: no sky
@@ -27,6 +29,7 @@ struct Illumination {
   bool windowLights = true;   ///< damps the SH bands of delta lights
   std::size_t haarTerms = 0;  ///< coefficients that a wavelet light keeps; 0: all
   OccluderOptions occluders;
+  OccluderEye eye;  ///< where the camera stands, for transfers that depend on it; else as it is here
   std::vector<glm::vec3> groupFactors;  ///< [light group]; fewer: the others are 1
 
   bool operator==(const Illumination&) const = default;

@@ -9,6 +9,8 @@
 namespace prelight::viewer {
 namespace {
 
+constexpr float leastDistanceShare = 1e-3f;  ///< of half the diagonal of the scene's bounds
+
 bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     if (position[axis] < scene.boundsMin[axis] || position[axis] > scene.boundsMax[axis]) return true;
@@ -58,6 +60,8 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
   result.position = light.position - scene.origin;
   result.direction = light.direction;
   result.range = std::max(light.range, 0.0f);
+  const float radius = 0.5f * glm::length(scene.boundsMax - scene.boundsMin);
+  result.leastDistance = std::max(leastDistanceShare * radius, 1e-6f);
   switch (light.type) {
     case LightType::Directional:
       result.kind = LightKind::Directional;
@@ -79,29 +83,21 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
   return result;
 }
 
+device::OccluderLight occluderLight(const ShadedLight& light) {
+  device::OccluderLight result =
+      occluderPointLight(glm::dvec3(light.position), glm::dvec3(light.intensity), light.leastDistance);
+  for (int i = 0; i < 3; ++i) result.direction[i] = light.direction[i];
+  result.kind = static_cast<float>(light.kind);
+  if (light.kind == LightKind::Emitter) result.extent = light.area;
+  result.range = light.range;
+  result.coneScale = light.coneScale;
+  result.coneOffset = light.coneOffset;
+  result.twoSided = light.twoSided ? 1.0f : 0.0f;
+  return result;
+}
+
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
-  if (light.kind == LightKind::Directional)
-    return {glm::dvec3(light.intensity), -glm::dvec3(light.direction)};
-  const glm::dvec3 path = glm::dvec3(light.position) - point;
-  const double distance2 = std::max(glm::dot(path, path), 1e-12);
-  const double distance = std::sqrt(distance2);
-  const glm::dvec3 toLight = path / distance;
-  const double cosine = -glm::dot(glm::dvec3(light.direction), toLight);
-  if (light.kind == LightKind::Emitter) {
-    const double area = light.area, lobe = light.twoSided ? std::abs(cosine) : std::max(cosine, 0.0);
-    return {glm::dvec3(light.intensity) * (lobe * area / (distance2 + area / std::numbers::pi)), toLight,
-            distance};
-  }
-  double falloff = 1.0 / distance2;
-  if (light.range > 0.0f) {
-    const double ratio2 = distance2 / (double(light.range) * light.range);
-    falloff *= glm::clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
-  }
-  if (light.kind == LightKind::Spot) {
-    const double angular = glm::clamp(cosine * light.coneScale + light.coneOffset, 0.0, 1.0);
-    falloff *= angular * angular;
-  }
-  return {glm::dvec3(light.intensity) * falloff, toLight, distance};
+  return prelight::incidentFrom(occluderLight(light), point);
 }
 
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {

@@ -7,12 +7,14 @@
 
 #include "base/diagnostics.h"
 #include "io/environment.h"
-#include "occluders/occluder_light.h"
+#include "occluders/occluder_upload.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
 
 /// What lights a picture, ready for the shaders. Conventions of the lights' maths:
-/// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual;
+/// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual.
+/// Nearer
+///   than a thousandth of half the diagonal of the scene's bounds it is no stronger: E is bounded;
 /// - emissive triangles become samples: discs of area A and radiance L that give
 ///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
 ///   next to a sample;
@@ -34,8 +36,9 @@ struct ShadedLight {
   float range = 0.0f;                      ///< metres; 0: infinite
   float coneScale = 0.0f;                  ///< spot: clamp(cos * scale + offset, 0, 1)^2
   float coneOffset = 1.0f;
-  float area = 0.0f;      ///< emitter: m2
-  bool twoSided = false;  ///< emitter
+  float area = 0.0f;            ///< emitter: m2
+  float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
+  bool twoSided = false;        ///< emitter
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
   /// light's. True for directional lights and those outside the scene's bounds.
   bool throughTransfer = false;
@@ -56,6 +59,9 @@ constexpr int maxTransferOrder = 32;
 constexpr int maxGlossyOrder = 8;
 
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
+
+/// As kernels and shaders of vector occluders take it.
+device::OccluderLight occluderLight(const ShadedLight& light);
 
 /// What a light sends to a point of the scene, scene coordinates: perpendicularIrradiance() of
 /// shaders/lights.glsl.

@@ -1,11 +1,13 @@
 #include "viewer/occluder_lighting.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
-#include "base/parallel.h"
-#include "occluders/occluder_light.h"
 #include "occluders/occluder_places.h"
+#include "occluders/wave_table.h"
+#include "relight/occluder_relighter.h"
+#include "viewer/vertex_gloss.h"
 
 namespace prelight::viewer {
 namespace {
@@ -23,16 +25,37 @@ std::vector<float> accessibilityOf(const OccluderTransfer& transfer) {
   return result;
 }
 
+bool anyOf(const std::vector<glm::vec4>& gloss) {
+  return std::any_of(gloss.begin(), gloss.end(), [](const glm::vec4& g) {
+    return std::max({g.x, g.y, g.z}) > 0.0f;
+  });
+}
+
+/// An attribute within the lit vertices.
+void attachPart(Attribute attribute, GLint components, std::size_t offset) {
+  glEnableVertexAttribArray(static_cast<GLuint>(attribute));
+  glVertexAttribPointer(static_cast<GLuint>(attribute), components, GL_FLOAT, GL_FALSE,
+                        sizeof(device::LitVertex), reinterpret_cast<const void*>(offset));
+}
+
 }  // namespace
 
-OccluderLighting::OccluderLighting(const OccluderTransfer& transfer, const CompiledScene& scene)
-    : transfer_(transfer),
-      scene_(scene),
-      accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
-      radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
+OccluderLighting::OccluderLighting(const RenderInputs& inputs)
+    : inputs_(inputs),
+      anyGloss_{anyOf(vertexGloss(inputs, false)), anyOf(vertexGloss(inputs, true))},
+      pass_(*inputs.bake->occluders, inputs.compiled.origin, receivers(false)),
+      accessibility_(Attribute::Accessibility,
+                     std::span<const float>(accessibilityOf(*inputs.bake->occluders))) {}
 
-std::vector<ShadedLight> OccluderLighting::allLights(const Illumination& light) {
-  std::vector<ShadedLight> lights = light.lights;
+std::vector<device::OccluderReceiverPoint> OccluderLighting::receivers(bool allHighlights) const {
+  const std::vector<glm::vec4> gloss = vertexGloss(inputs_, allHighlights);
+  const CompiledScene& scene = inputs_.compiled;
+  return OccluderReceivers{scene.positions, scene.normals, scene.origin, gloss}.points();
+}
+
+std::vector<device::OccluderLight> OccluderLighting::allLights(const Illumination& light) {
+  std::vector<device::OccluderLight> lights;
+  for (const ShadedLight& source : light.lights) lights.push_back(occluderLight(source));
   if (light.skyMap == nullptr) return lights;
   if (cutSky_ != light.skyMap || cutCount_ != light.occluders.skyLights) {
     skyLights_ = medianCut(*light.skyMap, light.occluders.skyLights);
@@ -41,37 +64,42 @@ std::vector<ShadedLight> OccluderLighting::allLights(const Illumination& light) 
   }
   const glm::dmat3 turn = skyTurn(light.skyRotation);
   for (const SkyLight& part : skyLights_) {
-    ShadedLight far;
-    far.kind = LightKind::Directional;
-    far.direction = glm::vec3(-(turn * part.direction));
-    far.intensity = glm::vec3(part.irradiance);
-    lights.push_back(far);
+    lights.push_back(occluderFarLight(turn * part.direction, part.irradiance));
+    lights.back().highlight = 0.0f;  // surface.frag mirrors the map itself
   }
   return lights;
 }
 
+OccluderShading OccluderLighting::shadingOf(const OccluderOptions& options) const {
+  OccluderShading shading = options.shading;
+  const double radius =
+      0.5 * glm::length(glm::dvec3(inputs_.compiled.boundsMax) - glm::dvec3(inputs_.compiled.boundsMin));
+  const double length = options.waveLength > 0.0 ? options.waveLength : 0.5 * radius;
+  shading.effects.length = std::max(length, 1e-6);
+  shading.effects.moment = effectMoment(options.seconds);
+  return shading;
+}
+
+bool OccluderLighting::dependsOnEye(const Illumination& light) const {
+  return anyGloss_[light.occluders.allHighlights ? 1 : 0] ||
+         light.occluders.shading.receiver == DiffuseReceiver::OrenNayar;
+}
+
 void OccluderLighting::light(const Illumination& light) {
-  const std::vector<ShadedLight> lights = allLights(light);
-  std::vector<LightAt> sources;
-  for (const ShadedLight& source : lights)
-    sources.push_back(
-        [&source, this](const glm::dvec3& point) { return incidentFrom(source, point - scene_.origin); });
-  std::vector<glm::vec3> radiance(scene_.vertexCount());
-  parallelRanges(radiance.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const OccluderReceiver receiver{static_cast<std::uint32_t>(v),
-                                      scene_.origin + glm::dvec3(scene_.positions[v]),
-                                      glm::dvec3(scene_.normals[v])};
-      radiance[v] = glm::vec3(lightThroughOccluders(transfer_, receiver, sources, light.occluders.shading));
-    }
-  });
-  radiance_.fill(std::span<const glm::vec3>(radiance));
+  if (allHighlights_ != light.occluders.allHighlights) {
+    allHighlights_ = light.occluders.allHighlights;
+    pass_.setReceivers(receivers(allHighlights_));
+  }
+  pass_.light(allLights(light), shadingOf(light.occluders), light.eye);
 }
 
 void OccluderLighting::bind(const gl::Program& program) const {
   program.set("transferForm", static_cast<int>(TransferForm::Radiance));
   accessibility_.attach();
-  radiance_.attach();
+  glBindBuffer(GL_ARRAY_BUFFER, pass_.lit().name());
+  attachPart(Attribute::Radiance, 3, offsetof(device::LitVertex, diffuse));
+  attachPart(Attribute::Highlight, 1, offsetof(device::LitVertex, highlight));
+  attachPart(Attribute::Reflected, 3, offsetof(device::LitVertex, reflected));
 }
 
 void OccluderLighting::describe(const Illumination& light, Warnings& notes) const {

@@ -1,35 +1,42 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bake/bake.h"
 #include "basis/median_cut.h"
-#include "scene/compiled_scene.h"
 #include "viewer/drawn_transfer.h"
+#include "viewer/occluder_pass.h"
+#include "viewer/render.h"
 
 namespace prelight::viewer {
 
-/// Vector occluders: every light, near or far, with the shadow and the diffuse light of each occluder,
-/// computed at every vertex on the host, once a light. A sky is a number of directional lights.
+/// Vector occluders: every light, near or far, with the shadow of each occluder and the light that it sends
+/// on, computed by vertex shaders once a light, and once a place of the eye where something is glossy or
+/// rough. A sky is a number of directional lights.
 class OccluderLighting : public DrawnTransfer {
  public:
-  /// The arguments outlive it.
-  OccluderLighting(const OccluderTransfer& transfer, const CompiledScene& scene);
+  /// The inputs' referents outlive it; their bake has occluders.
+  explicit OccluderLighting(const RenderInputs& inputs);
 
   void light(const Illumination& light) override;
+  bool dependsOnEye(const Illumination& light) const override;
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
  private:
-  std::vector<ShadedLight> allLights(const Illumination& light);
+  std::vector<device::OccluderLight> allLights(const Illumination& light);
+  std::vector<device::OccluderReceiverPoint> receivers(bool allHighlights) const;
+  OccluderShading shadingOf(const OccluderOptions& options) const;
 
-  const OccluderTransfer& transfer_;
-  const CompiledScene& scene_;
+  RenderInputs inputs_;
+  bool anyGloss_[2];                     ///< with highlights off metals and glass, and off all surfaces
   const Environment* cutSky_ = nullptr;  ///< that skyLights_ are of
   int cutCount_ = 0;
   std::vector<SkyLight> skyLights_;
+  bool allHighlights_ = false;  ///< what the receivers are for
+  OccluderPass pass_;
   VertexStream accessibility_;
-  VertexStream radiance_;
 };
 
 }  // namespace prelight::viewer

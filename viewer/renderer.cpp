@@ -59,10 +59,13 @@ gl::Texture constantSky(float radiance) {
 }
 
 LightBlock pack(const ShadedLight& light) {
-  return {glm::vec4(light.position, static_cast<float>(light.kind)), glm::vec4(light.direction, light.area),
-          glm::vec4(light.intensity, light.range),
-          glm::vec4(light.coneScale, light.coneOffset, light.throughTransfer ? 1.0f : 0.0f,
-                    light.twoSided ? 1.0f : 0.0f)};
+  return {
+      glm::vec4(light.position, static_cast<float>(light.kind)),
+      glm::vec4(light.direction,
+                light.kind == LightKind::Emitter ? light.area : light.leastDistance * light.leastDistance),
+      glm::vec4(light.intensity, light.range),
+      glm::vec4(light.coneScale, light.coneOffset, light.throughTransfer ? 1.0f : 0.0f,
+                light.twoSided ? 1.0f : 0.0f)};
 }
 
 /// Clip space of a tile from that of its picture.
@@ -168,11 +171,20 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
   }
   Drawn& drawn = drawn_[static_cast<std::size_t>(view.shading)];
   if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
-  if (drawn.light != light) {
-    if (drawn.transfer != nullptr) drawn.transfer->light(light);
-    drawn.light = light;
+  Illumination seen = light;
+  if (drawn.transfer != nullptr && drawn.transfer->dependsOnEye(light)) seen.eye = eyeOf(view);
+  if (drawn.light != seen) {
+    if (drawn.transfer != nullptr) drawn.transfer->light(seen);
+    drawn.light = seen;
   }
   return drawn.transfer.get();
+}
+
+OccluderEye Renderer::eyeOf(const View& view) const {
+  const CameraMatrices camera =
+      cameraMatrices(view.camera, compiled_, static_cast<double>(view.width) / view.height);
+  if (camera.perspective) return {camera.position, true};
+  return {-camera.forward, false};
 }
 
 std::vector<ShadedLight> Renderer::lightsOf(const View& view) const {
@@ -192,7 +204,8 @@ std::vector<ShadedLight> Renderer::lightsOf(const View& view) const {
 void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const {
   FrameBlock frame{};
   const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
-  const DrawingRules rules = rulesOf(view.shading);
+  DrawingRules rules = rulesOf(view.shading);
+  if (view.shading == Shading::Vo && view.occluders.allHighlights) rules.reflection = Reflection::Everywhere;
   setCamera(view, tile, compiled_, frame);
   setSky(view, sky, skyWidth_, frame);
   frame.counts = {static_cast<int>(lights.size()), 0, 0, 0};
@@ -244,8 +257,9 @@ void Renderer::setSurface(const Surface& surface) const {
 void Renderer::drawBatches(const std::vector<const Batch*>& batches, const DrawnTransfer* transfer) const {
   surfaceProgram_.use();
   glBindVertexArray(scene_.vertexArray().name());
-  for (const Attribute attribute : {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance,
-                                    Attribute::Glow, Attribute::ChartCoord})
+  for (const Attribute attribute :
+       {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow,
+        Attribute::ChartCoord, Attribute::Reflected, Attribute::Highlight})
     glDisableVertexAttribArray(static_cast<GLuint>(attribute));
   // Attributes without an array read these: a white colour, an open sky.
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
@@ -254,6 +268,8 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Drawn
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Radiance), 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Glow), 1.0f, 1.0f, 1.0f);
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
+  glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
+  glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
   surfaceProgram_.set("transferForm", static_cast<int>(TransferForm::None));
   if (transfer != nullptr) transfer->bind(surfaceProgram_);
   for (const Batch* batch : batches) {

@@ -59,6 +59,7 @@ class Renderer {
 
  private:
   bool usesNeutralSky(const View& view) const;
+  OccluderEye eyeOf(const View& view) const;
   std::vector<ShadedLight> lightsOf(const View& view) const;
   Illumination illuminationOf(const View& view) const;
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);

@@ -85,7 +85,7 @@ constexpr std::array<Technique, shadingCount> table = {{
      }},
     {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
-       return std::make_unique<OccluderLighting>(*inputs.bake->occluders, inputs.compiled);
+       return std::make_unique<OccluderLighting>(inputs);
      }},
 }};
 

@@ -1,7 +1,10 @@
-# Writes OUTPUT: a C++ table of the FILES' texts by file name.
+# Writes OUTPUT: a C++ table of the FILES' texts by file name, or by their path below KERNELS where they lie there.
 set(body "#include \"viewer/shader_sources.h\"\n\nnamespace prelight::viewer {\n\nconst std::map<std::string, std::string>& shaderSources() {\n  static const std::map<std::string, std::string> sources = {\n")
 foreach(file ${FILES})
-  get_filename_component(name ${file} NAME)
+  file(RELATIVE_PATH name ${KERNELS} ${file})
+  if(name MATCHES "^\\.\\.")
+    get_filename_component(name ${file} NAME)
+  endif()
   file(READ ${file} text)
   string(APPEND body "      {\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()

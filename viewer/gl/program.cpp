@@ -83,14 +83,25 @@ Program::Program(const std::string& vertexFile, const std::string& fragmentFile)
   const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentFile);
   glAttachShader(program_.name(), vertex.name());
   glAttachShader(program_.name(), fragment.name());
+  link("shaders " + vertexFile + " and " + fragmentFile);
+}
+
+Program::Program(const std::string& vertexFile, const std::vector<const char*>& captured) {
+  const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile);
+  glAttachShader(program_.name(), vertex.name());
+  glTransformFeedbackVaryings(program_.name(), static_cast<GLsizei>(captured.size()), captured.data(),
+                              GL_INTERLEAVED_ATTRIBS);
+  link("shader " + vertexFile);
+}
+
+void Program::link(const std::string& what) const {
   glLinkProgram(program_.name());
   GLint linked = 0;
   glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);
   if (linked == GL_TRUE) return;
   std::string log(4096, '\0');
   glGetProgramInfoLog(program_.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
-  throw Error(ExitCode::RuntimeFailure, "shaders " + vertexFile + " and " + fragmentFile,
-              std::string("do not link:\n  ") + log.c_str());
+  throw Error(ExitCode::RuntimeFailure, what, std::string("does not link:\n  ") + log.c_str());
 }
 
 void Program::bindBlock(const char* name, GLuint binding) const {

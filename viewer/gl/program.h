@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "viewer/gl/object.h"
 
@@ -13,6 +14,9 @@ class Program {
   /// Compiles two embedded files. `#include "FILE"` lines (whole line) are resolved among them.
   /// Throws Error with the file and line that the compiler complains about.
   Program(const std::string& vertexFile, const std::string& fragmentFile);
+
+  /// A vertex shader alone, whose outputs are captured one after the other by transform feedback.
+  Program(const std::string& vertexFile, const std::vector<const char*>& captured);
 
   void use() const { glUseProgram(program_.name()); }
 
@@ -28,6 +32,8 @@ class Program {
 
  private:
   GLint location(const char* name) const { return glGetUniformLocation(program_.name(), name); }
+
+  void link(const std::string& what) const;
 
   Object<ProgramTraits> program_;
 };

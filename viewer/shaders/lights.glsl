@@ -1,7 +1,7 @@
 // The lights; mirrored by LightBlock of uniform_blocks.h. Their maths is documented in viewer/lighting.h.
 struct Light {
   vec4 positionKind;    // w: LightKind
-  vec4 directionArea;   // xyz: way of the light or emitter's normal; w: emitter's area
+  vec4 directionArea;   // xyz: way of the light or emitter's normal; w: emitter's area, or squared least distance
   vec4 intensityRange;  // w: range, 0 infinite
   vec4 cone;            // x, y: scale and offset of the spot; z: 1 far: outside the scene; w: 1 two-sided emitter
 };
@@ -24,15 +24,15 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
     return light.intensityRange.rgb;
   }
   vec3 path = light.positionKind.xyz - point;
-  float distance2 = max(dot(path, path), 1e-12);
-  toLight = path * inversesqrt(distance2);
+  float distance2 = dot(path, path);
+  toLight = path * inversesqrt(max(distance2, 1e-30));
   float cosine = -dot(light.directionArea.xyz, toLight);
   if (kind == kindEmitter) {
     float area = light.directionArea.w;
     float lobe = light.cone.w > 0.5 ? abs(cosine) : max(cosine, 0.0);
     return light.intensityRange.rgb * lobe * area / (distance2 + area / pi);
   }
-  float falloff = 1.0 / distance2;
+  float falloff = 1.0 / max(distance2, light.directionArea.w);
   float range = light.intensityRange.w;
   if (range > 0.0) {
     float ratio2 = distance2 / (range * range);

@@ -1,6 +1,7 @@
 #version 410 core
 // A surface in one of the shadings. Approximations, so that nothing looks dead or wrong:
-// - metals have no diffuse albedo: they reflect lights (unshadowed) and the sky, attenuated by the accessibility;
+// - metals have no diffuse albedo: they reflect lights (unshadowed, but for vector occluders, whose vertices know what
+//   share of the lights' reflection shadows leave) and the sky, attenuated by the accessibility;
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
 // - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows.
 #include "frame.glsl"
@@ -20,6 +21,8 @@ in vec3 vBentNormal;
 in vec3 vTransferred;
 in vec3 vGlow;
 in vec4 vChartCoord;
+in vec3 vReflected;
+in float vHighlight;
 
 uniform sampler2DArray lightMaps;  // radiance before albedo
 
@@ -48,7 +51,7 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
     vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight) * max(dot(n, toLight), 0.0);
     if (!transferred) sum += irradiance * m.albedo / pi;
     if (specularWeight > 0.0) {
-      sum += irradiance * specularWeight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
+      sum += irradiance * specularWeight * vHighlight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
     }
   }
   return sum;
@@ -89,7 +92,7 @@ void main() {
   float glossy = max(m.metallic, m.transmission);
   float specularWeight = rules.y == reflectionOffMetals ? glossy : 1.0;
 
-  vec3 radiance = m.emission * vGlow + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight);
+  vec3 radiance = m.emission * vGlow + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight) + vReflected;
   vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
   if (rules.y == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);

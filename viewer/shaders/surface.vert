@@ -14,6 +14,8 @@ layout(location = 6) in vec3 bentNormal;
 layout(location = 7) in vec3 radiance;
 layout(location = 8) in vec3 glow;
 layout(location = 9) in vec4 chartCoord;
+layout(location = 10) in vec3 reflected;
+layout(location = 11) in float highlight;
 
 out vec3 vPosition;
 out vec3 vNormal;
@@ -25,6 +27,8 @@ out vec3 vBentNormal;
 out vec3 vTransferred;
 out vec3 vGlow;
 out vec4 vChartCoord;
+out vec3 vReflected;
+out float vHighlight;
 
 void main() {
   vPosition = position;
@@ -37,5 +41,7 @@ void main() {
   vTransferred = transferredLight(gl_VertexID, position, radiance);
   vGlow = glow;
   vChartCoord = chartCoord;
+  vReflected = reflected;
+  vHighlight = highlight;
   gl_Position = clipFromScene * vec4(position, 1.0);
 }

@@ -1,0 +1,31 @@
+#version 410 core
+// Light of a vertex through its vector occluders; what is captured is a LitVertex.
+#include "relight/occluder_shade_funcs.cl"
+
+uniform OccluderTerms terms;
+uniform usamplerBuffer offsets;   // [vertex] into the records, then the end
+uniform samplerBuffer prepared;   // [record][terms.stride]
+uniform samplerBuffer receivers;  // [vertex][3], OccluderReceiverPoint
+uniform samplerBuffer lights;     // [light][4], OccluderLight
+uniform samplerBuffer waves;
+
+out vec4 litDiffuse;
+out vec4 litSpecular;
+out vec4 litReflected;
+
+void main() {
+  vec4 place = texelFetch(receivers, 3 * gl_VertexID);
+  LitReceiver receiver;
+  receiver.position = place.xyz;
+  receiver.normal = texelFetch(receivers, 3 * gl_VertexID + 1).xyz;
+  receiver.f0 = texelFetch(receivers, 3 * gl_VertexID + 2).xyz;
+  receiver.roughness = place.w;
+  receiver.toEye = directionToEye(receiver.position, terms);
+  int first = int(texelFetch(offsets, gl_VertexID).x);
+  int end = int(texelFetch(offsets, gl_VertexID + 1).x);
+  ShadeSums sums = litVertex(prepared, first, end, lights, waves, receiver, terms);
+  litDiffuse = vec4(sums.diffuse, highlightShare(sums));
+  litSpecular = vec4(sums.specular, 0.0);
+  litReflected = vec4(sums.reflected, 0.0);
+  gl_Position = vec4(0.0);
+}
