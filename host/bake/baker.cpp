@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "bake/chart_caster.h"
 #include "bake/chart_sampler.h"
@@ -17,7 +18,9 @@
 #include "bake/volume_caster.h"
 #include "bvh/tracer.h"
 #include "occluders/occluder_cut.h"
+#include "occluders/occluder_threshold.h"
 #include "occluders/occluder_tree.h"
+#include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
 #include "scene/vertex_surface.h"
 
@@ -64,6 +67,19 @@ CastLimits castLimits(const BakeRequest& request) {
   return {request.nearLimit, request.farLimit, request.obscurance};
 }
 
+/// The occluders that a bake tells apart.
+struct BakedOccluders {
+  std::optional<OccluderTree> tree;  ///< whose leaves they are
+  OccluderGroups groups;
+};
+
+BakedOccluders occludersOf(const CompiledScene& scene, OccluderKind kind) {
+  if (kind != OccluderKind::Auto) return {std::nullopt, makeOccluderGroups(scene, kind)};
+  BakedOccluders occluders{makeOccluderTree(scene, occluderLeaves), {}};
+  occluders.groups = leavesOf(*occluders.tree);
+  return occluders;
+}
+
 /// What the stages of a bake work on and with.
 struct BakeParts {
   const CompiledScene& scene;
@@ -71,6 +87,7 @@ struct BakeParts {
   const FitMesh& mesh;
   const GroupedLights& lights;
   const ShadowSets& sets;
+  const BakedOccluders* occluders;
   const Charts* charts;
   Tracer& tracer;
   std::span<Tracer> setTracers;
@@ -122,40 +139,30 @@ class BakeRunner : BakeParts {
   }
 
   void makeOccluders(const std::vector<double>& fitted, Bake& bake) {
-    const std::vector<double> accessibility = accessibilityOf(mesh, cast.front(), fitted);
-    OccluderReport made;
-    bake.occluders = request.occluderKind == OccluderKind::Auto
-                         ? cutThroughTree(accessibility, made)
-                         : aggregated(accessibility, makeOccluderGroups(scene, request.occluderKind), made);
-    reportOccluders(*bake.occluders, made);
+    OccluderTransfer transfer = makeOccluderTransfer(scene, mesh, cast.front().occluders(),
+                                                     accessibilityOf(mesh, cast.front(), fitted),
+                                                     occluders->groups, neededVectors(scene));
+    if (occluders->tree) transfer = cutThroughTree(std::move(transfer), *occluders->tree);
+    const DroppedOccluders dropped = dropOccluders(transfer, request.leastFormFactor);
+    reportOccluders(transfer, dropped);
+    bake.occluders = std::move(transfer);
     clock_.mark("occluders");
   }
 
-  OccluderTransfer aggregated(const std::vector<double>& accessibility, const OccluderGroups& groups,
-                              OccluderReport& made) {
-    return makeOccluderTransfer(scene, mesh, caster, cast, accessibility, groups, request.leastFormFactor,
-                                progress_, made);
-  }
-
   /// Clusters of every node's vertices, joined again for each vertex as its records allow.
-  OccluderTransfer cutThroughTree(const std::vector<double>& accessibility, OccluderReport& made) {
-    const OccluderTree tree = makeOccluderTree(scene, occluderLeaves);
-    OccluderTransfer leaves = aggregated(accessibility, leavesOf(tree), made);
+  OccluderTransfer cutThroughTree(OccluderTransfer leaves, const OccluderTree& tree) {
     const std::vector<std::uint32_t> nodes = leafNodes(tree);
     for (std::uint32_t& occluder : leaves.occluders) occluder = nodes[occluder];
     return cutOccluders(leaves, tree, surfaceOfVertices(scene), request.occluderRecords);
   }
 
-  void reportOccluders(const OccluderTransfer& transfer, const OccluderReport& made) {
-    std::string text =
-        fmt::format("vector occluders: {} of them, {:.1f} records a vertex", transfer.names.size(),
-                    double(transfer.recordCount()) / scene.vertexCount());
+  void reportOccluders(const OccluderTransfer& transfer, const DroppedOccluders& dropped) {
+    std::string text = fmt::format(
+        "vector occluders: {} of them, {:.1f} records a vertex, {} vectors a record", transfer.names.size(),
+        double(transfer.recordCount()) / scene.vertexCount(), transfer.stored.size());
     if (request.leastFormFactor > 0.0)
       text += fmt::format("; what was dropped hides {:.2g} of the sky on average, {:.2g} at most",
-                          made.droppedMean, made.droppedMost);
-    if (made.receivers < cast.front().receivers())
-      text += fmt::format("; from {:.0f} % of the receivers, for which --max-memory has room",
-                          100.0 * double(made.receivers) / double(cast.front().receivers()));
+                          dropped.mean, dropped.most);
     report_.notes.push_back(text);
   }
 
@@ -216,7 +223,8 @@ class BakeRunner : BakeParts {
 };
 
 CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, std::uint32_t capacity,
-                        const GroupedLights& lights, const ShadowSets& sets, std::span<Tracer> setTracers) {
+                        const GroupedLights& lights, const ShadowSets& sets, const BakedOccluders* occluders,
+                        std::span<Tracer> setTracers) {
   const int order = transferOrder(request);
   CastOptions options;
   options.shOrder = castOrder(request);
@@ -228,7 +236,7 @@ CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, st
   options.sets = &sets;
   options.setTracers = setTracers;
   options.limits = castLimits(request);
-  options.storesBlack = request.occluders;
+  options.occluders = occluders != nullptr ? &occluders->groups : nullptr;
   return options;
 }
 
@@ -242,7 +250,8 @@ Projections projectionsOf(const BakeRequest& request, const Plan& plan, const Sc
   if (request.haarSize > 0)
     projections.texelRows = plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
   projections.backs = plan.runs("bounces");
-  projections.receivers = (request.glossyOrder > 0 && plan.runs("bounces")) || request.occluders;
+  projections.receivers = request.glossyOrder > 0 && plan.runs("bounces");
+  projections.occluders = request.occluders;
   return projections;
 }
 
@@ -297,11 +306,13 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   Tracer tracer(scene, device);
   std::vector<Tracer> setTracers;
   for (const ShadowSets::Occluders& set : sets.sets) setTracers.emplace_back(tracer, scene, set.triangles);
-  const std::uint32_t capacity =
-      withBounces || request.occluders ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
+  const std::uint32_t capacity = withBounces ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
   const GroupedLights lights =
       request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{};
-  Caster caster(scene, tracer, castOptions(request, schedule, capacity, lights, sets, setTracers));
+  const std::optional<BakedOccluders> occluders =
+      request.occluders ? std::optional(occludersOf(scene, request.occluderKind)) : std::nullopt;
+  const BakedOccluders* const told = occluders ? &*occluders : nullptr;
+  Caster caster(scene, tracer, castOptions(request, schedule, capacity, lights, sets, told, setTracers));
   report.bytesBvh = tracer.bvhBytes();
   for (const Tracer& part : setTracers) report.bytesBvh += part.bvhBytes();
   SceneCast cast(scene, mesh, caster, schedule, projectionsOf(request, plan, schedule, lights, sets),
@@ -312,13 +323,13 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
 
   Bake bake;
   try {
-    const BakeParts parts{scene, request, mesh, lights, sets, charts, tracer, setTracers, caster, cast};
+    const BakeParts parts{scene, request, mesh, lights, sets, told, charts, tracer, setTracers, caster, cast};
     bake = BakeRunner(parts, plan, progress, report, clock).run();
   } catch (const Interrupted&) {
     if (checkpoint != nullptr) saveTo(*checkpoint, cast, start);
     throw;
   }
-  report.rays += cast.rays();
+  report.rays += cast.rays() + caster.furtherRays();
   report.receivers = cast.receivers();
   if (!request.error && !request.seconds)
     report.skippedRayFraction =

@@ -63,6 +63,8 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder), "projectHits");
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_);
+  if (options_.occluders != nullptr)
+    occluders_.emplace(scene, *options_.occluders, tracer_, blockSize_, options_.raysPerReceiver);
   if (options_.texelFaceSize > 0) {
     texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());
@@ -87,7 +89,6 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
 BuildOptions Caster::transportOptions(std::size_t columns) const {
   return tracer_.surfaceOptions()
       .define("PRELIGHT_COLUMNS", static_cast<int>(std::max<std::size_t>(columns, 1)))
-      .defineIf(options_.storesBlack, "PRELIGHT_STORES_BLACK")
       .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
 }
 
@@ -109,23 +110,24 @@ void Caster::generate(std::span<const Receiver> receivers) {
   device_.launch(generate_, receivers.size() * options_.raysPerReceiver / 8, groupSize);
 }
 
-void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const std::uint32_t* storedRow,
-                  std::uint32_t set) {
-  Tracer& tracer = set == 0 ? tracer_ : options_.setTracers[set - 1];
+void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const CastPurpose& purpose) {
+  Tracer& tracer = purpose.set == 0 ? tracer_ : options_.setTracers[purpose.set - 1];
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  setParameters(count, storedRow != nullptr ? *storedRow : 0);
+  setParameters(count, purpose.storedRow != nullptr ? *purpose.storedRow : 0);
   generate(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
-  const bool closest = storedRow != nullptr || options_.marksInside || options_.limits.obscurance > 0.0 ||
-                       (lights_ && lights_->hasEmitters());
+  const bool closest = purpose.storedRow != nullptr || purpose.occluders || options_.marksInside ||
+                       options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
   closest ? tracer.traceClosest(rays_, hits_, rayCount) : tracer.traceAny(rays_, hits_, rayCount);
-  if (storedRow != nullptr) store(count);
+  if (purpose.storedRow != nullptr) store(count);
   project(count);
   values.values.resize(std::size_t{count} * valueCount_);
   values_.read(std::span(values.values));
   if (options_.texelFaceSize > 0) codeTexels(count, values.texels);
   if (options_.marksInside) markInside(count, values.inside);
-  if (lights_) lights_->cast({parameters_, receivers_, rays_, hits_}, count, tracer, set, values.lights);
+  const CastBlockBuffers block{parameters_, receivers_, rays_, hits_};
+  if (lights_) lights_->cast(block, count, tracer, purpose.set, values.lights);
+  if (purpose.occluders) occluders_.value().cast(block, count, tracer, values.occluders);
 }
 
 void Caster::markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside) {
@@ -194,12 +196,6 @@ void Caster::setTransfer(const std::vector<float>& transfer) {
   transfer_.write(std::span<const float>(transfer));
 }
 
-Caster::StoredRows Caster::replay(std::span<const Receiver> receivers, std::uint32_t first) {
-  setParameters(static_cast<std::uint32_t>(receivers.size()), first);
-  generate(receivers);
-  return {parameters_, receivers_, rays_, senders_};
-}
-
 void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
   setParameters(count, first);
   setArguments(gather_, parameters_.get(), senders_.get(), transfer_.get(), values_.get());
@@ -217,7 +213,8 @@ void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t fir
     glossyTable_ = Buffer<float>(device_, std::span<const float>(makeShTable(order)));
   if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(device_, blockSize_ * width);
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  replay(receivers, first);
+  setParameters(count, first);
+  generate(receivers);
   setArguments(glossy_, parameters_.get(), glossyTable_.get(), rays_.get(), senders_.get(), transfer_.get(),
                glossyValues_.get());
   device_.launch(glossy_, count, groupSize);

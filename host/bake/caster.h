@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bake/light_caster.h"
+#include "bake/occluder_caster.h"
 #include "bvh/tracer.h"
 #include "io/state_file.h"
 #include "shared/cast_types.h"
@@ -39,7 +40,8 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   CastLimits limits;
-  bool storesBlack = false;           ///< stored rows tell of surfaces that reflect nothing, too
+  const OccluderGroups* occluders =
+      nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
   bool marksInside = false;           ///< tell which receivers lie inside objects
   const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
@@ -53,6 +55,15 @@ struct CastValues {
   std::vector<float> lights;  ///< [receiver][3][group], see LightCaster; or empty
   std::vector<std::uint8_t> inside;  ///< [receiver], 1: rays met nothing but backs of one-sided surfaces; or
                                      ///< empty
+  OccluderValues occluders;          ///< where they were asked for
+};
+
+/// What a block is cast for, besides the values that are projected for all.
+struct CastPurpose {
+  const std::uint32_t* storedRow =
+      nullptr;             ///< rows of senders are kept from this one on; nullptr: they are not
+  std::uint32_t set = 0;   ///< of occluders, that all receivers are of
+  bool occluders = false;  ///< tell occluders apart; after setAccessibility()
 };
 
 /// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored
@@ -69,10 +80,16 @@ class Caster {
   /// kernels/project/project_kernels.cl.
   std::uint32_t valueCount() const { return valueCount_; }
 
-  /// Casts a block of receivers of one set of occluders. With `storedRow`, its rows of senders are kept from
-  /// that row on.
-  void cast(std::span<const device::Receiver> receivers, CastValues& values, const std::uint32_t* storedRow,
-            std::uint32_t set = 0);
+  /// Casts a block of receivers of one set of occluders.
+  void cast(std::span<const device::Receiver> receivers, CastValues& values, const CastPurpose& purpose);
+
+  /// AO of every vertex, which what occluders send is damped by. Only with CastOptions::occluders.
+  void setAccessibility(const CompiledScene& scene, std::span<const float> accessibility) {
+    occluders_.value().setAccessibility(scene, accessibility);
+  }
+
+  /// Rays cast so far besides those of the hemispheres and to lights.
+  std::uint64_t furtherRays() const { return occluders_ ? occluders_->rays() : 0; }
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
   DeviceContext& device() const { return device_; }
@@ -87,18 +104,6 @@ class Caster {
 
   /// Transfer that gather() reads: [slot][3][columns], slots are vertices, then vertices' backs.
   void setTransfer(const std::vector<float>& transfer);
-
-  /// Rows of senders in device memory, with the rays that met them.
-  struct StoredRows {
-    const Buffer<device::CastParameters>& parameters;
-    const Buffer<device::Receiver>& receivers;
-    const Buffer<device::Ray>& rays;
-    const Buffer<device::Sender>& senders;
-  };
-
-  /// Generates anew the rays of the rows from `first` on. `receivers` are theirs, at most a block. Holds
-  /// until the next call of anything else.
-  StoredRows replay(std::span<const device::Receiver> receivers, std::uint32_t first);
 
   /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
   /// [row][3][bounceColumns].
@@ -140,6 +145,7 @@ class Caster {
   Buffer<float> transfer_;
   Buffer<std::uint32_t> texels_;
   std::optional<LightCaster> lights_;
+  std::optional<OccluderCaster> occluders_;
   cl::Kernel generate_, project_, store_, gather_, texelCodes_, insideMarks_, glossy_;
   Buffer<float> glossyTable_;
   Buffer<float> glossyValues_;

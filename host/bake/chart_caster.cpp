@@ -82,7 +82,7 @@ class ChartCaster {
         receivers_.push_back(sampler.receiver(place, k, receiversPerTexel_, caster_.raysPerReceiver()));
     const std::uint32_t row = 0, firstTriangle = scene_.primitives[chart.primitive].firstTriangle;
     const std::uint32_t set = options_.sets != nullptr ? options_.sets->setOf(firstTriangle) : 0;
-    caster_.cast(receivers_, values_, options_.bounces > 0 ? &row : nullptr, set);
+    caster_.cast(receivers_, values_, {options_.bounces > 0 ? &row : nullptr, set});
     if (options_.bounces > 0) caster_.gather(0, static_cast<std::uint32_t>(receivers_.size()), reflected_);
     report_.rays += receivers_.size() * caster_.raysPerReceiver();
     for (std::size_t r = 0; r < receivers_.size(); ++r)

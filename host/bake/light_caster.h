@@ -4,20 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "bake/cast_block.h"
 #include "bake/light_groups.h"
 #include "bvh/tracer.h"
 #include "plan/shadow_sets.h"
-#include "shared/cast_types.h"
 
 namespace prelight {
-
-/// What a caster has on the device for the block at hand.
-struct CastBlockBuffers {
-  const Buffer<device::CastParameters>& parameters;
-  const Buffer<device::Receiver>& receivers;
-  const Buffer<device::Ray>& rays;
-  const Buffer<device::Hit>& hits;  ///< the closest ones where the lights have emitters
-};
 
 /// Direct light of groups of lights at receivers: shadow rays to every light, and the hemisphere's rays that
 /// meet an emitter by themselves, weighed by the balance heuristic (Veach 1997).
@@ -33,7 +25,8 @@ class LightCaster {
   std::uint32_t raysPerReceiver() const { return slotCount_; }
 
   /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour. All receivers
-  /// are of the set, whose triangles the tracer holds.
+  /// are of the set, whose triangles the tracer holds. Where the lights have emitters, the block's hits are
+  /// the closest ones.
   void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer, std::uint32_t set,
             std::vector<float>& values);
 

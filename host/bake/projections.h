@@ -15,6 +15,7 @@ struct Projections {
   std::size_t texelRows = 0;         ///< receivers whose rays are kept texel by texel, fronts only
   bool backs = true;                 ///< cast from backs that rays meet, where rows are stored
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only
+  bool occluders = false;            ///< means of what is seen of each, fronts only
   const ShadowSets* sets = nullptr;  ///< of occluders; nullptr: all see everything
 };
 

@@ -1,6 +1,7 @@
 #include "bake/side_cast.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace prelight {
@@ -29,11 +30,12 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       residual_(baseline_.columns()) {
   sampler_.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
   if (side == Side::Back) {
-    projections_.bentNormal = projections_.receivers = false;
+    projections_.bentNormal = projections_.receivers = projections_.occluders = false;
     projections_.texelRows = 0;
   }
   if (projections_.bentNormal) bentFit_.emplace(emptyFit(3));
   if (projections_.groups > 0) lightFit_.emplace(emptyFit(3 * projections_.groups));
+  if (projections_.occluders) occluders_.emplace(mesh);
 }
 
 void SideCast::start() {
@@ -98,7 +100,18 @@ void SideCast::castPass(Progress& progress) {
   flushAndReport();
   inPass_ = false;
   ++pass_;
+  if (projections_.occluders && std::has_single_bit(pass_)) estimateAccessibility();
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);
+}
+
+// What occluders send is damped by their AO (Sherif 2013, 7.2.4), so that the first pass is for AO alone, and
+// those after it have the more of it the later they are.
+void SideCast::estimateAccessibility() {
+  const std::vector<double> blocked = fit_.solveColumn(defaultSmoothing, 0);
+  accessibility_.resize(scene_.vertexCount());
+  for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v)
+    accessibility_[v] = static_cast<float>(std::clamp(1.0 + blocked[mesh_.slotOfVertex[v]], 0.0, 1.0));
+  caster_.setAccessibility(scene_, accessibility_);
 }
 
 std::uint32_t SideCast::setOf(const SurfaceSample& sample) const {
@@ -139,7 +152,7 @@ void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t s
   // Bounces read the records of stored rows, so a row is kept only where its record is.
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
                       receivers_ + count <= maxRecords;
-  caster_.cast(receivers, values_, stores ? &row : nullptr, set);
+  caster_.cast(receivers, values_, {stores ? &row : nullptr, set, !accessibility_.empty()});
   if (stores) storedCount_ += count;
   if (stores && projections_.receivers)
     storedReceivers_.insert(storedReceivers_.end(), receivers.begin(), receivers.end());
@@ -168,6 +181,7 @@ void SideCast::addReceiver(std::size_t pending, std::size_t i) {
   if (bentFit_)
     addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
   if (lightFit_) addLights(sample, i);
+  if (!accessibility_.empty()) occluders_->add(sample, receiver, values_.occluders, i);
   markSlots(sample, open);
   if (records_.size() == maxRecords) return;
   records_.push_back({sample, values[0], pass_ % errorGroups});
@@ -266,6 +280,8 @@ void SideCast::save(StateWriter& state) const {
   fit_.save(state);
   if (bentFit_) bentFit_->save(state);
   if (lightFit_) lightFit_->save(state);
+  if (occluders_) occluders_->save(state);
+  state.values(accessibility_);
   texelRows_.save(state);
   state.values(storedReceivers_);
   state.values(records_);
@@ -292,6 +308,12 @@ void SideCast::load(StateReader& state) {
   fit_.load(state);
   if (bentFit_) bentFit_->load(state);
   if (lightFit_) lightFit_->load(state);
+  if (occluders_) occluders_->load(state);
+  state.values(accessibility_);
+  if (!accessibility_.empty()) {
+    if (!occluders_ || accessibility_.size() != scene_.vertexCount()) state.damaged();
+    caster_.setAccessibility(scene_, accessibility_);
+  }
   texelRows_.load(state);
   state.values(storedReceivers_);
   state.values(records_);

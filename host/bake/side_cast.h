@@ -7,6 +7,7 @@
 #include "bake/baseline.h"
 #include "bake/caster.h"
 #include "bake/error_estimate.h"
+#include "bake/occluder_means.h"
 #include "bake/projections.h"
 #include "bake/schedule.h"
 #include "bake/surface_sampler.h"
@@ -44,6 +45,9 @@ class SideCast {
   /// Fitted direct light of groups of lights, [slot][3][group]. Only where the projections ask for it.
   std::vector<double> solveLights() const { return lightFit_.value().solve(defaultSmoothing); }
 
+  /// What is seen of occluders. Only where the projections ask for it.
+  const OccluderMeans& occluders() const { return occluders_.value(); }
+
   /// The fit itself, for those who project the rays by themselves.
   const VertexFit& fit() const { return fit_; }
 
@@ -69,6 +73,7 @@ class SideCast {
   void start();
   bool endRound();
   void castPass(Progress& progress);
+  void estimateAccessibility();
   void flush();
   void sortPendingBySet();
   void castBlock(std::size_t first, std::uint32_t count, std::uint32_t set);
@@ -90,6 +95,8 @@ class SideCast {
   VertexFit fit_;
   std::optional<VertexFit> bentFit_;
   std::optional<VertexFit> lightFit_;
+  std::optional<OccluderMeans> occluders_;
+  std::vector<float> accessibility_;  ///< [vertex], of occluders; empty: not known yet
   std::vector<SampleRecord> records_;
   TexelRows texelRows_;
   std::vector<device::Receiver> storedReceivers_;

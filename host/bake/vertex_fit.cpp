@@ -118,16 +118,27 @@ double VertexFit::scaleOf(std::size_t triangle) const {
   return weight > 0.0 ? triangleWeights_[triangle] / weight : 0.0;
 }
 
+/// Columns [firstColumn, firstColumn + count) of the equations' right side, [slot][count].
+std::vector<double> VertexFit::rightSide(std::size_t firstColumn, std::size_t count) const {
+  std::vector<double> right(mesh_.slotCount() * count, 0.0);
+  const auto addRow = [&](std::size_t slot, double scale, std::size_t row) {
+    for (std::size_t c = 0; c < count; ++c)
+      right[slot * count + c] += scale * right_[row * columns_ + firstColumn + c];
+  };
+  if (triangleWeights_.empty())
+    for (std::size_t slot = 0; slot < mesh_.slotCount(); ++slot) addRow(slot, 1.0, slot);
+  else
+    for (std::size_t t = 0; t < mass_.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) addRow(mesh_.triangles[t][k], scaleOf(t), 3 * t + k);
+  return right;
+}
+
 std::vector<double> VertexFit::solve(double lambda) const {
-  if (triangleWeights_.empty()) return solve(lambda, right_, columns_);
-  std::vector<double> right(mesh_.slotCount() * columns_, 0.0);
-  for (std::size_t t = 0; t < mass_.size(); ++t) {
-    const double scale = scaleOf(t);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t c = 0; c < columns_; ++c)
-        right[mesh_.triangles[t][k] * columns_ + c] += scale * right_[(3 * t + k) * columns_ + c];
-  }
-  return solve(lambda, right, columns_);
+  return solve(lambda, rightSide(0, columns_), columns_);
+}
+
+std::vector<double> VertexFit::solveColumn(double lambda, std::size_t column) const {
+  return solve(lambda, rightSide(column, 1), 1);
 }
 
 std::vector<double> VertexFit::solve(double lambda, const std::vector<double>& rightSide,

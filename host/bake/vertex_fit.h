@@ -39,6 +39,9 @@ class VertexFit {
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
   std::vector<double> solve(double lambda) const;
 
+  /// [slot], of one column alone.
+  std::vector<double> solveColumn(double lambda, std::size_t column) const;
+
   /// The equations that solve() solves, for those who want rows of their inverse.
   NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda}; }
 
@@ -47,6 +50,7 @@ class VertexFit {
 
  private:
   double scaleOf(std::size_t triangle) const;
+  std::vector<double> rightSide(std::size_t firstColumn, std::size_t count) const;
   std::vector<std::array<double, 6>> scaledMass() const;
 
   const FitMesh& mesh_;

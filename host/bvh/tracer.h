@@ -43,6 +43,9 @@ class Tracer {
   /// arguments from `index` on.
   void setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const;
 
+  /// [triangle] of the surface.
+  const Buffer<device::DeviceTriangle>& surfaceTriangles() const { return surfaceTriangles_; }
+
   /// Options that programs which look at the surface are built with.
   BuildOptions surfaceOptions() const;
 

@@ -37,12 +37,15 @@ static_assert(isShared<ReferenceMaterial, 64>);
 static_assert(isShared<ReferenceLight, 64>);
 static_assert(isShared<PathState, 48>);
 static_assert(isShared<ShadowItem, 16>);
-static_assert(isShared<OccluderVertex, 32>);
+static_assert(isShared<OccluderVertex, 16>);
 static_assert(isShared<OccluderSums, 64>);
 static_assert(isShared<OccluderLight, 64>);
 static_assert(isShared<OccluderReceiverPoint, 48>);
 static_assert(isShared<LitVertex, 48>);
 static_assert(isShared<OccluderTerms, 80>);
+static_assert(isShared<OccluderWay, 32>);
+static_assert(isShared<OccluderWaySums, 32>);
+static_assert(isShared<GlassPath, 20>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -68,8 +71,11 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<ReferenceLight>("ReferenceLight", offsetof(ReferenceLight, coneOffset)),
           layoutOf<PathState>("PathState", offsetof(PathState, diffuseBounces)),
           layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path)),
-          layoutOf<OccluderVertex>("OccluderVertex", offsetof(OccluderVertex, group)),
+          layoutOf<OccluderVertex>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
           layoutOf<OccluderSums>("OccluderSums", offsetof(OccluderSums, group)),
+          layoutOf<OccluderWay>("OccluderWay", offsetof(OccluderWay, slot)),
+          layoutOf<OccluderWaySums>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
+          layoutOf<GlassPath>("GlassPath", offsetof(GlassPath, medium)),
           layoutOf<OccluderLight>("OccluderLight", offsetof(OccluderLight, twoSided)),
           layoutOf<OccluderReceiverPoint>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
           layoutOf<LitVertex>("LitVertex", offsetof(LitVertex, pad1)),

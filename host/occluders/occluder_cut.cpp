@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/parallel.h"
 #include "occluders/occluder_places.h"
@@ -17,21 +18,22 @@ constexpr double leavesOnly = -1.0;  // price at which records are a gain: nothi
 constexpr double leastPrice = 1e-9;  // below any error that means something
 constexpr int bisections = 30;       // of the price's logarithm
 
-/// How a record's vectors add up.
-bool isMean(OccluderVector vector) {
+/// Which vector's w a record's vector is a mean by; nullopt: it is a sum.
+std::optional<OccluderVector> meanBy(OccluderVector vector) {
   switch (vector) {
     case OccluderVector::Position:
     case OccluderVector::Transmissive:
     case OccluderVector::DiffuseColor:
+      return OccluderVector::Occlusion;
     case OccluderVector::SpecularColor:
-      return true;  // weighted by form factor
+      return OccluderVector::SpecularNormal;
     case OccluderVector::Occlusion:
     case OccluderVector::Caustic:
     case OccluderVector::DiffuseNormal:
     case OccluderVector::SpecularNormal:
       break;
   }
-  return false;
+  return std::nullopt;
 }
 
 /// Areas over their mean. [vertex]
@@ -48,11 +50,17 @@ std::vector<double> weightsOf(std::span<const double> areas) {
 struct Leaves {
   const OccluderTransfer& transfer;
   const OccluderTree& tree;
-  std::size_t occlusion;  ///< place in `stored`
+  std::size_t occlusion;                            ///< place in `stored`
+  std::vector<std::optional<std::size_t>> weights;  ///< [stored], place of what it is a mean by
 
   Leaves(const OccluderTransfer& leaves, const OccluderTree& occluderTree)
       : transfer(leaves), tree(occluderTree), occlusion(placeOf(leaves, OccluderVector::Occlusion)) {
     assert(occlusion < leaves.stored.size());
+    for (const OccluderVector vector : leaves.stored) {
+      const std::optional<OccluderVector> by = meanBy(vector);
+      weights.push_back(by ? std::optional(placeOf(leaves, *by)) : std::nullopt);
+      assert(!by || *weights.back() < leaves.stored.size());
+    }
   }
 
   std::size_t vertexCount() const { return transfer.offsets.empty() ? 0 : transfer.offsets.size() - 1; }
@@ -82,20 +90,21 @@ class RowCut {
     std::copy(kept_.begin(), kept_.end(), occluders);
     sums_.assign(kept_.size() * width, glm::dvec4(0.0));
     for (std::size_t r = from.offsets[vertex]; r < from.offsets[vertex + 1]; ++r) {
-      const double formFactor = leaves_.formFactor(r);
-      if (!(formFactor > 0.0)) continue;
+      if (!(leaves_.formFactor(r) > 0.0)) continue;
       const auto k = static_cast<std::size_t>(seen_[from.occluders[r]].record);
+      const glm::vec4* record = leaves_.record(r);
       for (std::size_t s = 0; s < width; ++s)
         sums_[k * width + s] +=
-            (isMean(from.stored[s]) ? formFactor : 1.0) * glm::dvec4(leaves_.record(r)[s]);
+            (leaves_.weights[s] ? double(record[*leaves_.weights[s]].w) : 1.0) * glm::dvec4(record[s]);
       if (leaves_.tree.isLeaf(kept_[k])) std::copy_n(leaves_.record(r), width, vectors + k * width);
     }
     for (std::size_t k = 0; k < kept_.size(); ++k) {
       if (leaves_.tree.isLeaf(kept_[k])) continue;
-      const double formFactor = seen_[kept_[k]].formFactor;
-      for (std::size_t s = 0; s < width; ++s)
-        vectors[k * width + s] =
-            glm::vec4(sums_[k * width + s] / (isMean(from.stored[s]) ? formFactor : 1.0));
+      const glm::dvec4* sums = &sums_[k * width];
+      for (std::size_t s = 0; s < width; ++s) {
+        const double weight = leaves_.weights[s] ? sums[*leaves_.weights[s]].w : 1.0;
+        vectors[k * width + s] = glm::vec4(weight > 0.0 ? sums[s] / weight : glm::dvec4(0.0));
+      }
     }
   }
 

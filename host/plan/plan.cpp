@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
 
 namespace prelight {
@@ -84,6 +85,13 @@ PlannedPass planOccluders(const BakeRequest& request) {
           "position, occlusion, diffuse normal and diffuse colour, from the rays of the same cast"};
 }
 
+/// Vectors that only some scenes need.
+PlannedPass planVectors(const BakeRequest& request, const std::string& name, bool needed,
+                        const std::string& reason, const std::string& lack) {
+  if (!request.occluders) return {name, false, "vector occluders are not asked for"};
+  return {name, needed, needed ? reason : lack};
+}
+
 /// Values a voxel of a volume.
 std::uint64_t volumeValues(const BakeRequest& request, bool bounces) {
   return static_cast<std::uint64_t>(request.shOrder * request.shOrder) * (bounces ? 4 : 1);
@@ -141,9 +149,7 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
   const auto glossy = static_cast<std::uint64_t>(request.glossyOrder);
   std::uint64_t texels = 0;
   for (const Image& image : scene.albedoImages) texels += 2 * image.rgba.size();
-  plan.transportBytes = bounces || request.occluders
-                            ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2)
-                            : 0;
+  plan.transportBytes = bounces ? std::min(castRays(scene, request) * senderBytes, request.maxMemory / 2) : 0;
   if (request.haarSize > 0)
     plan.texelBytes = std::min(castRays(scene, request) * texelCodeBytes, request.maxMemory / 4);
   plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes +
@@ -218,6 +224,14 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planGlossy(request, bounces.runs));
   add(planLightGroups(request));
   add(planOccluders(request));
+  const std::vector<OccluderVector> vectors = neededVectors(compiled);
+  const bool glass = contains(vectors, OccluderVector::Caustic),
+             shiny = contains(vectors, OccluderVector::SpecularNormal);
+  add(planVectors(request, "caustic vectors", glass, "rays that meet glass are refracted until they are free",
+                  "no material lets light through by refraction"));
+  add(planVectors(request, "specular vectors", shiny,
+                  "a ray finds out whether what a shiny surface mirrors is open",
+                  "no material mirrors light or is glossy"));
   add(planVolume(request, bounces.runs));
   add(planTexels(scene, request, bounces.runs));
   add(bounces);
@@ -238,8 +252,10 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add({"specular transport", false,
        transmissive + mirrors == 0 ? "no material is transmissive or mirror-like"
                                    : fmt::format("{} transmissive and {} mirror-like materials count as "
-                                                 "occluders: no technique asked for carries specular light",
-                                                 transmissive, mirrors)});
+                                                 "occluders: {} specular light",
+                                                 transmissive, mirrors,
+                                                 request.occluders ? "vector occluders alone carry"
+                                                                   : "no technique asked for carries")});
   if (anything) estimateMemory(compiled, request, bounces.runs, plan);
   const auto side = static_cast<std::uint64_t>(request.volumeSize);
   plan.hostBytes += anything ? side * side * side * (4 * volumeValues(request, bounces.runs) + 1) : 0;

@@ -6,8 +6,7 @@
 #include "shared/ray_types.h"
 
 // Options: PRELIGHT_COLUMNS, values a channel that a bounce carries; PRELIGHT_GLOSSY_ORDER, of transfer matrices;
-// PRELIGHT_TRANSLUCENT, when a material lets light through diffusely; PRELIGHT_STORES_BLACK, when rows are to tell of
-// surfaces that reflect nothing.
+// PRELIGHT_TRANSLUCENT, when a material lets light through diffusely.
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
 #endif
@@ -70,17 +69,10 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __global
 #endif
     const uint3 packed = min(convert_uint3_rte(albedo * 1023.0f), 1023u);
     const uint bits = packed.x | (packed.y << 10) | (packed.z << 20);
-#ifdef PRELIGHT_STORES_BLACK
-    const bool stored = true;
-#else
-    const bool stored = bits != 0u;
-#endif
-    if (stored) {
+    if (bits != 0u) {
       const float pick = pickOf(r, sample, 0x5bd1e995u);
       const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
-      // A back that reflects nothing needs no transfer of its own, and may have none.
-      const bool back =
-          bits != 0u && (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
+      const bool back = (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
       if (back) marks[hit.triangle] = 1;
       sender.slot = triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
       sender.albedo = bits;

@@ -32,10 +32,13 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(13, ReferenceLight, coneOffset);
   PROBE(14, PathState, diffuseBounces);
   PROBE(15, ShadowItem, path);
-  PROBE(16, OccluderVertex, group);
+  PROBE(16, OccluderVertex, accessibility);
   PROBE(17, OccluderSums, group);
-  PROBE(18, OccluderLight, twoSided);
-  PROBE(19, OccluderReceiverPoint, pad1);
-  PROBE(20, LitVertex, pad1);
-  PROBE(21, OccluderTerms, eyeZ);
+  PROBE(18, OccluderWay, slot);
+  PROBE(19, OccluderWaySums, pad);
+  PROBE(20, GlassPath, medium);
+  PROBE(21, OccluderLight, twoSided);
+  PROBE(22, OccluderReceiverPoint, pad1);
+  PROBE(23, LitVertex, pad1);
+  PROBE(24, OccluderTerms, eyeZ);
 }

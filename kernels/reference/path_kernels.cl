@@ -4,6 +4,7 @@
 // because every path has random numbers and a state of its own.
 // Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
 // PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs).
+#include "reference/glass_funcs.cl"
 #include "reference/path_funcs.cl"
 
 // A path a work-item. -> paths, queue, rays [pathCount].
@@ -191,26 +192,6 @@ __kernel void addArrivals(const uint count, __global const Hit* hits, __global c
   __global PathState* path = paths + item.path;
   vstore3(vload3(0, path->radiance) + vload3(0, item.radiance), 0, path->radiance);
 }
-
-#ifdef PRELIGHT_GLASS
-// Reflected or refracted by smooth glass, in proportion to Fresnel's share. `n` is on wo's side.
-float3 throughGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n, float chance, float3* weight, bool* passes,
-                    float* relativeIor2) {
-  const float cosine = fmin(fmax(dot(wo, n), 1e-6f), 1.0f);
-  const float eta = solid && !front ? 1.0f / b.ior : b.ior;
-  float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, eta);
-  if (!solid) reflected = 2.0f * reflected / (1.0f + reflected);  // all the reflections between two faces
-  *passes = chance >= reflected;
-  *relativeIor2 = 1.0f;
-  *weight = (float3)(1.0f);
-  if (!*passes) return 2.0f * dot(wo, n) * n - wo;
-  *weight = b.tint;
-  if (!solid) return -wo;
-  *relativeIor2 = eta * eta;
-  const float inside = sqrt(fmax(1.0f - (1.0f - cosine * cosine) / (eta * eta), 0.0f));
-  return normalize((cosine / eta - inside) * n - wo / eta);
-}
-#endif
 
 // A ray a work-item. Draws the direction in which the path goes on. -> nextRays, nextQueue [counters[1]].
 __kernel void scatterPaths(__constant const ReferenceParameters* p, const uint count, const uint depth,

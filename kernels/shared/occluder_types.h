@@ -6,12 +6,14 @@
 
 PRELIGHT_SHARED_BEGIN
 
+#define PRELIGHT_OCCLUDER_TWO_SIDED 1u  ///< of a material: its back is a front, too
+#define PRELIGHT_OCCLUDER_SHINY 2u      ///< mirrors light or is glossy
+#define PRELIGHT_OCCLUDER_GLASS 4u      ///< lets light through by refraction
+
 /// A vertex as occluders are seen by it.
 typedef struct OccluderVertex {
-  float position[3];
-  float accessibility;  ///< AO in [0,1]
   float normal[3];      ///< unit
-  uint group;           ///< occluder
+  float accessibility;  ///< AO in [0,1]
 } OccluderVertex;
 
 /// What a receiver's rays met of one occluder: sums over rays, divided by the number of all its rays.
@@ -25,6 +27,29 @@ typedef struct OccluderSums {
   float color[3];       ///< diffuse albedo
   uint group;
 } OccluderSums;
+
+/// Where the light of a ray goes on behind what it hit: mirrored, or refracted into free space.
+typedef struct OccluderWay {
+  float vector[3];  ///< mirrored: the normal, on the receiver's side; refracted: the direction in free space
+  float share;      ///< of the ray; 0: there is no such way
+  float color[3];   ///< share of the light that goes it
+  uint slot;        ///< mirrored: of the ray that finds out whether the way is open
+} OccluderWay;
+
+/// Sums of a receiver's ways, divided by the number of all its rays.
+typedef struct OccluderWaySums {
+  float vector[3];
+  float formFactor;
+  float color[3];
+  float pad;
+} OccluderWaySums;
+
+/// A ray on its way through glass.
+typedef struct GlassPath {
+  float throughput[3];
+  uint ray;     ///< of the block's, that it began as
+  uint medium;  ///< material that it runs through, or PRELIGHT_NO_MEDIUM
+} GlassPath;
 
 PRELIGHT_SHARED_END
 

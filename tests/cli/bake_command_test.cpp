@@ -217,7 +217,8 @@ TEST_F(CliResume, InterruptedAndContinued_EndsAsIfNeverInterrupted) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--bounces", "1", "--rays", "3072"},
         {"--error", "0.01", "--seed", "3"},
-        {"--haar", "16", "--glossy", "2", "--light-groups", "--bounces", "1", "--rays", "2048"}}) {
+        {"--haar", "16", "--glossy", "2", "--light-groups", "--bounces", "1", "--rays", "2048"},
+        {"--vo", "--occluders", "auto:8", "--rays", "3072"}}) {
     EXPECT_EQ(bakeCornell("whole.glb", options).exitCode, 0);
     std::vector<std::string> resuming = options;
     resuming.emplace_back("--resume");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 
 #include "support/scenes.h"
@@ -122,17 +123,19 @@ std::vector<std::size_t> recordsBelow(const OccluderTransfer& leaves, const Occl
   return records;
 }
 
-/// Sum of a vector over records, or its mean by form factor.
+using Weight = std::optional<OccluderVector>;
+
+/// Sum of a vector over records, or its mean by the w of another.
 glm::dvec4 joined(const OccluderTransfer& leaves, const std::vector<std::size_t>& records,
-                  OccluderVector vector, bool mean) {
+                  OccluderVector vector, Weight meanBy = {}) {
   glm::dvec4 sum(0.0);
-  double formFactor = 0.0;
+  double weight = 0.0;
   for (const std::size_t r : records) {
-    const double own = vectorOf(leaves, r, OccluderVector::Occlusion).w;
-    sum += (mean ? own : 1.0) * vectorOf(leaves, r, vector);
-    formFactor += own;
+    const double own = meanBy ? vectorOf(leaves, r, *meanBy).w : 1.0;
+    sum += own * vectorOf(leaves, r, vector);
+    weight += own;
   }
-  return mean ? sum / formFactor : sum;
+  return meanBy ? sum / weight : sum;
 }
 
 void expectNear(const glm::dvec4& got, const glm::dvec4& expected, double tolerance) {
@@ -167,11 +170,12 @@ TEST(OccluderCut, NoRecordsAllowed_GivesOneOfEveryRootThatIsSeen) {
   const OccluderTree tree = completeTree(4, 3);
   const OccluderTransfer leaves = randomTransfer(tree, 60, 3);
   const OccluderTransfer cut = cutOccluders(leaves, tree, randomAreas(60, 4), 0.0);
-  const std::map<OccluderVector, bool> isMean = {
-      {OccluderVector::Position, true},        {OccluderVector::Occlusion, false},
-      {OccluderVector::Caustic, false},        {OccluderVector::Transmissive, true},
-      {OccluderVector::DiffuseNormal, false},  {OccluderVector::DiffuseColor, true},
-      {OccluderVector::SpecularNormal, false}, {OccluderVector::SpecularColor, true}};
+  const Weight formFactor = OccluderVector::Occlusion, mirrored = OccluderVector::SpecularNormal;
+  const std::map<OccluderVector, Weight> weights = {
+      {OccluderVector::Position, formFactor}, {OccluderVector::Occlusion, {}},
+      {OccluderVector::Caustic, {}},          {OccluderVector::Transmissive, formFactor},
+      {OccluderVector::DiffuseNormal, {}},    {OccluderVector::DiffuseColor, formFactor},
+      {OccluderVector::SpecularNormal, {}},   {OccluderVector::SpecularColor, mirrored}};
   for (std::size_t v = 0; v < 60; ++v) {
     std::size_t seenRoots = 0;
     for (std::uint32_t root = 0; root < 4; ++root) {
@@ -183,8 +187,8 @@ TEST(OccluderCut, NoRecordsAllowed_GivesOneOfEveryRootThatIsSeen) {
                        [&](std::uint32_t t) { return isAtOrBelow(tree, t, root); });
       ASSERT_NE(found, cut.occluders.begin() + cut.offsets[v + 1]);
       const auto record = static_cast<std::size_t>(found - cut.occluders.begin());
-      for (const auto& [vector, mean] : isMean)
-        expectNear(vectorOf(cut, record, vector), joined(leaves, below, vector, mean), 1e-5);
+      for (const auto& [vector, by] : weights)
+        expectNear(vectorOf(cut, record, vector), joined(leaves, below, vector, by), 1e-5);
     }
     EXPECT_EQ(cut.offsets[v + 1] - cut.offsets[v], seenRoots) << "vertex " << v;
   }
@@ -203,9 +207,9 @@ TEST(OccluderCut, Records_OfAnyCut_AreWhatTheLeavesBelowThemAddUpTo) {
       ASSERT_FALSE(below.empty());
       covered += below.size();
       expectNear(vectorOf(cut, r, OccluderVector::Occlusion),
-                 joined(leaves, below, OccluderVector::Occlusion, false), 1e-6);
+                 joined(leaves, below, OccluderVector::Occlusion), 1e-6);
       expectNear(vectorOf(cut, r, OccluderVector::Position),
-                 joined(leaves, below, OccluderVector::Position, true), 1e-5);
+                 joined(leaves, below, OccluderVector::Position, OccluderVector::Occlusion), 1e-5);
     }
     EXPECT_EQ(covered, leaves.offsets[v + 1] - leaves.offsets[v]) << "vertex " << v;
   }

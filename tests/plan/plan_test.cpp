@@ -77,6 +77,27 @@ TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs("shadow sets"));
 }
 
+TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  BakeRequest request;
+  request.occluders = true;
+  const Plan plain = makePlan(Scene(), scene, request);
+  EXPECT_TRUE(plain.runs("vector occluders"));
+  EXPECT_FALSE(plain.runs("caustic vectors"));
+  EXPECT_FALSE(plain.runs("specular vectors"));
+  EXPECT_EQ(plain.transportBytes, 0u);
+  EXPECT_NE(reasonOf(plain, "caustic vectors").find("no material lets light through"), std::string::npos);
+  scene.materials[0].transmission = 0.5f;
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("caustic vectors"));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("specular vectors")) << "rough";
+  scene.materials[0].metallic = 1.0f;
+  scene.materials[0].roughness = 0.3f;
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("caustic vectors")) << "metal lets nothing through";
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("specular vectors"));
+  request.occluders = false;
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("specular vectors"));
+}
+
 TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
   Scene scene;
   scene.materials.resize(2);

@@ -1,0 +1,42 @@
+#include "occluders/occluder_vectors.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+constexpr float roughestShine = 0.5f;
+
+bool anyTriangle(const CompiledScene& scene, bool (*test)(const CompiledMaterial&)) {
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t m) { return test(scene.materials[m]); });
+}
+
+}  // namespace
+
+bool isShiny(const CompiledMaterial& material) {
+  const bool reflects = material.metallic > 0.0f || (material.specular > 0.0f && material.ior != 1.0f);
+  return !material.unlit && reflects && material.roughness <= roughestShine;
+}
+
+bool isGlass(const CompiledMaterial& material) {
+  return !material.unlit && material.transmission > 0.0f && material.metallic < 1.0f;
+}
+
+std::vector<OccluderVector> neededVectors(const CompiledScene& scene) {
+  std::vector<OccluderVector> vectors = {OccluderVector::Position, OccluderVector::Occlusion,
+                                         OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor};
+  if (anyTriangle(scene, isGlass))
+    vectors.insert(vectors.end(), {OccluderVector::Caustic, OccluderVector::Transmissive});
+  if (anyTriangle(scene, isShiny))
+    vectors.insert(vectors.end(), {OccluderVector::SpecularNormal, OccluderVector::SpecularColor});
+  std::sort(vectors.begin(), vectors.end());
+  return vectors;
+}
+
+bool contains(const std::vector<OccluderVector>& vectors, OccluderVector vector) {
+  return std::find(vectors.begin(), vectors.end(), vector) != vectors.end();
+}
+
+}  // namespace prelight

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bake/transfer.h"
+#include "scene/compiled_scene.h"
+
+/// Which vectors of vector occluders a scene needs.
+namespace prelight {
+
+/// Mirrors light, or reflects it in a lobe that is narrow enough to show what is there: roughness of at most
+/// 0.5. Factors count, textures do not.
+bool isShiny(const CompiledMaterial& material);
+
+/// Lets light through by refraction or straight.
+bool isGlass(const CompiledMaterial& material);
+
+/// Ascending: position, occlusion, diffuse normal and colour always; caustic and transmissive where the
+/// material of a triangle is glass, specular normal and colour where one is shiny.
+std::vector<OccluderVector> neededVectors(const CompiledScene& scene);
+
+bool contains(const std::vector<OccluderVector>& vectors, OccluderVector vector);
+
+}  // namespace prelight

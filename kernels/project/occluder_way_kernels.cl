@@ -1,0 +1,110 @@
+// Where light that shines on what a receiver sees comes from, other than by diffuse reflection: the mirrored direction
+// (Sherif 2013, 7.2.4), and the direction behind all glass (7.2.3).
+// Options: those of the surface (bvh/alpha_funcs.cl).
+#define PRELIGHT_GLOSSY
+#define PRELIGHT_MIRROR
+#define PRELIGHT_GLASS
+#include "reference/glass_funcs.cl"
+#include "reference/vertex_funcs.cl"
+#include "shared/cast_types.h"
+#include "shared/occluder_types.h"
+
+#define PRELIGHT_ALWAYS 0.99999994f      // a chance that only total reflection is above
+#define PRELIGHT_LEAST_THROUGHPUT 1e-3f  // what is darker is as good as blocked
+
+bool materialHas(Hit hit, __global const DeviceTriangle* triangles, __global const uint* flags, uint flag) {
+  return hit.triangle != PRELIGHT_NO_TRIANGLE && (flags[triangles[hit.triangle].material] & flag) != 0u;
+}
+
+// A ray a work-item. rays, hits [ray] -> mirrored [ray], and mirrorRays [counter] that find out whether they are open.
+__kernel void listMirrored(__constant const CastParameters* parameters, __global const Ray* rays,
+                           __global const Hit* hits, __global const uint* flags,
+                           __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
+                           __global const float2* texCoords, __global const float4* colors,
+                           __global const ushort4* texels, __global const float* vertices,
+                           __global const uchar* flat, __global const ReferenceMaterial* materials,
+                           __global OccluderWay* mirrored, __global Ray* mirrorRays, __global uint* counter) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
+  mirrored[i].share = 0.0f;
+  if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_SHINY)) return;
+  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
+  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
+  if (!vertex.front && (flags[vertex.material] & PRELIGHT_OCCLUDER_TWO_SIDED) == 0u) return;
+  const Bsdf bsdf = loadBsdf(s, vertex);
+  const float cosine = dot(vertex.wo, vertex.shading);
+  const float3 direction = 2.0f * cosine * vertex.shading - vertex.wo;
+  if (cosine <= 0.0f || dot(direction, vertex.geometric) <= 0.0f) return;
+  OccluderWay way;
+  vstore3(vertex.shading, 0, way.vector);
+  way.share = 1.0f;
+  const bool solid = (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u;
+  const float glass = bsdf.glass * glassReflectance(bsdf, solid, vertex.front, glassCosine(vertex.wo, vertex.shading));
+  vstore3(clamp(bsdf.metal + bsdf.layer * schlick(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
+  way.slot = atomic_inc(counter);
+  mirrored[i] = way;
+  mirrorRays[way.slot] = rayFrom(vertex, direction, MAXFLOAT);
+}
+
+// A ray a work-item. rays, hits [ray] -> through [ray], blocked as yet, and the paths of those that met glass with their
+// rays and hits [counter]. Next: followGlass.
+__kernel void listGlass(__constant const CastParameters* parameters, __global const Ray* rays, __global const Hit* hits,
+                        __global const uint* flags, __global const DeviceTriangle* triangles,
+                        __global OccluderWay* through, __global GlassPath* paths, __global Ray* pathRays,
+                        __global Hit* pathHits, __global uint* counter) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
+  through[i].share = 0.0f;
+  if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_GLASS)) return;
+  const uint slot = atomic_inc(counter);
+  paths[slot] = (GlassPath){{1.0f, 1.0f, 1.0f}, (uint)i, PRELIGHT_NO_MEDIUM};
+  pathRays[slot] = rays[i];
+  pathHits[slot] = hits[i];
+}
+
+// A path a work-item, at the end of its ray. What has reached free space is a way through; what meets more glass goes on
+// in nextPaths and nextRays [counter]; all else is blocked. Of what a face reflects, only total reflection is followed.
+__kernel void followGlass(const uint count, __global const GlassPath* paths, __global const Ray* rays,
+                          __global const Hit* hits, __global const uint* flags,
+                          __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
+                          __global const float2* texCoords, __global const float4* colors,
+                          __global const ushort4* texels, __global const float* vertices, __global const uchar* flat,
+                          __global const ReferenceMaterial* materials, __global OccluderWay* through,
+                          __global GlassPath* nextPaths, __global Ray* nextRays, __global uint* counter) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  GlassPath path = paths[i];
+  const float3 throughput = vload3(0, path.throughput);
+  if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) {
+    vstore3(vload3(0, rays[i].direction), 0, through[path.ray].vector);
+    vstore3(throughput, 0, through[path.ray].color);
+    through[path.ray].share = 1.0f;
+    return;
+  }
+  if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_GLASS)) return;
+  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
+  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
+  const Bsdf bsdf = loadBsdf(s, vertex);
+  const bool solid = (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u;
+  float3 n = dot(vertex.wo, vertex.shading) > 0.0f ? vertex.shading : vertex.geometric, weight;
+  bool passes;
+  float relativeIor2;
+  float3 direction = throughGlass(bsdf, solid, vertex.front, vertex.wo, n, PRELIGHT_ALWAYS, &weight, &passes, &relativeIor2);
+  if ((dot(direction, vertex.geometric) < 0.0f) != passes) {
+    n = vertex.geometric;
+    direction = throughGlass(bsdf, solid, vertex.front, vertex.wo, n, PRELIGHT_ALWAYS, &weight, &passes, &relativeIor2);
+  }
+  // Light that is reflected off the outside never was on its way through.
+  if (!passes && (vertex.front || !solid)) return;
+  if (passes) weight *= bsdf.glass * (1.0f - glassReflectance(bsdf, solid, vertex.front, glassCosine(vertex.wo, n)));
+  // A receiver may lie within glass.
+  const uint medium = path.medium == PRELIGHT_NO_MEDIUM && solid && !vertex.front ? vertex.material : path.medium;
+  if (medium != PRELIGHT_NO_MEDIUM) weight *= exp(-vload3(0, materials[medium].absorption) * hits[i].t);
+  if (passes && solid) path.medium = vertex.front ? vertex.material : PRELIGHT_NO_MEDIUM;
+  const float3 left = throughput * weight;
+  if (!(largest(left) > PRELIGHT_LEAST_THROUGHPUT)) return;
+  vstore3(left, 0, path.throughput);
+  const uint slot = atomic_inc(counter);
+  nextPaths[slot] = path;
+  nextRays[slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
+}
