@@ -10,8 +10,7 @@ constexpr int mostRings = 8;  // around a slot without receivers
 
 glm::vec3 vec(const float* v) { return {v[0], v[1], v[2]}; }
 
-SeenOccluder seenBy(const device::Receiver& receiver, const OccluderValues& values, std::size_t record) {
-  const device::OccluderSums& sums = values.sums[record];
+SeenOccluder seenBy(const device::Receiver& receiver, const device::OccluderSums& sums) {
   SeenOccluder seen;
   seen.formFactor = sums.formFactor;
   seen.direction = vec(sums.direction);
@@ -21,6 +20,11 @@ SeenOccluder seenBy(const device::Receiver& receiver, const OccluderValues& valu
   seen.normal = vec(sums.normal);
   seen.accessibility = sums.accessibility;
   seen.color = vec(sums.color);
+  return seen;
+}
+
+SeenWays waysBy(const OccluderValues& values, std::size_t record) {
+  SeenWays seen;
   if (!values.mirrored.empty()) {
     const device::OccluderWaySums& ways = values.mirrored[record];
     seen.mirrorNormal = vec(ways.vector);
@@ -38,55 +42,52 @@ SeenOccluder seenBy(const device::Receiver& receiver, const OccluderValues& valu
 
 }  // namespace
 
-SeenOccluder& SeenOccluder::operator+=(const SeenOccluder& other) {
-  formFactor += other.formFactor;
-  direction += other.direction;
-  position += other.position;
-  offset += other.offset;
-  distance += other.distance;
-  normal += other.normal;
-  accessibility += other.accessibility;
-  color += other.color;
-  mirrorNormal += other.mirrorNormal;
-  mirrorFactor += other.mirrorFactor;
-  mirrorColor += other.mirrorColor;
-  throughDirection += other.throughDirection;
-  throughFactor += other.throughFactor;
-  throughColor += other.throughColor;
-  return *this;
+void SeenOccluder::add(const SeenOccluder& other, float factor) {
+  formFactor += factor * other.formFactor;
+  direction += factor * other.direction;
+  position += factor * other.position;
+  offset += factor * other.offset;
+  distance += factor * other.distance;
+  normal += factor * other.normal;
+  accessibility += factor * other.accessibility;
+  color += factor * other.color;
 }
 
-SeenOccluder SeenOccluder::operator*(float factor) const {
-  return {factor * formFactor,    factor * direction,    factor * position,      factor * offset,
-          factor * distance,      factor * normal,       factor * accessibility, factor * color,
-          factor * mirrorNormal,  factor * mirrorFactor, factor * mirrorColor,   factor * throughDirection,
-          factor * throughFactor, factor * throughColor};
+void SeenWays::add(const SeenWays& other, float factor) {
+  mirrorNormal += factor * other.mirrorNormal;
+  mirrorFactor += factor * other.mirrorFactor;
+  mirrorColor += factor * other.mirrorColor;
+  throughDirection += factor * other.throughDirection;
+  throughFactor += factor * other.throughFactor;
+  throughColor += factor * other.throughColor;
 }
 
-void OccluderMeans::Row::add(std::uint32_t group, const SeenOccluder& part) {
+/// Of an occluder, which gets one where it has none.
+std::size_t OccluderMeans::Row::placeOf(std::uint32_t group) {
   const auto at = static_cast<std::size_t>(std::find(groups.begin(), groups.end(), group) - groups.begin());
-  if (at < groups.size()) {
-    seen[at] += part;
-    return;
+  if (at == groups.size()) {
+    groups.push_back(group);
+    seen.emplace_back();
   }
-  groups.push_back(group);
-  seen.push_back(part);
+  return at;
 }
 
 void OccluderMeans::add(const SurfaceSample& sample, const device::Receiver& receiver,
                         const OccluderValues& values, std::size_t index) {
-  const auto corners = cornerWeights(sample);
-  std::array<Row*, 3> rows;
-  std::array<float, 3> weights;
-  for (std::size_t k = 0; k < 3; ++k) {
-    rows[k] = &rows_[mesh_.triangles[sample.triangle][k]];
-    weights[k] = sample.weight * static_cast<float>(corners[k]);
-    rows[k]->weight += weights[k];
-  }
+  const bool withWays = !values.mirrored.empty() || !values.through.empty();
   const OccluderValues::Span& span = values.spans[index];
-  for (std::size_t r = span.first; r < std::size_t{span.first} + span.count; ++r) {
-    const SeenOccluder seen = seenBy(receiver, values, r);
-    for (std::size_t k = 0; k < 3; ++k) rows[k]->add(values.sums[r].group, seen * weights[k]);
+  const auto corners = cornerWeights(sample);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Row& row = rows_[mesh_.triangles[sample.triangle][k]];
+    const float weight = sample.weight * static_cast<float>(corners[k]);
+    row.weight += weight;
+    for (std::size_t r = span.first; r < std::size_t{span.first} + span.count; ++r) {
+      const std::size_t place = row.placeOf(values.sums[r].group);
+      row.seen[place].add(seenBy(receiver, values.sums[r]), weight);
+      if (!withWays) continue;
+      row.ways.resize(row.groups.size());
+      row.ways[place].add(waysBy(values, r), weight);
+    }
   }
 }
 
@@ -102,14 +103,19 @@ std::vector<OccluderSeen> OccluderMeans::around(std::uint32_t slot) const {
     if (std::any_of(slots.begin(), slots.end(), [&](std::uint32_t s) { return !rows_[s].groups.empty(); }))
       break;
   }
+  float weight = 0.0f;
+  for (const std::uint32_t s : slots) weight += rows_[s].weight;
   Row mean;
-  for (const std::uint32_t s : slots) {
-    mean.weight += rows_[s].weight;
-    for (std::size_t i = 0; i < rows_[s].groups.size(); ++i) mean.add(rows_[s].groups[i], rows_[s].seen[i]);
-  }
+  for (const std::uint32_t s : slots)
+    for (std::size_t i = 0; i < rows_[s].groups.size(); ++i) {
+      const std::size_t place = mean.placeOf(rows_[s].groups[i]);
+      mean.seen[place].add(rows_[s].seen[i], 1.0f / weight);
+      mean.ways.resize(mean.groups.size());
+      if (!rows_[s].ways.empty()) mean.ways[place].add(rows_[s].ways[i], 1.0f / weight);
+    }
   std::vector<OccluderSeen> seen;
   for (std::size_t i = 0; i < mean.groups.size(); ++i)
-    seen.push_back({mean.groups[i], mean.seen[i] * (1.0f / mean.weight)});
+    seen.push_back({mean.groups[i], mean.seen[i], mean.ways[i]});
   std::sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.group < b.group; });
   return seen;
 }
@@ -119,6 +125,7 @@ void OccluderMeans::save(StateWriter& state) const {
     state.value(row.weight);
     state.values(row.groups);
     state.values(row.seen);
+    state.values(row.ways);
   }
 }
 
@@ -127,7 +134,9 @@ void OccluderMeans::load(StateReader& state) {
     state.value(row.weight);
     state.values(row.groups);
     state.values(row.seen);
-    if (row.groups.size() != row.seen.size()) state.damaged();
+    state.values(row.ways);
+    if (row.groups.size() != row.seen.size() || (!row.ways.empty() && row.ways.size() != row.seen.size()))
+      state.damaged();
   }
 }
 

@@ -23,6 +23,12 @@ struct SeenOccluder {
   glm::vec3 normal{0.0f};
   float accessibility = 0.0f;
   glm::vec3 color{0.0f};
+
+  void add(const SeenOccluder& other, float factor);
+};
+
+/// Where what is seen sends light on from.
+struct SeenWays {
   glm::vec3 mirrorNormal{0.0f};      ///< of what is mirrored from the open
   float mirrorFactor = 0.0f;         ///< form factor of that
   glm::vec3 mirrorColor{0.0f};       ///< times that
@@ -30,14 +36,14 @@ struct SeenOccluder {
   float throughFactor = 0.0f;
   glm::vec3 throughColor{0.0f};
 
-  SeenOccluder& operator+=(const SeenOccluder& other);
-  SeenOccluder operator*(float factor) const;
+  void add(const SeenWays& other, float factor);
 };
 
 /// A record: an occluder as it is seen.
 struct OccluderSeen {
   std::uint32_t group = 0;
   SeenOccluder seen;
+  SeenWays ways;
 };
 
 /// Means of what receivers saw over the surface around slots, sparse by occluder. A receiver counts for a
@@ -63,8 +69,9 @@ class OccluderMeans {
     float weight = 0.0f;  ///< of the receivers around
     std::vector<std::uint32_t> groups;
     std::vector<SeenOccluder> seen;  ///< parallel to groups, times weights
+    std::vector<SeenWays> ways;      ///< the same, or empty: nothing sends light on
 
-    void add(std::uint32_t group, const SeenOccluder& part);
+    std::size_t placeOf(std::uint32_t group);
   };
 
   const FitMesh& mesh_;

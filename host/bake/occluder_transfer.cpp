@@ -13,7 +13,12 @@ std::vector<OccluderSeen> normalized(std::vector<OccluderSeen> seen, double acce
   double sum = 0.0;
   for (const OccluderSeen& s : seen) sum += s.seen.formFactor;
   const auto scale = static_cast<float>(sum > 0.0 ? (1.0 - accessibility) / sum : 0.0);
-  for (OccluderSeen& s : seen) s.seen = s.seen * scale;
+  for (OccluderSeen& s : seen) {
+    OccluderSeen scaled{s.group, {}, {}};
+    scaled.seen.add(s.seen, scale);
+    scaled.ways.add(s.ways, scale);
+    s = scaled;
+  }
   return seen;
 }
 
@@ -32,27 +37,29 @@ glm::vec4 positionOf(const CompiledScene& scene, const SeenOccluder& seen, const
   return glm::vec4(scene.origin + position, distance);
 }
 
-glm::vec4 packVector(OccluderVector vector, const CompiledScene& scene, const SeenOccluder& seen,
+glm::vec4 packVector(OccluderVector vector, const CompiledScene& scene, const OccluderSeen& record,
                      const glm::vec3& vertex) {
+  const SeenOccluder& seen = record.seen;
+  const SeenWays& ways = record.ways;
   switch (vector) {
     case OccluderVector::Position:
       return positionOf(scene, seen, glm::dvec3(vertex));
     case OccluderVector::Occlusion:
       return {seen.direction, seen.formFactor};
     case OccluderVector::Caustic:
-      return {seen.throughDirection, seen.throughFactor};
+      return {ways.throughDirection, ways.throughFactor};
     case OccluderVector::Transmissive:
-      return meanColor(seen.throughColor, seen.formFactor);
+      return meanColor(ways.throughColor, seen.formFactor);
     case OccluderVector::DiffuseNormal:
       return {seen.normal, seen.accessibility};
     case OccluderVector::DiffuseColor:
       return meanColor(seen.color, seen.formFactor);
     case OccluderVector::SpecularNormal:
-      return {seen.mirrorNormal, seen.mirrorFactor};
+      return {ways.mirrorNormal, ways.mirrorFactor};
     case OccluderVector::SpecularColor:
       break;
   }
-  return meanColor(seen.mirrorColor, seen.mirrorFactor);
+  return meanColor(ways.mirrorColor, ways.mirrorFactor);
 }
 
 }  // namespace
@@ -68,7 +75,7 @@ OccluderTransfer makeOccluderTransfer(const CompiledScene& scene, const FitMesh&
       if (record.seen.formFactor < leastMeaning) continue;
       transfer.occluders.push_back(record.group);
       for (const OccluderVector vector : stored)
-        transfer.vectors.push_back(packVector(vector, scene, record.seen, scene.positions[v]));
+        transfer.vectors.push_back(packVector(vector, scene, record, scene.positions[v]));
     }
     transfer.offsets.push_back(static_cast<std::uint32_t>(transfer.occluders.size()));
   }

@@ -1,6 +1,7 @@
 #include "occluders/occluder_cut.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -17,6 +18,7 @@ constexpr std::size_t grain = 64;    // vertices that share a row's memory
 constexpr double leavesOnly = -1.0;  // price at which records are a gain: nothing is joined
 constexpr double leastPrice = 1e-9;  // below any error that means something
 constexpr int bisections = 30;       // of the price's logarithm
+constexpr double filled = 0.998;     // of the records allowed, with which a price is good enough
 
 /// Which vector's w a record's vector is a mean by; nullopt: it is a sum.
 std::optional<OccluderVector> meanBy(OccluderVector vector) {
@@ -72,7 +74,8 @@ struct Leaves {
 /// The cut of one vertex at a time.
 class RowCut {
  public:
-  explicit RowCut(const Leaves& leaves) : leaves_(leaves), seen_(leaves.tree.size()) {}
+  explicit RowCut(const Leaves& leaves)
+      : leaves_(leaves), seen_(leaves.tree.size()), marks_(leaves.tree.size() / 64 + 1, 0) {}
 
   /// Finds the cut of a vertex; returns its number of records.
   std::size_t cut(std::size_t vertex, double weight, double price) {
@@ -135,10 +138,13 @@ class RowCut {
         Seen& seen = seen_[static_cast<std::size_t>(node)];
         if (seen.listed) break;
         seen.listed = true;
-        nodes_.push_back(static_cast<std::uint32_t>(node));
+        marks_[static_cast<std::size_t>(node) / 64] |= std::uint64_t{1} << (node % 64);
       }
     }
-    std::sort(nodes_.begin(), nodes_.end());
+    for (std::size_t word = 0; word < marks_.size(); ++word)
+      for (; marks_[word] != 0; marks_[word] &= marks_[word] - 1)
+        nodes_.push_back(static_cast<std::uint32_t>(64 * word) +
+                         static_cast<std::uint32_t>(std::countr_zero(marks_[word])));
   }
 
   /// Least cost of what lies below a node: its children come before it.
@@ -171,6 +177,7 @@ class RowCut {
 
   const Leaves& leaves_;
   std::vector<Seen> seen_;            ///< [tree node]
+  std::vector<std::uint64_t> marks_;  ///< a bit a tree node, while they are gathered
   std::vector<std::uint32_t> nodes_;  ///< seen, ascending
   std::vector<std::uint32_t> kept_;   ///< ascending
   std::vector<glm::dvec4> sums_;      ///< [kept][stored]
@@ -188,8 +195,9 @@ class Cutter {
     double low = leastPrice, high = coarsestPrice();
     if (!meets(high)) return high;
     for (int i = 0; i < bisections; ++i) {
-      const double middle = std::sqrt(low * high);
-      (meets(middle) ? high : low) = middle;
+      const double middle = std::sqrt(low * high), records = offsetsAt(middle).back();
+      (records <= limit ? high : low) = middle;
+      if (records <= limit && records >= filled * limit) break;
     }
     return high;
   }
