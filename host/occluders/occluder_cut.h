@@ -16,9 +16,9 @@ namespace prelight {
 ///
 /// With form factor F, occlusion vector D and A the vertex' area over the mean one, a record's error is
 /// E = A F sqrt(1 - |D|/F), which joining never lessens. A vertex' cut minimizes the sum of E + price over
-/// its records; the price, one for all, is what bisection finds to fill the limit to 99.8 % at least, or as far as it can. No vertex has
-/// fewer records than roots that it sees: where even those exceed the limit, they are the result. Leaves that
-/// are within it stay apart.
+/// its records; the price, one for all, is what bisection finds to fill the limit to 99.8 %, or as far as it
+/// can. No vertex has fewer records than roots that it sees: where even those exceed the limit, they are the
+/// result. Leaves that are within it stay apart.
 ///
 /// areaOfVertex: m2, not negative [vertex]. Those of vertices without area are all joined, as soon as any
 /// are. recordsPerVertex: >= 0, of all vertices, also those that see no occluder.
