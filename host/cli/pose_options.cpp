@@ -2,11 +2,103 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "bake/animated_transfer.h"
+#include "base/pattern.h"
 #include "cli/values.h"
+#include "occluders/scene_motion.h"
 #include "scene/pose.h"
 
 namespace prelight::cli {
+
+namespace {
+
+using Transforms = std::vector<std::vector<glm::dmat4>>;
+
+constexpr double farthestMove = 1e6;  // m, degrees
+
+/// Numbers between commas; none where one is not a usable number.
+std::optional<std::vector<double>> numbersOf(std::string_view text) {
+  std::vector<double> numbers;
+  for (;;) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    double number = 0.0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + end, number);
+    if (error != std::errc{} || stop != text.data() + end || !(std::abs(number) <= farthestMove))
+      return std::nullopt;
+    numbers.push_back(number);
+    if (end == text.size()) return numbers;
+    text.remove_prefix(end + 1);
+  }
+}
+
+void moveNodes(Scene& scene, const NodeMove& move) {
+  bool found = false;
+  for (MeshNode& node : scene.meshNodes) {
+    const std::string name = node.name.empty() ? fmt::format("node {}", node.node) : node.name;
+    if (!matchesPattern(name, move.pattern)) continue;
+    found = true;
+    for (glm::dmat4& transform : node.transforms) {
+      const glm::dvec3 origin(transform[3]);
+      const glm::dmat4 turn =
+          glm::rotate(glm::dmat4(1.0), glm::radians(move.yawDegrees), glm::dvec3(0.0, 1.0, 0.0));
+      transform = glm::translate(glm::dmat4(1.0), origin + move.by) * turn *
+                  glm::translate(glm::dmat4(1.0), -origin) * transform;
+    }
+  }
+  if (!found)
+    throw UsageError("--move " + move.pattern, "no node with a mesh has that name",
+                     "see the names with prelight info");
+}
+
+Transforms transformsOf(const Scene& scene) {
+  Transforms transforms;
+  for (const MeshNode& node : scene.meshNodes) transforms.push_back(node.transforms);
+  return transforms;
+}
+
+/// `loaded` is posed, its compiled scene still at rest.
+std::optional<OccluderTransfer> movedOccluders(Session& session, const LoadedScene& loaded,
+                                               const Transforms& before, const OccluderTransfer& rest) {
+  try {
+    const auto members = membersOf(loaded.compiled, rest);
+    if (!members)
+      throw InputError("vector occluders", "their names are not those of the scene's parts", "bake it anew");
+    const OccluderMotions motions = motionsBetween(loaded.scene, loaded.compiled, *members, before,
+                                                   transformsOf(loaded.scene), rest.names);
+    return OccluderMover(rest, loaded.compiled, *members).moved(motions);
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; left out", error.what()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+NodeMove parseNodeMove(const std::string& text) {
+  const auto fail = [&](const char* what) {
+    return UsageError("--move " + text, what,
+                      "expected NODE:x,y,z or NODE:x,y,z:yaw, for example Ball:0.5,0,0:30");
+  };
+  std::size_t end = text.rfind(':');
+  if (end == std::string::npos || end == 0) throw fail("no node or no way is given");
+  auto numbers = numbersOf(std::string_view(text).substr(end + 1));
+  NodeMove move;
+  if (numbers && numbers->size() == 1) {
+    move.yawDegrees = numbers->front();
+    const std::size_t before = text.rfind(':', end - 1);
+    if (before == std::string::npos || before == 0) throw fail("three coordinates are needed");
+    numbers = numbersOf(std::string_view(text).substr(before + 1, end - before - 1));
+    end = before;
+  }
+  if (!numbers || numbers->size() != 3) throw fail("its coordinates are not three numbers");
+  move.pattern = text.substr(0, end);
+  move.by = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  return move;
+}
 
 void addPoseOptions(CLI::App& app, PoseOptions& options) {
   constexpr double mostSeconds = 1e6;
@@ -17,24 +109,36 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
   app.add_option("--animation", options.animation,
                  "the animation that --at means (default: the one that was baked, else the first)")
       ->type_name("NAME|INDEX");
+  app.add_option_function<std::vector<std::string>>(
+         "--move",
+         [&](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) options.moves.push_back(parseNodeMove(text));
+         },
+         "move a node, with its vector occluders: NODE:x,y,z[:yaw], metres and degrees; repeat it for more")
+      ->type_name("MOVE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded, Bake& bake) {
-  if (!options.at) {
-    if (!options.animation.empty())
-      throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
-    return;
-  }
-  const std::size_t animation = !options.animation.empty() ? findAnimation(loaded.scene, options.animation)
-                                : bake.animation           ? bake.animation->animation
-                                                           : 0;
+  if (!options.at && !options.animation.empty())
+    throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
+  if (!options.at && options.moves.empty()) return;
   session.times().measure("pose", [&] {
-    setPose(loaded.scene, animation, *options.at);
+    const Transforms before = transformsOf(loaded.scene);
     Bake posed;
-    if (bake.animation && bake.animation->animation == animation) {
-      posed.info = bake.info;
-      posed.sh = transferAt(*bake.animation, loaded.scene, loaded.compiled, *options.at);
+    if (options.at) {
+      const std::size_t animation = !options.animation.empty()
+                                        ? findAnimation(loaded.scene, options.animation)
+                                    : bake.animation ? bake.animation->animation
+                                                     : 0;
+      setPose(loaded.scene, animation, *options.at);
+      if (bake.animation && bake.animation->animation == animation && options.moves.empty())
+        posed.sh = transferAt(*bake.animation, loaded.scene, loaded.compiled, *options.at);
     }
+    for (const NodeMove& move : options.moves) moveNodes(loaded.scene, move);
+    if (bake.occluders) posed.occluders = movedOccluders(session, loaded, before, *bake.occluders);
+    if (posed.sh || posed.occluders) posed.info = bake.info;
     bake = std::move(posed);
     Warnings said;  // by the rest pose already
     loaded.compiled = compileScene(loaded.scene, said);

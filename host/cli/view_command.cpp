@@ -52,6 +52,7 @@ void addViewCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<ViewCommand>();
   CLI::App* app = program.add_subcommand("view", "Open a window on a scene");
   addPictureOptions(*app, command->picture);
+  addPoseOptions(*app, command->picture.pose);
   app->add_option("--screenshot", command->screenshot, "write the last frame (.exr or .png); needs --frames")
       ->type_name("FILE");
   addWholeNumber(

@@ -57,6 +57,42 @@ TEST_F(CliOccluders, Auto_StoresAsManyRecordsAsAskedFor) {
   EXPECT_THAT(prelightDone({"info", "out.glb"}).output, HasSubstr("5.0 records a vertex"));
 }
 
+// A picture of a moved node is near that of a bake where it is then; animation.md's scene swings at 1 s.
+TEST_F(CliOccluders, MovedNode_TakesItsShadowAlong) {
+  prelightDone({"scene", "swing", "-o", "swing.glb"});
+  const std::vector<std::string> size = {"--size", "160x120", "--shading",
+                                         "vo",     "--light", "point:-4,5,1:60,60,60"};
+  const auto render = [&](const std::string& scene, const std::string& name,
+                          std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", scene, "-o", name});
+    options.insert(options.end(), size.begin(), size.end());
+    return prelightDone(options);
+  };
+  prelightDone({"bake", "swing.glb", "-o", "vo.glb", "--vo", "--rays", "1024"});
+  render("vo.glb", "rest.exr", {});
+  render("vo.glb", "moved.exr", {"--at", "1"});
+  render("swing.glb", "there.exr", {"--at", "1", "--rays", "1024"});
+  EXPECT_LT(rmse("moved.exr", "there.exr"), 0.4 * rmse("rest.exr", "there.exr"));
+
+  prelightDone({"bake", "shapes.glb", "-o", "shapes-vo.glb", "--vo", "--rays", "64"});
+  render("shapes-vo.glb", "here.exr", {});
+  render("shapes-vo.glb", "still.exr", {"--move", "Box:0,0,0"});
+  render("shapes-vo.glb", "far.exr", {"--move", "Box:1,0,0.5:45", "--move", "T*:0,1,0"});
+  EXPECT_EQ(rmse("here.exr", "still.exr"), 0.0);
+  EXPECT_GT(rmse("here.exr", "far.exr"), 0.02);
+}
+
+TEST_F(CliOccluders, WrongMove_IsExplained) {
+  for (const char* move : {"Box", ":1,2,3", "Box:1,2", "Box:1,2,x", "Box:1,2,3:", "Box:1", "Box:1,2,3:4:5"}) {
+    const auto result = prelight({"render", "shapes.glb", "-o", "x.png", "--move", move});
+    EXPECT_EQ(result.exitCode, badUsage) << move;
+    EXPECT_THAT(result.errors, HasSubstr("NODE:x,y,z")) << move;
+  }
+  const auto result = prelight({"render", "shapes.glb", "-o", "x.png", "--move", "Cow:1,2,3"});
+  EXPECT_EQ(result.exitCode, badUsage);
+  EXPECT_THAT(result.errors, HasSubstr("no node with a mesh"));
+}
+
 TEST_F(CliOccluders, WrongUse_IsExplained) {
   for (const char* kind : {"auto", "auto:", "auto:0", "auto:300", "auto:4x"})
     expectFailure(badUsage, {"bake", "shapes.glb", "-o", "x.glb", "--vo", "--occluders", kind},
