@@ -6,6 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include "occluders/wave_table.h"
+#include "viewer/occluder_parameters.h"
+
 namespace prelight::viewer {
 namespace {
 
@@ -186,6 +189,20 @@ void Controls::setGroupFactor(const glm::vec3& factor) {
   if (selectedGroup_ < 0) return;
   view_.groupFactors[selectedGroup_] = glm::max(factor, glm::vec3(0.0f));
   ++changes_;
+}
+
+void Controls::setOccluders(const OccluderOptions& options) {
+  const OccluderOptions wanted = withinRanges(options);
+  if (wanted == view_.occluders) return;
+  view_.occluders = wanted;
+  ++changes_;
+}
+
+void Controls::passTime(double seconds) {
+  if (view_.shading != Shading::Vo || !areAnimated(view_.occluders)) return;
+  OccluderOptions later = view_.occluders;
+  later.seconds = std::fmod(later.seconds + seconds, effectPeriod);
+  setOccluders(later);
 }
 
 void Controls::resize(int width, int height) {

@@ -53,7 +53,10 @@ class Controls {
   void selectLight(int index);
   void setLightIntensity(const glm::vec3& intensity);
   void selectGroup(int index);
-  void setGroupFactor(const glm::vec3& factor);  ///< of the selected group
+  void setGroupFactor(const glm::vec3& factor);       ///< of the selected group
+  void setOccluders(const OccluderOptions& options);  ///< cut to their ranges
+  /// Moves the time of effects on, where they show.
+  void passTime(double seconds);
   void resize(int width, int height);
 
  private:

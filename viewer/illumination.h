@@ -9,6 +9,8 @@
 
 namespace prelight::viewer {
 
+constexpr int mostSkyLights = 4096;  ///< of vector occluders
+
 /// How vector occluders are lit.
 struct OccluderOptions {
   OccluderShading shading;

@@ -4,8 +4,11 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <array>
 #include <numbers>
 #include <string>
+
+#include "viewer/occluder_parameters.h"
 
 namespace prelight::viewer {
 namespace {
@@ -18,7 +21,7 @@ constexpr const char* help =
     "right + wheel      its distance\n"
     "Tab, L             next light, add a light\n"
     "Shift + left drag  turn the sky (also Q and E)\n"
-    "1 to 7             phong, ao, sh, ch, haar, glossy, lights\n"
+    "1 to 8             phong, ao, sh, ch, haar, glossy, lights, vo\n"
     "G, PgUp, PgDn      next light group, brighter, dimmer\n"
     "R                  first view\n"
     "H                  this help\n"
@@ -65,6 +68,31 @@ void drawGroups(Controls& controls) {
   if (ImGui::DragFloat3("factor", &factor.x, 0.02f, 0.0f, 1e6f)) controls.setGroupFactor(factor);
 }
 
+/// Radio buttons of an enumeration in the order of `names`.
+template <typename T, std::size_t count>
+void drawChoice(const std::array<const char*, count>& names, T& value) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (ImGui::RadioButton(names[i], static_cast<std::size_t>(value) == i)) value = static_cast<T>(i);
+  }
+}
+
+void drawOccluders(Controls& controls) {
+  if (controls.view().shading != Shading::Vo) return;
+  OccluderOptions options = controls.view().occluders;
+  drawChoice(std::array{"soft", "thesis"}, options.shading.formula);
+  drawChoice(std::array{"lambert", "oren-nayar"}, options.shading.receiver);
+  ImGui::Checkbox("all highlights", &options.allHighlights);
+  for (const OccluderParameter& parameter : occluderParameters()) {
+    auto value = static_cast<float>(parameter.get(options));
+    if (ImGui::SliderFloat(parameter.label, &value, static_cast<float>(parameter.usualLeast),
+                           static_cast<float>(parameter.usualMost), "%.2f"))
+      parameter.set(options, value);
+  }
+  ImGui::SliderInt("sky lights", &options.skyLights, 1, 256);
+  controls.setOccluders(options);
+}
+
 }  // namespace
 
 Overlay::Overlay(GLFWwindow* window) {
@@ -97,6 +125,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
   }
   drawLights(controls);
   drawGroups(controls);
+  drawOccluders(controls);
   if (showHelp_) {
     ImGui::Separator();
     ImGui::TextUnformatted(help);

@@ -203,7 +203,7 @@ std::vector<std::string> groupNames(const ViewerInputs& inputs) {
 
 void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Overlay& overlay, int frames) {
   const Presenter presenter;
-  auto lastChange = Clock::now();
+  auto lastChange = Clock::now(), lastFrame = lastChange;
   std::size_t seen = controls.changes();
   for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
        ++frame) {
@@ -225,6 +225,9 @@ void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Overl
     presenter.present(picture.target(), picture.samples(), 0);
     overlay.draw(controls, picture.lastSeconds());
     glfwSwapBuffers(window);
+    const auto now = Clock::now();
+    if (frames == 0) controls.passTime(std::chrono::duration<double>(now - lastFrame).count());
+    lastFrame = now;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
@@ -17,7 +18,6 @@ namespace prelight::cli {
 namespace {
 
 constexpr int defaultHeight = 720;
-constexpr std::uint64_t maxSkyLights = 4096;
 constexpr std::uint64_t maxCameraIndex = 1u << 20;
 constexpr std::uint64_t maxHaarTerms = 6 * 128 * 128;
 constexpr int defaultBounces = 1;
@@ -134,25 +134,13 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   unused(!options.groups.empty(), "--group", viewer::Shading::Lights);
   unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
   unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction", viewer::Shading::Ao);
-  unused(options.occluders != viewer::OccluderOptions{},
-         "--shadow-formula, --shadow-strength, --bleeding or --sky-lights", viewer::Shading::Vo);
+  unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
+         viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
   if (shading == viewer::Shading::Lights && options.lights)
     session.warn(
         "--light: in lights shading only metals reflect such lights; use --group for the scene's own");
   if (shaded.bake.lightGroups) viewer::groupFactors(*shaded.bake.lightGroups, options.groups);
-}
-
-/// "NAME" of a few, or a usage error that lists them.
-template <typename T, std::size_t count>
-T chooseNamed(const std::string& option, const std::string& name,
-              const std::array<std::pair<const char*, T>, count>& choices) {
-  std::string names;
-  for (const auto& [known, value] : choices) {
-    if (name == known) return value;
-    names += (names.empty() ? "" : " or ") + std::string(known);
-  }
-  throw UsageError(option + " " + name, "unknown name", "expected " + names);
 }
 
 void addShadingOptions(CLI::App& app, PictureOptions& options) {
@@ -187,28 +175,6 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          },
          "ao shading: none, or interreflection, the light that creases reflect into themselves")
       ->type_name("NAME");
-  app.add_option_function<std::string>(
-         "--shadow-formula",
-         [&](const std::string& name) {
-           options.occluders.shading.formula = chooseNamed<OccluderFormula, 2>(
-               "--shadow-formula", name,
-               {{{"soft", OccluderFormula::Soft}, {"thesis", OccluderFormula::Thesis}}});
-         },
-         "vo shading: soft (default), or thesis, Sherif's of 2013")
-      ->type_name("NAME");
-  addRealNumber(
-      app, "--shadow-strength", {0.0, 100.0},
-      [&](double value) { options.occluders.shading.shadowStrength = value; },
-      fmt::format(
-          "vo shading: how wide occluders shadow in the thesis' formula, 0.2 to 5.5 are usual (default {:g})",
-          options.occluders.shading.shadowStrength));
-  addRealNumber(
-      app, "--bleeding", {0.0, 100.0}, [&](double value) { options.occluders.shading.bleeding = value; },
-      "vo shading: factor of the light that diffuse occluders send on (default 1)");
-  addWholeNumber(
-      app, "--sky-lights", {1, maxSkyLights},
-      [&](std::uint64_t n) { options.occluders.skyLights = static_cast<int>(n); },
-      fmt::format("vo shading: lights that stand for the sky (default {})", defaultSkyLights));
   app.add_option_function<std::string>(
          "--lobe",
          [&](const std::string& name) {
@@ -248,6 +214,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       ->type_name("LIGHT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addOccluderOptions(app, options.occluders);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
   addKernelOptions(app, options.bake);

@@ -71,7 +71,10 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "Examples:\n"
       "  prelight render baked.glb -o picture.png --env sky.hdr --rotate-env 90\n"
       "  prelight render level.glb -o before.exr --shading phong --size 640x360 --light "
-      "point:0,2,0:10,10,10");
+      "point:0,2,0:10,10,10\n"
+      "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "
+      "200\n"
+      "  prelight render occluders.glb -o sea.png --shading vo --waves 0.4 --effect-time 2.5");
   app->callback([command, &context] { runRender(*command, context); });
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "base/error.h"
 
 /// Options with values that are checked as they are read. Each message names the option, what was got and
 /// what was expected. CLI11's own conversions are not used: they take "010" for eight and let NaN through.
@@ -31,6 +35,29 @@ struct PictureSize {
   std::optional<int> width;
   int height = 0;
 };
+
+template <typename T, std::size_t count>
+using Choices = std::array<std::pair<const char*, T>, count>;
+
+/// "NAME" of a few, or a usage error that lists them.
+template <typename T, std::size_t count>
+T chooseNamed(const std::string& option, const std::string& name, const Choices<T, count>& choices) {
+  std::string names;
+  for (const auto& [known, value] : choices) {
+    if (name == known) return value;
+    names += (names.empty() ? "" : " or ") + std::string(known);
+  }
+  throw UsageError(option + " " + name, "unknown name", "expected " + names);
+}
+
+template <typename T, std::size_t count>
+CLI::Option* addNamed(CLI::App& app, const std::string& name, const Choices<T, count>& choices,
+                      const std::function<void(T)>& store, const std::string& help) {
+  return app
+      .add_option_function<std::string>(
+          name, [=](const std::string& text) { store(chooseNamed<T, count>(name, text, choices)); }, help)
+      ->type_name("NAME");
+}
 
 /// "WIDTHxHEIGHT" or "HEIGHT".
 CLI::Option* addPictureSize(CLI::App& app, const std::string& name,

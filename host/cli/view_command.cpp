@@ -63,6 +63,8 @@ void addViewCommand(CLI::App& program, Context& context) {
       "Press H in the window for its keys.\n\n"
       "Examples:\n"
       "  prelight view baked.glb --env sky.hdr\n"
+      "  prelight view occluders.glb --shading vo --shadow-formula thesis --shadow-strength 1.5 --waves 0.2 "
+      "--fire 0.5\n"
       "  prelight view baked.glb --screenshot shot.png --frames 2 --size 640x360");
   app->callback([command, &context] { runView(*command, context); });
 }

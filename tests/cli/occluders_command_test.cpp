@@ -52,6 +52,35 @@ TEST_F(CliOccluders, Picture_HasShadowsThatFollowTheLight) {
   EXPECT_GT(rmse("left.exr", "dry.exr"), 0.001);
 }
 
+TEST_F(CliOccluders, Effects_RepeatAfterTheirPeriod) {
+  prelightDone({"bake", "shapes.glb", "-o", "vo.glb", "--vo", "--rays", "64"});
+  const auto render = [&](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "vo.glb", "-o", name, "--size", "80x60", "--shading", "vo"});
+    prelightDone(options);
+  };
+  render("still.exr", {});
+  render("zero.exr", {"--waves", "0", "--effect-time", "3"});
+  render("wave.exr", {"--waves", "0.4", "--fire", "0.5", "--effect-time", "1"});
+  render("later.exr", {"--waves", "0.4", "--fire", "0.5", "--effect-time", "2"});
+  render("again.exr", {"--waves", "0.4", "--fire", "0.5", "--effect-time", "17"});
+  EXPECT_EQ(rmse("still.exr", "zero.exr"), 0.0);
+  EXPECT_EQ(rmse("wave.exr", "again.exr"), 0.0);
+  EXPECT_GT(rmse("wave.exr", "later.exr"), 1e-3);
+  EXPECT_GT(rmse("wave.exr", "still.exr"), 1e-3);
+}
+
+TEST_F(CliOccluders, Help_NamesRangesAndShowsAnExample) {
+  for (const char* command : {"render", "view"}) {
+    const std::string help = prelightDone({command, "--help"}).output;
+    EXPECT_THAT(help, HasSubstr("0.2 to 5.5"));
+    EXPECT_THAT(help, HasSubstr("--waves 0."));
+    for (const char* option :
+         {"--caustic-strength", "--diffuse-from-specular", "--specular-from-specular", "--specular-exponent",
+          "--receiver", "--highlights", "--fire", "--effect-time"})
+      EXPECT_THAT(help, HasSubstr(option)) << command;
+  }
+}
+
 TEST_F(CliOccluders, Auto_StoresAsManyRecordsAsAskedFor) {
   prelightDone({"bake", "shapes.glb", "-o", "out.glb", "--vo", "--occluders", "auto:5", "--rays", "64"});
   EXPECT_THAT(prelightDone({"info", "out.glb"}).output, HasSubstr("5.0 records a vertex"));
@@ -106,6 +135,23 @@ TEST_F(CliOccluders, WrongUse_IsExplained) {
   expectFailure(badUsage,
                 {"render", "shapes.glb", "-o", "x.png", "--shading", "vo", "--shadow-formula", "hard"},
                 {"--shadow-formula", "soft"});
+  const std::vector<std::pair<const char*, const char*>> wrong = {{"--shadow-strength", "-1"},
+                                                                  {"--shadow-strength", "101"},
+                                                                  {"--caustic-strength", "-0.1"},
+                                                                  {"--bleeding", "-101"},
+                                                                  {"--specular-exponent", "0.5"},
+                                                                  {"--specular-exponent", "1001"},
+                                                                  {"--diffuse-from-specular", "-1"},
+                                                                  {"--receiver", "phong"},
+                                                                  {"--specular-from-specular", "nan"},
+                                                                  {"--highlights", "none"},
+                                                                  {"--waves", "-1"},
+                                                                  {"--fire", "1.5"},
+                                                                  {"--wave-length", "-1"},
+                                                                  {"--effect-time", "soon"}};
+  for (const auto& [option, value] : wrong)
+    expectFailure(badUsage, {"render", "shapes.glb", "-o", "x.png", "--shading", "vo", option, value},
+                  {option});
 }
 
 }  // namespace

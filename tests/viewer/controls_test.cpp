@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
@@ -139,6 +140,40 @@ TEST_F(ControlsTest, SkyDrag_FullTurn_StaysWithinPi) {
   Controls c = controls();
   c.drag(Drag::Sky, {1.5, 0.0});
   EXPECT_NEAR(c.view().skyRotation, -0.5 * pi, 1e-12);
+}
+
+TEST_F(ControlsTest, Occluders_AreCutToTheirRanges_AndCountAsChanges) {
+  Controls c = controls();
+  const std::size_t before = c.changes();
+  c.setOccluders({});
+  EXPECT_EQ(c.changes(), before);
+  OccluderOptions options;
+  options.shading.shadowStrength = 1e9;
+  options.shading.specularExponent = -3.0;
+  options.shading.causticStrength = std::nan("");
+  options.skyLights = 0;
+  c.setOccluders(options);
+  EXPECT_GT(c.changes(), before);
+  EXPECT_EQ(c.view().occluders.shading.shadowStrength, 100.0);
+  EXPECT_EQ(c.view().occluders.shading.specularExponent, 1.0);
+  EXPECT_EQ(c.view().occluders.shading.causticStrength, 1.0);
+  EXPECT_EQ(c.view().occluders.skyLights, 1);
+}
+
+TEST_F(ControlsTest, Time_PassesWhereEffectsShow) {
+  Controls c = controls();
+  OccluderOptions options;
+  c.setOccluders(options);
+  c.passTime(1.0);
+  EXPECT_EQ(c.view().occluders.seconds, 0.0);
+  options.shading.effects.fire = 0.5;
+  c.setOccluders(options);
+  c.passTime(1.0);
+  EXPECT_EQ(c.view().occluders.seconds, 0.0);  // phong shows none
+  c.setShading(Shading::Vo);
+  c.passTime(1.5);
+  c.passTime(8.0);
+  EXPECT_NEAR(c.view().occluders.seconds, 1.5, 1e-12);
 }
 
 }  // namespace

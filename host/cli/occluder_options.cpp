@@ -1,0 +1,47 @@
+#include "cli/occluder_options.h"
+
+#include <fmt/format.h>
+
+#include "cli/values.h"
+#include "viewer/occluder_parameters.h"
+
+namespace prelight::cli {
+
+namespace {
+
+constexpr const char* group = "Vector occluders (--shading vo)";
+
+}  // namespace
+
+void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options) {
+  addNamed<OccluderFormula, 2>(
+      app, "--shadow-formula", {{{"soft", OccluderFormula::Soft}, {"thesis", OccluderFormula::Thesis}}},
+      [&](OccluderFormula formula) { options.shading.formula = formula; },
+      "soft (default), or thesis, Sherif's of 2013")
+      ->group(group);
+  addNamed<DiffuseReceiver, 2>(
+      app, "--receiver",
+      {{{"lambert", DiffuseReceiver::Lambert}, {"oren-nayar", DiffuseReceiver::OrenNayar}}},
+      [&](DiffuseReceiver receiver) { options.shading.receiver = receiver; },
+      "diffuse surfaces: lambert (default), or oren-nayar, as rough as their material")
+      ->group(group);
+  addNamed<bool, 2>(
+      app, "--highlights", {{{"metals", false}, {"all", true}}},
+      [&](bool all) { options.allHighlights = all; },
+      "what mirrors lights, with shadows: metals and glass (default), or all surfaces")
+      ->group(group);
+  for (const viewer::OccluderParameter& parameter : viewer::occluderParameters()) {
+    addRealNumber(
+        app, parameter.option, {parameter.least, parameter.most},
+        [&options, &parameter](double value) { parameter.set(options, value); },
+        fmt::format("{} (default {:g})", parameter.help, parameter.get({})))
+        ->group(group);
+  }
+  addWholeNumber(
+      app, "--sky-lights", {1, viewer::mostSkyLights},
+      [&](std::uint64_t n) { options.skyLights = static_cast<int>(n); },
+      fmt::format("lights that stand for the sky (default {})", defaultSkyLights))
+      ->group(group);
+}
+
+}  // namespace prelight::cli

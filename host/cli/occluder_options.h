@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "viewer/illumination.h"
+
+namespace prelight::cli {
+
+/// The options of vo shading.
+void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options);
+
+}  // namespace prelight::cli
