@@ -13,10 +13,12 @@ namespace {
 constexpr double castShareOfTime = 0.75;   // the rest is for fits and bounces
 constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two cores
 
-std::uint32_t powerOfTwoBelow(std::uint64_t value) {
-  std::uint32_t power = 16;  // below, the control variate is visibly biased (docs/accuracy.md)
-  while (power < 64 && 2ull * power <= value) power *= 2;
-  return power;
+/// Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
+/// show: 64 rays do up to the point where a vertex has 64 receivers of twice as many.
+std::uint32_t raysOfReceiver(std::uint64_t raysOfVertex) {
+  std::uint32_t rays = 16;  // below, the control variate is visibly biased (docs/accuracy.md)
+  while (rays < 64 && 32ull * rays <= raysOfVertex) rays *= 2;
+  return raysOfVertex >= 64ull * 128 ? 128 : rays;
 }
 
 }  // namespace
@@ -38,9 +40,7 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
     schedule.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                     std::chrono::duration<double>(castShareOfTime * *request.seconds));
   } else {
-    // Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
-    // show.
-    schedule.raysPerReceiver = powerOfTwoBelow(request.rays / 16);
+    schedule.raysPerReceiver = raysOfReceiver(request.rays);
     schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.rays) /
                                 (schedule.raysPerReceiver * static_cast<double>(schedule.passes));
   }

@@ -11,7 +11,7 @@ namespace prelight {
 /// How a request's rays are spread over receivers and passes.
 struct Schedule {
   std::uint64_t seed = 0;
-  std::uint32_t raysPerReceiver = 64;  ///< 8..64, a power of two
+  std::uint32_t raysPerReceiver = 64;  ///< 8..128, a power of two
   double receiversPerPass = 0.0;
   std::uint32_t passes = 8;         ///< at least; a multiple of errorGroups
   std::uint32_t replicates = 1;     ///< independent sequences that passes take turns with: 1 or errorGroups
