@@ -1,6 +1,7 @@
 #include "bake/occluder_ways.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "occluders/occluder_vectors.h"
 #include "reference/scene_upload.h"
@@ -30,6 +31,7 @@ OccluderWays::OccluderWays(const CompiledScene& scene, Tracer& tracer, std::size
       device_(tracer.context()),
       hasMirrors_(contains(neededVectors(scene), OccluderVector::SpecularNormal)),
       hasGlass_(contains(neededVectors(scene), OccluderVector::Caustic)),
+      reach_(static_cast<float>(std::min(freeReach(scene), double(std::numeric_limits<float>::max())))),
       flags_(device_, std::span<const std::uint32_t>(occluderFlags(scene))),
       bases_(device_, std::span<const DeviceMaterial>(reference::makeBaseMaterials(scene))),
       vertices_(device_, std::span<const float>(reference::interleaveVertices(scene))),
@@ -70,9 +72,10 @@ void OccluderWays::castMirrored(const CastBlockBuffers& block, std::size_t rays,
   counter_.fill(0);
   setArguments(listMirrored_, block.parameters.get(), block.rays.get(), block.hits.get(), flags_.get());
   setSurface(listMirrored_, 4);
-  listMirrored_.setArg(12, mirrored_.get());
-  listMirrored_.setArg(13, mirrorRays_.get());
-  listMirrored_.setArg(14, counter_.get());
+  listMirrored_.setArg(12, reach_);
+  listMirrored_.setArg(13, mirrored_.get());
+  listMirrored_.setArg(14, mirrorRays_.get());
+  listMirrored_.setArg(15, counter_.get());
   device_.launch(listMirrored_, rays, groupSize);
   const std::uint32_t count = counter_.read()[0];
   if (count > 0) tracer.traceAny(mirrorRays_, mirrorHits_, count);
@@ -99,10 +102,11 @@ void OccluderWays::castThrough(const CastBlockBuffers& block, std::size_t rays, 
     counter_.fill(0);
     setArguments(followGlass_, count, paths_[at].get(), pathRays_[at].get(), pathHits_.get(), flags_.get());
     setSurface(followGlass_, 5);
-    followGlass_.setArg(13, through_.get());
-    followGlass_.setArg(14, paths_[next].get());
-    followGlass_.setArg(15, pathRays_[next].get());
-    followGlass_.setArg(16, counter_.get());
+    followGlass_.setArg(13, reach_);
+    followGlass_.setArg(14, through_.get());
+    followGlass_.setArg(15, paths_[next].get());
+    followGlass_.setArg(16, pathRays_[next].get());
+    followGlass_.setArg(17, counter_.get());
     device_.launch(followGlass_, count, groupSize);
     count = counter_.read()[0];
   }

@@ -44,6 +44,7 @@ class OccluderWays {
   Tracer& surface_;
   DeviceContext& device_;
   bool hasMirrors_, hasGlass_;
+  float reach_;
   std::uint64_t rays_ = 0;
   Buffer<std::uint32_t> flags_;
   Buffer<device::DeviceMaterial> bases_;

@@ -1,6 +1,7 @@
 #include "occluders/occluder_vectors.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace prelight {
 
@@ -33,6 +34,18 @@ std::vector<OccluderVector> neededVectors(const CompiledScene& scene) {
     vectors.insert(vectors.end(), {OccluderVector::SpecularNormal, OccluderVector::SpecularColor});
   std::sort(vectors.begin(), vectors.end());
   return vectors;
+}
+
+double freeReach(const CompiledScene& scene) {
+  const bool lamps =
+      anyTriangle(scene, [](const CompiledMaterial& m) { return glm::length(m.emission) > 0.0f; });
+  const bool lights = std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+    const glm::vec3 place(light.position - scene.origin);
+    return light.type != LightType::Directional && glm::all(glm::lessThanEqual(scene.boundsMin, place)) &&
+           glm::all(glm::lessThanEqual(place, scene.boundsMax));
+  });
+  if (!lamps && !lights) return std::numeric_limits<double>::infinity();
+  return 0.25 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
 }
 
 bool contains(const std::vector<OccluderVector>& vectors, OccluderVector vector) {

@@ -20,6 +20,11 @@ bool isGlass(const CompiledMaterial& material);
 /// material of a triangle is glass, specular normal and colour where one is shiny.
 std::vector<OccluderVector> neededVectors(const CompiledScene& scene);
 
+/// How far light must be free of obstacles behind glass or a mirror to count, m. Infinite where light comes
+/// from outside the scene. A quarter of the bounds' diagonal where a lamp or a punctual light lies inside: in
+/// a room, nothing is free for longer.
+double freeReach(const CompiledScene& scene);
+
 bool contains(const std::vector<OccluderVector>& vectors, OccluderVector vector);
 
 }  // namespace prelight

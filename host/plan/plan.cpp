@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
@@ -227,10 +228,14 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   const std::vector<OccluderVector> vectors = neededVectors(compiled);
   const bool glass = contains(vectors, OccluderVector::Caustic),
              shiny = contains(vectors, OccluderVector::SpecularNormal);
-  add(planVectors(request, "caustic vectors", glass, "rays that meet glass are refracted until they are free",
+  const double reach = freeReach(compiled);
+  const std::string free =
+      std::isinf(reach) ? "nothing is in the way, because light comes from outside"
+                        : fmt::format("nothing is in the way for {:.3g} m, because lights lie inside", reach);
+  add(planVectors(request, "caustic vectors", glass, "rays that meet glass are refracted until " + free,
                   "no material lets light through by refraction"));
   add(planVectors(request, "specular vectors", shiny,
-                  "a ray finds out whether what a shiny surface mirrors is open",
+                  "rays go the mirrored way from what is shiny, and count where " + free,
                   "no material mirrors light or is glossy"));
   add(planVolume(request, bounces.runs));
   add(planTexels(scene, request, bounces.runs));

@@ -1,6 +1,6 @@
 // Where light that shines on what a receiver sees comes from, other than by diffuse reflection: the mirrored direction
 // (Sherif 2013, 7.2.4), and the direction behind all glass (7.2.3).
-// Options: those of the surface (bvh/alpha_funcs.cl).
+// Free is what meets nothing within `reach`, m. Options: those of the surface (bvh/alpha_funcs.cl).
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS
@@ -23,7 +23,7 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __global
                            __global const float2* texCoords, __global const float4* colors,
                            __global const ushort4* texels, __global const float* vertices,
                            __global const uchar* flat, __global const ReferenceMaterial* materials,
-                           __global OccluderWay* mirrored, __global Ray* mirrorRays, __global uint* counter) {
+                           const float reach, __global OccluderWay* mirrored, __global Ray* mirrorRays, __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
   mirrored[i].share = 0.0f;
@@ -43,7 +43,7 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __global
   vstore3(clamp(bsdf.metal + bsdf.layer * schlick(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
   way.slot = atomic_inc(counter);
   mirrored[i] = way;
-  mirrorRays[way.slot] = rayFrom(vertex, direction, MAXFLOAT);
+  mirrorRays[way.slot] = rayFrom(vertex, direction, reach);
 }
 
 // A ray a work-item. rays, hits [ray] -> through [ray], blocked as yet, and the paths of those that met glass with their
@@ -69,19 +69,21 @@ __kernel void followGlass(const uint count, __global const GlassPath* paths, __g
                           __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
                           __global const float2* texCoords, __global const float4* colors,
                           __global const ushort4* texels, __global const float* vertices, __global const uchar* flat,
-                          __global const ReferenceMaterial* materials, __global OccluderWay* through,
+                          __global const ReferenceMaterial* materials, const float reach, __global OccluderWay* through,
                           __global GlassPath* nextPaths, __global Ray* nextRays, __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   GlassPath path = paths[i];
   const float3 throughput = vload3(0, path.throughput);
-  if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) {
+  const bool glass = materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_GLASS);
+  const bool away = hits[i].triangle == PRELIGHT_NO_TRIANGLE || hits[i].t > reach;
+  if (!glass && away && path.medium == PRELIGHT_NO_MEDIUM) {
     vstore3(vload3(0, rays[i].direction), 0, through[path.ray].vector);
     vstore3(throughput, 0, through[path.ray].color);
     through[path.ray].share = 1.0f;
     return;
   }
-  if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_GLASS)) return;
+  if (!glass) return;
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
   const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
   const Bsdf bsdf = loadBsdf(s, vertex);

@@ -112,6 +112,26 @@ TEST(OccluderWays, MirrorAbove_ShowsTheGroundAndCountsForNothing) {
   EXPECT_GT(seen[OccluderVector::Occlusion].w, 0.9);
 }
 
+// Under a roof nothing is free; with a light inside, what is far enough away is.
+TEST(OccluderWays, LightInsideTheScene_MakesARoomFree) {
+  CompiledScene scene = test::ground(4, 0.4f);
+  test::append(scene, wall(gold()));
+  test::append(scene, wall(glass(false)));
+  for (std::uint32_t v = scene.primitives[2].firstVertex; v < scene.vertexCount(); ++v)
+    scene.positions[v].x = 0.5f;
+  test::append(scene, test::box(1, {-3, -3, -3}, {3, 3, 3}, true));
+  const OccluderTransfer closed = *bake(scene, 1024).bake.occluders;
+  EXPECT_EQ(RecordOf(closed, middle, 1)[OccluderVector::SpecularNormal].w, 0.0);
+  EXPECT_EQ(RecordOf(closed, middle, 2)[OccluderVector::Caustic].w, 0.0);
+  scene.lights.emplace_back();  // a point light in the middle
+  const OccluderTransfer lit = *bake(scene, 1024).bake.occluders;
+  const RecordOf mirror(lit, middle, 1), pane(lit, middle, 2);
+  EXPECT_GT(mirror[OccluderVector::SpecularNormal].w, 0.3 * mirror[OccluderVector::Occlusion].w);
+  EXPECT_LT(mirror[OccluderVector::SpecularNormal].w, mirror[OccluderVector::Occlusion].w)
+      << "some of what is mirrored is the pane";
+  EXPECT_GT(pane[OccluderVector::Caustic].w, 0.3 * pane[OccluderVector::Occlusion].w);
+}
+
 TEST(OccluderWays, Dielectric_ReflectsByTheAngle) {
   CompiledScene scene = test::ground(4, 0.4f);
   CompiledMaterial polished;

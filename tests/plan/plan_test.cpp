@@ -94,6 +94,13 @@ TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   scene.materials[0].roughness = 0.3f;
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs("caustic vectors")) << "metal lets nothing through";
   EXPECT_TRUE(makePlan(Scene(), scene, request).runs("specular vectors"));
+  const auto specularReason = [&] { return reasonOf(makePlan(Scene(), scene, request), "specular vectors"); };
+  EXPECT_NE(specularReason().find("from outside"), std::string::npos);
+  scene.lights.emplace_back();
+  scene.lights[0].position = {0.5, 0.0, 0.5};
+  EXPECT_NE(specularReason().find("for 0.707 m"), std::string::npos) << specularReason();
+  scene.lights[0].position.y = 3.0;
+  EXPECT_NE(specularReason().find("from outside"), std::string::npos);
   request.occluders = false;
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs("specular vectors"));
 }
