@@ -26,6 +26,7 @@ constexpr double frontDepth =
 constexpr double enclosure = 0.55;      // closes what is left between blobs that surround a vertex
 constexpr double shadowBegins = 0.075;  // sum of blobs
 constexpr double shadowIsWhole = 0.65;
+constexpr double opaque = 0.99999;
 constexpr double mostMagnification = 32.0;  // of light by the thesis' caustics
 
 /// 0 where the light lies in front of an occluder, 1 where it lies behind it: of its plane where it is flat,
@@ -67,7 +68,18 @@ double blobOf(const OccluderRecord& record, const OccluderReceiver& receiver, co
   return std::min(mostAmplitude, amplitude * size / width) * std::exp(-std::min(reach, 60.0));
 }
 
-/// Visibility a channel, with the opacity of every record.
+/// Sum of blobs that is as dark as an opacity: the inverse of the smoothstep below. What is opaque has none.
+glm::dvec3 levelOf(const glm::dvec3& opacity) {
+  glm::dvec3 level(mostAmplitude);
+  for (int c = 0; c < 3; ++c)
+    if (opacity[c] < opaque)
+      level[c] =
+          shadowBegins + (shadowIsWhole - shadowBegins) *
+                             (0.5 - std::sin(std::asin(std::clamp(1.0 - 2.0 * opacity[c], -1.0, 1.0)) / 3.0));
+  return level;
+}
+
+/// Visibility a channel. A clear occluder alone is never darker than it is opaque.
 glm::dvec3 softVisibility(const OccluderRow& row, const OccluderReceiver& receiver,
                           const IncidentLight& light, const OccluderShading& shading) {
   glm::dvec3 hidden(0.0), aroundBehind(0.0);
@@ -78,7 +90,7 @@ glm::dvec3 softVisibility(const OccluderRow& row, const OccluderReceiver& receiv
     const glm::dvec3 opacity = shadowOpacity(row, record, shading);
     double gate = 1.0;
     const double blob = blobOf(record, receiver, light, gate);
-    hidden += gate * blob * opacity;
+    hidden += gate * glm::min(glm::dvec3(blob), levelOf(opacity));
     around += formFactor;
     aroundBehind += gate * formFactor * opacity;
   }

@@ -30,7 +30,7 @@ struct PreparedRecord {
   vec4 place;         // mean place; mean distance
   vec4 blob;          // sharpness, height, stretch, cosine between direction and normal
   vec4 color;         // diffuse albedo; weight of the normals
-  vec4 opacity;       // share that goes on straight is hidden by; peak of the caustic's lobe
+  vec4 opacity;       // most that the blob counts for, or opacity in the thesis' formula; peak of the caustic's lobe
   vec4 caustic;       // mean direction; concentration, or exponent of the thesis
   vec4 carried;       // light that comes through, form factor x colour; scale of the thesis' excess
   vec4 mirrored;      // mean direction that is mirrored to the receiver; form factor
@@ -73,6 +73,9 @@ StoredRecord readRecord(TEXELS records, int record, OccluderTerms terms) {
 #define MOST_BLOB_HEIGHT 2.0f
 #define FLAT_SHARE 0.95f
 #define FACING_GAIN 3.0f
+#define SHADOW_BEGINS 0.075f  // sum of blobs
+#define SHADOW_IS_WHOLE 0.65f
+#define OPAQUE 0.99999f
 
 // Sharpness, height, stretch of the blob of an occluder, and the cosine between direction and normal.
 vec4 blobOf(float formFactor, float resultant, vec3 direction, vec3 normal, float flatness, vec3 receiverNormal) {
@@ -91,6 +94,21 @@ vec4 blobOf(float formFactor, float resultant, vec3 direction, vec3 normal, floa
 float concentrationOf(float resultant) {
   float kappa = resultant * (3.0f - resultant * resultant) / max(1.0f - resultant * resultant, 1e-4f);
   return clamp(kappa, 1e-2f, MOST_CONCENTRATION);
+}
+
+// Sum of blobs at which the soft formula's shadow is as dark as an opacity: its smoothstep's inverse, by bisection. What
+// is opaque has no such level.
+vec3 shadowLevelOf(vec3 opacity) {
+  vec3 x = VEC3(0.5f);
+  float halved = 0.25f;
+  for (int i = 0; i < 22; ++i) {
+    vec3 above = x * x * (VEC3(3.0f) - 2.0f * x) - opacity;
+    x -= halved * VEC3(above.x > 0.0f ? 1.0f : -1.0f, above.y > 0.0f ? 1.0f : -1.0f, above.z > 0.0f ? 1.0f : -1.0f);
+    halved *= 0.5f;
+  }
+  vec3 level = VEC3(SHADOW_BEGINS) + (SHADOW_IS_WHOLE - SHADOW_BEGINS) * x;
+  return VEC3(opacity.x < OPAQUE ? level.x : MOST_BLOB_HEIGHT, opacity.y < OPAQUE ? level.y : MOST_BLOB_HEIGHT,
+              opacity.z < OPAQUE ? level.z : MOST_BLOB_HEIGHT);
 }
 
 // Fills the part of a record through which light comes.
@@ -115,7 +133,7 @@ PreparedRecord withThrough(PreparedRecord prepared, StoredRecord record, Occlude
   // What goes along the caustic's way does not go straight too.
   float straight = hasCaustic ? max(1.0f - terms.causticStrength, 0.0f) : 1.0f;
   float kappa = concentrationOf(resultant);
-  prepared.opacity = VEC4(VEC3(1.0f) - straight * colour, hasCaustic ? vonMisesFisherPeak(kappa) : 0.0f);
+  prepared.opacity = VEC4(shadowLevelOf(VEC3(1.0f) - straight * colour), hasCaustic ? vonMisesFisherPeak(kappa) : 0.0f);
   prepared.caustic = VEC4(direction, kappa);
   prepared.carried = VEC4(record.occlusion.w * colour, 0.0f);
   return prepared;

@@ -10,8 +10,6 @@
 // Constants of the soft formula.
 #define FRONT_DEPTH 0.2f
 #define ENCLOSURE 0.55f
-#define SHADOW_BEGINS 0.075f
-#define SHADOW_IS_WHOLE 0.65f
 
 STRUCT_NAME(ShadeSums)
 struct ShadeSums {
@@ -47,11 +45,15 @@ float blobAt(vec4 direction, vec4 facing, vec4 blob, vec3 toLight) {
   return blob.y * expOf(-min(reach, 60.0f));
 }
 
+// Darkness of a sum of blobs.
+vec3 shadowOf(vec3 sum) {
+  vec3 x = clamp((sum - VEC3(SHADOW_BEGINS)) / (SHADOW_IS_WHOLE - SHADOW_BEGINS), 0.0f, 1.0f);
+  return x * x * (VEC3(3.0f) - 2.0f * x);
+}
+
 // Visibility from the sums of the soft formula. `closed`: the sixth power of the sum of form factors.
 vec3 softVisibilityOf(ShadowSums sums, float closed) {
-  vec3 hidden = sums.hidden + ENCLOSURE * closed * sums.aroundBehind;
-  vec3 x = clamp((hidden - VEC3(SHADOW_BEGINS)) / (SHADOW_IS_WHOLE - SHADOW_BEGINS), 0.0f, 1.0f);
-  return VEC3(1.0f) - x * x * (VEC3(3.0f) - 2.0f * x);
+  return VEC3(1.0f) - shadowOf(sums.hidden + ENCLOSURE * closed * sums.aroundBehind);
 }
 
 // Squared sine of an acute angle, 1 beyond a right one.
@@ -86,13 +88,17 @@ ShadowSums withShadow(ShadowSums sums, TEXELS prepared, int at, vec4 direction, 
     sums.passed = min(sums.passed * thesisFactor(direction, prepared, at, light.toLight, terms), MOST_MAGNIFICATION);
     return sums;
   }
-  vec3 opacity = VEC3(1.0f);
-  if ((terms.stored & (PRELIGHT_STORES_TRANSMISSIVE | PRELIGHT_STORES_CAUSTIC)) != 0)
-    opacity = FETCH(prepared, at + 5).xyz;
   float gate = gateOf(facing, place, receiver.position, light);
-  float blob = blobAt(direction, facing, FETCH(prepared, at + 3), light.toLight);
-  sums.hidden += gate * blob * opacity;
-  sums.aroundBehind += gate * direction.w * opacity;
+  vec3 blob = VEC3(blobAt(direction, facing, FETCH(prepared, at + 3), light.toLight));
+  vec3 around = VEC3(gate * direction.w);
+  if ((terms.stored & (PRELIGHT_STORES_TRANSMISSIVE | PRELIGHT_STORES_CAUSTIC)) != 0) {
+    // A clear occluder alone is never darker than it is opaque.
+    vec3 level = FETCH(prepared, at + 5).xyz;
+    blob = min(blob, level);
+    around *= shadowOf(level);
+  }
+  sums.hidden += gate * blob;
+  sums.aroundBehind += around;
   return sums;
 }
 

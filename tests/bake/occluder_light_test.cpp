@@ -106,6 +106,21 @@ TEST(OccluderLight, SoftFormula_LightBeforeAWall_IsNotHidden) {
   EXPECT_LT(visibilityOf(transfer, receiver, light, {}), 0.2);
 }
 
+// However dense its blob is, glass that light passes straight is as dark as it is opaque.
+TEST(OccluderLight, SoftFormula_ClearOccluder_HidesByItsOpacity) {
+  OccluderTransfer transfer = ballAbove();
+  transfer.stored.insert(transfer.stored.begin() + 2, OccluderVector::Transmissive);
+  transfer.vectors.insert(transfer.vectors.begin() + 2, glm::vec4(0.75f, 0.3f, 0.0f, 0.0f));
+  const LightAt above = [](const glm::dvec3&) { return from({0, 1, 0}); };
+  OccluderShading shading;
+  shading.bleeding = 0.0;
+  const glm::dvec3 light = lightThroughOccluders(transfer, receiver, std::span(&above, 1), shading);
+  // The second term of the sum of blobs takes a thousandth.
+  EXPECT_NEAR(light.x * pi, 0.75, 2e-3);
+  EXPECT_NEAR(light.y * pi, 0.3, 2e-3);
+  EXPECT_NEAR(light.z * pi, 0.0, 2e-3);
+}
+
 TEST(OccluderLight, SoftFormula_WhatIsEnclosed_IsDark) {
   OccluderTransfer transfer{{"walls"}, stored, {0, 6}, {}, {}};
   for (int i = 0; i < 6; ++i) {
