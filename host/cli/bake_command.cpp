@@ -11,6 +11,7 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "compress/compression_error.h"
+#include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
 #include "scene/pose.h"
@@ -25,6 +26,7 @@ struct BakeCommand {
   std::filesystem::path report;
   std::filesystem::path environment;
   bool resume = false;
+  bool quantizesOccluders = false;
   std::string animation;  ///< name or number; empty: none
   std::optional<int> keyCount;
   KeyRequest keys;
@@ -65,6 +67,8 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   }
   if (command.bake.compression && request.shOrder == 0)
     throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
+  if (command.quantizesOccluders && !request.occluders)
+    throw UsageError("--vo-compress", "it compresses vector occluders, and none are asked for", "add --vo");
   if (request.volumeSize > 0 && request.shOrder == 0)
     throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
                      "add --sh N");
@@ -103,6 +107,26 @@ void compressSh(Session& session, const LoadedScene& loaded, const CompressionRe
                   "rms of a few lights, {:.2g} for the worst",
                   compressionName(compression), bytes / loaded.compiled.vertexCount(),
                   4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms));
+}
+
+/// The bake's occluders are what a reader of the file will get from then on.
+QuantizedOccluders quantizeBaked(Session& session, const CompiledScene& scene, BakeRun& run) {
+  std::vector<glm::dvec3> vertices;
+  for (const glm::vec3& position : scene.positions) vertices.push_back(scene.origin + glm::dvec3(position));
+  QuantizedOccluders quantized;
+  OccluderQuantizationError error;
+  session.times().measure("compress", [&] {
+    quantized = quantizeOccluders(*run.bake.occluders, vertices);
+    OccluderTransfer read = dequantizeOccluders(quantized, vertices);
+    error = quantizationError(*run.bake.occluders, read, vertices, scene.normals);
+    run.bake.occluders = std::move(read);
+  });
+  run.report.notes.push_back(fmt::format(
+      "compression of vector occluders: {} bytes a record instead of {}, error of the light {:.2g} rms, "
+      "of form factors {:.2g} at most",
+      quantizedBytes(quantized.stored), quantized.stored.size() * sizeof(glm::vec4), error.light,
+      error.formFactor));
+  return quantized;
 }
 
 /// Without --animation, that there is something to play.
@@ -158,9 +182,11 @@ void runBake(const BakeCommand& command, Context& context) {
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   if (command.bake.compression) compressSh(session, loaded, *command.bake.compression, run);
+  std::optional<QuantizedOccluders> quantized;
+  if (command.quantizesOccluders) quantized = quantizeBaked(session, loaded.compiled, run);
   // From here on it is sooner finished than saved, whoever asks to stop.
   session.times().measure("write", [&] {
-    embedBake(loaded.document, loaded.compiled, run.bake);
+    embedBake(loaded.document, loaded.compiled, run.bake, quantized ? &*quantized : nullptr);
     writeGlb(command.output, loaded.document);
   });
   state.remove();
@@ -205,6 +231,8 @@ void addBakeCommand(CLI::App& program, Context& context) {
       ->required()
       ->type_name("OUT.glb");
   addTechniqueOptions(*app, command->bake);
+  app->add_flag("--vo-compress", command->quantizesOccluders,
+                "store vector occluders in whole numbers, in about a quarter of the bytes");
   addEffortOptions(*app, command->bake);
   addAnimationOptions(*app, *command);
   app->add_option("--env", command->environment,

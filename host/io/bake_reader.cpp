@@ -61,7 +61,7 @@ class VertexReader {
     if (const auto compressed = json.find("shCompressed")) readCompressed(*compressed, ranges);
     if (const auto keys = json.find("keys")) readKeys(*keys, ranges);
     if (const auto vo = json.find("vo")) {
-      if (!occluders_) occluders_.emplace(document_, root_);
+      if (!occluders_) occluders_.emplace(document_, root_, scene_);
       occluders_->read(*vo, ranges, extension_ ? extension_->find("vo") : std::nullopt);
     }
     if (const auto texels = json.find("texels"))

@@ -157,7 +157,7 @@ std::size_t storedBytes(const Bake& bake) {
 }
 
 Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
-                const PrimitiveRanges& ranges) {
+                const PrimitiveRanges& ranges, const QuantizedOccluders* occluders) {
   Json json = Json::object();
   if (vertexCount(ranges) == 0) return json;
   if (!bake.ao.empty()) json["ao"] = appendVertices(document, bake.ao, ranges, 1);
@@ -174,7 +174,10 @@ Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& 
   if (bake.haar) json["haar"] = haarToJson(document, *bake.haar, ranges);
   if (bake.glossy) json["glossy"] = glossyToJson(document, *bake.glossy, ranges);
   if (bake.lightGroups) json["lightGroups"] = lightGroupsToJson(document, *bake.lightGroups, ranges);
-  if (bake.occluders) json["vo"] = occludersToJson(document, *bake.occluders, ranges);
+  if (occluders != nullptr)
+    json["vo"] = occludersToJson(document, *occluders, ranges);
+  else if (bake.occluders)
+    json["vo"] = occludersToJson(document, *bake.occluders, ranges);
   if (bake.texels) {
     Json texels = chartsToJson(document, *bake.texels, scene, ranges);
     if (!texels.is_null()) json["texels"] = std::move(texels);
@@ -182,9 +185,13 @@ Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& 
   return json;
 }
 
-void addSharedData(GltfDocument& document, const Bake& bake, Json& root) {
+void addSharedData(GltfDocument& document, const Bake& bake, const QuantizedOccluders* occluders,
+                   Json& root) {
   if (bake.compressedSh) root["shCompressed"] = sharedCompression(document, *bake.compressedSh);
-  if (bake.occluders) root["vo"] = occluderNames(*bake.occluders);
+  if (occluders != nullptr)
+    root["vo"] = occluderNames(*occluders);
+  else if (bake.occluders)
+    root["vo"] = occluderNames(*bake.occluders);
   if (bake.animation)
     root["animation"] = {{"index", bake.animation->animation}, {"times", bake.animation->times}};
   if (!bake.lightGroups) return;

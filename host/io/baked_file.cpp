@@ -39,21 +39,22 @@ BakeInfo infoFromJson(const JsonCursor& json) {
 
 }  // namespace
 
-void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake) {
+void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
+               const QuantizedOccluders* occluders) {
   stripBake(document);
   // Asked for at once: where it grows bit by bit, it is copied as often.
   const std::size_t bytes = storedBytes(bake);
   document.bin.reserve(document.bin.size() + bytes + bytes / 16);
   for (const auto& [key, ranges] : groupRanges(scene)) {
     const auto node = static_cast<std::size_t>(key.first);
-    Json primitive = bakeToJson(document, scene, bake, ranges);
+    Json primitive = bakeToJson(document, scene, bake, ranges, occluders);
     auto& extension = document.json["nodes"][node]["extensions"][extensionName];
     extension["primitives"].push_back(std::move(primitive));
   }
   auto& used = document.json["extensionsUsed"];
   if (std::find(used.begin(), used.end(), extensionName) == used.end()) used.push_back(extensionName);
   Json root = infoToJson(bake.info);
-  addSharedData(document, bake, root);
+  addSharedData(document, bake, occluders, root);
   if (bake.volume) root["volume"] = volumeToJson(document, *bake.volume);
   document.json["extensions"][extensionName] = std::move(root);
 }

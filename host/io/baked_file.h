@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "bake/bake.h"
+#include "compress/quantized_occluders.h"
 #include "scene/compiled_scene.h"
 #include "scene/gltf_document.h"
 
@@ -10,10 +11,13 @@ namespace prelight {
 
 /// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data.
 /// Nodes, meshes and materials keep their order; a node with instances stores [instance][vertex].
-void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake);
+/// `occluders`, where given, take the place of the bake's.
+void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
+               const QuantizedOccluders* occluders = nullptr);
 
 /// Reads the PRELIGHT_transfer data of a document; nullopt when it carries none.
-/// Throws InputError when the data does not fit the scene (counts, order, ranges, NaN).
+/// Quantized records come back as full ones. Throws InputError when the data does not fit the scene (counts,
+/// order, ranges, NaN).
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene);
 
 }  // namespace prelight

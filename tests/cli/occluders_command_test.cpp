@@ -86,6 +86,30 @@ TEST_F(CliOccluders, Auto_StoresAsManyRecordsAsAskedFor) {
   EXPECT_THAT(prelightDone({"info", "out.glb"}).output, HasSubstr("5.0 records a vertex"));
 }
 
+TEST_F(CliOccluders, Compressed_AreAQuarterAndLookTheSame) {
+  const std::vector<std::string> bake = {"bake", "shapes.glb", "--vo", "--rays", "256", "-o"};
+  const auto baked = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), bake.begin(), bake.end());
+    return prelightDone(more);
+  };
+  baked({"full.glb"});
+  EXPECT_THAT(baked({"small.glb", "--vo-compress", "--json"}).output, HasSubstr("18 bytes a record"));
+  const auto scene = static_cast<double>(readFile("shapes.glb").size());
+  const double full = static_cast<double>(readFile("full.glb").size()) - scene;
+  EXPECT_LT(static_cast<double>(readFile("small.glb").size()) - scene, 0.4 * full);
+  const auto render = [&](const std::string& file, const std::string& name) {
+    prelightDone({"render", file, "-o", name, "--size", "160x120", "--shading", "vo", "--light",
+                  "point:-4,4,1:40,40,40"});
+  };
+  render("full.glb", "full.exr");
+  render("small.glb", "small.exr");
+  EXPECT_GT(rmse("full.exr", "small.exr"), 0.0);
+  EXPECT_LT(rmse("full.exr", "small.exr"), 0.003);
+  const auto without = prelight({"bake", "shapes.glb", "-o", "x.glb", "--ao", "--vo-compress"});
+  EXPECT_EQ(without.exitCode, badUsage);
+  EXPECT_THAT(without.errors, HasSubstr("--vo"));
+}
+
 // A picture of a moved node is near that of a bake where it is then; animation.md's scene swings at 1 s.
 TEST_F(CliOccluders, MovedNode_TakesItsShadowAlong) {
   prelightDone({"scene", "swing", "-o", "swing.glb"});

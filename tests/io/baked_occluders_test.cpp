@@ -61,6 +61,60 @@ TEST(BakedOccluders, NoRecords_AreReadBackEmpty) {
   EXPECT_EQ(copy->occluders->recordCount(), 0u);
 }
 
+/// A record of `scene`'s every second vertex, quantized into the document.
+OccluderTransfer embedQuantized(GltfDocument& document, const CompiledScene& scene) {
+  Bake bake = someOccluders();
+  OccluderTransfer& transfer = *bake.occluders;
+  for (std::size_t i = 0; i < transfer.vectors.size(); i += 2) {
+    transfer.vectors[i] = glm::vec4(1, 2, 3, 5);
+    transfer.vectors[i + 1] = glm::vec4(0, 0.1f, 0, 0.125f);
+  }
+  std::vector<glm::dvec3> vertices;
+  for (const glm::vec3& position : scene.positions) vertices.push_back(scene.origin + glm::dvec3(position));
+  const QuantizedOccluders quantized = quantizeOccluders(transfer, vertices);
+  embedBake(document, scene, bake, &quantized);
+  return dequantizeOccluders(quantized, vertices);
+}
+
+TEST(BakedOccluders, Quantized_AreReadAsTheyWereDecoded) {
+  GltfDocument document = twoTriangles();
+  const CompiledScene scene = test::compileDocument(document);
+  const OccluderTransfer decoded = embedQuantized(document, scene);
+  const std::optional<Bake> copy = readBake(document, scene);
+  ASSERT_TRUE(copy && copy->occluders);
+  EXPECT_EQ(copy->occluders->names, decoded.names);
+  EXPECT_EQ(copy->occluders->stored, decoded.stored);
+  EXPECT_EQ(copy->occluders->offsets, decoded.offsets);
+  EXPECT_EQ(copy->occluders->occluders, decoded.occluders);
+  EXPECT_EQ(copy->occluders->vectors, decoded.vectors);
+  embedBake(document, scene, *copy);  // again, as they are: nothing of the bytes is left
+  EXPECT_EQ(document.json.dump().find("\"bytes\""), std::string::npos);
+}
+
+TEST(BakedOccluders, QuantizedThatDoNotFit_AreRefused) {
+  const auto refused = [](const std::function<void(Json & vo, Json & root)>& spoil) {
+    GltfDocument document = twoTriangles();
+    const CompiledScene scene = test::compileDocument(document);
+    embedQuantized(document, scene);
+    spoil(document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["vo"],
+          document.json["extensions"]["PRELIGHT_transfer"]["vo"]);
+    return test::inputErrorOf([&] { readBake(document, scene); });
+  };
+  EXPECT_EQ(refused([](Json&, Json&) {}), "");
+  EXPECT_NE(refused([](Json&, Json& root) { root.erase("distances"); }).find("distances"), std::string::npos);
+  EXPECT_NE(refused([](Json&, Json& root) {
+              root["distances"] = {0, 1};
+            }).find("distances"),
+            std::string::npos);
+  EXPECT_NE(refused([](Json&, Json& root) {
+              root["distances"] = {2, 1};
+            }).find("distances"),
+            std::string::npos);
+  EXPECT_NE(refused([](Json&, Json& root) { root["distances"] = {1}; }).find("distances"), std::string::npos);
+  EXPECT_NE(refused([](Json& vo, Json&) { vo["stored"] = {"position"}; }), "");
+  EXPECT_NE(refused([](Json& vo, Json&) { vo["bytes"] = vo["offsets"]; }).find("bytes"), std::string::npos);
+}
+
 void expectRefused(const std::function<void(Json& vo, Json& root)>& spoil, const std::string& part) {
   GltfDocument document = twoTriangles();
   const CompiledScene scene = test::compileDocument(document);

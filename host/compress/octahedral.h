@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace prelight {
+
+/// A direction folded onto an octahedron and that onto a square, two whole numbers of as many bits (Meyer et
+/// al. 2010; Cigolle et al. 2014): the square's cell that the direction falls nearest to.
+struct Octahedral {
+  std::uint32_t u = 0;
+  std::uint32_t v = 0;
+};
+
+/// `direction` need not be unit; what has no length becomes +Z. bits: 2..16 each. Within a square's cell the
+/// direction is off by at most sqrt(18) / (2^bits - 1), and 1.65 / (2^bits - 1) rms.
+inline Octahedral toOctahedral(const glm::dvec3& direction, int bits) {
+  const double sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
+  glm::dvec2 place = sum > 0.0 ? glm::dvec2(direction) / sum : glm::dvec2(0.0);
+  if (direction.z < 0.0)
+    place = {(1.0 - std::abs(place.y)) * (place.x >= 0.0 ? 1.0 : -1.0),
+             (1.0 - std::abs(place.x)) * (place.y >= 0.0 ? 1.0 : -1.0)};
+  const double most = double((1u << bits) - 1u);
+  const auto step = [&](double x) { return static_cast<std::uint32_t>(std::lround((x + 1.0) / 2.0 * most)); };
+  return {step(place.x), step(place.y)};
+}
+
+/// Unit.
+inline glm::dvec3 fromOctahedral(const Octahedral& folded, int bits) {
+  const double most = double((1u << bits) - 1u);
+  const double x = folded.u / most * 2.0 - 1.0, y = folded.v / most * 2.0 - 1.0;
+  const double z = 1.0 - std::abs(x) - std::abs(y), under = std::max(-z, 0.0);
+  return glm::normalize(glm::dvec3(x + (x >= 0.0 ? -under : under), y + (y >= 0.0 ? -under : under), z));
+}
+
+}  // namespace prelight
