@@ -15,7 +15,9 @@ namespace {
 constexpr std::uint64_t bvhBytesPerTriangle = 100;  // nodes and blocks, measured 70 to 95 on built-in scenes
 constexpr std::uint64_t senderBytes = 8;
 constexpr std::uint64_t texelCodeBytes = 4;
-constexpr int haarBounceOrder = 6;  // bands that carry what bounces add to wavelets
+constexpr int haarBounceOrder = 6;       // bands that carry what bounces add to wavelets
+constexpr std::uint64_t seenBytes = 72;  // what a vertex keeps of an occluder until its record is made
+constexpr std::uint64_t wayBytes = 56;   // the same of what is mirrored or comes through it
 constexpr std::uint64_t blockBytes = std::uint64_t{16} << 20;
 
 bool reflects(const CompiledScene& scene) {
@@ -143,6 +145,15 @@ std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
                                           : request.rays * scene.vertexCount() * 5 / 4 + 65536;
 }
 
+/// Of vector occluders, while they are aggregated: objects that a vertex sees, or parts of them (measured, 3
+/// to 8 and 30 to 60).
+std::uint64_t occluderBytes(const CompiledScene& scene, const BakeRequest& request) {
+  if (!request.occluders) return 0;
+  const std::uint64_t seen = request.occluderKind == OccluderKind::Auto ? 48 : 8;
+  const bool ways = neededVectors(scene).size() > 4;
+  return std::uint64_t{scene.vertexCount()} * seen * (seenBytes + (ways ? wayBytes : 0));
+}
+
 void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool bounces, Plan& plan) {
   const std::uint64_t vertices = scene.vertexCount(), triangles = scene.triangleCount();
   const auto order = static_cast<std::uint64_t>(castOrder(request));
@@ -158,7 +169,8 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
   const std::uint64_t fitColumns = std::max<std::uint64_t>(4 + coefficients, bounces ? 3 * coefficients : 0);
   plan.hostBytes = triangles * (48 + 16 + 120) + vertices * (60 + fitColumns * 8 * 8) +
                    std::min<std::uint64_t>(castRays(scene, request) / 64, std::uint64_t{1} << 24) * 24 +
-                   plan.texelBytes + vertices * glossy * glossy * glossy * glossy * 4 * (bounces ? 6 : 2);
+                   occluderBytes(scene, request) + plan.texelBytes +
+                   vertices * glossy * glossy * glossy * glossy * 4 * (bounces ? 6 : 2);
 }
 
 }  // namespace
