@@ -173,7 +173,8 @@ void ballRecord(std::span<const OccluderVector> stored, const OccluderBody& body
   const double weight = formFactor * body.accessibility;
   const glm::dvec3 seen =
       body.centre - centroidOfDisk * std::min(body.radius, ball.distance) * ball.direction;
-  for (std::size_t s = 0; s < stored.size(); ++s) switch (stored[s]) {
+  for (std::size_t s = 0; s < stored.size(); ++s) {
+    switch (stored[s]) {
       case OccluderVector::Position:
         record[s] = with(seen, glm::length(seen - to.position));
         break;
@@ -197,6 +198,7 @@ void ballRecord(std::span<const OccluderVector> stored, const OccluderBody& body
         record[s] = glm::vec4(0.0f);
         break;
     }
+  }
 }
 
 void scaleRecord(std::span<const OccluderVector> stored, double factor, std::span<glm::vec4> record) {

@@ -52,6 +52,16 @@ OccluderMotions merged(OccluderMotions motions) {
   return motions;
 }
 
+/// Form factor of what is kept once what moves hides `after` of the sky, in place of `before`. Where the kept
+/// ones fill all the rest of the sky they go on doing so; where they do not, they only make way for more than
+/// there is room for.
+double keptFormFactor(double kept, double before, double after) {
+  const double free = std::max(0.0, 1.0 - before);
+  const double filled = free > 0.0 ? std::min(1.0, kept / free) : 0.0;
+  const double known = free * free * std::pow(filled, 8.0);  // little is known of what hides behind much
+  return std::min(kept + known * ((1.0 - after) * filled - kept), 1.0 - after);
+}
+
 }  // namespace
 
 /// The records of a vertex, in the making.
@@ -183,20 +193,6 @@ void OccluderMover::addKept(const OccluderMotions& motions, std::uint32_t vertex
   }
   row.kept = row.occluders.size();
 }
-
-namespace {
-
-/// Form factor of what is kept once what moves hides `after` of the sky, in place of `before`. Where the kept
-/// ones fill all the rest of the sky they go on doing so; where they do not, they only make way for more than
-/// there is room for.
-double keptFormFactor(double kept, double before, double after) {
-  const double free = std::max(0.0, 1.0 - before);
-  const double filled = free > 0.0 ? std::min(1.0, kept / free) : 0.0;
-  const double known = free * free * std::pow(filled, 8.0);  // little is known of what hides behind much
-  return std::min(kept + known * ((1.0 - after) * filled - kept), 1.0 - after);
-}
-
-}  // namespace
 
 void OccluderMover::makeRow(const OccluderMotions& motions, const std::vector<MovedClass>& classes,
                             std::uint32_t vertex, double leastFormFactor, Row& row) const {
