@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "benchmarks/charts.h"
+#include "benchmarks/svg.h"
 
 namespace prelight::benchmarks {
 
@@ -143,9 +144,9 @@ void drawBar(Svg& svg, const Bar& bar, double y, const Layout& layout) {
 
 }  // namespace
 
-void drawTitle(Svg& svg, double x, const std::string& title, const std::string& subtitle) {
-  svg.text({x, 28}, title, {16, "#202124", Anchor::Start, true});
-  svg.text({x, 47}, subtitle, {11, quietColor});
+void drawTitle(Drawing& drawing, double x, const std::string& title, const std::string& subtitle) {
+  drawing.text({x, 28}, title, {16, "#202124", Anchor::Start, true});
+  drawing.text({x, 47}, subtitle, {11, quietColor});
 }
 
 std::string drawBarChart(const BarChart& chart) {

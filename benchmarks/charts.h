@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmarks/svg.h"
+#include "benchmarks/drawing.h"
 
 /// The two kinds of chart that plots are drawn as.
 namespace prelight::benchmarks {
@@ -61,6 +61,11 @@ struct CurveChart {
 
 std::string drawCurveChart(const CurveChart& chart);
 
+/// The same on something that holds a drawing of that size.
+constexpr double curveChartWidth = 760.0;
+constexpr double curveChartHeight = 500.0;
+void drawCurveChart(const CurveChart& chart, Drawing& drawing);
+
 /// About `count` round numbers from `min` to `max`, which is above it: multiples of 1, 2 or 5 times a power
 /// of ten.
 std::vector<double> linearTicks(double min, double max, double count);
@@ -73,6 +78,6 @@ std::vector<double> logTicks(double min, double max);
 std::string tickText(double tick);
 
 /// Title and subtitle in the upper left corner.
-void drawTitle(Svg& svg, double left, const std::string& title, const std::string& subtitle);
+void drawTitle(Drawing& drawing, double left, const std::string& title, const std::string& subtitle);
 
 }  // namespace prelight::benchmarks

@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "benchmarks/charts.h"
+#include "benchmarks/svg.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double width = 760.0;
-constexpr double height = 500.0;
+constexpr double width = curveChartWidth;
+constexpr double height = curveChartHeight;
 constexpr double left = 80.0;
 constexpr double leastRight = 480.0;  // names of curves lie behind it
 constexpr double top = 72.0;
@@ -58,31 +59,31 @@ Axes axesOf(const CurveChart& chart) {
   return {right, LogAxis(min.x, max.x, left, right), LogAxis(min.y, max.y, bottom, top)};
 }
 
-void drawGrid(Svg& svg, const CurveChart& chart, const Axes& axes) {
+void drawGrid(Drawing& drawing, const CurveChart& chart, const Axes& axes) {
   for (const double tick : axes.x.ticks()) {
     const double x = axes.x.pixel(tick);
-    svg.line({{x, top}, {x, bottom}}, {gridColor});
-    svg.text({x, bottom + 18}, tickText(tick), {11, quietColor, Anchor::Middle});
+    drawing.line({{x, top}, {x, bottom}}, {gridColor});
+    drawing.text({x, bottom + 18}, tickText(tick), {11, quietColor, Anchor::Middle});
   }
   for (const double tick : axes.y.ticks()) {
     const double y = axes.y.pixel(tick);
-    svg.line({{left, y}, {axes.right, y}}, {gridColor});
-    svg.text({left - 8, y + 4}, tickText(tick), {11, quietColor, Anchor::End});
+    drawing.line({{left, y}, {axes.right, y}}, {gridColor});
+    drawing.text({left - 8, y + 4}, tickText(tick), {11, quietColor, Anchor::End});
   }
-  svg.text({0.5 * (left + axes.right), bottom + 42}, chart.xAxis, {12, quietColor, Anchor::Middle});
-  svg.text({24, 0.5 * (top + bottom)}, chart.yAxis,
-           {.size = 12, .color = quietColor, .anchor = Anchor::Middle, .upright = true});
+  drawing.text({0.5 * (left + axes.right), bottom + 42}, chart.xAxis, {12, quietColor, Anchor::Middle});
+  drawing.text({24, 0.5 * (top + bottom)}, chart.yAxis,
+               {.size = 12, .color = quietColor, .anchor = Anchor::Middle, .upright = true});
 }
 
-void drawCurve(Svg& svg, const Curve& curve, const std::vector<Point>& pixels) {
+void drawCurve(Drawing& drawing, const Curve& curve, const std::vector<Point>& pixels) {
   const bool strong = curve.style == CurveStyle::Strong;
-  svg.line(pixels, {curve.color, strong ? 2.5 : 1.2, curve.style == CurveStyle::Dashed});
-  for (const Point& p : pixels) svg.circle(p, strong ? 4.0 : 2.5, curve.color);
+  drawing.line(pixels, {curve.color, strong ? 2.5 : 1.2, curve.style == CurveStyle::Dashed});
+  for (const Point& p : pixels) drawing.circle(p, strong ? 4.0 : 2.5, curve.color);
 }
 
 /// Names beside the curves' ends, with a piece of each curve: moved down where they would lie on one another,
 /// and all up again where they would leave the chart.
-void drawNames(Svg& svg, const CurveChart& chart, const Axes& axes) {
+void drawNames(Drawing& drawing, const CurveChart& chart, const Axes& axes) {
   std::vector<const Curve*> curves;
   for (const Curve& curve : chart.curves)
     if (!curve.points.empty()) curves.push_back(&curve);
@@ -95,29 +96,33 @@ void drawNames(Svg& svg, const CurveChart& chart, const Axes& axes) {
   for (std::size_t i = places.size(); i-- > 0; limit -= nameHeight) places[i] = std::min(places[i], limit);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const double x = axes.right + 12.0, y = places[i];
-    drawCurve(svg, *curves[i], {{x, y}, {x + sampleWidth, y}});
-    svg.text({x + sampleWidth + 8.0, y + 4.0}, curves[i]->name, {12, curves[i]->color});
+    drawCurve(drawing, *curves[i], {{x, y}, {x + sampleWidth, y}});
+    drawing.text({x + sampleWidth + 8.0, y + 4.0}, curves[i]->name, {12, curves[i]->color});
   }
 }
 
 }  // namespace
 
-std::string drawCurveChart(const CurveChart& chart) {
-  Svg svg(width, height);
-  drawTitle(svg, 20, chart.title, chart.subtitle);
+void drawCurveChart(const CurveChart& chart, Drawing& drawing) {
+  drawTitle(drawing, 20, chart.title, chart.subtitle);
   if (std::all_of(chart.curves.begin(), chart.curves.end(),
                   [](const Curve& c) { return c.points.empty(); })) {
-    svg.text({0.5 * width, 0.5 * height}, "no results above 0", {12, quietColor, Anchor::Middle});
-    return svg.str();
+    drawing.text({0.5 * width, 0.5 * height}, "no results above 0", {12, quietColor, Anchor::Middle});
+    return;
   }
   const Axes axes = axesOf(chart);
-  drawGrid(svg, chart, axes);
+  drawGrid(drawing, chart, axes);
   for (const Curve& curve : chart.curves) {
     std::vector<Point> pixels;
     for (const Point& p : curve.points) pixels.push_back(axes.pixel(p));
-    drawCurve(svg, curve, pixels);
+    drawCurve(drawing, curve, pixels);
   }
-  drawNames(svg, chart, axes);
+  drawNames(drawing, chart, axes);
+}
+
+std::string drawCurveChart(const CurveChart& chart) {
+  Svg svg(width, height);
+  drawCurveChart(chart, svg);
   return svg.str();
 }
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "benchmarks/svg.h"
+#include "benchmarks/drawing.h"
 
 namespace prelight::benchmarks {
 

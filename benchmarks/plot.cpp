@@ -318,7 +318,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"compress", "compress", compressPlot},
                                            {"animation", "animation", animationPlot},
                                            {"vo", "vo", voPlot},
-                                           {"thesis", "thesis", thesisPlot}}};
+                                           {"techniques", "techniques", techniquesPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

@@ -39,8 +39,10 @@ const std::vector<Entry>& entries() {
       {{"vo",
         "error of the shadows of vector occluders against traced ones, cost of baking and shading them"},
        runVoSuite},
-      {{"thesis", "a thesis' table of AO, SH and CH, with and without glossy transfer, and today's numbers"},
-       runThesisSuite},
+#ifdef PRELIGHT_WITH_VIEWER
+      {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
+       runTechniquesSuite},
+#endif
   };
   return list;
 }
@@ -79,11 +81,20 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .voPoints = 100,
           .voCostRays = 16,
           .voCostRounds = 1,
+          .voShadingRounds = 1,
           .voShadingVertices = 600,
           .voLightCounts = {1, 2, 3},
-          .thesisRays = 16,
-          .thesisRuns = 1,
-          .thesisOrder = 3};
+          .techniqueScenes = {"shapes", "crowd under a sky"},
+          .techniqueRays = 8,
+          .techniqueOrder = 3,
+          .techniqueHaarSize = 4,
+          .techniqueWidth = 32,
+          .techniqueHeight = 18,
+          .techniqueSamples = 4,
+          .techniqueFrames = 1,
+          .techniqueObjects = 2,
+          .techniqueLights = 2,
+          .techniqueSkyRows = 16};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
@@ -122,11 +133,21 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"voPoints", voPoints},
           {"voCostRays", voCostRays},
           {"voCostRounds", voCostRounds},
+          {"voShadingRounds", voShadingRounds},
           {"voShadingVertices", voShadingVertices},
           {"voLightCounts", voLightCounts},
-          {"thesisRays", thesisRays},
-          {"thesisRuns", thesisRuns},
-          {"thesisOrder", thesisOrder}};
+          {"techniqueScenes", techniqueScenes},
+          {"techniqueRays", techniqueRays},
+          {"techniqueCrowdRays", techniqueCrowdRays},
+          {"techniqueOrder", techniqueOrder},
+          {"techniqueHaarSize", techniqueHaarSize},
+          {"techniqueWidth", techniqueWidth},
+          {"techniqueHeight", techniqueHeight},
+          {"techniqueSamples", techniqueSamples},
+          {"techniqueFrames", techniqueFrames},
+          {"techniqueObjects", techniqueObjects},
+          {"techniqueLights", techniqueLights},
+          {"techniqueSkyRows", techniqueSkyRows}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

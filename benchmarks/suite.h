@@ -42,12 +42,12 @@ struct BenchmarkOptions {
   int waveletReceivers = 300;
   int waveletFrames = 61;                                             ///< of a degree each
   std::vector<std::size_t> waveletCounts = {10, 30, 100, 300, 1000};  ///< of the light's coefficients
-  std::vector<std::filesystem::path> skies =
-      {};                                  ///< .hdr or .exr, that `wavelets` uses beside its own lights
-  std::uint64_t relightVertices = 100000;  ///< of `relight`
-  int relightSkyRows = 512;                ///< of the sky of `relight`
-  int relightRounds = 40;                  ///< short ones, in which kernels and copies take turns
-  std::vector<int> animationKeys = {2, 3, 5, 9, 17};        ///< evenly spaced, of `animation`
+  std::vector<std::filesystem::path> skies = {};      ///< .hdr or .exr, that `wavelets` uses beside its own
+                                                      ///< lights, the first of which `techniques` shows
+  std::uint64_t relightVertices = 100000;             ///< of `relight`
+  int relightSkyRows = 512;                           ///< of the sky of `relight`
+  int relightRounds = 40;                             ///< short ones, in which kernels and copies take turns
+  std::vector<int> animationKeys = {2, 3, 5, 9, 17};  ///< evenly spaced, of `animation`
   std::vector<double> animationErrors = {0.1, 0.05, 0.03};  ///< that keys are chosen by
   int animationMoments = 8;                                 ///< between keys, that are compared
   int compressOrder = 6;                                    ///< of the transfer of `compress`
@@ -62,11 +62,22 @@ struct BenchmarkOptions {
   std::size_t voPoints = 10000;      ///< of the surface, at which shadows are traced
   std::uint64_t voCostRays = 10000;  ///< a vertex, where `vo` measures the time of a bake
   int voCostRounds = 3;
+  int voShadingRounds = 7;
   std::uint64_t voShadingVertices = 100000;
   std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
-  std::uint64_t thesisRays = 10000;                               ///< a vertex
-  int thesisRuns = 3;
-  int thesisOrder = 6;  ///< largest of the rows that are measured
+  std::vector<std::string> techniqueScenes = {"shapes", "shiny shapes", "crowd", "crowd under a sky"};
+  std::uint64_t techniqueRays = 10000;      ///< a vertex, of the scenes that are as the thesis'
+  std::uint64_t techniqueCrowdRays = 1024;  ///< of the others, at most
+  int techniqueOrder = 6;                   ///< largest of SH and CH
+  int techniqueHaarSize = 32;               ///< texels of a face's side
+  int techniqueWidth = 480;                 ///< pixels
+  int techniqueHeight = 270;
+  std::uint64_t techniqueSamples = 128;  ///< a pixel of the truth
+  int techniqueFrames = 9;               ///< of each technique, whose times' median counts
+  int techniqueObjects = 25;             ///< of the crowd
+  int techniqueLights = 20;
+  int techniqueSkyRows = 256;         ///< of the sky where none is given
+  std::filesystem::path folder = {};  ///< where suites write more than charts; empty: nowhere
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

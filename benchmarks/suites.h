@@ -61,9 +61,10 @@ std::vector<BenchmarkResult> runCompressSuite(const Device& device, const Benchm
 std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOptions& options,
                                         Progress& progress);
 
-/// Seconds, storage and frames a second of AO, SH and CH on the built-in scene `shapes`, beside those that
-/// Sherif's thesis gives for a scene of about as many vertices (2013, Table 7.1).
-std::vector<BenchmarkResult> runThesisSuite(const Device& device, const BenchmarkOptions& options,
-                                            Progress& progress);
+/// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
+/// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
+/// options.folder. Needs OpenGL.
+std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const BenchmarkOptions& options,
+                                                Progress& progress);
 
 }  // namespace prelight::benchmarks

@@ -1,46 +1,20 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
+
+#include "benchmarks/drawing.h"
 
 namespace prelight::benchmarks {
 
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-enum class Anchor { Start, Middle, End };
-
-struct TextStyle {
-  double size = 12.0;
-  std::string_view color = "#3c4043";
-  Anchor anchor = Anchor::Start;
-  bool bold = false;
-  bool upright = false;  ///< turned to read from bottom to top
-};
-
-struct Stroke {
-  std::string_view color;
-  double width = 1.0;
-  bool dashed = false;
-};
-
-/// Pixels that a text takes at most in the usual fonts, which this program cannot ask.
-double textWidth(std::string_view text, const TextStyle& style = {});
-
-/// A drawing of the few shapes that charts are made of, in pixels from the upper left corner.
-class Svg {
+/// A drawing as a file that browsers show.
+class Svg final : public Drawing {
  public:
   Svg(double width, double height);
 
-  void rectangle(Point corner, double width, double height, std::string_view color);
-  void circle(Point centre, double radius, std::string_view color);
-  void line(const std::vector<Point>& points, const Stroke& stroke);
-
-  /// `at` is on the base line.
-  void text(Point at, std::string_view text, const TextStyle& style = {});
+  void rectangle(Point corner, double width, double height, std::string_view color) override;
+  void circle(Point centre, double radius, std::string_view color) override;
+  void line(const std::vector<Point>& points, const Stroke& stroke) override;
+  void text(Point at, std::string_view text, const TextStyle& style = {}) override;
 
   /// The complete file.
   std::string str() const;

@@ -29,20 +29,18 @@ Bar& barNamed(BarChart& chart, const std::string& group, const std::string& labe
 
 }  // namespace
 
-std::string thesisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
-  BarChart chart{"Precomputation now and in a thesis of 2013",
+std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Difference of pictures from path-traced ones",
                  subtitle,
-                 "seconds of both passes (visibility; bounce and matrices)",
-                 {{"now", blue}, {"thesis", grey}},
-                 {},
-                 true};
+                 "FLIP",
+                 {{"direct light and AO", grey}, {"with interreflection", blue}},
+                 {}};
   for (const BenchmarkResult& result : results) {
-    if (!result.metric.starts_with("pass")) continue;
-    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
-    const double before = bar.parts.empty() ? 0.0 : bar.parts[0].value;
-    bar.parts = {{before + result.value, blue}};
-    if (result.ratio) bar.peer += result.value * *result.ratio;
-    bar.note = fmt::format("{:.3g} s, {:.0f} s then", bar.parts[0].value, bar.peer);
+    if (result.metric != "FLIP") continue;
+    const std::string setting = settingOf(result.case_);
+    Bar& bar = barNamed(chart, sceneOf(result.case_), setting);
+    bar.parts = {{result.value, setting == "Phong" || setting == "AO" ? grey : blue}};
+    bar.note = fmt::format("{:.3f}", result.value);
   }
   return drawBarChart(chart);
 }

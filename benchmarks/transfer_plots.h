@@ -8,8 +8,8 @@
 /// Charts of the suites about baked transfer, as SVG.
 namespace prelight::benchmarks {
 
-/// Seconds of both passes of every technique together, and the thesis' as a thinner bar.
-std::string thesisPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+/// FLIP of every technique, by scene.
+std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
 /// Error between keys, by scene and choice of keys.
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
 #include "benchmarks/detailed_scene.h"
 #include "benchmarks/line_fit.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/probe_lights.h"
 #include "benchmarks/take_turns.h"
-#include "occluders/occluder_light.h"
+#include "relight/occluder_relighter.h"
 
 namespace prelight::benchmarks {
 
@@ -27,18 +26,17 @@ std::vector<double> positiveOnly(std::vector<double> values) {
 /// Shades every vertex by each number of lights, in turns.
 class ShadingTurns {
  public:
-  ShadingTurns(const BenchmarkScene& scene, const OccluderTransfer& transfer, const BenchmarkOptions& options)
-      : scene_(scene.compiled), transfer_(transfer), counts_(options.voLightCounts) {
+  ShadingTurns(const BenchmarkScene& scene, const OccluderTransfer& transfer, const Device& device,
+               const BenchmarkOptions& options)
+      : scene_(scene.compiled),
+        transfer_(transfer),
+        context_(device.context()),
+        counts_(options.voLightCounts),
+        relighter_(context_, transfer, {scene_.positions, scene_.normals, scene_.origin}),
+        lit_(context_, scene_.vertexCount()) {
     const std::size_t most = *std::max_element(counts_.begin(), counts_.end());
-    for (const glm::dvec3& place : lightsAround(scene_, most)) {
-      const glm::dvec3 world = scene_.origin + place;
-      lights_.push_back([world](const glm::dvec3& point) {
-        const glm::dvec3 path = world - point;
-        const double distance = glm::length(path);
-        return IncidentLight{glm::dvec3(1.0 / (distance * distance)), path / distance, distance};
-      });
-    }
-    radiance_.resize(scene_.vertexCount());
+    for (const glm::dvec3& place : lightsAround(scene_, most))
+      lights_.push_back(occluderPointLight(place, glm::dvec3(1.0), 0.0));
   }
 
   void run(int rounds, const Progress& progress, std::vector<BenchmarkResult>& results) {
@@ -62,22 +60,17 @@ class ShadingTurns {
 
  private:
   void shade(std::size_t count) {
-    const std::span<const LightAt> lights(lights_.data(), count);
-    parallelRanges(radiance_.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        const OccluderReceiver receiver{static_cast<std::uint32_t>(v),
-                                        scene_.origin + glm::dvec3(scene_.positions[v]),
-                                        glm::dvec3(scene_.normals[v])};
-        radiance_[v] = glm::vec3(lightThroughOccluders(transfer_, receiver, lights, {}));
-      }
-    });
+    relighter_.relight(std::span(lights_.data(), count), {}, {}, lit_);
+    context_.finish();
   }
 
   const CompiledScene& scene_;
   const OccluderTransfer& transfer_;
+  DeviceContext& context_;
   std::vector<std::size_t> counts_;
-  std::vector<LightAt> lights_;
-  std::vector<glm::vec3> radiance_;
+  std::vector<device::OccluderLight> lights_;
+  OccluderRelighter relighter_;
+  Buffer<device::LitVertex> lit_;
 };
 
 }  // namespace
@@ -117,7 +110,7 @@ void measureOccluderShading(const Device& device, const BenchmarkOptions& option
   request.occluders = true;
   request.rays = shadingRays;
   const Bake bake = timedBake(scene, request, device, progress).bake;
-  ShadingTurns(scene, *bake.occluders, options).run(options.voCostRounds, progress, results);
+  ShadingTurns(scene, *bake.occluders, device, options).run(options.voShadingRounds, progress, results);
 }
 
 }  // namespace prelight::benchmarks

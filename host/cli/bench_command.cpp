@@ -14,6 +14,8 @@
 #include "benchmarks/suite.h"
 #include "cli/output_file.h"
 #include "cli/session.h"
+#include "cli/values.h"
+#include "plan/plan.h"
 
 namespace prelight::cli {
 namespace {
@@ -22,11 +24,16 @@ using benchmarks::BenchmarkOptions;
 using benchmarks::BenchmarkResult;
 using Json = nlohmann::ordered_json;
 
+constexpr std::uint64_t maxTruthSamples = 1u << 20;
+
 struct BenchCommand {
   std::string suite;  ///< empty: all
   std::filesystem::path json;
   std::filesystem::path plots;
   std::vector<std::filesystem::path> skies;
+  std::optional<std::uint64_t> rays;
+  std::optional<std::uint64_t> samples;
+  std::optional<PictureSize> size;
   bool quick = false;
 };
 
@@ -98,6 +105,13 @@ void runBench(const BenchCommand& command, Context& context) {
   checkOutputs(command);
   BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
   options.skies = command.skies;
+  options.folder = command.plots;
+  options.techniqueRays = command.rays.value_or(options.techniqueRays);
+  options.techniqueSamples = command.samples.value_or(options.techniqueSamples);
+  if (command.size) {
+    options.techniqueHeight = command.size->height;
+    options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
+  }
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
@@ -138,14 +152,27 @@ void addBenchCommand(CLI::App& program, Context& context) {
   CLI::Option* json = app->add_option("--json", command->json, "write the results; without FILE, to stdout")
                           ->type_name("[FILE]")
                           ->expected(0, 1);
-  app->add_option("--plot", command->plots, "write a chart of each suite (.svg)")->type_name("DIR");
-  app->add_option("--env", command->skies, "skies that `wavelets` uses beside its own lights")
+  app->add_option("--plot", command->plots,
+                  "write a chart of each suite (.svg), and the tables and pictures of `techniques`")
+      ->type_name("DIR");
+  app->add_option("--env", command->skies,
+                  "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
+  addWholeNumber(
+      *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
+      "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024");
+  addWholeNumber(
+      *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
+      "samples a pixel of the path-traced pictures of `techniques` (default 128)");
+  addPictureSize(
+      *app, "--size", [command](PictureSize size) { command->size = size; },
+      "pixels of the pictures of `techniques`; one number is the height (default 480x270)");
   app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
   app->footer(suitesText() +
               "\nExamples:\n"
               "  prelight bench\n"
-              "  prelight bench cast --json cast.json --plot plots");
+              "  prelight bench cast --json cast.json --plot plots\n"
+              "  prelight bench techniques --plot techniques --env sky.hdr");
   app->callback([command, json, &context] {
     if (json->count() > 0 && command->json.empty()) context.options.json = true;
     runBench(*command, context);

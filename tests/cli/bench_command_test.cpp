@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "cli/cli_test.h"
 
@@ -123,6 +125,28 @@ TEST_F(CliBench, Vo_EveryTechnique_IsMeasuredWithBothKindsOfLights) {
   EXPECT_THAT(readFile("plots/vo.svg"), StartsWith("<svg"));
 }
 
+#ifdef PRELIGHT_WITH_VIEWER
+TEST_F(CliBench, Techniques_TablesAndPictures_AreWrittenIntoTheFolder) {
+  prelightDone({"bench", "techniques", "--quick", "--quiet", "--json", "techniques.json", "--plot", "plots"});
+  expectReport(nlohmann::json::parse(readFile("techniques.json")));
+  const std::string table = readFile("plots/techniques.md");
+  for (const char* part : {"| Phong |", "| VO/DD |", "| SH3/DD |", "| Haar/DD |", "| path traced |",
+                           "Table 7.1", "techniques-lights.png", "Radiosity"})
+    EXPECT_THAT(table, HasSubstr(part));
+  for (const char* name : {"shapes", "crowd-under-a-sky", "lights"})
+    EXPECT_THAT(readFile(std::string("plots/techniques-") + name + ".png"), StartsWith("\x89PNG")) << name;
+
+  std::istringstream rows(readFile("plots/techniques.csv"));
+  std::string row, names;
+  std::getline(rows, names);
+  const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
+  int count = 0;
+  for (; std::getline(rows, row); ++count) EXPECT_EQ(commas(row), commas(names)) << row;
+  EXPECT_GE(count, 2 * 7);
+  EXPECT_THAT(readFile("plots/techniques-lights.csv"), StartsWith("technique,lights,frames_per_s\nPhong,1,"));
+}
+#endif
+
 TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"bench", "cast", "--quick", "--json"},
@@ -137,9 +161,12 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  EXPECT_EQ(measured,
-            (std::set<std::string>{"animation", "bake", "build", "cast", "compress", "error", "rays",
-                                   "reference", "relight", "scaling", "thesis", "trees", "vo", "wavelets"}));
+  std::set<std::string> expected = {"animation", "bake",    "build",   "cast",  "compress", "error",   "rays",
+                                    "reference", "relight", "scaling", "trees", "vo",       "wavelets"};
+#ifdef PRELIGHT_WITH_VIEWER
+  expected.insert("techniques");
+#endif
+  EXPECT_EQ(measured, expected);
   for (const std::string& suite : measured)
     EXPECT_THAT(readFile("plots/" + suite + ".svg"), StartsWith("<svg"));
 }

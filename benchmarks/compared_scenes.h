@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "benchmarks/measure.h"
+#include "io/environment.h"
+#include "scene/gltf_document.h"
+
+namespace prelight::benchmarks {
+
+/// A scene that techniques are compared on.
+struct ComparedScene {
+  BenchmarkScene scene;
+  GltfDocument document;           ///< that `scene` was loaded from
+  std::optional<Environment> sky;  ///< nothing else lights the scene, where there is one
+};
+
+/// The built-in scene `shapes`.
+ComparedScene makeShapes();
+
+/// The same with a polished ground and a ball and a ring of metal, so that things mirror one another.
+ComparedScene makeShinyShapes();
+
+/// Balls, rings, boxes, cones and cylinders of many colours on a ground of 16 m, every sixth of polished
+/// metal, under coloured point lights above them; 25 objects make about 25 000 vertices and 50 000 triangles,
+/// as in Sherif's thesis (2013), Figure 7.1. The same anywhere.
+ComparedScene makeCrowd(int objects, int lights);
+
+/// The same without its lights, under a sky.
+ComparedScene makeCrowdUnder(const Environment& sky, int objects);
+
+/// An evening: blue above, warm at the horizon, with a low sun of ten degrees, the ground dark. Mean radiance
+/// about 1.
+Environment makeEveningSky(int rows);
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,165 @@
+#include "benchmarks/technique_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "benchmarks/contact_sheet.h"
+#include "io/atomic_file.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+/// "crowd under a sky" -> "crowd-under-a-sky".
+std::string fileNameOf(const std::string& scene) {
+  std::string name = "techniques-" + scene;
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return name + ".png";
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  const std::array<std::span<const std::byte>, 1> pieces = {std::as_bytes(std::span(text))};
+  writeFileAtomically(path, pieces);
+}
+
+std::string bytesText(std::size_t bytes) {
+  return bytes == 0 ? "0" : fmt::format("{:.3g} MB", static_cast<double>(bytes) * 1e-6);
+}
+
+double precompute(const TechniqueResult& row) { return row.firstPass + row.secondPass; }
+
+std::string sceneTable(const SceneComparison& scene) {
+  std::string text = fmt::format(
+      "## {}\n\n{} vertices, {} triangles, {}; pictures of {} x {}.\n\n![{}]({})\n\n"
+      "| | precompute, s | stored | frame, ms | processor, ms | RMSE | FLIP "
+      "|\n|---|---|---|---|---|---|---|\n",
+      scene.name, scene.vertices, scene.triangles, scene.light, scene.width, scene.height, scene.name,
+      fileNameOf(scene.name));
+  for (const TechniqueResult& row : scene.techniques)
+    text += fmt::format("| {} | {:.3g} | {} | {:.3g} | {:.3g} | {:.4f} | {:.4f} |\n", row.name,
+                        precompute(row), bytesText(row.bytes), 1e3 * row.frameSeconds,
+                        1e3 * row.frameProcessorSeconds, row.rmse, row.flip);
+  const Truth& truth = scene.truth;
+  text += fmt::format("| path traced | 0 | 0 | {:.4g} | | {:.4f} | {:.4f} |\n\n", 1e3 * truth.seconds,
+                      truth.rmse, truth.flip);
+  return text + fmt::format(
+                    "The truth is of {} samples a pixel; its RMSE is its standard error, its FLIP that of "
+                    "one half of its "
+                    "samples against the other.\n\n",
+                    truth.samples);
+}
+
+/// Rows of Table 7.1: each technique where it was measured first, on one of the scenes of the thesis' size.
+std::string thesisTable(const std::vector<SceneComparison>& scenes) {
+  std::string text =
+      "## Table 7.1 of the thesis\n\n"
+      "Its scene of 5 013 vertices with 1 light at 10 000 rays a vertex, on a machine and a GPU of 2013; "
+      "then the scenes above\n"
+      "of about as many vertices. Seconds are of the first and the second pass. The thesis counts 16 bytes a "
+      "number.\n\n"
+      "| | thesis, s | now, s | thesis, frames/s | now | thesis, MB | now | on "
+      "|\n|---|---|---|---|---|---|---|---|\n";
+  std::vector<std::string> done;
+  for (const SceneComparison& scene : scenes) {
+    if (scene.name != "shapes" && scene.name != "shiny shapes") continue;
+    for (const TechniqueResult& row : scene.techniques) {
+      if (!row.thesis || std::find(done.begin(), done.end(), row.name) != done.end()) continue;
+      done.push_back(row.name);
+      text += fmt::format("| {} | {:g} + {:g} | {:.3g} + {:.3g} | {:g} | {:.3g} | {:g} | {:.3g} | {} |\n",
+                          row.name, row.thesis->firstPass, row.thesis->secondPass, row.firstPass,
+                          row.secondPass, row.thesis->frames, 1.0 / row.frameSeconds, row.thesis->megabytes,
+                          static_cast<double>(row.bytes) * 1e-6, scene.name);
+    }
+  }
+  return text + "\n";
+}
+
+std::string curveTable(const TechniqueReport& report) {
+  std::string text = fmt::format(
+      "## Frames a second by lights\n\nFigure 7.21 of the thesis, on {}; every light moves every frame.\n\n"
+      "![frames a second by lights](techniques-lights.png)\n\n| lights |",
+      report.curveScene);
+  std::string rule = "\n|---|";
+  for (const Curve& curve : report.framesByLights) {
+    text += fmt::format(" {} |", curve.name);
+    rule += "---|";
+  }
+  text += rule + "\n";
+  for (std::size_t i = 0; i < report.framesByLights.front().points.size(); ++i) {
+    text += fmt::format("| {:g} |", report.framesByLights.front().points[i].x);
+    for (const Curve& curve : report.framesByLights) text += fmt::format(" {:.1f} |", curve.points[i].y);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string markdown(const TechniqueReport& report) {
+  std::string text = fmt::format(
+      "# Techniques compared\n\n{}.\n\n"
+      "A frame is drawn at one sample a pixel while every light moves, to the end, in turns with the other "
+      "techniques'; its\n"
+      "milliseconds are medians, by the clock and of all processors. RMSE is of radiance up to 1 (white), "
+      "FLIP of what is "
+      "displayed, of pictures\n"
+      "of 9 samples a pixel against a path-traced one. DD, DS and SS are diffuse from diffuse, diffuse from "
+      "specular and\n"
+      "specular from specular interreflection; techniques have one bounce, the truth has 15.\n\n",
+      report.where);
+  for (const std::string& note : report.notes) text += "- " + note + "\n";
+  text += "\n";
+  for (const SceneComparison& scene : report.scenes) text += sceneTable(scene);
+  text += thesisTable(report.scenes);
+  if (!report.framesByLights.empty()) text += curveTable(report);
+  return text;
+}
+
+std::string csv(const std::vector<SceneComparison>& scenes) {
+  std::string text =
+      "scene,technique,vertices,pass1_s,pass2_s,stored_bytes,frame_ms,frame_processor_ms,rmse,flip,thesis_"
+      "pass1_s,"
+      "thesis_pass2_s,thesis_frames_per_s,thesis_mb\n";
+  for (const SceneComparison& scene : scenes) {
+    for (const TechniqueResult& row : scene.techniques) {
+      text += fmt::format("{},{},{},{:.5g},{:.5g},{},{:.5g},{:.5g},{:.6g},{:.6g},", scene.name, row.name,
+                          scene.vertices, row.firstPass, row.secondPass, row.bytes, 1e3 * row.frameSeconds,
+                          1e3 * row.frameProcessorSeconds, row.rmse, row.flip);
+      text += row.thesis ? fmt::format("{:g},{:g},{:g},{:g}\n", row.thesis->firstPass, row.thesis->secondPass,
+                                       row.thesis->frames, row.thesis->megabytes)
+                         : ",,,\n";
+    }
+    text += fmt::format("{},path traced,{},0,0,0,{:.5g},,{:.6g},{:.6g},,,,\n", scene.name, scene.vertices,
+                        1e3 * scene.truth.seconds, scene.truth.rmse, scene.truth.flip);
+  }
+  return text;
+}
+
+std::string curveCsv(const std::vector<Curve>& curves) {
+  std::string text = "technique,lights,frames_per_s\n";
+  for (const Curve& curve : curves)
+    for (const Point& point : curve.points)
+      text += fmt::format("{},{:g},{:.5g}\n", curve.name, point.x, point.y);
+  return text;
+}
+
+}  // namespace
+
+void writeTechniqueReport(const std::filesystem::path& folder, const TechniqueReport& report) {
+  writeText(folder / "techniques.md", markdown(report));
+  writeText(folder / "techniques.csv", csv(report.scenes));
+  for (const SceneComparison& scene : report.scenes)
+    drawContactSheet(scene).write(folder / fileNameOf(scene.name));
+  if (report.framesByLights.empty()) return;
+  writeText(folder / "techniques-lights.csv", curveCsv(report.framesByLights));
+  constexpr double scale = 2.0;
+  Canvas chart(curveChartWidth, curveChartHeight, scale);
+  drawCurveChart({"Frames a second as lights are added", report.where, "point lights, all moving",
+                  "frames a second", report.framesByLights},
+                 chart);
+  chart.write(folder / "techniques-lights.png");
+}
+
+}  // namespace prelight::benchmarks
