@@ -135,7 +135,7 @@ void addDirect(const OccluderRow& row, const OccluderReceiver& receiver, const I
   sums.light.diffuse += rough / std::numbers::pi * reached;
   if (!incident.highlights || receiver.f0 == glm::dvec3(0.0)) return;
   sums.light.specular += glossyBrdf(receiver, incident.toLight) * reached;
-  const double shine = microfacets(receiver, incident.toLight);
+  const double shine = highlightWeight(receiver, incident.toLight);
   sums.highlights += shine * (reached.x + reached.y + reached.z);
   sums.openHighlights += shine * (open.x + open.y + open.z);
 }

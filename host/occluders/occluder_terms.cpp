@@ -18,6 +18,7 @@ constexpr double mostCausticExponent = 0.5;
 constexpr double mostMagnification = 32.0;
 constexpr double horizonSlack = 0.1;
 constexpr double leastAlpha = 0.002;
+constexpr double leastShareAlpha = 0.02;
 
 /// A cosine power of integral 1 over all directions.
 double cosineLobe(double exponent, double cosine) {
@@ -53,6 +54,20 @@ double mirrorExponent(const OccluderRecord& record, const OccluderShading& shadi
 glm::dvec3 unit(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 1e-15 ? v / length : glm::dvec3(0.0);
+}
+
+// Walter et al. 2007, Eq. 33, and Heitz 2014's masking and shadowing.
+double microfacets(const OccluderReceiver& receiver, const glm::dvec3& toLight, double alpha) {
+  const glm::dvec3 half = unit(receiver.toEye + toLight);
+  const double nl = std::max(glm::dot(receiver.normal, toLight), 0.0);
+  const double nv = std::max(glm::dot(receiver.normal, receiver.toEye), 1e-4);
+  const double nh = std::clamp(glm::dot(receiver.normal, half), 0.0, 1.0);
+  const double a2 = alpha * alpha;
+  const glm::dvec3 across = glm::cross(receiver.normal, half);
+  const double d = nh * nh * a2 + glm::dot(across, across);
+  const double masking =
+      nl * std::sqrt(a2 + (1.0 - a2) * nv * nv) + nv * std::sqrt(a2 + (1.0 - a2) * nl * nl);
+  return a2 / (pi * std::max(d * d, 1e-12)) / (2.0 * std::max(masking, 1e-6));
 }
 
 }  // namespace
@@ -138,23 +153,14 @@ double roughDiffuse(const OccluderReceiver& receiver, const glm::dvec3& toLight)
   return std::max(pi * a * (1.0 + sigma * s / t), 0.0);
 }
 
-// Walter et al. 2007, Eq. 33, and Heitz 2014's masking and shadowing.
-double microfacets(const OccluderReceiver& receiver, const glm::dvec3& toLight) {
-  const glm::dvec3 half = unit(receiver.toEye + toLight);
-  const double nl = std::max(glm::dot(receiver.normal, toLight), 0.0);
-  const double nv = std::max(glm::dot(receiver.normal, receiver.toEye), 1e-4);
-  const double nh = std::clamp(glm::dot(receiver.normal, half), 0.0, 1.0);
-  const double a2 = alphaOf(receiver) * alphaOf(receiver);
-  const glm::dvec3 across = glm::cross(receiver.normal, half);
-  const double d = nh * nh * a2 + glm::dot(across, across);
-  const double masking =
-      nl * std::sqrt(a2 + (1.0 - a2) * nv * nv) + nv * std::sqrt(a2 + (1.0 - a2) * nl * nl);
-  return a2 / (pi * std::max(d * d, 1e-12)) / (2.0 * std::max(masking, 1e-6));
-}
-
 glm::dvec3 glossyBrdf(const OccluderReceiver& receiver, const glm::dvec3& toLight) {
   const glm::dvec3 half = unit(receiver.toEye + toLight);
-  return microfacets(receiver, toLight) * schlick(receiver.f0, std::max(glm::dot(receiver.toEye, half), 0.0));
+  return microfacets(receiver, toLight, alphaOf(receiver)) *
+         schlick(receiver.f0, std::max(glm::dot(receiver.toEye, half), 0.0));
+}
+
+double highlightWeight(const OccluderReceiver& receiver, const glm::dvec3& toLight) {
+  return microfacets(receiver, toLight, std::max(alphaOf(receiver), leastShareAlpha));
 }
 
 OccluderRecord bentRecord(const OccluderReceiver& receiver, const OccluderRecord& record,

@@ -35,9 +35,10 @@ glm::dvec3 mirroredAgain(const OccluderReceiver& receiver, const OccluderRecord&
 /// Reflection of a diffuse receiver over Lambert's.
 double roughDiffuse(const OccluderReceiver& receiver, const glm::dvec3& toLight);
 
-/// Cook and Torrance's BRDF with GGX: with f0, and without Fresnel's factor.
+/// Cook and Torrance's BRDF with GGX: with f0, and without Fresnel's factor as the weight of a light in the
+/// share of reflections that shadows leave, where alpha is at least 0.02.
 glm::dvec3 glossyBrdf(const OccluderReceiver& receiver, const glm::dvec3& toLight);
-double microfacets(const OccluderReceiver& receiver, const glm::dvec3& toLight);
+double highlightWeight(const OccluderReceiver& receiver, const glm::dvec3& toLight);
 
 /// The record with occlusion and caustic bent by waves at the receiver.
 OccluderRecord bentRecord(const OccluderReceiver& receiver, const OccluderRecord& record,

@@ -7,6 +7,10 @@
 
 #include "relight/occluder_light_funcs.cl"
 
+#define LEAST_ALPHA 0.002f
+// Of the weights of the lights whose reflection shadows leave: what lies between vertices must find its light in them.
+#define LEAST_SHARE_ALPHA 0.02f
+
 STRUCT_NAME(LitReceiver)
 struct LitReceiver {
   vec3 position;
@@ -40,12 +44,12 @@ vec3 fresnelOf(vec3 f0, float cosine) {
 }
 
 // Distribution times visibility of GGX, without Fresnel's factor: specularBrdf() of viewer/shaders/specular.glsl.
-float microfacets(LitReceiver receiver, vec3 toLight) {
+float microfacets(LitReceiver receiver, vec3 toLight, float leastAlpha) {
   vec3 h = unitOf(receiver.toEye + toLight);
   float nl = max(dot(receiver.normal, toLight), 0.0f);
   float nv = max(dot(receiver.normal, receiver.toEye), 1e-4f);
   float nh = clamp(dot(receiver.normal, h), 0.0f, 1.0f);
-  float alpha = max(receiver.roughness * receiver.roughness, 0.002f);
+  float alpha = max(receiver.roughness * receiver.roughness, leastAlpha);
   float a2 = alpha * alpha;
   // 1 - nh^2 by the cross product: at nh = 1 the difference would have no digits.
   vec3 across = cross(receiver.normal, h);
@@ -58,7 +62,7 @@ float microfacets(LitReceiver receiver, vec3 toLight) {
 
 vec3 glossyReflection(LitReceiver receiver, vec3 toLight) {
   vec3 h = unitOf(receiver.toEye + toLight);
-  return microfacets(receiver, toLight) * fresnelOf(receiver.f0, max(dot(receiver.toEye, h), 0.0f));
+  return microfacets(receiver, toLight, LEAST_ALPHA) * fresnelOf(receiver.f0, max(dot(receiver.toEye, h), 0.0f));
 }
 
 #endif

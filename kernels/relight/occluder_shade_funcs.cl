@@ -128,7 +128,7 @@ ShadeSums withIndirect(ShadeSums sums, TEXELS prepared, int at, vec4 facing, vec
     if (terms.specularFromSpecular > 0.0f && isGlossy(receiver)) {
       // The share of the receiver's lobe that the mirror fills, then the mirrored eye mirrored once more.
       vec3 look = mirroredAbout(-receiver.toEye, receiver.normal);
-      float alpha = max(receiver.roughness * receiver.roughness, 0.002f);
+      float alpha = max(receiver.roughness * receiver.roughness, LEAST_ALPHA);
       float solidAngle = OCCLUDER_PI * mirrored.w / (max(dot(receiver.normal, direction), 0.0f) + HORIZON_SLACK);
       float exponent = 1.0f / (0.5f * alpha * alpha + reflectance.w + 1e-3f);
       float share = min(solidAngle * cosineLobe(exponent, dot(look, direction)), 1.0f);
@@ -149,7 +149,7 @@ ShadeSums withDirect(ShadeSums sums, LitReceiver receiver, SceneLight light, Arr
   sums.diffuse += rough / OCCLUDER_PI * reached;
   if (light.cone.z < 0.5f || !isGlossy(receiver)) return sums;
   sums.specular += glossyReflection(receiver, arriving.toLight) * reached;
-  float shine = microfacets(receiver, arriving.toLight);
+  float shine = microfacets(receiver, arriving.toLight, LEAST_SHARE_ALPHA);
   vec3 open = irradiance / max(light.flicker, VEC3(1e-6f));
   sums.highlights += shine * (reached.x + reached.y + reached.z);
   sums.openHighlights += shine * (open.x + open.y + open.z);

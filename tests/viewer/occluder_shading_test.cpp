@@ -6,13 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "bake/baker.h"
 #include "relight/occluder_relighter.h"
+#include "scene/builtin.h"
+#include "scene/loader.h"
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/occluder_pass.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
+#include "viewer/vertex_gloss.h"
 
 namespace prelight {
 namespace {
@@ -125,6 +129,31 @@ TEST_F(OccluderPass, ShadingThatChanges_IsPreparedAnew) {
     moved = std::max(moved, double(std::abs(before[v].diffuse[0] - between[v].diffuse[0])));
   }
   EXPECT_GT(moved, 0.01);
+}
+
+// Glass, a mirror, an emitter and walls, as they are baked.
+TEST_F(OccluderPass, BakedScene_IsTheSameInOpenClAndOpenGl) {
+  Warnings warnings;
+  GltfDocument document = makeBuiltinScene("caustics");
+  const Scene scene = loadScene(document, warnings);
+  const CompiledScene compiled = compileScene(scene, warnings);
+  BakeRequest request;
+  request.ao = true;
+  request.occluders = true;
+  request.rays = 32;
+  Progress progress;
+  BakeReport report;
+  const Plan plan = makePlan(scene, compiled, request);
+  const Bake bake = bakeScene(compiled, request, plan, sharedDevice(), progress, report);
+  MadeOccluders made{*bake.occluders, compiled.positions, compiled.normals,
+                     viewer::vertexGloss({scene, compiled, &bake}, true)};
+  EXPECT_EQ(made.transfer.stored.size(), 8u);
+  for (const OccluderFormula formula : {OccluderFormula::Soft, OccluderFormula::Thesis}) {
+    OccluderShading shading;
+    shading.formula = formula;
+    shading.effects.waves = 0.2;
+    expectSameAsOpenCl(made, makeLights(12, 4), shading, eye);
+  }
 }
 
 /// A quad that faces a light and the eye; its vertices see one ball on the way, or nothing.
