@@ -30,6 +30,11 @@ std::string bytesText(std::size_t bytes) {
   return bytes == 0 ? "0" : fmt::format("{:.3g} MB", static_cast<double>(bytes) * 1e-6);
 }
 
+/// Three digits, or all before the point.
+std::string shortNumber(double value) {
+  return value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 double precompute(const TechniqueResult& row) { return row.firstPass + row.secondPass; }
 
 std::string sceneTable(const SceneComparison& scene) {
@@ -40,12 +45,13 @@ std::string sceneTable(const SceneComparison& scene) {
       scene.name, scene.vertices, scene.triangles, scene.light, scene.width, scene.height, scene.name,
       fileNameOf(scene.name));
   for (const TechniqueResult& row : scene.techniques)
-    text += fmt::format("| {} | {:.3g} | {} | {:.3g} | {:.3g} | {:.4f} | {:.4f} |\n", row.name,
-                        precompute(row), bytesText(row.bytes), 1e3 * row.frameSeconds,
-                        1e3 * row.frameProcessorSeconds, row.rmse, row.flip);
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {:.4f} | {:.4f} |\n", row.name, shortNumber(precompute(row)),
+                    bytesText(row.bytes), shortNumber(1e3 * row.frameSeconds),
+                    shortNumber(1e3 * row.frameProcessorSeconds), row.rmse, row.flip);
   const Truth& truth = scene.truth;
-  text += fmt::format("| path traced | 0 | 0 | {:.4g} | | {:.4f} | {:.4f} |\n\n", 1e3 * truth.seconds,
-                      truth.rmse, truth.flip);
+  text += fmt::format("| path traced | 0 | 0 | {} | | {:.4f} | {:.4f} |\n\n",
+                      shortNumber(1e3 * truth.seconds), truth.rmse, truth.flip);
   return text + fmt::format(
                     "The truth is of {} samples a pixel; its RMSE is its standard error, its FLIP that of "
                     "one half of its "
@@ -80,7 +86,8 @@ std::string thesisTable(const std::vector<SceneComparison>& scenes) {
 
 std::string curveTable(const TechniqueReport& report) {
   std::string text = fmt::format(
-      "## Frames a second by lights\n\nFigure 7.21 of the thesis, on {}; every light moves every frame.\n\n"
+      "## Frames a second by lights\n\nFigure 7.21 of the thesis, on {}; every light moves every frame; of "
+      "the quickest of some frames.\n\n"
       "![frames a second by lights](techniques-lights.png)\n\n| lights |",
       report.curveScene);
   std::string rule = "\n|---|";

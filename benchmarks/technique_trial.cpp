@@ -235,7 +235,7 @@ std::vector<Curve> TechniqueTrial::framesByLights(const std::vector<std::size_t>
     Curve curve{entries_[e]->technique.name, colors[e % colors.size()], CurveStyle::Strong, {}};
     for (std::size_t i = 0; i < counts.size(); ++i)
       curve.points.push_back(
-          {static_cast<double>(counts[i]), 1.0 / medianOf(contenders[e * counts.size() + i].seconds)});
+          {static_cast<double>(counts[i]), 1.0 / leastSeconds(contenders[e * counts.size() + i].seconds, 1)});
     curves.push_back(std::move(curve));
   }
   return curves;

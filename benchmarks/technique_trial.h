@@ -66,7 +66,8 @@ class TechniqueTrial {
   /// Draws, times and compares with a truth that it traces.
   SceneComparison compare();
 
-  /// Frames a second, light changing, over the number of point lights around the scene.
+  /// Frames a second, light changing, over the number of point lights around the scene: of the quickest of
+  /// some.
   std::vector<Curve> framesByLights(const std::vector<std::size_t>& counts);
 
  private:
