@@ -158,14 +158,16 @@ TEST(Plots, OfTransferSuites_AreReadable) {
     return r;
   };
   std::vector<BenchmarkResult> results;
-  for (const char* name : {"shapes/AO", "shapes/SH3/DD+SS"})
-    for (const char* pass : {"pass 1", "pass 2"}) results.push_back(result("thesis", name, pass, 0.8));
+  for (const char* name : {"shapes/AO", "shiny shapes/SH3/DD+SS", "crowd under a sky/VO/DD auto:12"})
+    results.push_back(result("techniques", name, "FLIP", 0.3));
+  for (const char* name : {"shapes/traced at vertices", "shapes/auto:12/thesis, N = 2"})
+    results.push_back(result("vo", name, "error, lights around", 0.6));
   for (const char* name : {"swing/two seeds", "cornell, boxes moving/3 keys/linear"})
     results.push_back(result("animation", name, "rms error", 0.2));
   for (const char* name : {"copy", "SH rotation, order 6, 3000 functions"})
     results.push_back(result("relight", name, "bandwidth a core", 3e9));
   const std::vector<Plot> plots = makePlots(results, "device");
-  ASSERT_EQ(plots.size(), 3u);
+  ASSERT_EQ(plots.size(), 4u);
   for (const Plot& plot : plots) {
     SCOPED_TRACE(plot.name);
     expectReadable(plot.svg);
