@@ -21,7 +21,7 @@ constexpr std::size_t largestBlock =
 double totalWeight(const std::array<double, 6>& m) { return m[0] + m[1] + m[2] + 2.0 * (m[3] + m[4] + m[5]); }
 
 NormalEquations::NormalEquations(const FitMesh& mesh, const std::vector<std::array<double, 6>>& mass,
-                                 double lambda)
+                                 double lambda, const std::vector<double>& stiffness)
     : mesh_(mesh),
       diagonal_(mesh.slotCount(), 0.0),
       offDiagonal_(mesh.columns.size(), 0.0),
@@ -39,6 +39,7 @@ NormalEquations::NormalEquations(const FitMesh& mesh, const std::vector<std::arr
     }
   }
   evenOutComponents();
+  for (std::size_t i = 0; i < stiffness.size(); ++i) scale_[i] *= stiffness[i];
   scaleRegularizer();
 }
 
@@ -128,7 +129,6 @@ void NormalEquations::scaleRegularizer() {
   }
 }
 
-// y = x - weighted mean of x over the neighbours; 0 for a slot without neighbours.
 void NormalEquations::laplacian(const std::vector<double>& x, std::vector<double>& y,
                                 std::size_t columns) const {
   parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {

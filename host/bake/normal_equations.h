@@ -23,8 +23,10 @@ struct SlotWeight {
 /// The normal equations of a vertex fit as a sparse matrix A over the mesh's edges.
 class NormalEquations {
  public:
-  /// `mass` of the samples in every triangle; `lambda` is the strength of the smoothing.
-  NormalEquations(const FitMesh& mesh, const std::vector<std::array<double, 6>>& mass, double lambda);
+  /// `mass` of the samples in every triangle; `lambda` is the strength of the smoothing, times `stiffness`,
+  /// [slot], > 0; empty: 1.
+  NormalEquations(const FitMesh& mesh, const std::vector<std::array<double, 6>>& mass, double lambda,
+                  const std::vector<double>& stiffness = {});
 
   std::size_t rows() const { return diagonal_.size(); }
 
@@ -38,6 +40,10 @@ class NormalEquations {
   void apply(const std::vector<double>& x, std::vector<double>& y, std::vector<double>& scratch,
              std::size_t columns) const;
 
+  /// y = L x: a slot's value less the mean of its neighbours', weighted by the surface that they share; 0 for
+  /// a slot without neighbours. [slot][column]
+  void laplacian(const std::vector<double>& x, std::vector<double>& y, std::size_t columns) const;
+
   /// A slot's value as a weighted sum of right-hand sides around it: the row of the inverse, with all
   /// unknowns more than two edges away held at 0, corrected so that linear functions of the place stay exact.
   /// Empty where no sample is near. In ascending order of slots.
@@ -48,7 +54,6 @@ class NormalEquations {
   std::size_t find(std::uint32_t row, std::uint32_t column) const;
   void evenOutComponents();
   void scaleRegularizer();
-  void laplacian(const std::vector<double>& x, std::vector<double>& y, std::size_t columns) const;
   glm::dvec4 rightSideOfLinear(std::size_t slot) const;
   std::vector<std::uint32_t> around(std::uint32_t slot) const;
   std::vector<double> denseBlock(const std::vector<std::uint32_t>& slots) const;

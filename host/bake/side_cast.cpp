@@ -4,6 +4,8 @@
 #include <bit>
 #include <numeric>
 
+#include "bake/adaptive_smoothing.h"
+
 namespace prelight {
 
 namespace {
@@ -41,6 +43,7 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
 void SideCast::start() {
   running_ = true;
   round_ = passInRound_ = 0;
+  stiffness_.clear();
   receiversPerPass_ = schedule_.receiversPerPass;
 }
 
@@ -57,7 +60,18 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
     }
     ended = passInRound_ < schedule_.passes || endRound();
   }
+  stiffen();
   running_ = false;
+}
+
+// Of all values alike, by what AO says: where that is flat, light is too, nearly always.
+void SideCast::stiffen() {
+  stiffness_.clear();
+  std::vector<double> laplacian(mesh_.slotCount());
+  fit_.stiffen({});
+  fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0), laplacian, 1);
+  stiffness_ = stiffnessOf(mesh_, laplacian, estimateError().slots);
+  fit_.stiffen(stiffness_);
 }
 
 // True when the schedule is fulfilled.
@@ -260,7 +274,9 @@ std::size_t SideCast::dropAccurateTriangles() {
 
 // With an error target, receivers crowd where it is not met yet.
 VertexFit SideCast::emptyFit(std::size_t columns) const {
-  return schedule_.error ? VertexFit(mesh_, columns, sampler_.areas()) : VertexFit(mesh_, columns);
+  VertexFit fit = schedule_.error ? VertexFit(mesh_, columns, sampler_.areas()) : VertexFit(mesh_, columns);
+  fit.stiffen(stiffness_);
+  return fit;
 }
 
 // Rays that all met the same say little of what they missed: of n that all escaped, the next is blocked with
@@ -282,6 +298,7 @@ void SideCast::save(StateWriter& state) const {
   if (lightFit_) lightFit_->save(state);
   if (occluders_) occluders_->save(state);
   state.values(accessibility_);
+  state.values(stiffness_);
   texelRows_.save(state);
   state.values(storedReceivers_);
   state.values(records_);
@@ -310,6 +327,9 @@ void SideCast::load(StateReader& state) {
   if (lightFit_) lightFit_->load(state);
   if (occluders_) occluders_->load(state);
   state.values(accessibility_);
+  state.values(stiffness_);
+  if (!stiffness_.empty() && stiffness_.size() != mesh_.slotCount()) state.damaged();
+  fit_.stiffen(stiffness_);
   if (!accessibility_.empty()) {
     if (!occluders_ || accessibility_.size() != scene_.vertexCount()) state.damaged();
     caster_.setAccessibility(scene_, accessibility_);

@@ -73,6 +73,7 @@ class SideCast {
   void start();
   bool endRound();
   void castPass(Progress& progress);
+  void stiffen();
   void estimateAccessibility();
   void flush();
   void sortPendingBySet();
@@ -92,6 +93,7 @@ class SideCast {
   Projections projections_;
   SurfaceSampler sampler_;
   Baseline baseline_;
+  std::vector<double> stiffness_;  ///< [slot], of the fits; empty before the end of the run
   VertexFit fit_;
   std::optional<VertexFit> bentFit_;
   std::optional<VertexFit> lightFit_;

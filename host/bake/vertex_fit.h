@@ -43,7 +43,10 @@ class VertexFit {
   std::vector<double> solveColumn(double lambda, std::size_t column) const;
 
   /// The equations that solve() solves, for those who want rows of their inverse.
-  NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda}; }
+  NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda, stiffness_}; }
+
+  /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
+  void stiffen(const std::vector<double>& stiffness) { stiffness_ = stiffness; }
 
   /// Solves for another right-hand side [slot][column] with this fit's samples.
   std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
@@ -55,6 +58,7 @@ class VertexFit {
 
   const FitMesh& mesh_;
   std::size_t columns_;
+  std::vector<double> stiffness_;            ///< [slot], or empty: 1
   std::vector<double> triangleWeights_;      ///< [triangle], or empty: samples weigh what they say
   std::vector<std::array<double, 6>> mass_;  ///< [triangle]: sum w b_i b_j of 00 11 22 01 12 20
   std::vector<double> right_;                ///< [slot][column], or [triangle][corner][column]: sum w b f
