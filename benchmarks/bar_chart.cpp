@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "benchmarks/charts.h"
 #include "benchmarks/svg.h"
@@ -45,33 +43,17 @@ struct Layout {
   double left = leastLeft;
   double right = 0.0;
   bool namesAbove = false;  ///< groups' names in rows of their own: there is no room beside the labels
-  double min = 0.0;         ///< value at the left end
   double max = 1.0;         ///< at the right end
-  bool logarithmic = false;
   std::vector<double> ticks;
 
-  double x(double value) const {
-    if (!logarithmic) return left + (right - left) * (value - min) / (max - min);
-    return left + (right - left) * std::log(std::max(value, min) / min) / std::log(max / min);
-  }
+  double x(double value) const { return left + (right - left) * value / max; }
 };
 
-/// The axis ends at round numbers, whole powers of ten if it is logarithmic.
+/// The axis ends at round numbers.
 void chooseAxis(const BarChart& chart, Layout& layout) {
-  double least = std::numeric_limits<double>::max(), most = 0.0;
-  forBars(chart, [&](const Bar& bar) {
-    most = std::max({most, lengthOf(bar), bar.peer});
-    for (const double value : {lengthOf(bar), bar.peer})
-      if (value > 0.0) least = std::min(least, value);
-  });
-  if (most <= 0.0) least = most = 1.0;
-  layout.logarithmic = chart.logarithmic;
-  if (chart.logarithmic) {
-    layout.min = std::pow(10.0, std::floor(std::log10(0.8 * least)));
-    layout.max = std::pow(10.0, std::ceil(std::log10(most)));
-    layout.ticks = logTicks(layout.min, layout.max);
-    return;
-  }
+  double most = 0.0;
+  forBars(chart, [&](const Bar& bar) { most = std::max({most, lengthOf(bar), bar.peer}); });
+  if (most <= 0.0) most = 1.0;
   layout.ticks = linearTicks(0.0, most, 8.0);
   const double step = layout.ticks[1] - layout.ticks[0];
   if (layout.ticks.back() < most * (1.0 - 1e-9)) layout.ticks.push_back(layout.ticks.back() + step);

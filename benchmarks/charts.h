@@ -36,7 +36,6 @@ struct BarChart {
   std::string axis;
   std::vector<LegendEntry> legend;
   std::vector<BarGroup> groups;
-  bool logarithmic = false;  ///< for values of many magnitudes; bars have one part each, above 0
 };
 
 std::string drawBarChart(const BarChart& chart);

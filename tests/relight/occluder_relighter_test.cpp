@@ -25,13 +25,7 @@ const OccluderEye eye{{2.0, 3.0, 5.0}, true};
 
 OccludedLight referenceAt(const MadeOccluders& made, std::size_t v,
                           const std::vector<device::OccluderLight>& lights, const OccluderShading& shading) {
-  OccluderReceiver receiver;
-  receiver.vertex = static_cast<std::uint32_t>(v);
-  receiver.position = glm::dvec3(made.positions[v]);
-  receiver.normal = glm::dvec3(made.normals[v]);
-  receiver.toEye = glm::normalize(eye.position - receiver.position);
-  receiver.f0 = glm::dvec3(glm::vec3(made.gloss[v]));
-  receiver.roughness = made.gloss[v].w;
+  const OccluderReceiver receiver = test::receiverOf(made, v, eye.position);
   std::vector<LightAt> sources;
   for (const device::OccluderLight& light : lights)
     sources.emplace_back([&light](const glm::dvec3& point) { return incidentFrom(light, point); });
@@ -87,16 +81,8 @@ TEST_P(Occluders, AnySubsetOfVectors_AgreesWithDoubleReference) {
 }
 
 TEST_P(Occluders, EveryParameterAndEffect_AgreesWithDoubleReference) {
-  OccluderShading shading;
+  OccluderShading shading = test::unusualShading();
   shading.formula = GetParam();
-  shading.shadowStrength = 5.5;
-  shading.bleeding = -0.7;
-  shading.causticStrength = 0.6;
-  shading.diffuseFromSpecular = 2.0;
-  shading.specularFromSpecular = 3.0;
-  shading.specularExponent = 20.0;
-  shading.receiver = DiffuseReceiver::OrenNayar;
-  shading.effects = {0.3, 2.0, 0.8, 0.37};
   const MadeOccluders made = test::makeOccluders(300, test::everyOptionalVector(), 5);
   expectReference(made, test::makeLights(8, 6), shading, 1e-4);
 }

@@ -94,13 +94,7 @@ std::size_t countBad(const device::LitVertex& lit, double lights) {
 
 std::size_t countBadInReference(const MadeOccluders& made, const device::OccluderLight& light, std::size_t v,
                                 const OccluderShading& shading) {
-  OccluderReceiver receiver;
-  receiver.vertex = static_cast<std::uint32_t>(v);
-  receiver.position = glm::dvec3(made.positions[v]);
-  receiver.normal = glm::dvec3(made.normals[v]);
-  receiver.toEye = glm::normalize(eye.position - receiver.position);
-  receiver.f0 = glm::dvec3(glm::vec3(made.gloss[v]));
-  receiver.roughness = made.gloss[v].w;
+  const OccluderReceiver receiver = test::receiverOf(made, v, eye.position);
   const LightAt source = [&](const glm::dvec3& point) { return incidentFrom(light, point); };
   const OccludedLight lit = litThroughOccluders(made.transfer, receiver, std::span(&source, 1), shading);
   std::size_t bad = 0;

@@ -77,6 +77,30 @@ std::vector<OccluderVector> everyOptionalVector() {
           OccluderVector::SpecularColor};
 }
 
+OccluderReceiver receiverOf(const MadeOccluders& made, std::size_t vertex, const glm::dvec3& eye) {
+  OccluderReceiver receiver;
+  receiver.vertex = static_cast<std::uint32_t>(vertex);
+  receiver.position = glm::dvec3(made.positions[vertex]);
+  receiver.normal = glm::dvec3(made.normals[vertex]);
+  receiver.toEye = glm::normalize(eye - receiver.position);
+  receiver.f0 = glm::dvec3(glm::vec3(made.gloss[vertex]));
+  receiver.roughness = made.gloss[vertex].w;
+  return receiver;
+}
+
+OccluderShading unusualShading() {
+  OccluderShading shading;
+  shading.shadowStrength = 5.5;
+  shading.bleeding = -0.7;
+  shading.causticStrength = 0.6;
+  shading.diffuseFromSpecular = 2.0;
+  shading.specularFromSpecular = 3.0;
+  shading.specularExponent = 20.0;
+  shading.receiver = DiffuseReceiver::OrenNayar;
+  shading.effects = {0.3, 2.0, 0.8, 0.37};
+  return shading;
+}
+
 std::vector<device::OccluderLight> makeLights(std::size_t count, std::uint32_t seed) {
   Maker make(seed);
   std::vector<device::OccluderLight> lights;

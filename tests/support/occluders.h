@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bake/transfer.h"
+#include "occluders/occluder_light.h"
 #include "shared/occluder_light_types.h"
 
 namespace prelight::test {
@@ -24,6 +25,12 @@ MadeOccluders makeOccluders(std::size_t vertices, std::vector<OccluderVector> op
 
 /// All four.
 std::vector<OccluderVector> everyOptionalVector();
+
+/// A vertex, seen from a place.
+OccluderReceiver receiverOf(const MadeOccluders& made, std::size_t vertex, const glm::dvec3& eye);
+
+/// Every parameter and effect away from its default.
+OccluderShading unusualShading();
 
 /// Lights of all kinds, the first four of four kinds, then any.
 std::vector<device::OccluderLight> makeLights(std::size_t count, std::uint32_t seed);

@@ -84,15 +84,7 @@ TEST_F(OccluderPass, EveryFormulaAndSubsetOfVectors_IsTheSameInOpenClAndOpenGl) 
 }
 
 TEST_F(OccluderPass, EveryParameterAndEffect_IsTheSameInOpenClAndOpenGl) {
-  OccluderShading shading;
-  shading.shadowStrength = 5.5;
-  shading.bleeding = -0.7;
-  shading.causticStrength = 0.6;
-  shading.diffuseFromSpecular = 2.0;
-  shading.specularFromSpecular = 3.0;
-  shading.specularExponent = 20.0;
-  shading.receiver = DiffuseReceiver::OrenNayar;
-  shading.effects = {0.3, 2.0, 0.8, 0.37};
+  OccluderShading shading = unusualShading();
   const MadeOccluders made = makeOccluders(333, everyOptionalVector(), 3);
   for (const OccluderFormula formula : {OccluderFormula::Soft, OccluderFormula::Thesis}) {
     shading.formula = formula;
