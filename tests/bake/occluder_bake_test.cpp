@@ -96,6 +96,37 @@ TEST(OccluderBake, SquareAbovePlane_HasItsFormFactor) {
   EXPECT_LT(std::sqrt(squares / 625), 0.0055);
 }
 
+/// A disk of `segments` triangles that faces down.
+CompiledScene disk(int segments, double radius, double height) {
+  std::vector<glm::vec3> positions = {glm::vec3(glm::dvec3(0.0, height, 0.0))};
+  std::vector<glm::uvec3> triangles;
+  for (int k = 0; k < segments; ++k) {
+    const double turn = 2.0 * pi * k / segments;
+    positions.emplace_back(glm::dvec3(radius * std::cos(turn), height, radius * std::sin(turn)));
+    triangles.push_back({0, 1 + k, 1 + (k + 1) % segments});
+  }
+  return test::sceneOf(positions, triangles);
+}
+
+// Howell's catalogue: an element parallel to a disk of radius r at distance h, s beside its axis, has
+// 1/2 (1 - (s^2 + h^2 - r^2) / sqrt((s^2 + h^2 + r^2)^2 - 4 s^2 r^2)).
+TEST(OccluderBake, DiskAbovePlane_HasItsFormFactor) {
+  constexpr double radius = 0.6, height = 0.8;
+  CompiledScene scene = test::ground(24, 0.7f);
+  test::append(scene, disk(128, radius, height));
+  const OccluderTransfer transfer = *test::runBake(scene, occludersOnly()).bake.occluders;
+  double squares = 0.0;
+  for (std::uint32_t v = 0; v < 625; ++v) {
+    const glm::dvec3 p(scene.positions[v]);
+    const double s2 = p.x * p.x + p.z * p.z, h2 = height * height, r2 = radius * radius, sum = s2 + h2 + r2;
+    const double expected = 0.5 * (1.0 - (s2 + h2 - r2) / std::sqrt(sum * sum - 4.0 * s2 * r2));
+    const double error = formFactor(transfer, v, 1) - expected;
+    EXPECT_NEAR(error, 0.0, 0.01) << v;
+    squares += error * error / (expected * expected);
+  }
+  EXPECT_LT(std::sqrt(squares / 625), 0.0085);
+}
+
 TEST(OccluderBake, FormFactors_AddUpToOneWithAo) {
   expectSumsOfOne(test::runBake(groundAndBall(0.4f, 0.3f), occludersOnly(256)).bake);
 }
