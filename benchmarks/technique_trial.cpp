@@ -50,11 +50,6 @@ viewer::View turned(viewer::View view, const CompiledScene& scene, double angle)
   return view;
 }
 
-double medianOf(std::vector<double> rounds) {
-  std::erase_if(rounds, [](double seconds) { return seconds < 0.0; });
-  return median(std::move(rounds));
-}
-
 }  // namespace
 
 double pictureRmse(const Picture& first, const Picture& second) {
@@ -175,8 +170,8 @@ void TechniqueTrial::measureFrames(std::vector<TechniqueResult>& results) {
     contenders.push_back({entry->technique.name, [&](std::size_t) { entry->frame(std::nullopt); }});
   takeTurns(contenders, 1, options_.techniqueFrames, progress_);
   for (std::size_t i = 0; i < contenders.size(); ++i) {
-    results[i].frameSeconds = medianOf(contenders[i].seconds);
-    results[i].frameProcessorSeconds = medianOf(contenders[i].cpuSeconds);
+    results[i].frameSeconds = medianSeconds(contenders[i].seconds, 1);
+    results[i].frameProcessorSeconds = medianSeconds(contenders[i].cpuSeconds, 1);
   }
 }
 

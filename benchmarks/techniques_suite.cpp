@@ -36,9 +36,8 @@ Techniques specular(const Techniques& all) {
 Techniques curveOf(const Techniques& all) {
   Techniques chosen;
   std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Technique& technique) {
-    return technique.name == "Phong" || technique.name.starts_with("VO/DD");
+    return technique.name == "Phong" || technique.name == "VO/DD" || technique.name == "VO/DD+DS+SS";
   });
-  std::erase_if(chosen, [](const Technique& technique) { return technique.name == "VO/DD auto:12"; });
   return chosen;
 }
 

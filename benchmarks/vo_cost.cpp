@@ -18,11 +18,6 @@ namespace {
 constexpr double trianglesOfVertex = 1.9;  // of the detailed rooms
 constexpr std::uint64_t shadingRays = 64;  // a vertex: what records there are matters here, not their noise
 
-std::vector<double> positiveOnly(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return value < 0.0; });
-  return values;
-}
-
 /// Shades every vertex by each number of lights, in turns.
 class ShadingTurns {
  public:
@@ -49,7 +44,7 @@ class ShadingTurns {
     results.push_back({"vo", place, "records a vertex", perVertex, "1", {}, {}});
     std::vector<Point> points;
     for (std::size_t i = 0; i < contenders.size(); ++i) {
-      const double seconds = median(positiveOnly(contenders[i].cpuSeconds));
+      const double seconds = medianSeconds(contenders[i].cpuSeconds, 1);
       results.push_back({"vo", place + "/" + contenders[i].name, "processor time", seconds, "s", {}, {}});
       points.push_back({static_cast<double>(counts_[i] * transfer_.recordCount()), seconds});
     }
@@ -93,7 +88,7 @@ void measureOccluderBake(const Device& device, const BenchmarkOptions& options, 
   const std::string place = fmt::format("bake/shapes, {} rays", options.voCostRays);
   for (const Contender& contender : contenders) {
     const std::string name = place + "/" + contender.name;
-    const double seconds = median(positiveOnly(contender.cpuSeconds));
+    const double seconds = medianSeconds(contender.cpuSeconds, 1);
     results.push_back({"vo", name, "processor time", seconds, "s", {}, {}});
     if (&contender == &contenders[0]) continue;
     const double added = 1.0 / medianRatio(contender.cpuSeconds, contenders[0].cpuSeconds) - 1.0;

@@ -12,9 +12,8 @@
 #include "scene/scene.h"
 
 /// What lights a picture, ready for the shaders. Conventions of the lights' maths:
-/// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual.
-/// Nearer
-///   than a thousandth of half the diagonal of the scene's bounds it is no stronger: E is bounded;
+/// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual, and
+///   no stronger nearer than a thousandth of half the diagonal of the scene's bounds: E is bounded;
 /// - emissive triangles become samples: discs of area A and radiance L that give
 ///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
 ///   next to a sample;

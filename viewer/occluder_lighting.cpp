@@ -42,15 +42,16 @@ void attachPart(Attribute attribute, GLint components, std::size_t offset) {
 
 OccluderLighting::OccluderLighting(const RenderInputs& inputs)
     : inputs_(inputs),
-      anyGloss_{anyOf(vertexGloss(inputs, false)), anyOf(vertexGloss(inputs, true))},
+      gloss_{vertexGloss(inputs, false), vertexGloss(inputs, true)},
+      anyGloss_{anyOf(gloss_[0]), anyOf(gloss_[1])},
       pass_(*inputs.bake->occluders, inputs.compiled.origin, receivers(false)),
       accessibility_(Attribute::Accessibility,
                      std::span<const float>(accessibilityOf(*inputs.bake->occluders))) {}
 
 std::vector<device::OccluderReceiverPoint> OccluderLighting::receivers(bool allHighlights) const {
-  const std::vector<glm::vec4> gloss = vertexGloss(inputs_, allHighlights);
   const CompiledScene& scene = inputs_.compiled;
-  return OccluderReceivers{scene.positions, scene.normals, scene.origin, gloss}.points();
+  return OccluderReceivers{scene.positions, scene.normals, scene.origin, gloss_[allHighlights ? 1 : 0]}
+      .points();
 }
 
 std::vector<device::OccluderLight> OccluderLighting::allLights(const Illumination& light) {

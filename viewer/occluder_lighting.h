@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <array>
 #include <vector>
 
 #include "bake/bake.h"
@@ -30,8 +30,9 @@ class OccluderLighting : public DrawnTransfer {
   OccluderShading shadingOf(const OccluderOptions& options) const;
 
   RenderInputs inputs_;
-  bool anyGloss_[2];                     ///< with highlights off metals and glass, and off all surfaces
-  const Environment* cutSky_ = nullptr;  ///< that skyLights_ are of
+  std::array<std::vector<glm::vec4>, 2> gloss_;  ///< [vertex], of metals and glass, and of all surfaces
+  std::array<bool, 2> anyGloss_;                 ///< of the same
+  const Environment* cutSky_ = nullptr;          ///< that skyLights_ are of
   int cutCount_ = 0;
   std::vector<SkyLight> skyLights_;
   bool allHighlights_ = false;  ///< what the receivers are for

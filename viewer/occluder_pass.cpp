@@ -106,8 +106,6 @@ OccluderPass::OccluderPass(const OccluderTransfer& transfer, const glm::dvec3& o
       nothing_(1, 1) {
   const std::vector<device::LitVertex> dark(vertices_);
   lit_.fill(GL_TRANSFORM_FEEDBACK_BUFFER, std::span<const device::LitVertex>(dark), GL_DYNAMIC_COPY);
-  for (std::size_t v = 0; v < vertices_; ++v)
-    longestRow_ = std::max<std::size_t>(longestRow_, transfer.offsets[v + 1] - transfer.offsets[v]);
   upload_.records = {};
   nameUnits(prepareProgram_);
   nameUnits(lightProgram_);
@@ -143,7 +141,7 @@ void OccluderPass::light(std::span<const device::OccluderLight> lights, const Oc
   gl::bind(offsetsUnit, GL_TEXTURE_BUFFER, offsets_.texture);
   gl::bind(preparedUnit, GL_TEXTURE_BUFFER, prepared_.texture);
   gl::bind(lightsUnit, GL_TEXTURE_BUFFER, lights_.texture);
-  const std::size_t pairs = (longestRow_ + 1) * std::max<std::size_t>(lights.size(), 1);
+  const std::size_t pairs = (upload_.longestRow + 1) * std::max<std::size_t>(lights.size(), 1);
   capture(lit_.name(), vertices_, std::max<std::size_t>(mostPairs / pairs, 256));
   glBindVertexArray(0);
   gl::check("lighting vector occluders");

@@ -34,7 +34,6 @@ class OccluderPass {
 
   OccluderUpload upload_;
   std::size_t vertices_ = 0;
-  std::size_t longestRow_ = 0;  ///< records of a vertex
   gl::Program prepareProgram_, lightProgram_;
   gl::BufferTexture records_, owners_, offsets_, receivers_, waves_, prepared_, lights_;
   gl::Buffer lit_;

@@ -117,8 +117,9 @@ class BakeRunner : BakeParts {
     report_.aoErrorMax = error.max;
     clock_.mark("fit");
     Bake bake;
-    if (request.ao) packAo(mesh, cast.front(), fitted, scene, bake);
-    if (request.occluders) makeOccluders(fitted, bake);
+    const std::vector<double> accessibility = accessibilityOf(mesh, cast.front(), fitted);
+    if (request.ao) packAo(mesh, cast.front(), accessibility, scene, bake);
+    if (request.occluders) makeOccluders(accessibility, bake);
     if (request.carriesLight()) makeTransfers(fitted, bake);
     return bake;
   }
@@ -138,9 +139,8 @@ class BakeRunner : BakeParts {
     if (request.glossyOrder > 0) makeGlossy(fitted, transfer, bake);
   }
 
-  void makeOccluders(const std::vector<double>& fitted, Bake& bake) {
-    OccluderTransfer transfer = makeOccluderTransfer(scene, mesh, cast.front().occluders(),
-                                                     accessibilityOf(mesh, cast.front(), fitted),
+  void makeOccluders(const std::vector<double>& accessibility, Bake& bake) {
+    OccluderTransfer transfer = makeOccluderTransfer(scene, mesh, cast.front().occluders(), accessibility,
                                                      occluders->groups, neededVectors(scene));
     if (occluders->tree) transfer = cutThroughTree(std::move(transfer), *occluders->tree);
     const DroppedOccluders dropped = dropOccluders(transfer, request.leastFormFactor);

@@ -63,14 +63,15 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder), "projectHits");
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_);
-  if (options_.occluders != nullptr)
-    occluders_.emplace(scene, *options_.occluders, tracer_, blockSize_, options_.raysPerReceiver);
   if (options_.texelFaceSize > 0) {
     texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());
   }
-  if (options_.storedReceivers > 0 || options_.marksInside)
+  if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
     geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
+  if (options_.occluders != nullptr)
+    occluders_.emplace(scene, *options_.occluders, tracer_, geometricNormals_, blockSize_,
+                       options_.raysPerReceiver);
   if (options_.marksInside) {
     insideMarks_ = cl::Kernel(device_.program("cast/inside_kernels.cl", {}), "markInside");
     twoSided_ = Buffer<std::uint8_t>(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene)));

@@ -12,15 +12,6 @@ using namespace device;
 
 constexpr std::size_t groupSize = 64;
 
-std::vector<DeviceTriangle> deviceTriangles(const CompiledScene& scene) {
-  std::vector<DeviceTriangle> triangles;
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const glm::uvec3 v = scene.triangles[t];
-    triangles.push_back({{v.x, v.y, v.z}, scene.triangleMaterials[t]});
-  }
-  return triangles;
-}
-
 std::span<const float> floatsOf(const std::vector<glm::vec3>& vectors) {
   return {&vectors[0].x, 3 * vectors.size()};
 }
@@ -62,7 +53,6 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
       factors_(device_, spanOf(lights.factors)),
       emitterOfTriangle_(device_, spanOf(lights.emitterOfTriangle)),
       samplesOfGroup_(device_, spanOf(lights.samplesOfGroup)),
-      triangles_(device_, spanOf(deviceTriangles(scene))),
       positions_(device_, floatsOf(scene.positions)),
       geometricNormals_(device_, spanOf(frontNormals(scene))),
       rays_(device_, std::size_t{blockSize} * slotCount_),
@@ -82,8 +72,8 @@ void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, T
                        std::uint32_t set, std::vector<float>& values) {
   const std::size_t rayCount = std::size_t{receivers} * slotCount_;
   setArguments(generate_, block.parameters.get(), slotCount_, block.receivers.get(), slots_.get(),
-               lights_.get(), factors_.get(), emitters_[set].get(), triangles_.get(), positions_.get(),
-               geometricNormals_.get(), rays_.get(), rayValues_.get());
+               lights_.get(), factors_.get(), emitters_[set].get(), tracer.surfaceTriangles().get(),
+               positions_.get(), geometricNormals_.get(), rays_.get(), rayValues_.get());
   device_.launch(generate_, rayCount, groupSize);
   tracer.traceAny(rays_, hits_, rayCount);
   setArguments(project_, block.parameters.get(), slotCount_, groupCount_, block.receivers.get(), slots_.get(),

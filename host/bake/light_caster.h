@@ -41,7 +41,6 @@ class LightCaster {
   std::vector<Buffer<device::GroupEmitter>> emitters_;  ///< [set]
   Buffer<std::uint32_t> emitterOfTriangle_;
   Buffer<std::uint32_t> samplesOfGroup_;
-  Buffer<device::DeviceTriangle> triangles_;
   Buffer<float> positions_;
   Buffer<float> geometricNormals_;
   Buffer<device::Ray> rays_;

@@ -1,6 +1,5 @@
 #include "bake/occluder_caster.h"
 
-#include "bake/caster.h"
 #include "occluders/occluder_vectors.h"
 
 namespace prelight {
@@ -20,18 +19,19 @@ void readRecords(const Buffer<T>& buffer, std::size_t count, std::vector<T>& rec
 }  // namespace
 
 OccluderCaster::OccluderCaster(const CompiledScene& scene, const OccluderGroups& groups, Tracer& tracer,
-                               std::uint32_t blockSize, std::uint32_t raysPerReceiver)
+                               const Buffer<float>& geometricNormals, std::uint32_t blockSize,
+                               std::uint32_t raysPerReceiver)
     : surface_(tracer),
       device_(tracer.context()),
       raysPerReceiver_(raysPerReceiver),
-      geometricNormals_(device_, std::span<const float>(orientedNormals(scene))),
+      geometricNormals_(geometricNormals),
       flags_(device_, std::span<const std::uint32_t>(occluderFlags(scene))),
       groups_(device_, std::span<const std::uint32_t>(groups.groupOfVertex)),
       vertices_(device_, scene.vertexCount()),
       counter_(device_, 1),
       spans_(device_, blockSize),
       sums_(device_, std::size_t{blockSize} * raysPerReceiver) {
-  if (neededVectors(scene).size() > 4) ways_.emplace(scene, tracer, sums_.size());
+  if (hasGlass(scene) || hasShine(scene)) ways_.emplace(scene, tracer, flags_, sums_.size());
   BuildOptions options = tracer.surfaceOptions();
   if (ways_ && ways_->hasMirrors()) {
     options.define("PRELIGHT_OCCLUDER_MIRRORS", 1);

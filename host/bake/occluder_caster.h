@@ -30,9 +30,11 @@ struct OccluderValues {
 /// transmissive surfaces do with light.
 class OccluderCaster {
  public:
-  /// The block has at most `blockSize` receivers of `raysPerReceiver` rays.
+  /// The block has at most `blockSize` receivers of `raysPerReceiver` rays. geometricNormals:
+  /// orientedNormals().
   OccluderCaster(const CompiledScene& scene, const OccluderGroups& groups, Tracer& tracer,
-                 std::uint32_t blockSize, std::uint32_t raysPerReceiver);
+                 const Buffer<float>& geometricNormals, std::uint32_t blockSize,
+                 std::uint32_t raysPerReceiver);
 
   /// AO of every vertex, in [0,1]: it damps the normals of what sends light. Nothing is cast before.
   void setAccessibility(const CompiledScene& scene, std::span<const float> accessibility);

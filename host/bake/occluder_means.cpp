@@ -1,6 +1,7 @@
 #include "bake/occluder_means.h"
 
 #include <algorithm>
+#include <array>
 
 namespace prelight {
 
@@ -75,18 +76,25 @@ std::size_t OccluderMeans::Row::placeOf(std::uint32_t group) {
 void OccluderMeans::add(const SurfaceSample& sample, const device::Receiver& receiver,
                         const OccluderValues& values, std::size_t index) {
   const bool withWays = !values.mirrored.empty() || !values.through.empty();
-  const OccluderValues::Span& span = values.spans[index];
   const auto corners = cornerWeights(sample);
+  std::array<Row*, 3> rows{};
+  std::array<float, 3> weights{};
   for (std::size_t k = 0; k < 3; ++k) {
-    Row& row = rows_[mesh_.triangles[sample.triangle][k]];
-    const float weight = sample.weight * static_cast<float>(corners[k]);
-    row.weight += weight;
-    for (std::size_t r = span.first; r < std::size_t{span.first} + span.count; ++r) {
+    rows[k] = &rows_[mesh_.triangles[sample.triangle][k]];
+    weights[k] = sample.weight * static_cast<float>(corners[k]);
+    rows[k]->weight += weights[k];
+  }
+  const OccluderValues::Span& span = values.spans[index];
+  for (std::size_t r = span.first; r < std::size_t{span.first} + span.count; ++r) {
+    const SeenOccluder seen = seenBy(receiver, values.sums[r]);
+    const SeenWays ways = withWays ? waysBy(values, r) : SeenWays{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      Row& row = *rows[k];
       const std::size_t place = row.placeOf(values.sums[r].group);
-      row.seen[place].add(seenBy(receiver, values.sums[r]), weight);
+      row.seen[place].add(seen, weights[k]);
       if (!withWays) continue;
       row.ways.resize(row.groups.size());
-      row.ways[place].add(waysBy(values, r), weight);
+      row.ways[place].add(ways, weights[k]);
     }
   }
 }

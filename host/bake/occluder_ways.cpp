@@ -26,13 +26,14 @@ std::vector<std::uint32_t> occluderFlags(const CompiledScene& scene) {
   return flags;
 }
 
-OccluderWays::OccluderWays(const CompiledScene& scene, Tracer& tracer, std::size_t rays)
+OccluderWays::OccluderWays(const CompiledScene& scene, Tracer& tracer, const Buffer<std::uint32_t>& flags,
+                           std::size_t rays)
     : surface_(tracer),
       device_(tracer.context()),
-      hasMirrors_(contains(neededVectors(scene), OccluderVector::SpecularNormal)),
-      hasGlass_(contains(neededVectors(scene), OccluderVector::Caustic)),
+      hasMirrors_(hasShine(scene)),
+      hasGlass_(prelight::hasGlass(scene)),
       reach_(static_cast<float>(std::min(freeReach(scene), double(std::numeric_limits<float>::max())))),
-      flags_(device_, std::span<const std::uint32_t>(occluderFlags(scene))),
+      flags_(flags),
       bases_(device_, std::span<const DeviceMaterial>(reference::makeBaseMaterials(scene))),
       vertices_(device_, std::span<const float>(reference::interleaveVertices(scene))),
       flat_(device_, std::span<const std::uint8_t>(scene.triangleFlat)),

@@ -20,8 +20,9 @@ std::vector<std::uint32_t> occluderFlags(const CompiledScene& scene);
 /// (7.2.3).
 class OccluderWays {
  public:
-  /// `rays`: of a block, at most.
-  OccluderWays(const CompiledScene& scene, Tracer& tracer, std::size_t rays);
+  /// `rays`: of a block, at most. flags: occluderFlags().
+  OccluderWays(const CompiledScene& scene, Tracer& tracer, const Buffer<std::uint32_t>& flags,
+               std::size_t rays);
 
   bool hasMirrors() const { return hasMirrors_; }
   bool hasGlass() const { return hasGlass_; }

@@ -53,10 +53,9 @@ std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
   return accessibility;
 }
 
-void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
+void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& accessibility,
             const CompiledScene& scene, Bake& bake) {
   bake.bentNormals = bentNormals(front, mesh, scene);
-  const std::vector<double> accessibility = accessibilityOf(mesh, front, fitted);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
     bake.ao.push_back(finiteOr(accessibility[mesh.slotOfVertex[v]], 1.0f));
 }

@@ -15,8 +15,8 @@ namespace prelight {
 std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
                                     const std::vector<double>& fitted);
 
-/// Ambient occlusion from the front's solution, and bent normals.
-void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted,
+/// Ambient occlusion from that of the slots, and bent normals.
+void packAo(const FitMesh& mesh, const SideCast& front, const std::vector<double>& accessibility,
             const CompiledScene& scene, Bake& bake);
 
 /// The first `order` bands of SH transfer, at most those that it has.

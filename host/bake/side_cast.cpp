@@ -26,7 +26,7 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       projections_(projections),
       sampler_(scene, schedule.seed, side, schedule.replicates),
       baseline_(scene, mesh, projections.shOrder, side == Side::Front ? 1.0 : -1.0),
-      fit_(emptyFit(baseline_.columns())),
+      fit_(plainFit(baseline_.columns())),
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
@@ -35,15 +35,15 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
     projections_.bentNormal = projections_.receivers = projections_.occluders = false;
     projections_.texelRows = 0;
   }
-  if (projections_.bentNormal) bentFit_.emplace(emptyFit(3));
-  if (projections_.groups > 0) lightFit_.emplace(emptyFit(3 * projections_.groups));
+  if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
+  if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
 void SideCast::start() {
   running_ = true;
   round_ = passInRound_ = 0;
-  stiffness_.clear();
+  fit_.stiffen({});
   receiversPerPass_ = schedule_.receiversPerPass;
 }
 
@@ -66,12 +66,9 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
 
 // Of all values alike, by what AO says: where that is flat, light is too, nearly always.
 void SideCast::stiffen() {
-  stiffness_.clear();
   std::vector<double> laplacian(mesh_.slotCount());
-  fit_.stiffen({});
   fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0), laplacian, 1);
-  stiffness_ = stiffnessOf(mesh_, laplacian, estimateError().slots);
-  fit_.stiffen(stiffness_);
+  fit_.stiffen(stiffnessOf(mesh_, laplacian, estimateError().slots));
 }
 
 // True when the schedule is fulfilled.
@@ -273,9 +270,13 @@ std::size_t SideCast::dropAccurateTriangles() {
 }
 
 // With an error target, receivers crowd where it is not met yet.
+VertexFit SideCast::plainFit(std::size_t columns) const {
+  return schedule_.error ? VertexFit(mesh_, columns, sampler_.areas()) : VertexFit(mesh_, columns);
+}
+
 VertexFit SideCast::emptyFit(std::size_t columns) const {
-  VertexFit fit = schedule_.error ? VertexFit(mesh_, columns, sampler_.areas()) : VertexFit(mesh_, columns);
-  fit.stiffen(stiffness_);
+  VertexFit fit = plainFit(columns);
+  fit.stiffen(fit_.stiffness());
   return fit;
 }
 
@@ -298,7 +299,6 @@ void SideCast::save(StateWriter& state) const {
   if (lightFit_) lightFit_->save(state);
   if (occluders_) occluders_->save(state);
   state.values(accessibility_);
-  state.values(stiffness_);
   texelRows_.save(state);
   state.values(storedReceivers_);
   state.values(records_);
@@ -327,9 +327,6 @@ void SideCast::load(StateReader& state) {
   if (lightFit_) lightFit_->load(state);
   if (occluders_) occluders_->load(state);
   state.values(accessibility_);
-  state.values(stiffness_);
-  if (!stiffness_.empty() && stiffness_.size() != mesh_.slotCount()) state.damaged();
-  fit_.stiffen(stiffness_);
   if (!accessibility_.empty()) {
     if (!occluders_ || accessibility_.size() != scene_.vertexCount()) state.damaged();
     caster_.setAccessibility(scene_, accessibility_);

@@ -70,6 +70,7 @@ class SideCast {
   std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:
+  VertexFit plainFit(std::size_t columns) const;
   void start();
   bool endRound();
   void castPass(Progress& progress);
@@ -93,7 +94,6 @@ class SideCast {
   Projections projections_;
   SurfaceSampler sampler_;
   Baseline baseline_;
-  std::vector<double> stiffness_;  ///< [slot], of the fits; empty before the end of the run
   VertexFit fit_;
   std::optional<VertexFit> bentFit_;
   std::optional<VertexFit> lightFit_;

@@ -105,11 +105,14 @@ void VertexFit::add(const SurfaceSample& sample, std::span<const double> values)
 void VertexFit::save(StateWriter& state) const {
   state.values(mass_);
   state.values(right_);
+  state.values(stiffness_);
 }
 
 void VertexFit::load(StateReader& state) {
   state.sameSize(mass_);
   state.sameSize(right_);
+  state.values(stiffness_);
+  if (!stiffness_.empty() && stiffness_.size() != mesh_.slotCount()) state.damaged();
 }
 
 double VertexFit::scaleOf(std::size_t triangle) const {

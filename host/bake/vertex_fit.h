@@ -46,7 +46,8 @@ class VertexFit {
   NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda, stiffness_}; }
 
   /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
-  void stiffen(const std::vector<double>& stiffness) { stiffness_ = stiffness; }
+  void stiffen(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
+  const std::vector<double>& stiffness() const { return stiffness_; }
 
   /// Solves for another right-hand side [slot][column] with this fit's samples.
   std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;

@@ -17,10 +17,9 @@ std::size_t quantizedBytes(const std::vector<OccluderVector>& stored);
 /// The records of an OccluderTransfer in whole numbers, least byte first; `stored` as there,
 /// [record][stored]:
 ///
-///   position        distance u16, on a scale of logarithms from leastDistance to mostDistance; direction
-///   from
-///                   the vertex, octahedral 8 + 8 bits; length of the way to the position over the distance
-///                   u8
+///   position        distance u16, on a scale of logarithms from leastDistance to mostDistance;
+///                   direction from the vertex, octahedral 8 + 8 bits; length of the way to the
+///                   position over the distance u8
 ///   occlusion       root of the form factor u16; direction, octahedral 12 + 12 bits; root of 1 - r u8, r the
 ///                   length over the form factor
 ///   caustic, diffuseNormal, specularNormal

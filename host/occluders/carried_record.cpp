@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "occluders/ball_form_factor.h"
+#include "occluders/occluder_places.h"
 
 namespace prelight {
 
@@ -20,12 +21,6 @@ constexpr double cosinePerSpread = 0.5;  // 1 - r of a ball, over 1 - cos of its
 double smooth(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
-}
-
-/// Vectors that are sums over a share of the sky, and so are scaled and turned with it.
-bool isSum(OccluderVector vector) {
-  return vector == OccluderVector::Occlusion || vector == OccluderVector::Caustic ||
-         vector == OccluderVector::DiffuseNormal || vector == OccluderVector::SpecularNormal;
 }
 
 /// A body's ball as a place sees it.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "occluders/occluder_groups.h"
 #include "occluders/occluder_places.h"
@@ -29,15 +28,12 @@ void forEachAbove(const OccluderMembers& members, std::uint32_t leaf, const Visi
 /// Centre, reach, and the radius of a ball of the same surface.
 void measureShape(const CompiledScene& scene, const OccluderMembers& members,
                   std::vector<OccluderBody>& bodies) {
-  const std::vector<double> areas = surfaceOfVertices(scene);
-  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
-  const double least = sum > 0.0 ? 1e-12 * sum / static_cast<double>(areas.size()) : 1.0;
+  const std::vector<double> areas = positiveSurfaceOfVertices(scene);
   std::vector<double> total(bodies.size(), 0.0);
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-    const double area = std::max(areas[v], least);
     forEachAbove(members, members.leafOfVertex[v], [&](std::size_t o) {
-      bodies[o].centre += area * glm::dvec3(scene.positions[v]);
-      total[o] += area;
+      bodies[o].centre += areas[v] * glm::dvec3(scene.positions[v]);
+      total[o] += areas[v];
     });
   }
   for (std::size_t o = 0; o < bodies.size(); ++o)

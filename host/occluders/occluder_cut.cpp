@@ -22,20 +22,8 @@ constexpr double filled = 0.998;     // of the records allowed, with which a pri
 
 /// Which vector's w a record's vector is a mean by; nullopt: it is a sum.
 std::optional<OccluderVector> meanBy(OccluderVector vector) {
-  switch (vector) {
-    case OccluderVector::Position:
-    case OccluderVector::Transmissive:
-    case OccluderVector::DiffuseColor:
-      return OccluderVector::Occlusion;
-    case OccluderVector::SpecularColor:
-      return OccluderVector::SpecularNormal;
-    case OccluderVector::Occlusion:
-    case OccluderVector::Caustic:
-    case OccluderVector::DiffuseNormal:
-    case OccluderVector::SpecularNormal:
-      break;
-  }
-  return std::nullopt;
+  if (isSum(vector)) return std::nullopt;
+  return vector == OccluderVector::SpecularColor ? OccluderVector::SpecularNormal : OccluderVector::Occlusion;
 }
 
 /// Areas over their mean. [vertex]

@@ -177,9 +177,4 @@ OccludedLight litThroughOccluders(const OccluderTransfer& transfer, const Occlud
   return sums.light;
 }
 
-glm::dvec3 lightThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
-                                 std::span<const LightAt> lights, const OccluderShading& shading) {
-  return litThroughOccluders(transfer, receiver, lights, shading).diffuse;
-}
-
 }  // namespace prelight

@@ -88,8 +88,4 @@ double visibilityOf(const OccluderTransfer& transfer, const OccluderReceiver& re
 OccludedLight litThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
                                   std::span<const LightAt> lights, const OccluderShading& shading);
 
-/// Its diffuse part.
-glm::dvec3 lightThroughOccluders(const OccluderTransfer& transfer, const OccluderReceiver& receiver,
-                                 std::span<const LightAt> lights, const OccluderShading& shading);
-
 }  // namespace prelight

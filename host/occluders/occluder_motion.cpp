@@ -174,21 +174,10 @@ void OccluderMover::addKept(const OccluderMotions& motions, std::uint32_t vertex
     if (motion == RigidMotion{}) continue;
     for (std::size_t s = 0; s < row.width; ++s) {
       const glm::dvec3 xyz(record[s]);
-      switch (rest_.stored[s]) {
-        case OccluderVector::Position:
-          record[s] = glm::vec4(motion.point(xyz), record[s].w);
-          break;
-        case OccluderVector::Occlusion:
-        case OccluderVector::Caustic:
-        case OccluderVector::DiffuseNormal:
-        case OccluderVector::SpecularNormal:
-          record[s] = glm::vec4(motion.direction(xyz), record[s].w);
-          break;
-        case OccluderVector::Transmissive:
-        case OccluderVector::DiffuseColor:
-        case OccluderVector::SpecularColor:
-          break;
-      }
+      if (rest_.stored[s] == OccluderVector::Position)
+        record[s] = glm::vec4(motion.point(xyz), record[s].w);
+      else if (isSum(rest_.stored[s]))
+        record[s] = glm::vec4(motion.direction(xyz), record[s].w);
     }
   }
   row.kept = row.occluders.size();

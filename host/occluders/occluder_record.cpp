@@ -1,6 +1,7 @@
 #include "occluders/occluder_record.h"
 
 #include <algorithm>
+#include <array>
 
 #include "occluders/occluder_places.h"
 
@@ -8,15 +9,18 @@ namespace prelight {
 
 OccluderRow occluderRow(const OccluderTransfer& transfer, std::size_t vertex) {
   const std::size_t count = transfer.stored.size();
+  std::array<std::size_t, occluderVectorNames.size()> places{};
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = placeOf(transfer, static_cast<OccluderVector>(i));
+  const auto has = [&](OccluderVector vector) { return places[static_cast<std::size_t>(vector)] < count; };
   const auto read = [&](std::size_t record, OccluderVector vector) {
-    const std::size_t place = placeOf(transfer, vector);
+    const std::size_t place = places[static_cast<std::size_t>(vector)];
     return place == count ? glm::dvec4(0.0) : glm::dvec4(transfer.vectors[record * count + place]);
   };
   OccluderRow row;
-  row.hasCaustic = placeOf(transfer, OccluderVector::Caustic) < count;
-  row.hasTransmissive = placeOf(transfer, OccluderVector::Transmissive) < count;
-  row.hasSpecular = placeOf(transfer, OccluderVector::SpecularNormal) < count &&
-                    placeOf(transfer, OccluderVector::SpecularColor) < count;
+  row.hasCaustic = has(OccluderVector::Caustic);
+  row.hasTransmissive = has(OccluderVector::Transmissive);
+  row.hasSpecular = has(OccluderVector::SpecularNormal) && has(OccluderVector::SpecularColor);
   for (std::size_t r = transfer.offsets[vertex]; r < transfer.offsets[vertex + 1]; ++r) {
     row.records.push_back({read(r, OccluderVector::Position), read(r, OccluderVector::Occlusion),
                            read(r, OccluderVector::Caustic), read(r, OccluderVector::Transmissive),

@@ -15,17 +15,6 @@ namespace prelight {
 
 namespace {
 
-constexpr double leastShare = 1e-12;  // of the mean area, for a vertex without
-
-/// Areas that are all positive, so that every cluster has a mean.
-std::vector<double> positiveAreas(const CompiledScene& scene) {
-  std::vector<double> areas = surfaceOfVertices(scene);
-  const double sum = std::accumulate(areas.begin(), areas.end(), 0.0);
-  const double least = sum > 0.0 ? leastShare * sum / static_cast<double>(areas.size()) : 1.0;
-  for (double& area : areas) area = std::max(area, least);
-  return areas;
-}
-
 /// The vertices of a tree node: a run of Splitter::order_.
 struct Cluster {
   std::size_t first = 0;
@@ -45,7 +34,7 @@ Eigen::Vector3d principalAxis(const Eigen::Matrix3d& covariance) {
 
 class Splitter {
  public:
-  explicit Splitter(const CompiledScene& scene) : scene_(scene), areas_(positiveAreas(scene)) {}
+  explicit Splitter(const CompiledScene& scene) : scene_(scene), areas_(positiveSurfaceOfVertices(scene)) {}
 
   void addRoot(const std::string& name, const std::vector<std::uint32_t>& vertices) {
     const std::size_t first = order_.size();

@@ -46,8 +46,11 @@ OccluderUpload::OccluderUpload(const OccluderTransfer& transfer, const glm::dvec
       records.push_back(vector);
     }
   }
-  for (std::size_t v = 0; v + 1 < transfer.offsets.size(); ++v)
-    owners.insert(owners.end(), transfer.offsets[v + 1] - transfer.offsets[v], static_cast<std::int32_t>(v));
+  for (std::size_t v = 0; v + 1 < transfer.offsets.size(); ++v) {
+    const std::size_t row = transfer.offsets[v + 1] - transfer.offsets[v];
+    owners.insert(owners.end(), row, static_cast<std::int32_t>(v));
+    longestRow = std::max(longestRow, row);
+  }
 }
 
 device::OccluderTerms OccluderUpload::terms(const OccluderShading& shading, const OccluderEye& eye,

@@ -25,6 +25,7 @@ struct OccluderUpload {
   std::vector<std::int32_t> owners;  ///< [record], vertex
   int stored = 0;                    ///< PRELIGHT_STORES_... of what shading uses
   int stride = 0;                    ///< vec4 of a prepared record
+  std::size_t longestRow = 0;        ///< records of a vertex, at most
 
   /// `origin`: of scene coordinates, world.
   OccluderUpload(const OccluderTransfer& transfer, const glm::dvec3& origin);

@@ -25,12 +25,15 @@ bool isGlass(const CompiledMaterial& material) {
   return !material.unlit && material.transmission > 0.0f && material.metallic < 1.0f;
 }
 
+bool hasShine(const CompiledScene& scene) { return anyTriangle(scene, isShiny); }
+
+bool hasGlass(const CompiledScene& scene) { return anyTriangle(scene, isGlass); }
+
 std::vector<OccluderVector> neededVectors(const CompiledScene& scene) {
   std::vector<OccluderVector> vectors = {OccluderVector::Position, OccluderVector::Occlusion,
                                          OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor};
-  if (anyTriangle(scene, isGlass))
-    vectors.insert(vectors.end(), {OccluderVector::Caustic, OccluderVector::Transmissive});
-  if (anyTriangle(scene, isShiny))
+  if (hasGlass(scene)) vectors.insert(vectors.end(), {OccluderVector::Caustic, OccluderVector::Transmissive});
+  if (hasShine(scene))
     vectors.insert(vectors.end(), {OccluderVector::SpecularNormal, OccluderVector::SpecularColor});
   std::sort(vectors.begin(), vectors.end());
   return vectors;
@@ -46,10 +49,6 @@ double freeReach(const CompiledScene& scene) {
   });
   if (!lamps && !lights) return std::numeric_limits<double>::infinity();
   return 0.25 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
-}
-
-bool contains(const std::vector<OccluderVector>& vectors, OccluderVector vector) {
-  return std::find(vectors.begin(), vectors.end(), vector) != vectors.end();
 }
 
 }  // namespace prelight

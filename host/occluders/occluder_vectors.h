@@ -16,15 +16,17 @@ bool isShiny(const CompiledMaterial& material);
 /// Lets light through by refraction or straight.
 bool isGlass(const CompiledMaterial& material);
 
-/// Ascending: position, occlusion, diffuse normal and colour always; caustic and transmissive where the
-/// material of a triangle is glass, specular normal and colour where one is shiny.
+/// Whether the material of a triangle is.
+bool hasShine(const CompiledScene& scene);
+bool hasGlass(const CompiledScene& scene);
+
+/// Ascending: position, occlusion, diffuse normal and colour always; caustic and transmissive where there is
+/// glass, specular normal and colour where there is shine.
 std::vector<OccluderVector> neededVectors(const CompiledScene& scene);
 
 /// How far light must be free of obstacles behind glass or a mirror to count, m. Infinite where light comes
 /// from outside the scene. A quarter of the bounds' diagonal where a lamp or a punctual light lies inside: in
 /// a room, nothing is free for longer.
 double freeReach(const CompiledScene& scene);
-
-bool contains(const std::vector<OccluderVector>& vectors, OccluderVector vector);
 
 }  // namespace prelight

@@ -150,7 +150,7 @@ std::uint64_t castRays(const CompiledScene& scene, const BakeRequest& request) {
 std::uint64_t occluderBytes(const CompiledScene& scene, const BakeRequest& request) {
   if (!request.occluders) return 0;
   const std::uint64_t seen = request.occluderKind == OccluderKind::Auto ? 48 : 8;
-  const bool ways = neededVectors(scene).size() > 4;
+  const bool ways = hasGlass(scene) || hasShine(scene);
   return std::uint64_t{scene.vertexCount()} * seen * (seenBytes + (ways ? wayBytes : 0));
 }
 
@@ -237,16 +237,14 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planGlossy(request, bounces.runs));
   add(planLightGroups(request));
   add(planOccluders(request));
-  const std::vector<OccluderVector> vectors = neededVectors(compiled);
-  const bool glass = contains(vectors, OccluderVector::Caustic),
-             shiny = contains(vectors, OccluderVector::SpecularNormal);
   const double reach = freeReach(compiled);
   const std::string free =
       std::isinf(reach) ? "nothing is in the way, because light comes from outside"
                         : fmt::format("nothing is in the way for {:.3g} m, because lights lie inside", reach);
-  add(planVectors(request, "caustic vectors", glass, "rays that meet glass are refracted until " + free,
+  add(planVectors(request, "caustic vectors", hasGlass(compiled),
+                  "rays that meet glass are refracted until " + free,
                   "no material lets light through by refraction"));
-  add(planVectors(request, "specular vectors", shiny,
+  add(planVectors(request, "specular vectors", hasShine(compiled),
                   "rays go the mirrored way from what is shiny, and count where " + free,
                   "no material mirrors light or is glossy"));
   add(planVolume(request, bounces.runs));

@@ -55,8 +55,6 @@ OccluderRelighter::OccluderRelighter(DeviceContext& device, const OccluderTransf
   const std::vector<device::OccluderReceiverPoint> points = receivers.points();
   receivers_ =
       Buffer<device::OccluderReceiverPoint>(device, std::span<const device::OccluderReceiverPoint>(points));
-  for (std::size_t v = 0; v < vertices_; ++v)
-    longestRow_ = std::max<std::size_t>(longestRow_, transfer.offsets[v + 1] - transfer.offsets[v]);
   upload_.records = {};
   const cl::Program& program = device.program("relight/occluder_kernels.cl", {});
   prepareKernel_ = cl::Kernel(program, "prepareOccluders");
@@ -77,8 +75,7 @@ void OccluderRelighter::relight(std::span<const device::OccluderLight> lights, c
   const device::OccluderTerms terms = upload_.terms(shading, eye, lights.size());
   prepare(terms);
   const Buffer<device::OccluderLight> onDevice(device_, lights);
-  const std::size_t pairs =
-      std::max<std::size_t>(1, longestRow_ + 1) * std::max<std::size_t>(1, lights.size());
+  const std::size_t pairs = (upload_.longestRow + 1) * std::max<std::size_t>(1, lights.size());
   const std::size_t step = std::max(groupSize, mostPairs / pairs / groupSize * groupSize);
   for (std::size_t first = 0; first < vertices_; first += step) {
     const std::size_t end = std::min(vertices_, first + step);

@@ -48,7 +48,6 @@ class OccluderRelighter {
   DeviceContext& device_;
   OccluderUpload upload_;
   std::size_t vertices_ = 0;
-  std::size_t longestRow_ = 0;  ///< records of a vertex
   Buffer<glm::vec4> records_;
   Buffer<std::int32_t> owners_;
   Buffer<std::uint32_t> offsets_;

@@ -114,7 +114,7 @@ TEST(OccluderLight, SoftFormula_ClearOccluder_HidesByItsOpacity) {
   const LightAt above = [](const glm::dvec3&) { return from({0, 1, 0}); };
   OccluderShading shading;
   shading.bleeding = 0.0;
-  const glm::dvec3 light = lightThroughOccluders(transfer, receiver, std::span(&above, 1), shading);
+  const glm::dvec3 light = litThroughOccluders(transfer, receiver, std::span(&above, 1), shading).diffuse;
   // The second term of the sum of blobs takes a thousandth.
   EXPECT_NEAR(light.x * pi, 0.75, 2e-3);
   EXPECT_NEAR(light.y * pi, 0.3, 2e-3);
@@ -143,7 +143,7 @@ TEST(OccluderLight, SoftFormula_WhatIsEnclosed_IsDark) {
 TEST(OccluderLight, OpenVertex_IsLambert) {
   const OccluderTransfer transfer{{}, stored, {0, 0}, {}, {}};
   const std::vector<LightAt> lights = {pointLight({0, 2, 0}, 8.0), pointLight({3, 3, 0}, 18.0)};
-  const glm::dvec3 light = lightThroughOccluders(transfer, receiver, lights, {});
+  const glm::dvec3 light = litThroughOccluders(transfer, receiver, lights, {}).diffuse;
   EXPECT_NEAR(light.x, (8.0 / 4.0 + 18.0 / 18.0 * std::sqrt(0.5)) / pi, 1e-9);
 }
 
@@ -152,9 +152,9 @@ TEST(OccluderLight, LitOccluder_BleedsItsColor) {
   const OccluderTransfer transfer = ballAbove();
   const LightAt below = pointLight({0, 1, 0}, 3.0);
   OccluderShading shading;
-  const auto with = lightThroughOccluders(transfer, receiver, std::span(&below, 1), shading);
+  const auto with = litThroughOccluders(transfer, receiver, std::span(&below, 1), shading).diffuse;
   shading.bleeding = 0.0;
-  const auto without = lightThroughOccluders(transfer, receiver, std::span(&below, 1), shading);
+  const auto without = litThroughOccluders(transfer, receiver, std::span(&below, 1), shading).diffuse;
   const double expected = 0.8 * 0.25 * 3.0 / pi;
   EXPECT_NEAR(with.x - without.x, 0.5 * expected, 1e-7);
   EXPECT_NEAR(with.z - without.z, 1.0 * expected, 1e-7);
@@ -193,7 +193,8 @@ TEST(OccluderLight, MillionLightPlaces_StayFiniteAndNotNegative) {
       const LightAt light = pointLight(place, 1.0);
       for (const OccluderFormula formula : {OccluderFormula::Soft, OccluderFormula::Thesis}) {
         const double visibility = visibilityOf(transfer, receiver, light(receiver.position), {formula});
-        const glm::dvec3 sum = lightThroughOccluders(transfer, receiver, std::span(&light, 1), {formula});
+        const glm::dvec3 sum =
+            litThroughOccluders(transfer, receiver, std::span(&light, 1), {formula}).diffuse;
         const bool good = visibility >= 0.0 && visibility <= 1.0 && std::isfinite(sum.x + sum.y + sum.z) &&
                           std::min({sum.x, sum.y, sum.z}) >= 0.0;
         bad += good ? 0 : 1;
