@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// A texel's place on the surface. A face is a triangle's front (its index) or, where its material is
+/// double-sided, its back (triangle count + index).
+struct LightMapTexel {
+  std::uint32_t texel = 0;  ///< y * width + x
+  std::uint32_t face = 0;
+  float b1 = 0.0f;  ///< barycentric weight of vertex 1
+  float b2 = 0.0f;  ///< of vertex 2
+};
+
+/// Where the faces of a scene lie in a light map. Texel (x, y) has its centre at (x + 0.5, y + 0.5); row 0 is
+/// the upper one, at v = 0.
+struct LightMapLayout {
+  static constexpr std::uint32_t noChart = 0xffffffffu;
+
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec2> corners;      ///< [face][3], in texels from the upper left
+  std::vector<std::uint32_t> chartOf;  ///< [face], or noChart: a back that is not there, a light, glass
+  std::vector<LightMapTexel> texels;   ///< those that a bilinear look-up on a face can meet, row by row
+  std::uint32_t chartCount = 0;
+
+  std::size_t texelCount() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+};
+
+/// Light on a scene's surfaces, texel by texel. Between texels it is bilinear; texels without a place on the
+/// surface are 0.
+struct LightMap {
+  LightMapLayout layout;
+  int coefficients = 1;       ///< 1: irradiance, W/m2, on the side of the face's geometric normal. 5: four
+                              ///< more, incident radiance in SH of order 2, for bump maps
+  std::vector<float> values;  ///< [y][x][channel 3][coefficients]
+};
+
+}  // namespace prelight

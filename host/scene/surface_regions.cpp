@@ -1,0 +1,128 @@
+#include "scene/surface_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scene/mesh_edges.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double angleSlack = 1e-4;   // rad, around the crease angle
+constexpr double leastNoise = 0.05;   // rad: a sliver's normal is more uncertain
+constexpr double rounding = 0x1p-22;  // of coordinates, after a transform
+constexpr std::uint32_t none = 0xffffffffu;
+
+class RegionGrower {
+ public:
+  RegionGrower(const CompiledScene& scene, double creaseAngle)
+      : scene_(scene), creaseAngle_(creaseAngle), parent_(scene.triangleCount()) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) addTriangle(t);
+  }
+
+  SurfaceRegions grow() {
+    const std::vector<EdgeSide> sides = edgeSidesOf(scene_, placesOfVertices(scene_));
+    forEachEdge(sides, [&](std::span<const EdgeSide> edge) {
+      for (std::size_t i = 0; i < edge.size(); ++i)
+        for (std::size_t k = i + 1; k < edge.size(); ++k) meet(edge[i], edge[k]);
+    });
+    attachSlivers();
+    return number();
+  }
+
+ private:
+  /// Two triangles, one of them a sliver, that continue one another.
+  struct Contact {
+    double angle = 0.0;
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+  };
+
+  void addTriangle(std::uint32_t t) {
+    const glm::dvec3 normal = geometricNormal(scene_, t);
+    const double length = glm::length(normal);
+    areas_.push_back(0.5 * length);
+    normals_.push_back(length > 0.0 ? normal / length : glm::dvec3(0.0));
+    double longest = 0.0, largest = 0.0;
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 p(scene_.positions[scene_.triangles[t][corner]]),
+          q(scene_.positions[scene_.triangles[t][(corner + 1) % 3]]);
+      longest = std::max(longest, glm::distance(p, q));
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    const double height = length / longest;
+    sliver_.push_back(!(rounding * largest < leastNoise * height));
+  }
+
+  std::uint32_t root(std::uint32_t t) {
+    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
+    return t;
+  }
+
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = root(a), b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  void meet(const EdgeSide& a, const EdgeSide& b) {
+    if (a.reversed == b.reversed || a.triangle == b.triangle) return;
+    const glm::dvec3 &n = normals_[a.triangle], &m = normals_[b.triangle];
+    const double angle = std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m));
+    if (sliver_[a.triangle] || sliver_[b.triangle])
+      contacts_.push_back({angle, a.triangle, b.triangle});
+    else if (angle < creaseAngle_ - angleSlack)
+      unite(a.triangle, b.triangle);
+  }
+
+  /// By ascending angle; what is left over touches slivers alone, and joins them.
+  void attachSlivers() {
+    std::stable_sort(contacts_.begin(), contacts_.end(),
+                     [](const Contact& a, const Contact& b) { return a.angle < b.angle; });
+    std::vector<std::uint8_t> loose = sliver_;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const Contact& contact : contacts_) {
+        if (loose[contact.first] == loose[contact.second]) continue;
+        unite(contact.first, contact.second);
+        loose[contact.first] = loose[contact.second] = 0;
+        changed = true;
+      }
+    }
+    for (const Contact& contact : contacts_)
+      if (loose[contact.first] && loose[contact.second]) unite(contact.first, contact.second);
+  }
+
+  SurfaceRegions number() {
+    SurfaceRegions regions;
+    std::vector<std::uint32_t> regionOfRoot(parent_.size(), none);
+    for (std::uint32_t t = 0; t < parent_.size(); ++t) {
+      std::uint32_t& region = regionOfRoot[root(t)];
+      if (region == none) {
+        region = regions.count();
+        regions.areas.push_back(0.0);
+      }
+      regions.regionOf.push_back(region);
+      regions.areas[region] += areas_[t];
+    }
+    return regions;
+  }
+
+  const CompiledScene& scene_;
+  double creaseAngle_;
+  std::vector<std::uint32_t> parent_;  ///< [triangle]
+  std::vector<double> areas_;          ///< [triangle], m2
+  std::vector<glm::dvec3> normals_;    ///< [triangle], unit
+  std::vector<std::uint8_t> sliver_;   ///< [triangle]
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace
+
+SurfaceRegions makeSurfaceRegions(const CompiledScene& scene, double creaseAngle) {
+  return RegionGrower(scene, creaseAngle).grow();
+}
+
+}  // namespace prelight
