@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
-#include "compress/octahedral.h"
+#include "base/octahedral.h"
 #include "occluders/occluder_light.h"
 #include "occluders/occluder_places.h"
 

@@ -8,6 +8,7 @@
 #include "shared/cast_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
+#include "shared/photon_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
@@ -46,6 +47,7 @@ static_assert(isShared<OccluderTerms, 80>);
 static_assert(isShared<OccluderWay, 32>);
 static_assert(isShared<OccluderWaySums, 32>);
 static_assert(isShared<GlassPath, 20>);
+static_assert(isShared<Photon, 32>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -79,7 +81,8 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<OccluderLight>("OccluderLight", offsetof(OccluderLight, twoSided)),
           layoutOf<OccluderReceiverPoint>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
           layoutOf<LitVertex>("LitVertex", offsetof(LitVertex, pad1)),
-          layoutOf<OccluderTerms>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
+          layoutOf<OccluderTerms>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
+          layoutOf<Photon>("Photon", offsetof(Photon, direction))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

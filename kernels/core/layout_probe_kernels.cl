@@ -5,6 +5,7 @@
 #include "shared/cast_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
+#include "shared/photon_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
@@ -41,4 +42,5 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(22, OccluderReceiverPoint, pad1);
   PROBE(23, LitVertex, pad1);
   PROBE(24, OccluderTerms, eyeZ);
+  PROBE(25, Photon, direction);
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compress/octahedral.h"
+#include "base/octahedral.h"
 #include "occluders/occluder_places.h"
 #include "support/occluders.h"
 #include "support/scenes.h"

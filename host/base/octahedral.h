@@ -35,4 +35,16 @@ inline glm::dvec3 fromOctahedral(const Octahedral& folded, int bits) {
   return glm::normalize(glm::dvec3(x + (x >= 0.0 ? -under : under), y + (y >= 0.0 ? -under : under), z));
 }
 
+/// A direction in 32 bits, u in the lower half: off by at most 6.5e-5. kernels/core/octahedral_funcs.cl reads
+/// and writes the same.
+inline std::uint32_t packDirection(const glm::dvec3& direction) {
+  const Octahedral folded = toOctahedral(direction, 16);
+  return folded.u | folded.v << 16;
+}
+
+/// Unit.
+inline glm::dvec3 unpackDirection(std::uint32_t packed) {
+  return fromOctahedral({packed & 0xffffu, packed >> 16}, 16);
+}
+
 }  // namespace prelight
