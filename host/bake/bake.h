@@ -10,6 +10,7 @@
 #include "bake/transfer.h"
 #include "bake/volume_transfer.h"
 #include "compress/compressed_transfer.h"
+#include "lightmap/light_map_layout.h"
 
 namespace prelight {
 
@@ -40,6 +41,7 @@ struct Bake {
   std::optional<OccluderTransfer> occluders;
   std::optional<VolumeTransfer> volume;  ///< of points in the air
   std::optional<ChartTransfer> texels;   ///< of light maps
+  std::optional<LightMap> lightMap;      ///< of the scene's own lights
   BakeInfo info;
 };
 
