@@ -6,6 +6,7 @@
 #include "device/buffer.h"
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
+#include "shared/density_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/photon_types.h"
@@ -48,6 +49,13 @@ static_assert(isShared<OccluderWay, 32>);
 static_assert(isShared<OccluderWaySums, 32>);
 static_assert(isShared<GlassPath, 20>);
 static_assert(isShared<Photon, 32>);
+static_assert(isShared<LeafTree, 16>);
+static_assert(isShared<PhotonBlock, 256>);
+static_assert(isShared<AreaNode, 64>);
+static_assert(isShared<AreaTriangle, 48>);
+static_assert(isShared<SurfacePlace, 8>);
+static_assert(isShared<DensityParameters, 16>);
+static_assert(isShared<DensityQuery, 32>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -82,7 +90,13 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<OccluderReceiverPoint>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
           layoutOf<LitVertex>("LitVertex", offsetof(LitVertex, pad1)),
           layoutOf<OccluderTerms>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
-          layoutOf<Photon>("Photon", offsetof(Photon, direction))};
+          layoutOf<Photon>("Photon", offsetof(Photon, direction)),
+          layoutOf<LeafTree>("LeafTree", offsetof(LeafTree, count)),
+          layoutOf<PhotonBlock>("PhotonBlock", offsetof(PhotonBlock, direction)),
+          layoutOf<AreaNode>("AreaNode", offsetof(AreaNode, triangleCount)),
+          layoutOf<AreaTriangle>("AreaTriangle", offsetof(AreaTriangle, normal)),
+          layoutOf<DensityParameters>("DensityParameters", offsetof(DensityParameters, queryCount)),
+          layoutOf<DensityQuery>("DensityQuery", offsetof(DensityQuery, radius))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

@@ -3,6 +3,7 @@
 
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
+#include "shared/density_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/photon_types.h"
@@ -43,4 +44,10 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(23, LitVertex, pad1);
   PROBE(24, OccluderTerms, eyeZ);
   PROBE(25, Photon, direction);
+  PROBE(26, LeafTree, count);
+  PROBE(27, PhotonBlock, direction);
+  PROBE(28, AreaNode, triangleCount);
+  PROBE(29, AreaTriangle, normal);
+  PROBE(30, DensityParameters, queryCount);
+  PROBE(31, DensityQuery, radius);
 }

@@ -1,0 +1,99 @@
+#include "photon/density_estimator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/error.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr int mostNearest = 4096;
+constexpr std::size_t groupSize = 16;  // private memory of k distances a work-item
+constexpr std::size_t queriesPerLaunch = 1u << 18;
+
+void check(const DensityOptions& options) {
+  if (options.nearest != 0 && (options.nearest < 2 || options.nearest > mostNearest))
+    throw UsageError("density estimation",
+                     fmt::format("{} nearest photons; expected 2 to {}, or 0 for a fixed radius",
+                                 options.nearest, mostNearest));
+  if (!(options.minRadius >= 0.0) || !(options.flatness > 0.0) || !(options.leastCosine >= -1.0) ||
+      !(options.leastCosine <= 1.0))
+    throw UsageError(
+        "density estimation",
+        fmt::format("least radius {} m, flatness {}, least cosine {}; expected >= 0, > 0, -1 to 1",
+                    options.minRadius, options.flatness, options.leastCosine));
+}
+
+}  // namespace
+
+DensityEstimator::DensityEstimator(const DensitySurface& surface, const DensityOptions& options,
+                                   const Device& device)
+    : device_(device.context()), parameters_(device_, 1), mapCount_(2 * std::size_t{surface.regionCount()}) {
+  check(options);
+  values_ = {static_cast<float>(options.minRadius), static_cast<float>(options.leastCosine),
+             static_cast<float>(options.flatness), 0};
+  parameters_.write(std::span<const DensityParameters>(&values_, 1));
+  places_ = Buffer<SurfacePlace>(device_, std::span<const SurfacePlace>(surface.places));
+  areaTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(surface.areaTrees));
+  areaNodes_ = Buffer<AreaNode>(device_, std::span<const AreaNode>(surface.areaNodes));
+  triangles_ = Buffer<AreaTriangle>(device_, std::span<const AreaTriangle>(surface.triangles));
+  BuildOptions build;
+  estimate_ = cl::Kernel(device_.program("photon/density_kernels.cl", addOptions(build, options)),
+                         "estimateIrradiance");
+  setPhotons({.trees = std::vector<LeafTree>(mapCount_), .boxes = {}, .blocks = {}, .photonCount = 0});
+}
+
+BuildOptions& DensityEstimator::addOptions(BuildOptions& options, const DensityOptions& density) {
+  return options.define("PRELIGHT_DENSITY_KERNEL", static_cast<int>(density.kernel))
+      .define("PRELIGHT_DENSITY_NEAREST", density.nearest);
+}
+
+void DensityEstimator::setPhotons(const PhotonMaps& maps) {
+  assert(maps.trees.size() == mapCount_);
+  photonTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(maps.trees));
+  boxes_ = Buffer<float>(device_, std::span<const float>(maps.boxes));
+  blocks_ = Buffer<PhotonBlock>(device_, std::span<const PhotonBlock>(maps.blocks));
+}
+
+void DensityEstimator::setArguments(cl::Kernel& kernel, cl_uint index) const {
+  kernel.setArg(index, parameters_.get());
+  kernel.setArg(index + 1, photonTrees_.get());
+  kernel.setArg(index + 2, boxes_.get());
+  kernel.setArg(index + 3, blocks_.get());
+  kernel.setArg(index + 4, places_.get());
+  kernel.setArg(index + 5, areaTrees_.get());
+  kernel.setArg(index + 6, areaNodes_.get());
+  kernel.setArg(index + 7, triangles_.get());
+}
+
+void DensityEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t count,
+                                Buffer<float>& irradiance) {
+  values_.queryCount = static_cast<std::uint32_t>(count);
+  parameters_.write(std::span<const DensityParameters>(&values_, 1));
+  setArguments(estimate_, 0);
+  estimate_.setArg(8, queries.get());
+  estimate_.setArg(9, irradiance.get());
+  device_.launch(estimate_, count, groupSize);
+}
+
+std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> queries) {
+  std::vector<glm::vec3> irradiance(queries.size());
+  const std::size_t most = std::min(queries.size(), queriesPerLaunch);
+  Buffer<DensityQuery> in(device_, most);
+  Buffer<float> out(device_, 3 * most);
+  for (std::size_t first = 0; first < queries.size(); first += most) {
+    const std::size_t count = std::min(most, queries.size() - first);
+    in.write(queries.subspan(first, count));
+    estimate(in, count, out);
+    out.read(std::span(&irradiance[first].x, 3 * count));
+  }
+  return irradiance;
+}
+
+}  // namespace prelight

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "device/buffer.h"
+#include "device/device.h"
+#include "photon/density_surface.h"
+#include "photon/photon_maps.h"
+
+namespace prelight {
+
+/// How photons count by their distance; all are divided by their integral.
+enum class DensityKernel : std::uint8_t {
+  Constant = 0,
+  Cone = 1,          ///< 1 - d / r
+  Epanechnikov = 2,  ///< 1 - d2 / r2: least error for a number of photons
+};
+
+struct DensityOptions {
+  DensityKernel kernel = DensityKernel::Epanechnikov;
+  int nearest = 0;           ///< k of the k nearest photons, 2..4096; 0: all within a query's radius
+  double minRadius = 0.0;    ///< m, with k nearest: no closer, so that a sharp focus keeps its noise bounded
+  double leastCosine = 0.5;  ///< between normals of the query's triangle and a photon's, of the same region
+  double flatness = 0.5;     ///< largest distance of the query from a photon's plane, in radii; > 0
+};
+
+/// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface and
+/// the same side. This header shows OpenCL types: kernels of other folders look maps up themselves.
+class DensityEstimator {
+ public:
+  /// Throws UsageError for options out of range.
+  DensityEstimator(const DensitySurface& surface, const DensityOptions& options, const Device& device);
+
+  /// From now on these photons count.
+  void setPhotons(const PhotonMaps& maps);
+
+  /// Irradiance, W/m2, [query]. Deterministic: sums run in the order of the maps.
+  std::vector<glm::vec3> estimate(std::span<const device::DensityQuery> queries);
+
+  /// The same on the device: the first `count` queries -> irradiance [query][3].
+  void estimate(const Buffer<device::DensityQuery>& queries, std::size_t count, Buffer<float>& irradiance);
+
+  /// Options for programs that include kernels/photon/density_funcs.cl.
+  static BuildOptions& addOptions(BuildOptions& options, const DensityOptions& density);
+
+  /// Sets the members of DensityMaps as eight kernel arguments from `index` on.
+  void setArguments(cl::Kernel& kernel, cl_uint index) const;
+
+ private:
+  DeviceContext& device_;
+  device::DensityParameters values_{};
+  Buffer<device::DensityParameters> parameters_;
+  Buffer<device::SurfacePlace> places_;
+  Buffer<device::LeafTree> areaTrees_, photonTrees_;
+  Buffer<device::AreaNode> areaNodes_;
+  Buffer<device::AreaTriangle> triangles_;
+  Buffer<float> boxes_;
+  Buffer<device::PhotonBlock> blocks_;
+  std::size_t mapCount_ = 0;
+  cl::Kernel estimate_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "photon/density_surface.h"
+#include "shared/density_types.h"
+#include "shared/photon_types.h"
+
+namespace prelight {
+
+/// Photons sorted into a map for each side of each region of the surface (Larsen 2004, ch. 8), each map a
+/// balanced tree over blocks of up to 8. Plain data for the device.
+struct PhotonMaps {
+  std::vector<device::LeafTree> trees;      ///< [region][front, back]
+  std::vector<float> boxes;                 ///< [node of all trees][lower 3, upper 3]
+  std::vector<device::PhotonBlock> blocks;  ///< [leaf of all trees]
+  std::size_t photonCount = 0;
+};
+
+/// Depends on nothing but the photons and their order, whatever the number of threads. Throws InputError for
+/// a photon whose position or power is not finite, whose power is negative or whose triangle there is not.
+PhotonMaps makePhotonMaps(std::span<const device::Photon> photons, const DensitySurface& surface);
+
+}  // namespace prelight

@@ -1,0 +1,147 @@
+// Irradiance from photons at a point of a surface: those of the same region and side (Larsen 2004, ch. 8) within a radius,
+// or the k nearest, weighted by a kernel and divided by its integral over the surface that they may lie on.
+//
+// With k nearest photons the radius is the k-th's distance and that photon is not counted itself: k - 1 photons over the
+// disc are an unbiased estimate, k of them too many by k / (k - 1) (Garcia et al. 2012).
+// PRELIGHT_DENSITY_KERNEL: 0 constant, 1 cone, 2 Epanechnikov. PRELIGHT_DENSITY_NEAREST: k, 0: all within the radius.
+#ifndef PRELIGHT_PHOTON_DENSITY_FUNCS_CL
+#define PRELIGHT_PHOTON_DENSITY_FUNCS_CL
+
+#include "photon/kernel_area_funcs.cl"
+
+#ifndef PRELIGHT_DENSITY_NEAREST
+#define PRELIGHT_DENSITY_NEAREST 0
+#endif
+
+// Of the query's radius: how far apart k photons at one place are taken to be.
+#define PRELIGHT_LEAST_RADIUS 1e-3f
+
+// Of r2: the rounding of an area, below which a point has missed its triangle.
+#define PRELIGHT_LEAST_AREA 1e-6f
+
+typedef struct DensityMaps {
+  __constant const DensityParameters* parameters;
+  __global const LeafTree* photonTrees;     // [region][front, back]
+  __global const float* photonBoxes;        // [node][lower 3, upper 3]
+  __global const PhotonBlock* photonBlocks;
+  __global const SurfacePlace* places;      // [triangle]
+  __global const LeafTree* areaTrees;       // [region]
+  __global const AreaNode* areaNodes;
+  __global const AreaTriangle* areaTriangles;
+} DensityMaps;
+
+// Where a query stands.
+typedef struct DensityPlace {
+  float3 position;
+  float3 normal;  // of its triangle
+  uint region;
+  uint slot;
+  bool planar;
+  LeafTree photons;
+} DensityPlace;
+
+DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 side, uint triangle) {
+  const SurfacePlace place = maps.places[triangle];
+  DensityPlace result;
+  result.position = position;
+  result.normal = vload3(0, maps.areaTriangles[place.slot].normal);
+  result.region = place.region & ~PRELIGHT_PLANAR_REGION;
+  result.slot = place.slot;
+  result.planar = (place.region & PRELIGHT_PLANAR_REGION) != 0u;
+  result.photons = maps.photonTrees[2u * result.region + (dot(side, result.normal) < 0.0f ? 1u : 0u)];
+  return result;
+}
+
+// Squared distances of a block's photons from p.
+float8 squaredDistances(__global const PhotonBlock* block, float3 p) {
+  const float8 x = vload8(0, block->x) - p.x, y = vload8(0, block->y) - p.y, z = vload8(0, block->z) - p.z;
+  return x * x + y * y + z * z;
+}
+
+// Squared radii from which on a block's photons are counted, `squared` being their squared distances: those on planes far
+// from p wait until they are within the flatness, those on turned planes are never counted. Exact up to `limit`.
+float8 squaredReaches(const DensityMaps maps, const DensityPlace place, __global const PhotonBlock* block, float8 squared,
+                      float limit) {
+  float reaches[8];
+  vstore8(squared, 0, reaches);
+  for (uint i = 0; i < 8; ++i) {
+    if (!(reaches[i] < limit)) continue;
+    const float3 way = (float3)(block->x[i], block->y[i], block->z[i]) - place.position;
+    const float3 normal = vload3(0, maps.areaTriangles[maps.places[block->triangle[i]].slot].normal);
+    const float height = dot(way, normal) / maps.parameters->flatness;
+    reaches[i] = dot(place.normal, normal) >= maps.parameters->leastCosine ? fmax(reaches[i], height * height) : MAXFLOAT;
+  }
+  return vload8(0, reaches);
+}
+
+// K of squared distances over r2 of less than 1.
+float8 kernelWeights(float8 squared) {
+#if PRELIGHT_DENSITY_KERNEL == 0
+  return (float8)(1.0f);
+#elif PRELIGHT_DENSITY_KERNEL == 1
+  return fmax(1.0f - sqrt(squared), 0.0f);
+#else
+  return fmax(1.0f - squared, 0.0f);
+#endif
+}
+
+float sumOf(float8 x) {
+  const float4 four = x.lo + x.hi;
+  const float2 two = four.lo + four.hi;
+  return two.x + two.y;
+}
+
+// Power within a radius, weighted, W. r2: it squared
+float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
+  const uint leaves = 1u << place.photons.levels;
+  const float inverse = 1.0f / r2;
+  float8 red = 0.0f, green = 0.0f, blue = 0.0f;
+  uint node = 1u;
+  do {
+    __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
+    if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < r2) {
+      if (node < leaves) {
+        node = 2u * node;
+        continue;
+      }
+      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
+      const float8 squared = squaredDistances(block, place.position);
+      const float8 reaches = place.planar ? squared : squaredReaches(maps, place, block, squared, r2);
+      const float8 weights = select((float8)(0.0f), kernelWeights(squared * inverse), isless(reaches, (float8)(r2)));
+      red += weights * vload8(0, block->red);
+      green += weights * vload8(0, block->green);
+      blue += weights * vload8(0, block->blue);
+    }
+    node = nodeAfter(node);
+  } while (node > 1u);
+  return (float3)(sumOf(red), sumOf(green), sumOf(blue));
+}
+
+// Of the surface that those photons lie on, m2.
+float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
+  if (place.planar && holdsDisc(maps.areaTriangles + place.slot, place.position, r))
+    return PRELIGHT_DISC_SHARE * M_PI_F * r * r;
+  return kernelArea(maps.parameters, maps.areaTrees[place.region], maps.areaNodes, maps.areaTriangles, place.planar,
+                    place.position, place.normal, r);
+}
+
+#if PRELIGHT_DENSITY_NEAREST > 0
+#include "photon/nearest_funcs.cl"
+#endif
+
+// Irradiance, W/m2, at `position` of `triangle` on the side that `side` points to. radius > 0: as DensityQuery's.
+float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, uint triangle, float radius) {
+  const DensityPlace place = findDensityPlace(maps, position, side, triangle);
+  if (place.photons.count == 0u) return (float3)(0.0f);
+  float r2 = radius * radius;
+#if PRELIGHT_DENSITY_NEAREST > 0
+  const float least = fmax(fmin(maps.parameters->minRadius, radius), PRELIGHT_LEAST_RADIUS * radius);
+  r2 = fmax(nearestReach(maps, place, r2), least * least);
+#endif
+  const float3 power = gatherPower(maps, place, r2);
+  if (!(power.x > 0.0f || power.y > 0.0f || power.z > 0.0f)) return (float3)(0.0f);
+  const float area = fmax(densityArea(maps, place, sqrt(r2)), PRELIGHT_LEAST_AREA * r2);
+  return power / area;
+}
+
+#endif

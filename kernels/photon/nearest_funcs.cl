@@ -1,0 +1,84 @@
+// Reach of the k-th nearest photon: a heap of the k least squared ones so far, nearer boxes first.
+#ifndef PRELIGHT_PHOTON_NEAREST_FUNCS_CL
+#define PRELIGHT_PHOTON_NEAREST_FUNCS_CL
+
+// Deepest tree: 2^24 blocks.
+#define PRELIGHT_NEAREST_STACK 26
+
+// Puts `value` in place of a heap's root, its greatest, of `count` values.
+void replaceRoot(float* heap, uint count, float value) {
+  uint at = 0u;
+  for (uint child = 1u; child < count; child = 2u * at + 1u) {
+    if (child + 1u < count && heap[child + 1u] > heap[child]) ++child;
+    if (!(heap[child] > value)) break;
+    heap[at] = heap[child];
+    at = child;
+  }
+  heap[at] = value;
+}
+
+// Appends to a heap of `count` values.
+void appendToHeap(float* heap, uint count, float value) {
+  uint at = count;
+  while (at > 0u) {
+    const uint parent = (at - 1u) / 2u;
+    if (!(heap[parent] < value)) break;
+    heap[at] = heap[parent];
+    at = parent;
+  }
+  heap[at] = value;
+}
+
+// Counts a block's photons; returns the greatest squared reach that still matters.
+float visitBlock(const DensityMaps maps, const DensityPlace place, __global const PhotonBlock* block, float* heap,
+                 uint* count, float limit) {
+  float8 squared = squaredDistances(block, place.position);
+  if (!any(isless(squared, (float8)(limit)))) return limit;
+  if (!place.planar) squared = squaredReaches(maps, place, block, squared, limit);
+  float reaches[8];
+  vstore8(squared, 0, reaches);
+  for (uint i = 0; i < 8; ++i) {
+    if (!(reaches[i] < limit)) continue;
+    if (*count < PRELIGHT_DENSITY_NEAREST)
+      appendToHeap(heap, (*count)++, reaches[i]);
+    else
+      replaceRoot(heap, PRELIGHT_DENSITY_NEAREST, reaches[i]);
+    if (*count == PRELIGHT_DENSITY_NEAREST) limit = heap[0];
+  }
+  return limit;
+}
+
+// Squared reach of the k-th nearest photon; `limit` where there are fewer than k below it.
+float nearestReach(const DensityMaps maps, const DensityPlace place, float limit) {
+  if (place.photons.count < PRELIGHT_DENSITY_NEAREST) return limit;
+  float heap[PRELIGHT_DENSITY_NEAREST];
+  uint stack[PRELIGHT_NEAREST_STACK];
+  float distances[PRELIGHT_NEAREST_STACK];
+  const uint leaves = 1u << place.photons.levels;
+  __global const float* boxes = maps.photonBoxes + place.photons.firstNode * 6u;
+  uint count = 0u, top = 0u;
+  stack[top] = 1u;
+  distances[top++] = 0.0f;
+  while (top > 0u) {
+    --top;
+    if (!(distances[top] < limit)) continue;
+    uint node = stack[top];
+    while (node < leaves) {
+      __global const float* left = boxes + (2u * node - 1u) * 6u;
+      const float a = squaredDistanceToBox(place.position, vload3(0, left), vload3(1, left));
+      const float b = squaredDistanceToBox(place.position, vload3(2, left), vload3(3, left));
+      const uint near = a <= b ? 2u * node : 2u * node + 1u;
+      if (fmax(a, b) < limit) {
+        stack[top] = near ^ 1u;
+        distances[top++] = fmax(a, b);
+      }
+      node = fmin(a, b) < limit ? near : 0u;
+      if (node == 0u) break;
+    }
+    if (node == 0u) continue;
+    limit = visitBlock(maps, place, maps.photonBlocks + place.photons.firstLeaf + node - leaves, heap, &count, limit);
+  }
+  return limit;
+}
+
+#endif

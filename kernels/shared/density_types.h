@@ -1,0 +1,75 @@
+// Photon maps and the surface that they lie on, as density estimation reads them.
+#ifndef PRELIGHT_SHARED_DENSITY_TYPES_H
+#define PRELIGHT_SHARED_DENSITY_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+#define PRELIGHT_BLOCK_PHOTONS 8u
+#define PRELIGHT_LEAF_TRIANGLES 4u
+
+/// A complete binary tree: node 1 is the root, nodes 2 i and 2 i + 1 are node i's children, the leaves are the last
+/// 2^levels ones. Node i lies at firstNode + i - 1.
+typedef struct LeafTree {
+  uint firstNode;
+  uint firstLeaf;  ///< of the leaves' contents
+  uint levels;
+  uint count;  ///< of what the leaves hold together; 0: nothing to visit
+} LeafTree;
+
+/// A leaf of photons, member by member. Where there are fewer the rest lies far off and has no power.
+typedef struct PhotonBlock {
+  float x[8];  ///< scene coordinates
+  float y[8];
+  float z[8];
+  uint triangle[8];
+  float red[8];  ///< W
+  float green[8];
+  float blue[8];
+  uint direction[8];  ///< as Photon::direction
+} PhotonBlock;
+
+/// A node over triangles of a region.
+typedef struct AreaNode {
+  float lower[3];  ///< scene coordinates
+  float area;      ///< m2
+  float upper[3];
+  float moment;       ///< integral over the surface of the squared distance from `centre`, m4
+  float centre[3];    ///< of the area
+  float spread;       ///< cosine of the largest angle between `normal` and a triangle's
+  float normal[3];    ///< unit
+  uint triangleCount;  ///< of a leaf
+} AreaNode;
+
+/// A leaf's triangle i lies at (firstLeaf + leaf) x PRELIGHT_LEAF_TRIANGLES + i.
+typedef struct AreaTriangle {
+  float corners[9];  ///< scene coordinates
+  float normal[3];   ///< unit, geometric
+} AreaTriangle;
+
+#define PRELIGHT_PLANAR_REGION 0x80000000u
+
+/// Where to find a triangle of the scene.
+typedef struct SurfacePlace {
+  uint region;  ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
+  uint slot;    ///< among the AreaTriangles
+} SurfacePlace;
+
+typedef struct DensityParameters {
+  float minRadius;    ///< m, of k nearest photons
+  float leastCosine;  ///< between the normals of the query's triangle and of a photon's
+  float flatness;     ///< largest distance of the query from a photon's plane, in radii
+  uint queryCount;
+} DensityParameters;
+
+typedef struct DensityQuery {
+  float position[3];  ///< on the surface, scene coordinates
+  uint triangle;
+  float normal[3];  ///< on the side asked for; only the side counts
+  float radius;     ///< m, > 0; with k nearest photons the largest
+} DensityQuery;
+
+PRELIGHT_SHARED_END
+
+#endif
