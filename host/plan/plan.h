@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/radiosity_request.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
 
@@ -43,10 +44,12 @@ struct BakeRequest {
   double leastFormFactor = 0.0;  ///< occluders that hide less of the sky than this are dropped, 0..1
   int volumeSize = 0;  ///< voxels along the scene's longest side; 0: none; needs shOrder, which is its order
   int texelSize = 0;   ///< texels along the largest light map, 0: none; needs shOrder, which is its order
-  int bounces = 0;     ///< diffuse interreflections, 0..16
-  double nearLimit = 0.0;   ///< m, >= 0; what is nearer to a receiver occludes nothing
-  double farLimit = 0.0;    ///< m; what is farther occludes nothing; 0: no limit
-  double obscurance = 0.0;  ///< m; occlusion fades out linearly up to this distance; 0: it does not
+  bool radiosity = false;           ///< irradiance of the scene's static lights at every vertex
+  RadiosityRequest radiosityShape;  ///< what it is solved with
+  int bounces = 0;                  ///< diffuse interreflections, 0..16
+  double nearLimit = 0.0;           ///< m, >= 0; what is nearer to a receiver occludes nothing
+  double farLimit = 0.0;            ///< m; what is farther occludes nothing; 0: no limit
+  double obscurance = 0.0;          ///< m; occlusion fades out linearly up to this distance; 0: it does not
   std::vector<ShadowSetRequest> shadowSets;  ///< nodes that none of these name see everything
   std::uint64_t rays = 1024;                 ///< rays a vertex, on average; ignored with error or seconds
   std::optional<double> error;    ///< stop when AO's estimated standard error is below this at every vertex
@@ -58,7 +61,10 @@ struct BakeRequest {
   bool carriesLight() const {
     return shOrder > 0 || chOrder > 0 || haarSize > 0 || glossyOrder > 0 || lightGroups;
   }
-  bool anything() const { return ao || occluders || carriesLight(); }
+
+  /// Anything that is projected from the hemispheres of receivers.
+  bool castsReceivers() const { return ao || occluders || carriesLight(); }
+  bool anything() const { return castsReceivers() || radiosity; }
 
   /// The same effort, limits and seed, with nothing to make.
   BakeRequest withoutTechniques() const;

@@ -1,0 +1,206 @@
+#include "radiosity/exchange_solver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "shared/radiosity_types.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t groupSize = 64;
+constexpr std::uint32_t elementsPerSum = 256;
+constexpr std::uint32_t seidelBlocks = 32;
+constexpr double stepsOfALaunch = 2e7;  // elements looked at; far below a second
+
+}  // namespace
+
+ExchangeSolver::ExchangeSolver(const ExchangeSystem& system)
+    : system_(system),
+      device_(system.device()),
+      direct_(device_, system.size()),
+      irradiance_(device_, system.size()),
+      exitance_(device_, system.size()),
+      residual_(device_, system.size()),
+      previous_(device_, system.size()),
+      unsent_(device_, system.size()),
+      sums_(device_, (system.size() + elementsPerSum - 1) / elementsPerSum),
+      taken_(device_, 1),
+      gather_(system.program(), "gatherRows"),
+      measure_(system.program(), "measureRows"),
+      reflect_(system.program(), "reflectRows"),
+      accelerate_(system.program(), "accelerateRows"),
+      sum_(system.program(), "sumResiduals"),
+      rank_(system.program(), "rankRows"),
+      relax_(system.program(), "relaxGreatest"),
+      takeRest_(system.program(), "takeRest") {}
+
+void ExchangeSolver::setDirect(const std::vector<glm::vec4>& direct) {
+  direct_.write(std::span<const glm::vec4>(direct));
+  directNorm_ = norm(direct_);
+  if (!started_) restart();
+}
+
+void ExchangeSolver::restart() {
+  irradiance_.write(std::span<const glm::vec4>(direct_.read()));
+  started_ = true;
+}
+
+/// Greatest channel of the sum of area x |value|.
+double ExchangeSolver::norm(const Buffer<glm::vec4>& values) {
+  setArguments(sum_, static_cast<cl_uint>(system_.size()), system_.areas().get(), values.get(), sums_.get());
+  device_.launch(sum_, sums_.size(), groupSize);
+  glm::dvec3 total(0.0);
+  for (const glm::vec4& sum : sums_.read()) total += glm::dvec3(sum);
+  return std::max({total.x, total.y, total.z});
+}
+
+void ExchangeSolver::gather(std::uint32_t first, std::uint32_t count) {
+  setArguments(gather_, static_cast<cl_uint>(first), static_cast<cl_uint>(count), system_.rowStart().get(),
+               system_.columns().get(), system_.values().get(), system_.scale().get(), direct_.get(),
+               exitance_.get(), irradiance_.get(), residual_.get());
+  device_.launch(gather_, count, groupSize);
+}
+
+void ExchangeSolver::reflect(std::uint32_t first, std::uint32_t count) {
+  setArguments(reflect_, static_cast<cl_uint>(first), static_cast<cl_uint>(count),
+               static_cast<cl_uint>(system_.perSide()), system_.albedo().get(), system_.transmission().get(),
+               irradiance_.get(), exitance_.get());
+  device_.launch(reflect_, count, groupSize);
+}
+
+void ExchangeSolver::measure() {
+  setArguments(measure_, static_cast<cl_uint>(system_.size()), system_.rowStart().get(),
+               system_.columns().get(), system_.values().get(), system_.scale().get(), direct_.get(),
+               exitance_.get(), irradiance_.get(), residual_.get());
+  device_.launch(measure_, system_.size(), groupSize);
+}
+
+SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, double maxSweeps,
+                                  Progress& progress, bool exactCurve) {
+  using Clock = std::chrono::steady_clock;
+  SolveReport report;
+  const auto start = Clock::now();
+  goal_ = tolerance * directNorm_;
+  weight_ = 1.0;
+  residualKnown_ = false;
+  residual_.fill(glm::vec4(0.0f));
+  reflect(0, system_.size());
+  if (directNorm_ <= 0.0 && norm(irradiance_) <= 0.0) {
+    report.converged = true;
+    return report;
+  }
+  double sweeps = 0.0;
+  bool measured = false;
+  while (sweeps < maxSweeps && !report.converged) {
+    progress.check();
+    sweeps += sweep(method);
+    // What a sweep of Jacobi's changes is the residual before it; that of Gauss and Seidel is about that.
+    double residual = norm(residual_);
+    measured = exactCurve || method == RadiosityMethod::Southwell ||
+               (method == RadiosityMethod::GaussSeidel && residual <= goal_);
+    if (measured) {
+      measure();
+      residual = norm(residual_);
+    }
+    residualKnown_ = measured;
+    report.curve.push_back({sweeps, std::chrono::duration<double>(Clock::now() - start).count(),
+                            residual / std::max(directNorm_, 1e-300)});
+    report.converged = residual <= goal_;
+    progress.report(
+        "radiosity",
+        report.converged
+            ? 1.0
+            : std::clamp(std::log(std::max(residual / directNorm_, 1e-30)) / std::log(tolerance), 0.0, 1.0));
+  }
+  if (!measured) return report;
+  // The residual is at hand: taking it in is one more iteration of Jacobi's.
+  setArguments(takeRest_, static_cast<cl_uint>(system_.size()), irradiance_.get(), residual_.get());
+  device_.launch(takeRest_, system_.size(), groupSize);
+  return report;
+}
+
+/// Leaves irradiance and exitance in step; returns row operations over rows.
+double ExchangeSolver::sweep(RadiosityMethod method) {
+  switch (method) {
+    case RadiosityMethod::Jacobi:
+      return jacobi();
+    case RadiosityMethod::Chebyshev:
+      return chebyshev();
+    case RadiosityMethod::GaussSeidel:
+      return gaussSeidel();
+    case RadiosityMethod::Southwell:
+      break;
+  }
+  return southwell();
+}
+
+double ExchangeSolver::jacobi() {
+  gather(0, system_.size());
+  reflect(0, system_.size());
+  return 1.0;
+}
+
+double ExchangeSolver::chebyshev() {
+  const double bound = std::min(system_.greatestAlbedo(), 0.99999);
+  const bool first = weight_ == 1.0;
+  if (first) {
+    previous_.write(std::span<const glm::vec4>(irradiance_.read()));
+    gather(0, system_.size());
+    weight_ = 1.0 / (1.0 - 0.5 * bound * bound);
+  } else {
+    gather(0, system_.size());
+    setArguments(accelerate_, static_cast<cl_uint>(system_.size()), static_cast<cl_float>(weight_),
+                 residual_.get(), irradiance_.get(), previous_.get());
+    device_.launch(accelerate_, system_.size(), groupSize);
+    weight_ = 1.0 / (1.0 - 0.25 * bound * bound * weight_);
+  }
+  reflect(0, system_.size());
+  return 1.0;
+}
+
+double ExchangeSolver::gaussSeidel() {
+  const std::uint32_t size =
+      std::max<std::uint32_t>(groupSize, (system_.size() + seidelBlocks - 1) / seidelBlocks);
+  for (std::uint32_t first = 0; first < system_.size(); first += size) {
+    const std::uint32_t count = std::min(size, system_.size() - first);
+    gather(first, count);
+    reflect(first, count);
+  }
+  return 1.0;
+}
+
+/// As many relaxations as a launch may take, at most one a row.
+double ExchangeSolver::southwell() {
+  const auto n = static_cast<cl_uint>(system_.size());
+  const auto perSide = static_cast<cl_uint>(system_.perSide());
+  if (!residualKnown_) measure();
+  setArguments(rank_, n, perSide, system_.areas().get(), system_.albedo().get(), system_.transmission().get(),
+               residual_.get(), unsent_.get());
+  device_.launch(rank_, n, groupSize);
+  const auto most = static_cast<std::uint32_t>(std::max(16.0, stepsOfALaunch / n));
+  std::uint32_t steps = 0;
+  while (steps < n) {
+    const auto launch = static_cast<cl_uint>(std::min(most, n - steps));
+    setArguments(relax_, n, launch, static_cast<cl_float>(0.1 * goal_ / n), perSide, system_.rowStart().get(),
+                 system_.columns().get(), system_.values().get(), system_.scale().get(),
+                 system_.areas().get(), system_.albedo().get(), system_.transmission().get(),
+                 irradiance_.get(), residual_.get(), unsent_.get(), taken_.get());
+    device_.launch(relax_, PRELIGHT_SOUTHWELL_ITEMS, PRELIGHT_SOUTHWELL_ITEMS);
+    const std::uint32_t taken = taken_.read()[0];
+    steps += taken;
+    if (taken < launch) break;
+  }
+  // Rows of the strongest only took their residual; the others' waits.
+  reflect(0, system_.size());
+  if (steps < n) {
+    setArguments(takeRest_, n, irradiance_.get(), residual_.get());
+    device_.launch(takeRest_, n, groupSize);
+    reflect(0, system_.size());
+  }
+  return steps == 0 ? 1.0 : double(steps) / n;
+}
+
+}  // namespace prelight

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "base/progress.h"
+#include "radiosity/exchange_system.h"
+#include "radiosity/radiosity_request.h"
+
+namespace prelight {
+
+/// A solution on its way: norms after that much work.
+struct ResidualPoint {
+  double sweeps = 0.0;    ///< row operations so far over the number of rows
+  double seconds = 0.0;   ///< since the start
+  double residual = 0.0;  ///< sum of area x |residual| of the strongest channel over that of the direct light
+};
+
+struct SolveReport {
+  std::vector<ResidualPoint> curve;
+  bool converged = false;
+  double sweeps() const { return curve.empty() ? 0.0 : curve.back().sweeps; }
+  double residual() const { return curve.empty() ? 0.0 : curve.back().residual; }
+};
+
+/// Solves the radiosity equation by iteration, all three channels together:
+///   Jacobi        all rows from the last iterate;
+///   Chebyshev     the same, accelerated with the bound that the greatest albedo sets on the spectrum
+///                 (Golub and Varga 1961): about the square root of its iterations;
+///   Gauss-Seidel  in 32 blocks of consecutive rows, one after the other: a block sees what those before it
+///                 have changed, its own rows (neighbours, which hardly see each other) the last iterate;
+///   Southwell     the row of most unsent power first, in one work-group.
+/// All orders are fixed, so that results depend on neither threads nor chance.
+class ExchangeSolver {
+ public:
+  /// `system` must outlive the solver.
+  explicit ExchangeSolver(const ExchangeSystem& system);
+
+  /// Direct light of every element, W/m2, w unused. The irradiance keeps its last value as a start; the first
+  /// one is the direct light.
+  void setDirect(const std::vector<glm::vec4>& direct);
+
+  /// Starts from the direct light again.
+  void restart();
+
+  /// Goes on until the residual is below `tolerance` or after `maxSweeps`. `exactCurve` measures the residual
+  /// after every sweep, which costs as much again; else the curve shows what sweeps change, which is the
+  /// residual before them or close to it. Throws Interrupted.
+  SolveReport solve(RadiosityMethod method, double tolerance, double maxSweeps, Progress& progress,
+                    bool exactCurve = false);
+
+  /// [element], W/m2.
+  std::vector<glm::vec4> irradiance() const { return irradiance_.read(); }
+
+ private:
+  void gather(std::uint32_t first, std::uint32_t count);
+  void reflect(std::uint32_t first, std::uint32_t count);
+  void measure();
+  double norm(const Buffer<glm::vec4>& values);
+  double sweep(RadiosityMethod method);
+  double jacobi();
+  double chebyshev();
+  double gaussSeidel();
+  double southwell();
+
+  const ExchangeSystem& system_;
+  DeviceContext& device_;
+  bool started_ = false;
+  double directNorm_ = 0.0;
+  double weight_ = 1.0;         ///< Chebyshev's
+  bool residualKnown_ = false;  ///< Southwell's residual and ranks are up to date
+  double goal_ = 0.0;           ///< norm that a residual is to fall below, W
+  Buffer<glm::vec4> direct_;
+  Buffer<glm::vec4> irradiance_;
+  Buffer<glm::vec4> exitance_;
+  Buffer<glm::vec4> residual_;
+  Buffer<glm::vec4> previous_;
+  Buffer<float> unsent_;
+  Buffer<glm::vec4> sums_;
+  Buffer<std::uint32_t> taken_;
+  cl::Kernel gather_, measure_, reflect_, accelerate_, sum_, rank_, relax_, takeRest_;
+};
+
+}  // namespace prelight

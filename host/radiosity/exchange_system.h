@@ -1,0 +1,62 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "device/buffer.h"
+#include "radiosity/form_factors.h"
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// The radiosity equation of a scene on the device; kernels/radiosity/solve_kernels.cl says how it is laid
+/// out.
+class ExchangeSystem {
+ public:
+  /// None of them is kept.
+  ExchangeSystem(DeviceContext& device, const CompiledScene& scene, const RadiosityElements& elements,
+                 const FormFactors& factors);
+
+  std::uint32_t size() const { return size_; }
+  std::uint32_t perSide() const { return perSide_; }
+  std::size_t entries() const { return columns_.size(); }
+
+  /// Greatest share of what arrives at an element that leaves it again, of any channel: bounds the spectrum.
+  double greatestAlbedo() const { return greatestAlbedo_; }
+
+  DeviceContext& device() const { return device_; }
+  const cl::Program& program() const { return program_; }
+
+  const Buffer<std::uint32_t>& rowStart() const { return rowStart_; }
+  const Buffer<std::uint32_t>& columns() const { return columns_; }
+  const Buffer<float>& values() const { return values_; }
+  const Buffer<float>& scale() const { return scale_; }
+  const Buffer<float>& areas() const { return areas_; }
+  const Buffer<glm::vec4>& albedo() const { return albedo_; }
+  const Buffer<glm::vec4>& transmission() const { return transmission_; }
+
+  /// [element], of hosts' interest.
+  const std::vector<float>& hostAreas() const { return hostAreas_; }
+
+ private:
+  DeviceContext& device_;
+  std::uint32_t size_;
+  std::uint32_t perSide_;
+  double greatestAlbedo_ = 0.0;
+  std::vector<float> hostAreas_;
+  Buffer<std::uint32_t> rowStart_;
+  Buffer<std::uint32_t> columns_;
+  Buffer<float> values_;
+  Buffer<float> scale_;
+  Buffer<float> areas_;
+  Buffer<glm::vec4> albedo_;
+  Buffer<glm::vec4> transmission_;
+  cl::Program program_;
+};
+
+/// [element] what comes through from the other side; all 0 where nothing is translucent.
+std::vector<glm::vec4> transmissionOfElements(const CompiledScene& scene, const RadiosityElements& elements,
+                                              std::uint32_t count);
+
+}  // namespace prelight

@@ -1,0 +1,217 @@
+#include "radiosity/form_factor_cast.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "bake/caster.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+constexpr std::uint32_t mostRaysPerPoint = 16;
+constexpr std::uint32_t maxBackRounds = 4;  // backs seen from backs, and so on
+
+std::vector<glm::uvec2> piecesOf(const RadiosityElements& elements) {
+  std::vector<glm::uvec2> pieces;
+  for (std::size_t t = 0; t < elements.splits.size(); ++t)
+    pieces.emplace_back(elements.first[t], elements.splits[t]);
+  return pieces;
+}
+
+/// [triangle], bit 0: it reflects, bit 1: it lets light through.
+std::vector<std::uint8_t> reflectingTriangles(const CompiledScene& scene) {
+  const auto shines = [](const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z > 0.0f; };
+  std::vector<std::uint8_t> reflecting;
+  for (const std::uint32_t material : scene.triangleMaterials) {
+    const CompiledMaterial& m = scene.materials[material];
+    reflecting.push_back(
+        static_cast<std::uint8_t>((shines(m.albedo) ? 1 : 0) | (shines(m.diffuseTransmission) ? 3 : 0)));
+  }
+  return reflecting;
+}
+
+template <typename T>
+std::span<const T> spanOf(const std::vector<T>& values) {
+  return values;
+}
+
+}  // namespace
+
+FormFactorCast::FormFactorCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer,
+                               std::uint32_t raysPerElement, std::uint64_t seed)
+    : scene_(scene),
+      elements_(elements),
+      tracer_(tracer),
+      device_(tracer.context()),
+      raysPerElement_(raysPerElement),
+      raysPerPoint_(std::min(mostRaysPerPoint, raysPerElement)),
+      pointsPerElement_(raysPerElement / raysPerPoint_),
+      blockSize_(std::max(1u, receiversPerBlock(device_.info(), raysPerElement))),
+      points_(scene, elements, seed),
+      backCast_(scene.triangleCount(), 0),
+      queue_(elements.perSide()),
+      parameters_(device_, 1),
+      receivers_(device_, std::size_t{blockSize_} * pointsPerElement_),
+      elementPoints_(device_, receivers_.size()),
+      rays_(device_, std::size_t{blockSize_} * raysPerElement),
+      hits_(device_, rays_.size()),
+      codes_(device_, rays_.size()),
+      judged_(device_, receivers_.size()),
+      pieces_(device_, spanOf(piecesOf(elements))),
+      normals_(device_, spanOf(orientedNormals(scene))),
+      twoSided_(device_, spanOf(twoSidedTriangles(scene))),
+      reflecting_(device_, spanOf(reflectingTriangles(scene))),
+      marks_(device_, scene.triangleCount()) {
+  std::iota(queue_.begin(), queue_.end(), 0u);
+  counts_.offsets.push_back(0);
+  marks_.fill(0);
+  generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
+  const auto& program = device_.program("radiosity/form_factor_kernels.cl", tracer_.surfaceOptions());
+  code_ = cl::Kernel(program, "codeElements");
+  judge_ = cl::Kernel(program, "judgePoints");
+}
+
+void FormFactorCast::run(Progress& progress) {
+  do {
+    while (done_ < queue_.size()) {
+      progress.check();
+      const auto count =
+          static_cast<std::uint32_t>(std::min<std::uint64_t>(blockSize_, queue_.size() - done_));
+      castBlock(count);
+      done_ += count;
+      progress.report(round_ == 0 ? "form factors" : "form factors of backs",
+                      double(done_) / double(queue_.size()));
+    }
+  } while (startRound());
+}
+
+/// Backs that no round has cast from yet; false when there are none.
+bool FormFactorCast::startRound() {
+  if (round_ == maxBackRounds) return false;
+  const std::vector<std::uint8_t> seen = marks_.read();
+  std::vector<std::uint32_t> fresh;
+  for (std::uint32_t t = 0; t < seen.size(); ++t) {
+    if (!seen[t] || backCast_[t]) continue;
+    backCast_[t] = 1;
+    for (std::uint32_t piece = elements_.first[t]; piece < elements_.first[t + 1]; ++piece)
+      fresh.push_back(elements_.perSide() + piece);
+  }
+  if (fresh.empty()) return false;
+  ++round_;
+  queue_ = std::move(fresh);
+  done_ = 0;
+  return true;
+}
+
+void FormFactorCast::castBlock(std::uint32_t count) {
+  const std::vector<ElementPoints::Place> places =
+      points_.of(queue_, done_, count, pointsPerElement_, raysPerPoint_);
+  std::vector<Receiver> receivers;
+  std::vector<ElementPoint> points;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SurfaceSample& s = places[i].sample;
+    const bool back = elements_.sideOf(queue_[done_ + i / pointsPerElement_]) == Side::Back;
+    receivers.push_back(places[i].receiver);
+    points.push_back({s.triangle, s.b1, s.b2, back ? 1u : 0u});
+  }
+  const auto pointCount = static_cast<cl_uint>(places.size());
+  const auto rayCount = static_cast<cl_uint>(places.size() * raysPerPoint_);
+  CastParameters parameters{};
+  parameters.receiverCount = pointCount;
+  parameters.raysPerReceiver = raysPerPoint_;
+  parameters_.write(std::span<const CastParameters>(&parameters, 1));
+  receivers_.write(spanOf(receivers));
+  elementPoints_.write(spanOf(points));
+  setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
+  device_.launch(generate_, rayCount / 8, groupSize);
+  tracer_.traceClosest(rays_, hits_, rayCount);
+  setArguments(code_, rayCount, static_cast<cl_uint>(elements_.perSide()), rays_.get(), hits_.get(),
+               pieces_.get(), normals_.get(), reflecting_.get(), codes_.get(), marks_.get());
+  device_.launch(code_, rayCount, groupSize);
+  setArguments(judge_, pointCount, static_cast<cl_uint>(raysPerPoint_), elementPoints_.get(), rays_.get(),
+               hits_.get(), normals_.get(), twoSided_.get());
+  tracer_.setSurfaceArguments(judge_, 7);
+  judge_.setArg(12, judged_.get());
+  device_.launch(judge_, pointCount, groupSize);
+  std::vector<std::uint32_t> codes(rayCount);
+  std::vector<glm::vec4> judged(pointCount);
+  codes_.read(std::span(codes));
+  judged_.read(std::span(judged));
+  for (std::uint32_t i = 0; i < count; ++i)
+    addRow(queue_[done_ + i], &codes[std::size_t{i} * raysPerElement_],
+           &judged[std::size_t{i} * pointsPerElement_]);
+}
+
+void FormFactorCast::addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged) {
+  scratch_.clear();
+  glm::vec4 surface(0.0f);
+  for (std::uint32_t p = 0; p < pointsPerElement_; ++p) {
+    if (judged[p].w == 0.0f) continue;
+    surface += judged[p];
+    const std::uint32_t* first = codes + std::size_t{p} * raysPerPoint_;
+    scratch_.insert(scratch_.end(), first, first + raysPerPoint_);
+  }
+  if (surface.w > 0.0f)
+    surface = glm::vec4(glm::vec3(surface) / surface.w, surface.w / float(pointsPerElement_));
+  std::sort(scratch_.begin(), scratch_.end());
+  std::uint32_t escaped = 0;
+  for (std::size_t i = 0; i < scratch_.size();) {
+    std::size_t end = i + 1;
+    while (end < scratch_.size() && scratch_[end] == scratch_[i]) ++end;
+    if (scratch_[i] == PRELIGHT_ESCAPED) {
+      escaped = static_cast<std::uint32_t>(end - i);
+    } else {
+      counts_.columns.push_back(scratch_[i]);
+      counts_.counts.push_back(static_cast<std::uint16_t>(end - i));
+    }
+    i = end;
+  }
+  counts_.elements.push_back(element);
+  counts_.offsets.push_back(counts_.columns.size());
+  counts_.rays.push_back(static_cast<std::uint32_t>(scratch_.size()));
+  counts_.escaped.push_back(escaped);
+  counts_.surface.push_back(surface);
+}
+
+void FormFactorCast::save(StateWriter& state) const {
+  state.value(round_);
+  state.value(done_);
+  state.values(queue_);
+  state.values(backCast_);
+  state.values(marks_.read());
+  state.values(counts_.elements);
+  state.values(counts_.offsets);
+  state.values(counts_.columns);
+  state.values(counts_.counts);
+  state.values(counts_.rays);
+  state.values(counts_.escaped);
+  state.values(counts_.surface);
+}
+
+void FormFactorCast::load(StateReader& state) {
+  state.value(round_);
+  state.value(done_);
+  state.values(queue_);
+  state.sameSize(backCast_);
+  std::vector<std::uint8_t> marks(marks_.size());
+  state.sameSize(marks);
+  marks_.write(spanOf(marks));
+  state.values(counts_.elements);
+  state.values(counts_.offsets);
+  state.values(counts_.columns);
+  state.values(counts_.counts);
+  state.values(counts_.rays);
+  state.values(counts_.escaped);
+  state.values(counts_.surface);
+  const std::size_t rows = counts_.elements.size();
+  if (done_ > queue_.size() || counts_.offsets.size() != rows + 1 || counts_.rays.size() != rows ||
+      counts_.escaped.size() != rows || counts_.surface.size() != rows ||
+      counts_.columns.size() != counts_.counts.size() || counts_.offsets.back() != counts_.columns.size())
+    state.damaged();
+}
+
+}  // namespace prelight

@@ -1,0 +1,177 @@
+// The radiosity equation H = D + F B with B = albedo x H + transmission x H of the other side. H: irradiance, D: direct
+// light, B: exitance without emission, which D holds; all [element] float4, rgb. F_ij = scale[i] x values[k] with
+// column k = j; values are symmetric.
+// Options: PRELIGHT_TRANSLUCENT, when a material lets light through diffusely; elements of the backs then follow
+// `perSide` of the fronts.
+#include "shared/radiosity_types.h"
+
+float4 gatherRow(uint i, __global const uint* rowStart, __global const uint* columns, __global const float* values,
+                 __global const float* scale, __global const float4* exitance) {
+  float4 sum = (float4)(0.0f);
+  const uint end = rowStart[i + 1u];
+  for (uint k = rowStart[i]; k < end; ++k) sum += values[k] * exitance[columns[k]];
+  return scale[i] * sum;
+}
+
+// A row of [first, first + count) a work-item -> irradiance, and residual, what it changes by.
+// Next: reflectRows.
+__kernel void gatherRows(uint first, uint count, __global const uint* rowStart, __global const uint* columns,
+                         __global const float* values, __global const float* scale, __global const float4* direct,
+                         __global const float4* exitance, __global float4* irradiance, __global float4* residual) {
+  if (get_global_id(0) >= count) return;
+  const uint i = first + (uint)get_global_id(0);
+  if (scale[i] <= 0.0f) return;
+  const float4 gathered = direct[i] + gatherRow(i, rowStart, columns, values, scale, exitance);
+  residual[i] = gathered - irradiance[i];
+  irradiance[i] = gathered;
+}
+
+// The residual alone; irradiance stays.
+__kernel void measureRows(uint count, __global const uint* rowStart, __global const uint* columns,
+                          __global const float* values, __global const float* scale, __global const float4* direct,
+                          __global const float4* exitance, __global const float4* irradiance,
+                          __global float4* residual) {
+  const uint i = (uint)get_global_id(0);
+  if (i >= count) return;
+  residual[i] = scale[i] > 0.0f
+                    ? direct[i] + gatherRow(i, rowStart, columns, values, scale, exitance) - irradiance[i]
+                    : (float4)(0.0f);
+}
+
+float4 exitanceOf(uint i, uint perSide, __global const float4* albedo, __global const float4* transmission,
+                  __global const float4* irradiance) {
+  float4 leaves = albedo[i] * irradiance[i];
+#ifdef PRELIGHT_TRANSLUCENT
+  leaves += transmission[i] * irradiance[i < perSide ? i + perSide : i - perSide];
+#endif
+  return leaves;
+}
+
+// An element of [first, first + count) a work-item: what leaves it, and with PRELIGHT_TRANSLUCENT its other side.
+__kernel void reflectRows(uint first, uint count, uint perSide, __global const float4* albedo,
+                          __global const float4* transmission, __global const float4* irradiance,
+                          __global float4* exitance) {
+  if (get_global_id(0) >= count) return;
+  const uint i = first + (uint)get_global_id(0);
+  exitance[i] = exitanceOf(i, perSide, albedo, transmission, irradiance);
+#ifdef PRELIGHT_TRANSLUCENT
+  const uint other = i < perSide ? i + perSide : i - perSide;
+  if (other < first || other >= first + count)
+    exitance[other] = exitanceOf(other, perSide, albedo, transmission, irradiance);
+#endif
+}
+
+// Chebyshev's semi-iteration: next = weight x (step + current - previous) + previous, where step is the residual and
+// `irradiance` is current + step -> irradiance next, previous current.
+__kernel void accelerateRows(uint count, float weight, __global const float4* residual, __global float4* irradiance,
+                             __global float4* previous) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const float4 gathered = irradiance[i], current = gathered - residual[i];
+  irradiance[i] = weight * (gathered - previous[i]) + previous[i];
+  previous[i] = current;
+}
+
+// 256 elements a work-item -> sums [item]: area x |residual|, rgb, and the greatest |residual| of any channel.
+__kernel void sumResiduals(uint count, __global const float* areas, __global const float4* residual,
+                           __global float4* sums) {
+  const uint begin = (uint)get_global_id(0) * 256u;
+  if (begin >= count) return;
+  float4 sum = (float4)(0.0f);
+  const uint end = min(count, begin + 256u);
+  for (uint i = begin; i < end; ++i) {
+    const float4 r = fabs(residual[i]);
+    sum.xyz += areas[i] * r.xyz;
+    sum.w = fmax(sum.w, fmax(r.x, fmax(r.y, r.z)));
+  }
+  sums[get_global_id(0)] = sum;
+}
+
+// What of a residual the element sends on, W of the strongest channel: the greatest goes first.
+float unsentPower(uint i, uint perSide, __global const float* areas, __global const float4* albedo,
+                  __global const float4* transmission, float4 residual) {
+  float4 share = albedo[i];
+#ifdef PRELIGHT_TRANSLUCENT
+  share += transmission[i < perSide ? i + perSide : i - perSide];
+#endif
+  const float4 sent = fabs(share * residual);
+  return areas[i] * fmax(sent.x, fmax(sent.y, sent.z));
+}
+
+// An element a work-item.
+__kernel void rankRows(uint count, uint perSide, __global const float* areas, __global const float4* albedo,
+                       __global const float4* transmission, __global const float4* residual, __global float* unsent) {
+  const uint i = (uint)get_global_id(0);
+  if (i < count) unsent[i] = unsentPower(i, perSide, areas, albedo, transmission, residual[i]);
+}
+
+// Sends what `source` throws onto what it sees, which its row tells as well as its column does.
+void shootRow(uint source, float4 leaves, uint local0, uint items, uint perSide, __global const uint* rowStart,
+              __global const uint* columns, __global const float* values, __global const float* scale,
+              __global const float* areas, __global const float4* albedo, __global const float4* transmission,
+              __global float4* residual, __global float* unsent) {
+  const uint end = rowStart[source + 1u];
+  for (uint k = rowStart[source] + local0; k < end; k += items) {
+    const uint j = columns[k];
+    if (scale[j] <= 0.0f) continue;
+    residual[j] += scale[j] * values[k] * leaves;
+    unsent[j] = unsentPower(j, perSide, areas, albedo, transmission, residual[j]);
+  }
+}
+
+// Southwell's relaxation, `steps` times: the element with the most unsent power takes its residual and sends it on, as
+// progressive radiosity shoots (Cohen et al. 1988). One work-group, so that the order is that of one thread.
+__kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) void relaxGreatest(
+    uint count, uint steps, float enough, uint perSide, __global const uint* rowStart, __global const uint* columns,
+    __global const float* values, __global const float* scale, __global const float* areas,
+    __global const float4* albedo, __global const float4* transmission, __global float4* irradiance,
+    __global float4* residual, __global float* unsent, __global uint* taken) {
+  __local float most[PRELIGHT_SOUTHWELL_ITEMS];
+  __local uint place[PRELIGHT_SOUTHWELL_ITEMS];
+  const uint item = (uint)get_local_id(0);
+  uint done = 0;
+  for (uint step = 0; step < steps; ++step) {
+    float best = 0.0f;
+    uint at = 0u;
+    for (uint i = item; i < count; i += PRELIGHT_SOUTHWELL_ITEMS)
+      if (unsent[i] > best) {
+        best = unsent[i];
+        at = i;
+      }
+    most[item] = best;
+    place[item] = at;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (uint k = 0; k < PRELIGHT_SOUTHWELL_ITEMS; ++k)
+      if (most[k] > best || (most[k] == best && place[k] < at)) {
+        best = most[k];
+        at = place[k];
+      }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    if (best <= enough) break;
+    const float4 change = residual[at];
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    if (item == 0u) {
+      irradiance[at] += change;
+      residual[at] = (float4)(0.0f);
+      unsent[at] = 0.0f;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    shootRow(at, albedo[at] * change, item, PRELIGHT_SOUTHWELL_ITEMS, perSide, rowStart, columns, values, scale, areas,
+             albedo, transmission, residual, unsent);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+#ifdef PRELIGHT_TRANSLUCENT
+    const uint other = at < perSide ? at + perSide : at - perSide;
+    shootRow(other, transmission[other] * change, item, PRELIGHT_SOUTHWELL_ITEMS, perSide, rowStart, columns, values,
+             scale, areas, albedo, transmission, residual, unsent);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+#endif
+    ++done;
+  }
+  if (item == 0u) taken[0] = done;
+}
+
+// What has not been sent is taken in without being sent: one iteration of Jacobi's for nothing.
+__kernel void takeRest(uint count, __global float4* irradiance, __global const float4* residual) {
+  const size_t i = get_global_id(0);
+  if (i < count) irradiance[i] += residual[i];
+}

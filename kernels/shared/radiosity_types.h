@@ -1,0 +1,25 @@
+// Elements of radiosity as kernels see them.
+#ifndef PRELIGHT_SHARED_RADIOSITY_TYPES_H
+#define PRELIGHT_SHARED_RADIOSITY_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+/// "No element": what a ray that left the scene met.
+#define PRELIGHT_ESCAPED 0xffffffffu
+
+/// Work-items that find the greatest residual together.
+#define PRELIGHT_SOUTHWELL_ITEMS 64
+
+/// A point of an element.
+typedef struct ElementPoint {
+  uint triangle;
+  float u;    ///< barycentric weight of the triangle's vertex 1
+  float v;    ///< of vertex 2
+  uint back;  ///< 1: it looks along the back
+} ElementPoint;
+
+PRELIGHT_SHARED_END
+
+#endif
