@@ -202,6 +202,10 @@ std::vector<glm::uvec3> trianglesOf(const CompiledScene& scene, const PrimitiveR
   return triangles;
 }
 
+std::string whyNoChart(std::vector<glm::vec2> coords, const std::vector<glm::uvec3>& triangles) {
+  return whyNot(coords, triangles);
+}
+
 Charts makeCharts(const GltfDocument& document, const Scene& scene, const CompiledScene& compiled, int size,
                   Warnings& warnings) {
   return ChartMaker(document, scene, compiled, warnings).make(size);

@@ -49,6 +49,9 @@ Charts makeCharts(const GltfDocument& document, const Scene& scene, const Compil
 
 constexpr int leastChartSize = 4;
 
+/// Why texture coordinates make no chart, as "is not there"; empty when they do.
+std::string whyNoChart(std::vector<glm::vec2> coords, const std::vector<glm::uvec3>& triangles);
+
 /// Triangles of a primitive, of its own vertices.
 std::vector<glm::uvec3> trianglesOf(const CompiledScene& scene, const PrimitiveRange& range);
 

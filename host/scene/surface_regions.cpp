@@ -13,7 +13,9 @@ namespace {
 constexpr double angleSlack = 1e-4;   // rad, around the crease angle
 constexpr double leastNoise = 0.05;   // rad: a sliver's normal is more uncertain
 constexpr double rounding = 0x1p-22;  // of coordinates, after a transform
+constexpr int sliverRounds = 16;      // slivers in a row that are attached one by one
 constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::size_t mostSidesOfEdge = 32;  // more are no surface, and pairs grow with the square
 
 class RegionGrower {
  public:
@@ -25,7 +27,8 @@ class RegionGrower {
 
   SurfaceRegions grow() {
     const std::vector<EdgeSide> sides = edgeSidesOf(scene_, placesOfVertices(scene_));
-    forEachEdge(sides, [&](std::span<const EdgeSide> edge) {
+    forEachEdge(std::span(sides), [&](std::span<const EdgeSide> edge) {
+      if (edge.size() > mostSidesOfEdge) return;
       for (std::size_t i = 0; i < edge.size(); ++i)
         for (std::size_t k = i + 1; k < edge.size(); ++k) meet(edge[i], edge[k]);
     });
@@ -82,7 +85,8 @@ class RegionGrower {
     std::stable_sort(contacts_.begin(), contacts_.end(),
                      [](const Contact& a, const Contact& b) { return a.angle < b.angle; });
     std::vector<std::uint8_t> loose = sliver_;
-    for (bool changed = true; changed;) {
+    bool changed = true;
+    for (int round = 0; changed && round < sliverRounds; ++round) {
       changed = false;
       for (const Contact& contact : contacts_) {
         if (loose[contact.first] == loose[contact.second]) continue;

@@ -19,9 +19,10 @@ struct SurfaceRegions {
 /// Regions of surface whose neighbouring triangles meet at less than a crease angle; a planar surface meets
 /// at 0. Vertices at the same place count as the same, whatever their primitives and nodes. Triangles that
 /// meet with their fronts on different sides (a fold, or a turn of the winding as on a Moebius strip) do not
-/// join. Where more than two triangles share an edge, every pair that continues one another joins. A sliver
-/// so thin that rounding decides its normal goes to the neighbour that it deviates least from, and joins no
-/// others. `creaseAngle` in radians, 0 to pi; angles within 1e-4 of it count as creases.
+/// join. Where more than two triangles share an edge, every pair that continues one another joins, up to
+/// 32 triangles an edge. A sliver so thin that rounding decides its normal goes to the neighbour that it
+/// deviates least from, and joins no others. `creaseAngle` in radians, 0 to pi; angles within 1e-4 of it
+/// count as creases.
 SurfaceRegions makeSurfaceRegions(const CompiledScene& scene, double creaseAngle);
 
 /// Larsen's surfaces are smooth where faces meet at less than this; rad.

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "scene/surface_regions.h"
+
+namespace prelight {
+
+/// Triangles that continue one another across an edge, within their groups.
+struct TriangleNeighbours {
+  std::vector<std::uint32_t> rowStart;  ///< [triangle], then the end
+  std::vector<std::uint32_t> columns;   ///< neighbours, ascending
+
+  std::span<const std::uint32_t> of(std::uint32_t triangle) const {
+    return {&columns[rowStart[triangle]], &columns[rowStart[triangle + 1]]};
+  }
+};
+
+/// Triangles of the same group that share an edge and go along it in opposite ways. `groups`: [triangle], or
+/// noGroup. An edge of more than 32 triangles ties none.
+TriangleNeighbours neighboursOf(const CompiledScene& scene, std::span<const std::uint32_t> groups);
+
+constexpr std::uint32_t noGroup = 0xffffffffu;
+
+/// Sets of triangles, each of which a plane's projection lays flat without much stretch.
+struct GrownCharts {
+  std::vector<std::uint32_t> chartOf;  ///< [triangle], or noGroup
+  std::vector<glm::dvec3> axes;        ///< [chart], unit: the plane's normal
+};
+
+/// No triangle of a chart leans farther from its plane than this cosine.
+constexpr double leastChartCosine = 0.5;
+
+/// Divides every region of each group into charts: one where the mean normal allows it, or else several grown
+/// from seeds by the deviation of normals (Cohen-Steiner, Alliez, Desbrun 2004, with a bound). Charts of less
+/// than `leastArea` (m2) then join neighbours, over creases too.
+GrownCharts growCharts(const CompiledScene& scene, const SurfaceRegions& regions,
+                       std::span<const std::uint32_t> groups, const TriangleNeighbours& neighbours,
+                       double leastArea);
+
+}  // namespace prelight

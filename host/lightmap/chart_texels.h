@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "lightmap/light_map_charts.h"
+#include "lightmap/mask_packing.h"
+
+namespace prelight {
+
+/// A chart at its size in texels, by itself.
+struct ChartTexels {
+  struct Place {
+    std::uint32_t x = 0;
+    std::uint32_t y = 0;
+    std::uint32_t triangle = 0;  ///< place in LightMapChart::triangles
+    glm::dvec2 weights{0.0};     ///< of vertices 1 and 2
+  };
+  std::vector<glm::vec2> corners;  ///< [triangle][3], texels from the upper left of the mask
+  std::vector<Place> places;       ///< of the texels that a bilinear look-up can meet, row by row
+  ChartMask mask;                  ///< of these
+};
+
+ChartTexels makeChartTexels(const LightMapChart& chart, double texelSize);
+
+}  // namespace prelight
