@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/luminance.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
 #include "reference/reference.h"
@@ -39,8 +40,8 @@ double relativeMeanSquare(const Picture& picture, const Picture& truth) {
 double relativeError(const Picture& picture, const Picture& truth) {
   double squares = 0.0, mean = 0.0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-    const double t = reference::luminance(truth.pixels[i]);
-    const double difference = reference::luminance(picture.pixels[i]) - t;
+    const double t = luminance(truth.pixels[i]);
+    const double difference = luminance(picture.pixels[i]) - t;
     squares += difference * difference;
     mean += t;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/luminance.h"
 #include "basis/sh.h"
 
 namespace prelight::viewer {
@@ -17,8 +18,6 @@ bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
   }
   return false;
 }
-
-double luminance(const glm::vec3& color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
 
 struct Emitter {
   std::uint32_t triangle = 0;

@@ -36,7 +36,7 @@ class LightCaster {
   std::uint32_t slotCount_;
   bool hasEmitters_;
   Buffer<device::LightSlot> slots_;
-  Buffer<device::ReferenceLight> lights_;
+  Buffer<device::PunctualLight> lights_;
   Buffer<float> factors_;
   std::vector<Buffer<device::GroupEmitter>> emitters_;  ///< [set]
   Buffer<std::uint32_t> emitterOfTriangle_;

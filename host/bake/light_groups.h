@@ -7,14 +7,14 @@
 #include "plan/plan.h"
 #include "scene/compiled_scene.h"
 #include "shared/light_group_types.h"
-#include "shared/reference_types.h"
+#include "shared/shade_types.h"
 
 namespace prelight {
 
 /// The scene's own lights, dealt to groups, as kernels/cast/light_kernels.cl reads them.
 struct GroupedLights {
   std::vector<LightGroup> groups;
-  std::vector<device::ReferenceLight> punctual;
+  std::vector<device::PunctualLight> punctual;
   std::vector<float> factors;                    ///< [punctual][3], intensity over its group's colour
   std::vector<device::GroupEmitter> emitters;    ///< those of a group are consecutive
   std::vector<std::uint32_t> emitterOfTriangle;  ///< [triangle], or PRELIGHT_NO_EMITTER

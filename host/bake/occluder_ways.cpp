@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "occluders/occluder_vectors.h"
-#include "reference/scene_upload.h"
+#include "shade/surface_upload.h"
 
 namespace prelight {
 
@@ -34,10 +34,10 @@ OccluderWays::OccluderWays(const CompiledScene& scene, Tracer& tracer, const Buf
       hasGlass_(prelight::hasGlass(scene)),
       reach_(static_cast<float>(std::min(freeReach(scene), double(std::numeric_limits<float>::max())))),
       flags_(flags),
-      bases_(device_, std::span<const DeviceMaterial>(reference::makeBaseMaterials(scene))),
-      vertices_(device_, std::span<const float>(reference::interleaveVertices(scene))),
+      bases_(device_, std::span<const DeviceMaterial>(makeBaseMaterials(scene))),
+      vertices_(device_, std::span<const float>(interleaveVertices(scene))),
       flat_(device_, std::span<const std::uint8_t>(scene.triangleFlat)),
-      materials_(device_, std::span<const ReferenceMaterial>(reference::makeReferenceMaterials(scene))),
+      materials_(device_, std::span<const ShadeMaterial>(makeShadeMaterials(scene))),
       counter_(device_, 1) {
   const cl::Program& program = device_.program("project/occluder_way_kernels.cl", surface_.surfaceOptions());
   if (hasMirrors_) {

@@ -8,7 +8,7 @@
 #include "bvh/tracer.h"
 #include "scene/compiled_scene.h"
 #include "shared/occluder_types.h"
-#include "shared/reference_types.h"
+#include "shared/shade_types.h"
 
 namespace prelight {
 
@@ -51,7 +51,7 @@ class OccluderWays {
   Buffer<device::DeviceMaterial> bases_;
   Buffer<float> vertices_;
   Buffer<std::uint8_t> flat_;
-  Buffer<device::ReferenceMaterial> materials_;
+  Buffer<device::ShadeMaterial> materials_;
   Buffer<std::uint32_t> counter_;
   Buffer<device::OccluderWay> mirrored_, through_;
   Buffer<device::Ray> mirrorRays_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/luminance.h"
+
 namespace prelight {
 
 namespace {
@@ -16,8 +18,6 @@ struct Part {
   double energy = 0.0;
   double spread = 0.0;  ///< energy x the square of its longer side in radians
 };
-
-double luminance(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 Environment withTexelsSplit(const Environment& sky) {
   if (sky.width >= leastWidth) return sky;

@@ -34,9 +34,9 @@ static_assert(isShared<DeviceTriangle, 16>);
 static_assert(isShared<Receiver, 48>);
 static_assert(isShared<CastParameters, 32>);
 static_assert(isShared<Sender, 8>);
-static_assert(isShared<ReferenceParameters, 128> && offsetof(ReferenceParameters, skyTurn) == 120);
-static_assert(isShared<ReferenceMaterial, 64>);
-static_assert(isShared<ReferenceLight, 64>);
+static_assert(isShared<ReferenceParameters, 128> && offsetof(ReferenceParameters, lights) == 92);
+static_assert(isShared<ShadeMaterial, 64>);
+static_assert(isShared<PunctualLight, 64>);
 static_assert(isShared<PathState, 48>);
 static_assert(isShared<ShadowItem, 16>);
 static_assert(isShared<OccluderVertex, 16>);
@@ -76,9 +76,9 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<Receiver>("Receiver", offsetof(Receiver, firstSample)),
           layoutOf<CastParameters>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender>("Sender", offsetof(Sender, albedo)),
-          layoutOf<ReferenceParameters>("ReferenceParameters", offsetof(ReferenceParameters, rouletteDepth)),
-          layoutOf<ReferenceMaterial>("ReferenceMaterial", offsetof(ReferenceMaterial, flags)),
-          layoutOf<ReferenceLight>("ReferenceLight", offsetof(ReferenceLight, coneOffset)),
+          layoutOf<ReferenceParameters>("ReferenceParameters", offsetof(ReferenceParameters, lights)),
+          layoutOf<ShadeMaterial>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
+          layoutOf<PunctualLight>("PunctualLight", offsetof(PunctualLight, coneOffset)),
           layoutOf<PathState>("PathState", offsetof(PathState, diffuseBounces)),
           layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path)),
           layoutOf<OccluderVertex>("OccluderVertex", offsetof(OccluderVertex, accessibility)),

@@ -1,14 +1,12 @@
 #include "reference/film.h"
 
+#include "base/luminance.h"
+
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace prelight::reference {
-
-double luminance(const glm::dvec3& radiance) {
-  return glm::dot(radiance, glm::dvec3(0.2126, 0.7152, 0.0722));
-}
 
 Film::Film(int pictureWidth, int pictureHeight)
     : width(pictureWidth),

@@ -9,9 +9,6 @@
 
 namespace prelight::reference {
 
-/// Weights of linear sRGB primaries (Rec. ITU-R BT.709) for luminance.
-double luminance(const glm::dvec3& radiance);
-
 /// A picture as it grows pass by pass. Every pass adds one mean a pixel that is independent of the other
 /// passes, so that their scatter tells the variance. Sums are doubles: what a pass adds is not lost after
 /// 10^5 of them.

@@ -1,9 +1,8 @@
 #include "reference/path_tracer.h"
 
 #include <algorithm>
-#include <numbers>
 
-#include "reference/scene_upload.h"
+#include "reference/camera_upload.h"
 
 namespace prelight::reference {
 
@@ -24,13 +23,11 @@ std::uint32_t foldSeed(std::uint64_t seed) {
 
 }  // namespace
 
-PathTracer::PathTracer(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device)
-    : tracer_(inputs.scene, device),
-      device_(device.context()),
+PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
+                       const ReferenceRequest& request)
+    : scene_(scene),
+      device_(scene.context()),
       request_(request),
-      lightTables_(makeLightTables(inputs.scene, inputs.lights, inputs.sky,
-                                   request.integrator != Integrator::Whitted)),
-      features_(findFeatures(inputs, lightTables_)),
       parameters_(device_, 1),
       counters_(device_, 2) {
   const std::uint32_t samples = samplesPerPass(request);
@@ -39,10 +36,8 @@ PathTracer::PathTracer(const ReferenceInputs& inputs, const ReferenceRequest& re
   values_.samplesPerPass = samples;
   values_.seed = foldSeed(request.seed);
   values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
-  values_.skyTurn = static_cast<float>(inputs.skyRotation / (2.0 * std::numbers::pi));
-  setCamera(inputs.camera, inputs.scene, request.width, request.height, values_);
-  uploadScene(inputs);
-  uploadLights();
+  values_.lights = scene.layout();
+  setCamera(camera, compiled, request.width, request.height, values_);
 
   const std::size_t paths = std::size_t{blockPixels_} * samples;
   paths_ = Buffer<PathState>(device_, paths);
@@ -56,59 +51,15 @@ PathTracer::PathTracer(const ReferenceInputs& inputs, const ReferenceRequest& re
   buildKernels(request);
 }
 
-void PathTracer::uploadScene(const ReferenceInputs& inputs) {
-  const CompiledScene& scene = inputs.scene;
-  const Layers layers = makeLayers(scene, inputs.images);
-  vertices_ = Buffer<float>(device_, std::span<const float>(interleaveVertices(scene)));
-  flat_ = Buffer<std::uint8_t>(device_, std::span<const std::uint8_t>(scene.triangleFlat));
-  bases_ = Buffer<DeviceMaterial>(device_, std::span<const DeviceMaterial>(makeBaseMaterials(scene)));
-  materials_ =
-      Buffer<ReferenceMaterial>(device_, std::span<const ReferenceMaterial>(makeReferenceMaterials(scene)));
-  layers_ = Buffer<DeviceMaterial>(device_, std::span<const DeviceMaterial>(layers.materials));
-  layerTexels_ = Buffer<glm::u16vec4>(device_, std::span<const glm::u16vec4>(layers.texels));
-  if (features_.layerTextures)
-    texCoords_ = Buffer<glm::vec2>(device_, std::span<const glm::vec2>(scene.texCoords));
-}
-
-void PathTracer::uploadLights() {
-  const LightTables& l = lightTables_;
-  values_.groupCount = l.groupCount;
-  values_.emitterGroup = l.emitterGroup;
-  values_.emitterCount = static_cast<std::uint32_t>(l.emitters.size());
-  values_.emitterTable = l.emitterTable;
-  values_.rowTable = l.rowTable;
-  values_.columnTable = l.columnTable;
-  values_.skyWidth = l.skyWidth;
-  values_.skyHeight = l.skyHeight;
-  tables_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(l.tables));
-  emitters_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(l.emitters));
-  emitterDensities_ = Buffer<float>(device_, std::span<const float>(l.emitterDensities));
-  punctual_ = Buffer<ReferenceLight>(device_, std::span<const ReferenceLight>(l.punctual));
-  sky_ = Buffer<glm::vec4>(device_, std::span<const glm::vec4>(l.sky));
-}
-
 void PathTracer::buildKernels(const ReferenceRequest& request) {
-  const cl::Program& program = device_.program("reference/path_kernels.cl",
-                                               buildOptions(features_, request, tracer_.surfaceOptions()));
+  const cl::Program& program =
+      device_.program("reference/path_kernels.cl", buildOptions(request, scene_.options()));
   generate_ = cl::Kernel(program, "generatePaths");
   collect_ = cl::Kernel(program, "collectRadiance");
   sample_ = cl::Kernel(program, "sampleLights");
   add_ = cl::Kernel(program, "addArrivals");
   scatter_ = cl::Kernel(program, "scatterPaths");
   average_ = cl::Kernel(program, "averageSamples");
-}
-
-/// Sets the kernels' scene arguments from `index` on; returns the index after them.
-cl_uint PathTracer::setSurface(cl::Kernel& kernel, cl_uint index) const {
-  tracer_.setSurfaceArguments(kernel, index);
-  kernel.setArg(index + 1, bases_.get());
-  if (features_.layerTextures) kernel.setArg(index + 2, texCoords_.get());
-  kernel.setArg(index + 5, vertices_.get());
-  kernel.setArg(index + 6, flat_.get());
-  kernel.setArg(index + 7, materials_.get());
-  kernel.setArg(index + 8, layers_.get());
-  kernel.setArg(index + 9, layerTexels_.get());
-  return index + 10;
 }
 
 const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_t first,
@@ -131,18 +82,18 @@ const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_
 
 /// One vertex of all paths that are left; `count` becomes the number of those that go on.
 void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
-  tracer_.traceClosest(rayBuffers_[current_], hits_, count);
+  scene_.tracer().traceClosest(rayBuffers_[current_], hits_, count);
   rays_ += count;
   collect(count, depth);
   const bool last = depth + 1 >= static_cast<std::uint32_t>(request_.depth);
-  if (last || !features_.scatters) {
+  if (last || !scene_.features().scatters) {
     count = 0;
     return;
   }
   if (request_.integrator == Integrator::Whitted)
-    for (std::uint32_t light = 0; light < lightTables_.punctual.size(); ++light)
+    for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);
-  if (lightTables_.groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
+  if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
   count = scatter(count, depth);
   current_ = 1 - current_;
 }
@@ -150,12 +101,7 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
 void PathTracer::collect(std::uint32_t count, std::uint32_t depth) {
   setArguments(collect_, parameters_.get(), count, depth, rayBuffers_[current_].get(), hits_.get(),
                queues_[current_].get(), paths_.get());
-  const cl_uint index = setSurface(collect_, 7);
-  collect_.setArg(index, tables_.get());
-  collect_.setArg(index + 1, emitters_.get());
-  collect_.setArg(index + 2, emitterDensities_.get());
-  collect_.setArg(index + 3, punctual_.get());
-  collect_.setArg(index + 4, sky_.get());
+  scene_.setArguments(collect_, 7);
   device_.launch(collect_, count, groupSize);
 }
 
@@ -163,21 +109,16 @@ void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::u
   counters_.fill(0);
   setArguments(sample_, parameters_.get(), count, depth, rayBuffers_[current_].get(), hits_.get(),
                queues_[current_].get(), paths_.get());
-  const cl_uint index = setSurface(sample_, 7);
-  sample_.setArg(index, tables_.get());
-  sample_.setArg(index + 1, emitters_.get());
-  sample_.setArg(index + 2, emitterDensities_.get());
-  sample_.setArg(index + 3, punctual_.get());
-  sample_.setArg(index + 4, sky_.get());
-  sample_.setArg(index + 5, light);
-  sample_.setArg(index + 6, shadowRays_.get());
-  sample_.setArg(index + 7, items_.get());
-  sample_.setArg(index + 8, counters_.get());
+  const cl_uint index = scene_.setArguments(sample_, 7);
+  sample_.setArg(index, light);
+  sample_.setArg(index + 1, shadowRays_.get());
+  sample_.setArg(index + 2, items_.get());
+  sample_.setArg(index + 3, counters_.get());
   device_.launch(sample_, count, groupSize);
   const std::uint32_t shadows = readCounters()[0];
   if (shadows == 0) return;
   // The hits of the paths' own rays are needed once more, so shadow rays have theirs.
-  tracer_.traceAny(shadowRays_, shadowHits_, shadows);
+  scene_.tracer().traceAny(shadowRays_, shadowHits_, shadows);
   rays_ += shadows;
   setArguments(add_, shadows, shadowHits_.get(), items_.get(), paths_.get());
   device_.launch(add_, shadows, groupSize);
@@ -188,7 +129,7 @@ std::uint32_t PathTracer::scatter(std::uint32_t count, std::uint32_t depth) {
   const std::size_t next = 1 - current_;
   setArguments(scatter_, parameters_.get(), count, depth, rayBuffers_[current_].get(), hits_.get(),
                queues_[current_].get(), paths_.get());
-  const cl_uint index = setSurface(scatter_, 7);
+  const cl_uint index = scene_.surface().setArguments(scatter_, 7);
   scatter_.setArg(index, rayBuffers_[next].get());
   scatter_.setArg(index + 1, queues_[next].get());
   scatter_.setArg(index + 2, counters_.get());

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "bvh/tracer.h"
-#include "reference/light_tables.h"
 #include "reference/reference.h"
 #include "reference/reference_plan.h"
+#include "shade/transport_scene.h"
 #include "shared/reference_types.h"
 
 namespace prelight::reference {
@@ -15,7 +14,9 @@ namespace prelight::reference {
 /// The device's part of a reference picture: one pass over a block of pixels at a time.
 class PathTracer {
  public:
-  PathTracer(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device);
+  /// The scene outlives it, and visits punctual lights in turn if the integrator does.
+  PathTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
+             const ReferenceRequest& request);
 
   /// Pixels a block at most.
   std::uint32_t blockPixels() const { return blockPixels_; }
@@ -25,40 +26,24 @@ class PathTracer {
   const std::vector<glm::vec4>& trace(std::uint64_t pass, std::uint32_t first, std::uint32_t count);
 
   std::uint64_t rays() const { return rays_; }
-  const Features& features() const { return features_; }
 
  private:
-  void uploadScene(const ReferenceInputs& inputs);
-  void uploadLights();
   void buildKernels(const ReferenceRequest& request);
-  cl_uint setSurface(cl::Kernel& kernel, cl_uint index) const;
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   void collect(std::uint32_t count, std::uint32_t depth);
   void addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light);
   std::uint32_t scatter(std::uint32_t count, std::uint32_t depth);
   std::array<std::uint32_t, 2> readCounters() const;
 
-  Tracer tracer_;
+  TransportScene& scene_;
   DeviceContext& device_;
   ReferenceRequest request_;
-  LightTables lightTables_;
-  Features features_;
   device::ReferenceParameters values_{};
   std::uint32_t blockPixels_ = 0;
   std::uint64_t rays_ = 0;
   std::vector<glm::vec4> means_;
 
   Buffer<device::ReferenceParameters> parameters_;
-  Buffer<float> vertices_;
-  Buffer<std::uint8_t> flat_;
-  Buffer<glm::vec2> texCoords_;
-  Buffer<device::DeviceMaterial> bases_, layers_;
-  Buffer<device::ReferenceMaterial> materials_;
-  Buffer<glm::u16vec4> layerTexels_;
-  Buffer<std::uint32_t> tables_, emitters_;
-  Buffer<float> emitterDensities_;
-  Buffer<device::ReferenceLight> punctual_;
-  Buffer<glm::vec4> sky_;
 
   Buffer<device::PathState> paths_;
   std::array<Buffer<device::Ray>, 2> rayBuffers_;

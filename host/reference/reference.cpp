@@ -92,8 +92,10 @@ void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& requ
                      Progress& progress, const std::function<void()>& checkpoint, Film& film,
                      ReferenceReport& report) {
   noteApproximations(inputs, report.notes);
-  PathTracer tracer(inputs, request, device);
-  report.plan = explainFeatures(tracer.features(), request);
+  TransportScene scene({inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation}, device,
+                       request.integrator != Integrator::Whitted);
+  PathTracer tracer(scene, inputs.scene, inputs.camera, request);
+  report.plan = explainFeatures(scene.features(), request);
   const Goal goal(request);
   const Clock::time_point start = Clock::now();
   Clock::time_point saved = start;

@@ -5,8 +5,8 @@
 
 namespace prelight {
 
-device::ReferenceLight deviceLight(const Light& light, const CompiledScene& scene) {
-  device::ReferenceLight d{};
+device::PunctualLight deviceLight(const Light& light, const CompiledScene& scene) {
+  device::PunctualLight d{};
   const glm::vec3 position(light.position - scene.origin);
   for (int c = 0; c < 3; ++c) {
     d.position[c] = position[c];

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "scene/compiled_scene.h"
-#include "shared/reference_types.h"
+#include "shared/shade_types.h"
 
 namespace prelight {
 
 /// A light as kernels/core/punctual_funcs.cl reads it, in scene coordinates.
-device::ReferenceLight deviceLight(const Light& light, const CompiledScene& scene);
+device::PunctualLight deviceLight(const Light& light, const CompiledScene& scene);
 
 }  // namespace prelight

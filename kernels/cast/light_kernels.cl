@@ -21,7 +21,7 @@ float combinedDensity(uint rays, float cosine, uint samples, float density, floa
   return (float)rays * cosine * M_1_PI_F + (float)samples * density * squaredDistance / fmax(emitterCosine, 1e-9f);
 }
 
-bool aimAtPunctual(__global const ReferenceLight* light, __global const float* factor, float3 point, float3 normal,
+bool aimAtPunctual(__global const PunctualLight* light, __global const float* factor, float3 point, float3 normal,
                    LightTarget* target) {
   float3 direction;
   float distance, falloff;
@@ -71,7 +71,7 @@ bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, _
 // for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
 __kernel void generateLightRays(__constant const CastParameters* parameters, uint slotCount,
                                 __global const Receiver* receivers, __global const LightSlot* slots,
-                                __global const ReferenceLight* lights, __global const float* factors,
+                                __global const PunctualLight* lights, __global const float* factors,
                                 __global const GroupEmitter* emitters, __global const DeviceTriangle* triangles,
                                 __global const float* positions, __global const float* geometricNormals,
                                 __global Ray* rays, __global float* values) {

@@ -29,9 +29,9 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(8, Receiver, firstSample);
   PROBE(9, CastParameters, firstStored);
   PROBE(10, Sender, albedo);
-  PROBE(11, ReferenceParameters, rouletteDepth);
-  PROBE(12, ReferenceMaterial, flags);
-  PROBE(13, ReferenceLight, coneOffset);
+  PROBE(11, ReferenceParameters, lights);
+  PROBE(12, ShadeMaterial, flags);
+  PROBE(13, PunctualLight, coneOffset);
   PROBE(14, PathState, diffuseBounces);
   PROBE(15, ShadowItem, path);
   PROBE(16, OccluderVertex, accessibility);

@@ -2,11 +2,11 @@
 #ifndef PRELIGHT_CORE_PUNCTUAL_FUNCS_CL
 #define PRELIGHT_CORE_PUNCTUAL_FUNCS_CL
 
-#include "shared/reference_types.h"
+#include "shared/shade_types.h"
 
 // Unit direction and distance (MAXFLOAT: from afar) to a light from a point, and what part of its intensity arrives as
 // irradiance on a surface that faces it, were nothing in the way. False: nothing does.
-bool seePunctual(__global const ReferenceLight* light, float3 point, float3* direction, float* distance, float* falloff) {
+bool seePunctual(__global const PunctualLight* light, float3 point, float3* direction, float* distance, float* falloff) {
   const float3 travel = vload3(0, light->direction);
   if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {
     *direction = -travel;

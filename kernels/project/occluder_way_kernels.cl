@@ -4,8 +4,8 @@
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS
-#include "reference/glass_funcs.cl"
-#include "reference/vertex_funcs.cl"
+#include "shade/glass_funcs.cl"
+#include "shade/vertex_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/occluder_types.h"
 
@@ -22,7 +22,7 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __global
                            __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
                            __global const float2* texCoords, __global const float4* colors,
                            __global const ushort4* texels, __global const float* vertices,
-                           __global const uchar* flat, __global const ReferenceMaterial* materials,
+                           __global const uchar* flat, __global const ShadeMaterial* materials,
                            const float reach, __global OccluderWay* mirrored, __global Ray* mirrorRays, __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
@@ -69,7 +69,7 @@ __kernel void followGlass(const uint count, __global const GlassPath* paths, __g
                           __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
                           __global const float2* texCoords, __global const float4* colors,
                           __global const ushort4* texels, __global const float* vertices, __global const uchar* flat,
-                          __global const ReferenceMaterial* materials, const float reach, __global OccluderWay* through,
+                          __global const ShadeMaterial* materials, const float reach, __global OccluderWay* through,
                           __global GlassPath* nextPaths, __global Ray* nextRays, __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= count) return;

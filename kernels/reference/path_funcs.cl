@@ -4,7 +4,8 @@
 #ifndef PRELIGHT_REFERENCE_PATH_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_FUNCS_CL
 
-#include "reference/light_funcs.cl"
+#include "shade/light_funcs.cl"
+#include "shared/reference_types.h"
 
 // Coordinate pairs of a path's point: one for the place in the pixel, then these for every vertex.
 #define PRELIGHT_PAIR_PIXEL 0u

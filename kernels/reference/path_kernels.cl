@@ -4,7 +4,7 @@
 // because every path has random numbers and a state of its own.
 // Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
 // PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs).
-#include "reference/glass_funcs.cl"
+#include "shade/glass_funcs.cl"
 #include "reference/path_funcs.cl"
 
 // A path a work-item. -> paths, queue, rays [pathCount].
@@ -38,10 +38,10 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const uin
                               __global const DeviceMaterial* bases, __global const float2* texCoords,
                               __global const float4* colors, __global const ushort4* texels,
                               __global const float* vertices, __global const uchar* flat,
-                              __global const ReferenceMaterial* materials, __global const DeviceMaterial* layers,
+                              __global const ShadeMaterial* materials, __global const DeviceMaterial* layers,
                               __global const ushort4* layerTexels, __global const uint* tables,
                               __global const uint* emitters, __global const float* emitterDensities,
-                              __global const ReferenceLight* punctual, __global const float4* sky) {
+                              __global const PunctualLight* punctual, __global const float4* sky) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
@@ -55,9 +55,9 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const uin
   float density = 0.0f;  // with which sampling lights would have drawn this direction
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) {
 #ifdef PRELIGHT_SKY
-    const float2 uv = skyCoordinates(p, vload3(0, ray.direction));
-    radiance = skyRadiance(lights, p, uv);
-    density = skyDensity(lights, p, uv) * entryProbability(tables, p->groupCount, p->groupCount - 1u);
+    const float2 uv = skyCoordinates(&p->lights, vload3(0, ray.direction));
+    radiance = skyRadiance(lights, &p->lights, uv);
+    density = skyDensity(lights, &p->lights, uv) * entryProbability(tables, p->lights.groupCount, p->lights.groupCount - 1u);
 #endif
   } else {
     const PathVertex vertex = loadVertex(s, ray, hit);
@@ -74,7 +74,7 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const uin
     if (emitterDensities[hit.triangle] > 0.0f) {
       radiance = emittedRadiance(s, hit.triangle, hit.u, hit.v, vertex.front);
       density = emitterDensity(lights, hit.triangle, hit.t, dot(vertex.wo, vertex.geometric)) *
-                entryProbability(tables, p->groupCount, p->emitterGroup);
+                entryProbability(tables, p->lights.groupCount, p->lights.emitterGroup);
     }
 #endif
     if (depth == 0u && (materials[vertex.material].flags & PRELIGHT_UNLIT) != 0u)
@@ -99,10 +99,10 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const uint c
                            __global const DeviceMaterial* bases, __global const float2* texCoords,
                            __global const float4* colors, __global const ushort4* texels,
                            __global const float* vertices, __global const uchar* flat,
-                           __global const ReferenceMaterial* materials, __global const DeviceMaterial* layers,
+                           __global const ShadeMaterial* materials, __global const DeviceMaterial* layers,
                            __global const ushort4* layerTexels, __global const uint* tables,
                            __global const uint* emitters, __global const float* emitterDensities,
-                           __global const ReferenceLight* punctual, __global const float4* sky, const uint light,
+                           __global const PunctualLight* punctual, __global const float4* sky, const uint light,
                            __global Ray* shadowRays, __global ShadowItem* items, __global uint* counters) {
   const size_t i = get_global_id(0);
   if (i >= count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
@@ -121,22 +121,22 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const uint c
   const uint2 place = pathBits(p, queue[i], pair + PRELIGHT_PAIR_PLACE);
   float probability = 1.0f, remainder;
   const bool given = light != PRELIGHT_NO_TRIANGLE;
-  const uint group = given ? light : chooseEntry(tables, p->groupCount, choice.x, &probability, &remainder);
+  const uint group = given ? light : chooseEntry(tables, p->lights.groupCount, choice.x, &probability, &remainder);
   Arrival a;
   bool arrives = false;
   // The groups' order: punctual lights, then the emitters as one, then the sky.
 #ifdef PRELIGHT_PUNCTUAL
-  if (given || group < p->emitterGroup) arrives = arriveFromPunctual(punctual + group, vertex.position, &a);
+  if (given || group < p->lights.emitterGroup) arrives = arriveFromPunctual(punctual + group, vertex.position, &a);
 #endif
 #ifdef PRELIGHT_EMITTERS
-  if (!given && group == p->emitterGroup)
-    arrives = arriveFromEmitter(lights, p, s, vertex.position, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
+  if (!given && group == p->lights.emitterGroup)
+    arrives = arriveFromEmitter(lights, &p->lights, s, vertex.position, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
 #endif
 #ifdef PRELIGHT_SKY
 #ifdef PRELIGHT_EMITTERS
-  if (!given && group == p->emitterGroup + 1u) arrives = arriveFromSky(lights, p, place, &a);
+  if (!given && group == p->lights.emitterGroup + 1u) arrives = arriveFromSky(lights, &p->lights, place, &a);
 #else
-  if (!given && group == p->emitterGroup) arrives = arriveFromSky(lights, p, place, &a);
+  if (!given && group == p->lights.emitterGroup) arrives = arriveFromSky(lights, &p->lights, place, &a);
 #endif
 #endif
   if (!arrives) return;
@@ -200,7 +200,7 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const uint c
                            __global const DeviceMaterial* bases, __global const float2* texCoords,
                            __global const float4* colors, __global const ushort4* texels,
                            __global const float* vertices, __global const uchar* flat,
-                           __global const ReferenceMaterial* materials, __global const DeviceMaterial* layers,
+                           __global const ShadeMaterial* materials, __global const DeviceMaterial* layers,
                            __global const ushort4* layerTexels, __global Ray* nextRays, __global uint* nextQueue,
                            __global uint* counters) {
   const size_t i = get_global_id(0);

@@ -1,6 +1,6 @@
 // The reference renderer's samplers and densities one by one, for tests.
 // Options: those of the included files.
-#include "reference/light_funcs.cl"
+#include "shade/light_funcs.cl"
 
 // values: diffuse 3, metal 3, f0 3, f90, layer, alpha.
 Bsdf probeBsdf(__constant const float* values) {
@@ -46,7 +46,7 @@ __kernel void probeScatter(__constant const float* values, const uint count, __g
 #ifdef PRELIGHT_SKY
 // A sample a work-item: directions [sample] drawn from the sky, w: their density; lookups [sample] radiance and, in w,
 // density that a ray of this direction finds.
-__kernel void probeSky(__constant const ReferenceParameters* p, const uint count, __global const uint* tables,
+__kernel void probeSky(__constant const LightLayout* p, const uint count, __global const uint* tables,
                        __global const float4* sky, __global float4* directions, __global float4* lookups) {
   const size_t i = get_global_id(0);
   if (i >= count) return;

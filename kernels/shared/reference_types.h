@@ -1,8 +1,9 @@
-// What the reference renderer's kernels share with the host: camera and tables, materials, lights, paths.
+// What the reference renderer's kernels share with the host: camera, lights and paths.
 #ifndef PRELIGHT_SHARED_REFERENCE_TYPES_H
 #define PRELIGHT_SHARED_REFERENCE_TYPES_H
 
 #include "shared/compat.h"
+#include "shared/shade_types.h"
 
 PRELIGHT_SHARED_BEGIN
 
@@ -21,52 +22,10 @@ typedef struct ReferenceParameters {
   float forward[3];  ///< unit
   uint seed;
   float zNear;
-  float zFar;         ///< MAXFLOAT: infinite
-  uint groupCount;    ///< of lights to choose from: punctual lights, then the emitters as one, then the sky
-  uint emitterGroup;  ///< number of the groups before the emitters and the sky
-  uint emitterCount;
-  uint emitterTable;  ///< first entry in the tables; that of the groups starts at 0
-  uint rowTable;
-  uint columnTable;
-  uint skyWidth;
-  uint skyHeight;
-  float skyTurn;       ///< of the sky counter-clockwise seen from above, in turns
+  float zFar;          ///< MAXFLOAT: infinite
   uint rouletteDepth;  ///< first vertex at which a path may end by chance
+  LightLayout lights;
 } ReferenceParameters;
-
-#define PRELIGHT_SOLID 1u         ///< glass with an inside: refracts
-#define PRELIGHT_DOUBLE_SIDED 2u  ///< emits from both sides
-#define PRELIGHT_UNLIT 4u         ///< shows its base colour to the camera, is black otherwise
-
-typedef struct ReferenceMaterial {
-  float f0[3];          ///< reflectance of the dielectric's surface along its normal
-  float f90;            ///< at grazing angles
-  float absorption[3];  ///< inside, 1/m
-  float ior;            ///< 0: infinite
-  float emission[3];    ///< W/(m2 sr)
-  float metallic;
-  float roughness;
-  float transmission;
-  uint flags;  ///< PRELIGHT_SOLID | ...
-  uint pad;
-} ReferenceMaterial;
-
-#define PRELIGHT_POINT_LIGHT 0u
-#define PRELIGHT_DIRECTIONAL_LIGHT 1u
-#define PRELIGHT_SPOT_LIGHT 2u
-
-typedef struct ReferenceLight {
-  float position[3];  ///< scene coordinates
-  uint kind;
-  float intensity[3];  ///< W/sr; directional: W/m2
-  float inverseRange;  ///< 1/m; 0: infinite
-  float direction[3];  ///< unit, the way the light travels
-  float coneScale;     ///< KHR_lights_punctual: clamp(cosine x scale + offset, 0, 1) squared
-  float coneOffset;
-  uint pad[3];
-} ReferenceLight;
-
-#define PRELIGHT_NO_MEDIUM 0xffffffffu
 
 typedef struct PathState {
   float throughput[3];

@@ -7,8 +7,8 @@
 
 #include "device/buffer.h"
 #include "device/context.h"
-#include "reference/light_tables.h"
-#include "shared/reference_types.h"
+#include "shade/light_buffers.h"
+#include "shared/shade_types.h"
 #include "support/devices.h"
 
 // The kernels' reflection, its samplers and the sky's, one by one (kernels/reference/probe_kernels.cl).
@@ -193,16 +193,10 @@ TEST(SkySampling, Directions_FollowTheirDensityAndIntegrateTheSky) {
   DeviceContext& device = sharedDevice().context();
   const Environment sky = patchySky();
   const CompiledScene empty;
-  const auto tables = reference::makeLightTables(empty, {}, &sky, true);
-  device::ReferenceParameters parameters{};
-  parameters.skyWidth = tables.skyWidth;
-  parameters.skyHeight = tables.skyHeight;
-  parameters.rowTable = tables.rowTable;
-  parameters.columnTable = tables.columnTable;
-  parameters.skyTurn = 0.2f;
+  const auto tables = makeLightTables(empty, {}, &sky, true);
+  const device::LightLayout layout = lightLayout(tables, 0.4 * std::numbers::pi);
   constexpr std::size_t count = 1 << 17;
-  const Buffer<device::ReferenceParameters> p(device,
-                                              std::span<const device::ReferenceParameters>(&parameters, 1));
+  const Buffer<device::LightLayout> p(device, std::span<const device::LightLayout>(&layout, 1));
   const Buffer<std::uint32_t> table(device, std::span<const std::uint32_t>(tables.tables));
   const Buffer<glm::vec4> texels(device, std::span<const glm::vec4>(tables.sky));
   const Buffer<glm::vec4> directions(device, count), lookups(device, count);

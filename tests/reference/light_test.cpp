@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/light_tables.h"
 #include "reference/shot.h"
+#include "shade/light_tables.h"
 
 // Light from each kind of light source against closed forms.
 namespace prelight::test {
@@ -261,24 +261,24 @@ TEST(Sky, BrightHalf_LightsTheSideThatFacesIt) {
 
 TEST(Intervals, Bounds_FollowWeightsAndLeaveNothingOut) {
   const std::vector<double> weights{1.0, 0.0, 3.0, 1e-30, 4.0, 0.0};
-  const auto bounds = reference::makeIntervals(weights);
+  const auto bounds = makeIntervals(weights);
   double sum = 0.0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const double probability = reference::intervalProbability(bounds, i);
+    const double probability = intervalProbability(bounds, i);
     EXPECT_GT(probability, 0.0);
     EXPECT_NEAR(probability, weights[i] / 8.0, 1e-8);
     sum += probability;
   }
   EXPECT_DOUBLE_EQ(sum, 1.0);
-  EXPECT_EQ(reference::makeIntervals(std::vector<double>{5.0}), std::vector<std::uint32_t>{0u});
-  const auto dark = reference::makeIntervals(std::vector<double>{0.0, 0.0});
-  EXPECT_NEAR(reference::intervalProbability(dark, 0), 0.5, 1e-8);
+  EXPECT_EQ(makeIntervals(std::vector<double>{5.0}), std::vector<std::uint32_t>{0u});
+  const auto dark = makeIntervals(std::vector<double>{0.0, 0.0});
+  EXPECT_NEAR(intervalProbability(dark, 0), 0.5, 1e-8);
 }
 
 TEST(LightTables, BlackLights_AreLeftOut) {
   CompiledScene scene = ground(1, 1.0f);
   const Environment black = constantEnvironment(glm::vec3(0.0f));
-  const auto tables = reference::makeLightTables(scene, {pointLight({0, 1, 0}, 0.0f)}, &black, true);
+  const auto tables = makeLightTables(scene, {pointLight({0, 1, 0}, 0.0f)}, &black, true);
   EXPECT_EQ(tables.groupCount, 0u);
   EXPECT_TRUE(tables.punctual.empty());
   EXPECT_TRUE(tables.emitters.empty());

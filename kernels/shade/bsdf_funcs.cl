@@ -4,8 +4,8 @@
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2).
 // [3] Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
 // Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS.
-#ifndef PRELIGHT_REFERENCE_BSDF_FUNCS_CL
-#define PRELIGHT_REFERENCE_BSDF_FUNCS_CL
+#ifndef PRELIGHT_SHADE_BSDF_FUNCS_CL
+#define PRELIGHT_SHADE_BSDF_FUNCS_CL
 
 #include "core/sampling_funcs.cl"
 

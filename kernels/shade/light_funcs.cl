@@ -1,16 +1,16 @@
 // Lights: choosing one, a direction towards it, and the density with which that direction was drawn.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY: the scene has such lights.
-#ifndef PRELIGHT_REFERENCE_LIGHT_FUNCS_CL
-#define PRELIGHT_REFERENCE_LIGHT_FUNCS_CL
+#ifndef PRELIGHT_SHADE_LIGHT_FUNCS_CL
+#define PRELIGHT_SHADE_LIGHT_FUNCS_CL
 
 #include "core/punctual_funcs.cl"
-#include "reference/vertex_funcs.cl"
+#include "shade/vertex_funcs.cl"
 
 typedef struct Lights {
   __global const uint* tables;             // lower bounds in 2^32: groups, emitters, sky rows, sky columns a row
   __global const uint* emitters;           // [emitter] triangle
   __global const float* emitterDensities;  // [triangle] 1/m2 with which a point of it is drawn; 0: no emitter
-  __global const ReferenceLight* punctual;
+  __global const PunctualLight* punctual;
   __global const float4* sky;  // [row][column] radiance
 } Lights;
 
@@ -49,7 +49,7 @@ float entryProbability(__global const uint* bounds, uint count, uint entry) {
 }
 
 #ifdef PRELIGHT_PUNCTUAL
-bool arriveFromPunctual(__global const ReferenceLight* light, float3 point, Arrival* a) {
+bool arriveFromPunctual(__global const PunctualLight* light, float3 point, Arrival* a) {
   float falloff;
   if (!seePunctual(light, point, &a->direction, &a->distance, &falloff)) return false;
   a->punctual = true;
@@ -66,7 +66,7 @@ float emitterDensity(Lights l, uint triangle, float distance, float cosine) {
   return l.emitterDensities[triangle] * distance * distance / fmax(fabs(cosine), 1e-9f);
 }
 
-bool arriveFromEmitter(Lights l, __constant const ReferenceParameters* parameters, PathScene s, float3 point,
+bool arriveFromEmitter(Lights l, __constant const LightLayout* parameters, PathScene s, float3 point,
                        uint bits, float2 place, Arrival* a) {
   float probability, remainder;
   const uint entry = chooseEntry(l.tables + parameters->emitterTable, parameters->emitterCount, bits, &probability, &remainder);
@@ -95,14 +95,14 @@ bool arriveFromEmitter(Lights l, __constant const ReferenceParameters* parameter
 #endif
 
 #ifdef PRELIGHT_SKY
-float4 skyTexel(Lights l, __constant const ReferenceParameters* p, int x, int y) {
+float4 skyTexel(Lights l, __constant const LightLayout* p, int x, int y) {
   const int w = (int)p->skyWidth, h = (int)p->skyHeight;
   const int column = x < 0 ? x + w : (x >= w ? x - w : x);
   return l.sky[(size_t)clamp(y, 0, h - 1) * w + column];
 }
 
 // Radiance at (u, v) in [0,1]^2 of the map: bilinear between the centres of texels.
-float3 skyRadiance(Lights l, __constant const ReferenceParameters* p, float2 uv) {
+float3 skyRadiance(Lights l, __constant const LightLayout* p, float2 uv) {
   const float2 at = uv * (float2)((float)p->skyWidth, (float)p->skyHeight) - 0.5f;
   const float2 base = floor(at);
   const float2 f = at - base;
@@ -112,14 +112,14 @@ float3 skyRadiance(Lights l, __constant const ReferenceParameters* p, float2 uv)
 }
 
 // docs/conventions.md, "Sky". In [0,1).
-float2 skyCoordinates(__constant const ReferenceParameters* p, float3 d) {
+float2 skyCoordinates(__constant const LightLayout* p, float3 d) {
   const float u = atan2pi(d.x, -d.z) * 0.5f + 0.5f + p->skyTurn;
   const float v = atan2pi(sqrt(d.x * d.x + d.z * d.z), d.y);
   return (float2)(u - floor(u), fmin(v, 0.99999994f));
 }
 
 // 1/sr: the texel's probability over its share of the map, over the sphere's area that (u, v) maps to there.
-float skyDensity(Lights l, __constant const ReferenceParameters* p, float2 uv) {
+float skyDensity(Lights l, __constant const LightLayout* p, float2 uv) {
   const uint x = min((uint)(uv.x * (float)p->skyWidth), p->skyWidth - 1u);
   const uint y = min((uint)(uv.y * (float)p->skyHeight), p->skyHeight - 1u);
   const float row = entryProbability(l.tables + p->rowTable, p->skyHeight, y);
@@ -128,7 +128,7 @@ float skyDensity(Lights l, __constant const ReferenceParameters* p, float2 uv) {
   return row * column * texels / (19.7392088f * fmax(sinpi(uv.y), 1e-9f));  // 2 pi^2
 }
 
-bool arriveFromSky(Lights l, __constant const ReferenceParameters* p, uint2 bits, Arrival* a) {
+bool arriveFromSky(Lights l, __constant const LightLayout* p, uint2 bits, Arrival* a) {
   float probability, u, v;
   const uint y = chooseEntry(l.tables + p->rowTable, p->skyHeight, bits.x, &probability, &v);
   const uint x = chooseEntry(l.tables + p->columnTable + (size_t)y * p->skyWidth, p->skyWidth, bits.y, &probability, &u);

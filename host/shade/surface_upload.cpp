@@ -1,4 +1,4 @@
-#include "reference/scene_upload.h"
+#include "shade/surface_upload.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 #include "scene/compile_parts.h"
 
-namespace prelight::reference {
+namespace prelight {
 
 namespace {
 
 using device::DeviceMaterial;
-using device::ReferenceMaterial;
+using device::ShadeMaterial;
 
 /// Radiance beyond this is no light of this world; below, no product along a path leaves float's range.
 constexpr float brightest = 1e12f;
@@ -48,7 +48,7 @@ DeviceMaterial untextured() {
 }
 
 /// Reflectance of a dielectric along its normal, and what KHR_materials_specular makes of it.
-void setSpecular(const CompiledMaterial& m, ReferenceMaterial& r) {
+void setSpecular(const CompiledMaterial& m, ShadeMaterial& r) {
   const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
   for (int c = 0; c < 3; ++c) r.f0[c] = m.specular * std::min(root * root * m.specularColor[c], 1.0f);
   r.f90 = m.specular;
@@ -89,10 +89,6 @@ class LayerUpload {
   std::vector<glm::u16vec4> texels_;
 };
 
-void store(float (&out)[3], const glm::dvec3& v) {
-  for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(v[c]);
-}
-
 }  // namespace
 
 std::vector<float> interleaveVertices(const CompiledScene& scene) {
@@ -114,10 +110,10 @@ std::vector<DeviceMaterial> makeBaseMaterials(const CompiledScene& scene) {
   return materials;
 }
 
-std::vector<ReferenceMaterial> makeReferenceMaterials(const CompiledScene& scene) {
-  std::vector<ReferenceMaterial> materials;
+std::vector<ShadeMaterial> makeShadeMaterials(const CompiledScene& scene) {
+  std::vector<ShadeMaterial> materials;
   for (const CompiledMaterial& m : scene.materials) {
-    ReferenceMaterial r{};
+    ShadeMaterial r{};
     for (int c = 0; c < 3; ++c) {
       r.absorption[c] = m.absorption[c];
       r.emission[c] = std::min(m.emissionFactor[c], brightest);
@@ -146,20 +142,4 @@ Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images) 
   return layers;
 }
 
-void setCamera(const Camera& camera, const CompiledScene& scene, int width, int height,
-               device::ReferenceParameters& p) {
-  const double aspect = static_cast<double>(width) / height;
-  const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
-  store(p.eye, glm::dvec3(camera.world[3]) - scene.origin);
-  store(p.right, halfHeight * aspect * glm::normalize(glm::dvec3(camera.world[0])));
-  store(p.up, halfHeight * glm::normalize(glm::dvec3(camera.world[1])));
-  store(p.forward, -glm::normalize(glm::dvec3(camera.world[2])));
-  p.perspective = camera.perspective ? 1 : 0;
-  p.zNear = static_cast<float>(camera.zNear);
-  p.zFar = camera.zFar > 0.0 && camera.zFar < 1e30 ? static_cast<float>(camera.zFar)
-                                                   : std::numeric_limits<float>::max();
-  p.width = static_cast<std::uint32_t>(width);
-  p.height = static_cast<std::uint32_t>(height);
-}
-
-}  // namespace prelight::reference
+}  // namespace prelight

@@ -1,14 +1,14 @@
 // What a path finds where it meets the surface.
 // Options: PRELIGHT_LAYER_TEXTURES (some material has a texture), and those of the
 // surface (bvh/alpha_funcs.cl).
-#ifndef PRELIGHT_REFERENCE_VERTEX_FUNCS_CL
-#define PRELIGHT_REFERENCE_VERTEX_FUNCS_CL
+#ifndef PRELIGHT_SHADE_VERTEX_FUNCS_CL
+#define PRELIGHT_SHADE_VERTEX_FUNCS_CL
 
 #include "bvh/alpha_funcs.cl"
 #include "core/offset_funcs.cl"
-#include "reference/bsdf_funcs.cl"
+#include "shade/bsdf_funcs.cl"
 #include "shared/ray_types.h"
-#include "shared/reference_types.h"
+#include "shared/shade_types.h"
 
 #define PRELIGHT_LAYER_BASE 0u
 #define PRELIGHT_LAYER_SURFACE 1u  // G roughness, B metalness
@@ -18,7 +18,7 @@ typedef struct PathScene {
   Surface surface;  // its materials hold base colours without textures
   __global const float* vertices;  // [vertex][6] position, normal
   __global const uchar* flat;      // [triangle] 1: no shading normals
-  __global const ReferenceMaterial* materials;
+  __global const ShadeMaterial* materials;
   __global const DeviceMaterial* layers;    // [material][3] textures: PRELIGHT_LAYER_*
   __global const ushort4* layerTexels;
 } PathScene;
@@ -97,7 +97,7 @@ float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 
 // Radiance that a point of a triangle sends out.
 float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
-  __global const ReferenceMaterial* m = s.materials + s.surface.triangles[triangle].material;
+  __global const ShadeMaterial* m = s.materials + s.surface.triangles[triangle].material;
   if (!front && (m->flags & PRELIGHT_DOUBLE_SIDED) == 0u) return (float3)(0.0f);
   return vload3(0, m->emission) * sampleLayer(s, PRELIGHT_LAYER_EMISSION, triangle, u, v).xyz;
 }
@@ -109,7 +109,7 @@ float3 baseColor(PathScene s, uint triangle, float u, float v) {
 }
 
 Bsdf loadBsdf(PathScene s, PathVertex p) {
-  __global const ReferenceMaterial* m = s.materials + p.material;
+  __global const ShadeMaterial* m = s.materials + p.material;
   const float4 layer = sampleLayer(s, PRELIGHT_LAYER_SURFACE, p.triangle, p.u, p.v);
   const float3 base = baseColor(s, p.triangle, p.u, p.v) * ((m->flags & PRELIGHT_UNLIT) != 0u ? 0.0f : 1.0f);
   const float metallic = m->metallic * layer.z;

@@ -1,8 +1,8 @@
 // Smooth glass: reflection and refraction (docs/reference.md).
-#ifndef PRELIGHT_REFERENCE_GLASS_FUNCS_CL
-#define PRELIGHT_REFERENCE_GLASS_FUNCS_CL
+#ifndef PRELIGHT_SHADE_GLASS_FUNCS_CL
+#define PRELIGHT_SHADE_GLASS_FUNCS_CL
 
-#include "reference/bsdf_funcs.cl"
+#include "shade/bsdf_funcs.cl"
 
 // Ratio of the ior beyond to that here.
 float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }

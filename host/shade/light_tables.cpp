@@ -1,4 +1,4 @@
-#include "reference/light_tables.h"
+#include "shade/light_tables.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,10 +6,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "reference/film.h"
+#include "base/luminance.h"
 #include "scene/punctual_light.h"
 
-namespace prelight::reference {
+namespace prelight {
 
 namespace {
 
@@ -155,18 +155,20 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   for (const Light& light : lights) {
     if (!shines(light.intensity)) continue;
     result.punctual.push_back(deviceLight(light, scene));
-    if (choosePunctual) groups.push_back(power(light, radius));
+    result.punctualPowers.push_back(power(light, radius));
   }
+  if (choosePunctual) groups = result.punctualPowers;
   result.emitterGroup = static_cast<std::uint32_t>(groups.size());
   const std::vector<double> emitterPowers = listEmitters(scene, result);
-  if (!emitterPowers.empty())
-    groups.push_back(std::accumulate(emitterPowers.begin(), emitterPowers.end(), 0.0));
+  result.emitterPower = std::accumulate(emitterPowers.begin(), emitterPowers.end(), 0.0);
+  if (!emitterPowers.empty()) groups.push_back(result.emitterPower);
   const bool skyShines = sky != nullptr && std::any_of(sky->radiance.begin(), sky->radiance.end(),
                                                        [](const auto& r) { return shines(r); });
   result.groupCount = static_cast<std::uint32_t>(groups.size()) + (skyShines ? 1 : 0);
   result.tables.resize(result.groupCount);  // filled last: the sky's power comes with its tables
   if (!emitterPowers.empty()) addEmitters(scene, emitterPowers, result);
-  if (skyShines) groups.push_back(addSky(*sky, result) * pi * radius * radius);
+  if (skyShines) result.skyPower = addSky(*sky, result) * pi * radius * radius;
+  if (skyShines) groups.push_back(result.skyPower);
   if (groups.empty()) return result;
   evenOut(groups);
   const std::vector<std::uint32_t> bounds = makeIntervals(groups);
@@ -174,4 +176,4 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   return result;
 }
 
-}  // namespace prelight::reference
+}  // namespace prelight

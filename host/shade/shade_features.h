@@ -1,0 +1,30 @@
+#pragma once
+
+#include "device/build_options.h"
+#include "scene/compiled_scene.h"
+#include "shade/light_tables.h"
+
+namespace prelight {
+
+/// What a scene needs of the kernels that follow light (kernels/shade): they are built with no more.
+struct ShadeFeatures {
+  bool punctual = false;
+  bool emitters = false;
+  bool sky = false;
+  bool glass = false;
+  bool mirror = false;
+  bool glossy = false;
+  bool absorption = false;
+  bool layerTextures = false;
+  bool scatters = false;  ///< some surface sends light on
+
+  /// Some surface may send light on in (about) one direction.
+  bool specular() const { return glass || mirror; }
+};
+
+ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights);
+
+/// Adds the options of kernels/shade.
+BuildOptions& defineFeatures(const ShadeFeatures& features, BuildOptions& options);
+
+}  // namespace prelight

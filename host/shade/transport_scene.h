@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "bvh/tracer.h"
+#include "io/environment.h"
+#include "shade/light_buffers.h"
+#include "shade/shade_features.h"
+#include "shade/shaded_surface.h"
+
+namespace prelight {
+
+/// A scene and all that lights it. The referents outlive what is made of it.
+struct LitScene {
+  const CompiledScene& scene;
+  const std::vector<Image>& images;  ///< Scene::images
+  std::vector<Light> lights;         ///< punctual ones, world space
+  const Environment* sky = nullptr;
+  double skyRotation = 0.0;  ///< radians, counter-clockwise about +Y seen from above
+};
+
+/// A lit scene on the device, for kernels that follow light through it.
+class TransportScene {
+ public:
+  /// `choosePunctual`: as makeLightTables(). The scene must have a triangle.
+  TransportScene(const LitScene& lit, const Device& device, bool choosePunctual = true);
+
+  /// Sets surface and lights (ShadedSurface, then LightBuffers) as arguments of a kernel from `index` on;
+  /// returns the index after them.
+  cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
+  const ShadedSurface& surface() const { return surface_; }
+
+  /// Options that programs which look at it are built with.
+  BuildOptions options() const;
+
+  Tracer& tracer() { return tracer_; }
+  DeviceContext& context() const { return tracer_.context(); }
+  const LightTables& lights() const { return tables_; }
+  const device::LightLayout& layout() const { return layout_; }
+  const ShadeFeatures& features() const { return features_; }
+
+ private:
+  Tracer tracer_;
+  LightTables tables_;
+  device::LightLayout layout_;
+  ShadeFeatures features_;
+  ShadedSurface surface_;
+  LightBuffers lights_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,58 @@
+// Materials and lights as kernels that follow light read them.
+#ifndef PRELIGHT_SHARED_SHADE_TYPES_H
+#define PRELIGHT_SHARED_SHADE_TYPES_H
+
+#include "shared/compat.h"
+
+PRELIGHT_SHARED_BEGIN
+
+#define PRELIGHT_SOLID 1u         ///< glass with an inside: refracts
+#define PRELIGHT_DOUBLE_SIDED 2u  ///< emits from both sides
+#define PRELIGHT_UNLIT 4u         ///< shows its base colour to the camera, is black otherwise
+
+#define PRELIGHT_NO_MEDIUM 0xffffffffu
+
+typedef struct ShadeMaterial {
+  float f0[3];          ///< reflectance of the dielectric's surface along its normal
+  float f90;            ///< at grazing angles
+  float absorption[3];  ///< inside, 1/m
+  float ior;            ///< 0: infinite
+  float emission[3];    ///< W/(m2 sr)
+  float metallic;
+  float roughness;
+  float transmission;
+  uint flags;  ///< PRELIGHT_SOLID | ...
+  uint pad;
+} ShadeMaterial;
+
+#define PRELIGHT_POINT_LIGHT 0u
+#define PRELIGHT_DIRECTIONAL_LIGHT 1u
+#define PRELIGHT_SPOT_LIGHT 2u
+
+typedef struct PunctualLight {
+  float position[3];  ///< scene coordinates
+  uint kind;
+  float intensity[3];  ///< W/sr; directional: W/m2
+  float inverseRange;  ///< 1/m; 0: infinite
+  float direction[3];  ///< unit, the way the light travels
+  float coneScale;     ///< KHR_lights_punctual: clamp(cosine x scale + offset, 0, 1) squared
+  float coneOffset;
+  uint pad[3];
+} PunctualLight;
+
+/// Where what lights are chosen by lies in its table (shade/light_funcs.cl).
+typedef struct LightLayout {
+  uint groupCount;    ///< of lights to choose from: punctual lights, then the emitters as one, then the sky
+  uint emitterGroup;  ///< number of the groups before the emitters and the sky
+  uint emitterCount;
+  uint emitterTable;  ///< first entry in the tables; that of the groups starts at 0
+  uint rowTable;
+  uint columnTable;
+  uint skyWidth;
+  uint skyHeight;
+  float skyTurn;  ///< of the sky counter-clockwise seen from above, in turns
+} LightLayout;
+
+PRELIGHT_SHARED_END
+
+#endif
