@@ -9,6 +9,7 @@
 #include "shared/density_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
+#include "shared/photon_path_types.h"
 #include "shared/photon_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
@@ -56,6 +57,9 @@ static_assert(isShared<AreaTriangle, 48>);
 static_assert(isShared<SurfacePlace, 8>);
 static_assert(isShared<DensityParameters, 16>);
 static_assert(isShared<DensityQuery, 32>);
+static_assert(isShared<PhotonSource, 40>);
+static_assert(isShared<PhotonParameters, 112>);
+static_assert(isShared<PhotonPath, 20>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -96,7 +100,10 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<AreaNode>("AreaNode", offsetof(AreaNode, triangleCount)),
           layoutOf<AreaTriangle>("AreaTriangle", offsetof(AreaTriangle, normal)),
           layoutOf<DensityParameters>("DensityParameters", offsetof(DensityParameters, queryCount)),
-          layoutOf<DensityQuery>("DensityQuery", offsetof(DensityQuery, radius))};
+          layoutOf<DensityQuery>("DensityQuery", offsetof(DensityQuery, radius)),
+          layoutOf<PhotonSource>("PhotonSource", offsetof(PhotonSource, tangent)),
+          layoutOf<PhotonParameters>("PhotonParameters", offsetof(PhotonParameters, lights)),
+          layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, scattered))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

@@ -14,6 +14,7 @@ class LightBuffers {
 
   /// Sets them as a kernel's arguments from `index` on; returns the index after them.
   cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
+  const Buffer<device::PunctualLight>& punctual() const { return punctual_; }
 
  private:
   Buffer<std::uint32_t> tables_, emitters_;

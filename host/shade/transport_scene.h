@@ -29,6 +29,7 @@ class TransportScene {
   /// returns the index after them.
   cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
   const ShadedSurface& surface() const { return surface_; }
+  const LightBuffers& lightBuffers() const { return lights_; }
 
   /// Options that programs which look at it are built with.
   BuildOptions options() const;

@@ -6,6 +6,7 @@
 #include "shared/density_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
+#include "shared/photon_path_types.h"
 #include "shared/photon_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
@@ -50,4 +51,7 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(29, AreaTriangle, normal);
   PROBE(30, DensityParameters, queryCount);
   PROBE(31, DensityQuery, radius);
+  PROBE(32, PhotonSource, tangent);
+  PROBE(33, PhotonParameters, lights);
+  PROBE(34, PhotonPath, scattered);
 }

@@ -59,35 +59,6 @@ Shot shotOf(CompiledScene scene, const Camera& camera, int size, std::uint64_t s
   return shot;
 }
 
-CompiledMaterial lambert(float albedo) {
-  CompiledMaterial m;
-  m.albedo = m.baseColor = glm::vec3(albedo);
-  return m;
-}
-
-CompiledMaterial metal(float reflectance, float roughness) {
-  CompiledMaterial m;
-  m.baseColor = glm::vec3(reflectance);
-  m.metallic = 1.0f;
-  m.roughness = roughness;
-  return m;
-}
-
-CompiledMaterial glass(float ior, bool solid) {
-  CompiledMaterial m;
-  m.baseColor = glm::vec3(1.0f);
-  m.transmission = 1.0f;
-  m.ior = ior;
-  m.solid = solid;
-  return m;
-}
-
-CompiledMaterial emitter(const glm::vec3& radiance) {
-  CompiledMaterial m = lambert(0.0f);
-  m.emission = m.emissionFactor = radiance;
-  return m;
-}
-
 MeanAndError meanOf(const reference::Film& film) {
   const std::vector<float> variance = film.variance();
   MeanAndError result;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reference/reference.h"
+#include "support/materials.h"
 #include "support/scenes.h"
 
 namespace prelight::test {
@@ -28,12 +29,6 @@ Camera orthographicCamera(const glm::dvec3& eye, const glm::dvec3& target, doubl
 
 /// A shot of `scene` with a small square picture.
 Shot shotOf(CompiledScene scene, const Camera& camera, int size, std::uint64_t samples);
-
-/// Lambertian surface of an albedo, for the reference renderer and bakes alike.
-CompiledMaterial lambert(float albedo);
-CompiledMaterial metal(float reflectance, float roughness);
-CompiledMaterial glass(float ior, bool solid);
-CompiledMaterial emitter(const glm::vec3& radiance);
 
 /// Mean luminance of a film and the standard error of that mean, as its passes tell.
 struct MeanAndError {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// Whether a material sends light on in about one direction: clear glass, a mirror, or a lobe that is nearly
+/// one (PRELIGHT_NARROW_ALPHA in kernels/shade/lobe_class_funcs.cl). A texture of roughness may make it so.
+bool makesCaustics(const CompiledMaterial& material);
+
+/// Triangles whose materials do.
+std::vector<std::uint32_t> causticCasters(const CompiledScene& scene);
+
+}  // namespace prelight

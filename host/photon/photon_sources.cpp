@@ -1,0 +1,164 @@
+#include "photon/photon_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/luminance.h"
+#include "photon/casters.h"
+#include "photon/direction_cells.h"
+
+namespace prelight {
+
+namespace {
+
+using device::PhotonSource;
+
+constexpr double pi = std::numbers::pi;
+constexpr std::uint64_t mostPhotons = 0xf0000000u;  ///< a source
+constexpr std::size_t mostAimedEmitters = 256;      ///< more of them send photons everywhere
+constexpr std::uint32_t finestCells = 64;           ///< a side
+
+/// A source and the power that its photons are to carry, all together.
+struct Candidate {
+  PhotonSource source{};
+  double power = 0.0;  ///< of the source
+  double sent = 0.0;   ///< of that, in the directions of its cells
+  std::vector<std::uint32_t> cells;
+};
+
+std::uint32_t seedOf(std::uint64_t seed, std::size_t source) {
+  const std::uint64_t mixed = (seed + 1) * 0x9e3779b97f4a7c15ull + source * 0xd1b54a32d192ed03ull;
+  return static_cast<std::uint32_t>(mixed >> 32) ^ static_cast<std::uint32_t>(mixed);
+}
+
+Candidate everywhere(std::uint32_t kind, std::uint32_t light, double power) {
+  Candidate c;
+  c.source.kind = kind;
+  c.source.light = light;
+  c.power = c.sent = power;
+  return c;
+}
+
+void setSphere(const glm::dvec3& lower, const glm::dvec3& upper, PhotonSources& result) {
+  result.centre = 0.5 * (lower + upper);
+  result.radius = 0.5 * glm::length(upper - lower);
+}
+
+/// Shares photons out by the power that each candidate sends; cells take the same number each.
+void shareOut(std::vector<Candidate> candidates, std::uint64_t photons, std::uint64_t seed,
+              PhotonSources& result) {
+  double sum = 0.0;
+  for (const Candidate& c : candidates) sum += c.sent;
+  if (!(sum > 0.0)) return;
+  for (Candidate& c : candidates) {
+    if (!(c.sent > 0.0)) continue;
+    const double wanted = static_cast<double>(photons) * c.sent / sum;
+    std::uint64_t count =
+        std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::llround(wanted)), 1, mostPhotons);
+    c.source.cellCount = static_cast<std::uint32_t>(c.cells.size());
+    if (!c.cells.empty()) count = (count + c.cells.size() - 1) / c.cells.size() * c.cells.size();
+    c.source.count = static_cast<std::uint32_t>(count);
+    c.source.firstCell = static_cast<std::uint32_t>(result.cells.size());
+    c.source.seed = seedOf(seed, result.sources.size());
+    result.cells.insert(result.cells.end(), c.cells.begin(), c.cells.end());
+    result.powers.push_back(c.power);
+    result.sources.push_back(c.source);
+  }
+}
+
+/// Cells of a candidate's directions that may reach a caster from anywhere in `from`.
+void aim(Candidate& c, const Ball& from, std::span<const DirectionFrame> frames, DirectionMap map,
+         std::span<const Ball> casters, std::uint64_t photons) {
+  std::uint32_t side = finestCells;
+  c.cells = cellsTowards(from, frames, map, casters, side);
+  // Coarser where photons are few: every cell takes one at least.
+  while (side > 4 && c.cells.size() * 4 > photons) {
+    side /= 2;
+    c.cells = cellsTowards(from, frames, map, casters, side);
+  }
+  c.sent = c.power * static_cast<double>(c.cells.size()) / (double(side) * side);
+  if (c.cells.size() == std::size_t{side} * side) {
+    c.cells.clear();
+    return;
+  }
+  c.source.cellsASide = side;
+  for (int k = 0; k < 3; ++k) c.source.tangent[k] = static_cast<float>(frames[0].tangent[k]);
+}
+
+Candidate aimedEmitter(const CompiledScene& scene, const LightTables& lights, std::uint32_t emitter,
+                       std::span<const Ball> casters, std::uint64_t photons) {
+  const std::uint32_t t = lights.emitters[emitter];
+  const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
+  const glm::dvec3 normal = geometricNormal(scene, t);
+  Candidate c = everywhere(
+      PRELIGHT_SOURCE_EMITTERS, emitter,
+      pi * 0.5 * glm::length(normal) * luminance(glm::dvec3(m.emissionFactor)) * (m.doubleSided ? 2.0 : 1.0));
+  std::vector<DirectionFrame> frames{frameAlong(glm::normalize(normal))};
+  if (m.doubleSided) frames.push_back({-frames[0].axis, frames[0].tangent});
+  aim(c, ballAround(scene, std::span(&t, 1)), frames, {DirectionMap::Hemisphere, 0.0}, casters, photons);
+  return c;
+}
+
+Candidate aimedPunctual(const LightTables& lights, std::uint32_t index, std::span<const Ball> casters,
+                        std::uint64_t photons) {
+  const device::PunctualLight& light = lights.punctual[index];
+  Candidate c = everywhere(PRELIGHT_SOURCE_PUNCTUAL, index, lights.punctualPowers[index]);
+  const glm::dvec3 position(light.position[0], light.position[1], light.position[2]);
+  const glm::dvec3 axis(light.direction[0], light.direction[1], light.direction[2]);
+  const double least = light.kind == PRELIGHT_SPOT_LIGHT
+                           ? std::clamp(-double(light.coneOffset) / double(light.coneScale), -1.0, 1.0)
+                           : -1.0;
+  const DirectionFrame frame = frameAlong(axis);
+  aim(c, {position, 0.0}, std::span(&frame, 1), {DirectionMap::Cap, least}, casters, photons);
+  return c;
+}
+
+}  // namespace
+
+PhotonSources allSources(const CompiledScene& scene, const LightTables& lights, std::uint64_t photons,
+                         std::uint64_t seed) {
+  PhotonSources result;
+  setSphere(scene.boundsMin, scene.boundsMax, result);
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < lights.punctual.size(); ++i)
+    candidates.push_back(everywhere(PRELIGHT_SOURCE_PUNCTUAL, i, lights.punctualPowers[i]));
+  if (!lights.emitters.empty())
+    candidates.push_back(everywhere(PRELIGHT_SOURCE_EMITTERS, PRELIGHT_ALL_EMITTERS, lights.emitterPower));
+  if (!lights.sky.empty()) candidates.push_back(everywhere(PRELIGHT_SOURCE_SKY, 0, lights.skyPower));
+  shareOut(std::move(candidates), photons, seed, result);
+  return result;
+}
+
+PhotonSources sourcesTowardsCasters(const CompiledScene& scene, const LightTables& lights,
+                                    std::uint64_t photons, std::uint64_t seed) {
+  PhotonSources result;
+  const std::vector<std::uint32_t> triangles = causticCasters(scene);
+  if (triangles.empty()) return result;
+  const Ball all = ballAround(scene, triangles);
+  result.centre = all.centre;
+  result.radius = all.radius;
+  const double sceneRadius = 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
+  const double disc = std::pow(all.radius / sceneRadius, 2.0);  // of what light from afar sends
+  const std::vector<Ball> casters = clusterBalls(scene, triangles);
+  const std::uint64_t each =
+      photons / std::max<std::size_t>(1, lights.punctual.size() + lights.emitters.size());
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < lights.punctual.size(); ++i) {
+    const bool afar = lights.punctual[i].kind == PRELIGHT_DIRECTIONAL_LIGHT;
+    candidates.push_back(afar ? everywhere(PRELIGHT_SOURCE_PUNCTUAL, i, disc * lights.punctualPowers[i])
+                              : aimedPunctual(lights, i, casters, each));
+  }
+  if (lights.emitters.size() > mostAimedEmitters) {
+    candidates.push_back(everywhere(PRELIGHT_SOURCE_EMITTERS, PRELIGHT_ALL_EMITTERS, lights.emitterPower));
+  } else {
+    for (std::uint32_t i = 0; i < lights.emitters.size(); ++i)
+      candidates.push_back(aimedEmitter(scene, lights, i, casters, each));
+  }
+  if (!lights.sky.empty()) candidates.push_back(everywhere(PRELIGHT_SOURCE_SKY, 0, disc * lights.skyPower));
+  shareOut(std::move(candidates), photons, seed, result);
+  return result;
+}
+
+}  // namespace prelight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "shade/light_tables.h"
+#include "shared/photon_path_types.h"
+
+namespace prelight {
+
+/// What photons start from, and how much of their directions.
+struct PhotonSources {
+  std::vector<device::PhotonSource> sources;  ///< those with photons
+  std::vector<double> powers;                 ///< [source] luminance of its power, W
+  std::vector<std::uint32_t> cells;           ///< of the directions, source by source; see PhotonSource
+  glm::dvec3 centre{0.0};  ///< scene coordinates; light from afar covers the sphere of this radius around it
+  double radius = 0.0;
+};
+
+/// Every light of a scene, with photons in proportion to power: about `photons`, at least one a light.
+PhotonSources allSources(const CompiledScene& scene, const LightTables& lights, std::uint64_t photons,
+                         std::uint64_t seed);
+
+/// The lights again, with photons only towards triangles that make caustics (Jensen's projection maps): a
+/// conservative choice of cells for lights that are near, a disc around them for light from afar. Powers are
+/// still the lights' own. Without such triangles there is no source.
+PhotonSources sourcesTowardsCasters(const CompiledScene& scene, const LightTables& lights,
+                                    std::uint64_t photons, std::uint64_t seed);
+
+}  // namespace prelight

@@ -1,0 +1,213 @@
+#include "photon/photon_tracer.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+constexpr std::uint32_t tallyRun = 256;  // tallies that one work-item adds up
+constexpr std::uint32_t tallyColumns = 6;
+constexpr double countsAPhoton = 67108864.0;  // 2^26: fine enough for one photon, and 10^11 fit in 63 bits
+
+std::uint32_t photonsPerBlock(const DeviceInfo& info) {
+  return info.kind == DeviceKind::Gpu ? 1u << 20 : 1u << 16;
+}
+
+/// W a count of the tallies.
+double unitOf(const PhotonSources& sources) {
+  double power = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < sources.sources.size(); ++i) {
+    power += sources.powers[i];
+    count += sources.sources[i].count;
+  }
+  return std::max(power, 1e-30) / std::max(count, 1.0) / countsAPhoton;
+}
+
+BuildOptions scatterOptions(const PhotonRequest& request, BuildOptions options) {
+  return options.defineIf(request.kind == PhotonKind::Caustic, "PRELIGHT_CAUSTICS")
+      .defineIf(request.kind == PhotonKind::All, "PRELIGHT_STORE_DIRECT");
+}
+
+}  // namespace
+
+PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
+    : compiled_(compiled),
+      scene_(scene),
+      device_(scene.context()),
+      blockPhotons_(photonsPerBlock(device_.info())),
+      parameters_(device_, 1),
+      paths_(device_, blockPhotons_),
+      hits_(device_, blockPhotons_),
+      candidates_(device_, blockPhotons_),
+      photons_(device_, blockPhotons_),
+      order_(device_, blockPhotons_),
+      numbers_(device_, blockPhotons_),
+      outcomes_(device_, blockPhotons_),
+      tallies_(device_, std::size_t{tallyColumns} * blockPhotons_),
+      sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)) {
+  for (auto& rays : rays_) rays = Buffer<Ray>(device_, blockPhotons_);
+  for (auto& queue : queues_) queue = Buffer<std::uint32_t>(device_, blockPhotons_);
+}
+
+void PhotonTracer::build(const PhotonRequest& request) {
+  emit_ = cl::Kernel(device_.program("photon/emit_kernels.cl", scene_.options()), "emitPhotons");
+  const cl::Program& program =
+      device_.program("photon/scatter_kernels.cl", scatterOptions(request, scene_.options()));
+  scatter_ = cl::Kernel(program, "scatterPhotons");
+  compactPaths_ = cl::Kernel(program, "compactPaths");
+  compactPhotons_ = cl::Kernel(program, "compactPhotons");
+  sum_ = cl::Kernel(program, "sumTallies");
+}
+
+PhotonReport PhotonTracer::trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress) {
+  return trace(
+      request,
+      [&](const PhotonHits& block) {
+        hits.photons.insert(hits.photons.end(), block.photons.begin(), block.photons.end());
+        hits.paths.insert(hits.paths.end(), block.paths.begin(), block.paths.end());
+      },
+      progress);
+}
+
+PhotonReport PhotonTracer::trace(const PhotonRequest& request, const Sink& sink, Progress& progress) {
+  const PhotonSources sources =
+      request.kind == PhotonKind::Caustic && request.aimed
+          ? sourcesTowardsCasters(compiled_, scene_.lights(), request.photons, request.seed)
+          : allSources(compiled_, scene_.lights(), request.photons, request.seed);
+  PhotonReport report;
+  if (sources.sources.empty()) return report;
+  build(request);
+  report.power.unit = unitOf(sources);
+  const double sceneRadius =
+      0.5 * glm::length(glm::dvec3(compiled_.boundsMax) - glm::dvec3(compiled_.boundsMin));
+  values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
+  values_.unit = static_cast<float>(report.power.unit);
+  values_.radius = static_cast<float>(sources.radius);
+  values_.distance = static_cast<float>(2.01 * sceneRadius);
+  for (int k = 0; k < 3; ++k) values_.centre[k] = static_cast<float>(sources.centre[k]);
+  values_.lights = scene_.layout();
+  cells_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(sources.cells));
+  const double all = std::accumulate(sources.sources.begin(), sources.sources.end(), 0.0,
+                                     [](double sum, const PhotonSource& s) { return sum + s.count; });
+  std::uint32_t firstPath = 0;
+  for (const PhotonSource& source : sources.sources) {
+    values_.source = source;
+    for (std::uint32_t first = 0; first < source.count; first += values_.pathCount) {
+      progress.report("photons", static_cast<double>(report.emitted) / all);
+      progress.check();
+      values_.firstPhoton = first;
+      values_.pathCount = std::min(blockPhotons_, source.count - first);
+      PhotonHits block;
+      traceBlock(request, firstPath, block, report);
+      sink(block);
+      firstPath += values_.pathCount;
+    }
+  }
+  return report;
+}
+
+void PhotonTracer::traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
+                              PhotonReport& report) {
+  parameters_.write(std::span<const PhotonParameters>(&values_, 1));
+  emit_.setArg(0, parameters_.get());
+  const cl_uint index = scene_.setArguments(emit_, 1);
+  emit_.setArg(index, cells_.get());
+  emit_.setArg(index + 1, paths_.get());
+  emit_.setArg(index + 2, queues_[0].get());
+  emit_.setArg(index + 3, rays_[0].get());
+  emit_.setArg(index + 4, tallies_.get());
+  std::uint32_t active = values_.pathCount;
+  device_.launch(emit_, active, groupSize);
+  std::array<std::int64_t, 3> emitted{};
+  sum(active, 3, emitted);
+  for (std::size_t c = 0; c < 3; ++c) report.power.emitted[c] += emitted[c];
+  report.emitted += active;
+  current_ = 0;
+  std::array<std::int64_t, 3> left = emitted;
+  for (std::uint32_t depth = 0; active > 0; ++depth) {
+    if (depth == static_cast<std::uint32_t>(request.depth)) {
+      for (std::size_t c = 0; c < 3; ++c) report.power.cut[c] += left[c];
+      return;
+    }
+    const PhotonPower before = report.power;
+    active = scatter(active, depth, firstPath, hits, report);
+    for (std::size_t c = 0; c < 3; ++c)
+      left[c] -= report.power.absorbed[c] - before.absorbed[c] + report.power.escaped[c] - before.escaped[c];
+  }
+}
+
+/// One surface of the photons that are on their way; returns how many go on.
+std::uint32_t PhotonTracer::scatter(std::uint32_t count, std::uint32_t depth, std::uint32_t firstPath,
+                                    PhotonHits& hits, PhotonReport& report) {
+  const std::size_t next = 1 - current_;
+  scene_.tracer().traceClosest(rays_[current_], hits_, count);
+  report.rays += count;
+  setArguments(scatter_, parameters_.get(), count, depth);
+  const cl_uint index = scene_.surface().setArguments(scatter_, 3);
+  scatter_.setArg(index, scene_.lightBuffers().punctual().get());
+  scatter_.setArg(index + 1, rays_[current_].get());
+  scatter_.setArg(index + 2, hits_.get());
+  scatter_.setArg(index + 3, queues_[current_].get());
+  scatter_.setArg(index + 4, paths_.get());
+  scatter_.setArg(index + 5, outcomes_.get());
+  scatter_.setArg(index + 6, rays_[next].get());
+  scatter_.setArg(index + 7, candidates_.get());
+  scatter_.setArg(index + 8, tallies_.get());
+  device_.launch(scatter_, count, groupSize);
+  std::array<std::int64_t, tallyColumns> sums{};
+  sum(count, tallyColumns, sums);
+  for (std::size_t c = 0; c < 3; ++c) {
+    report.power.absorbed[c] += sums[c];
+    report.power.escaped[c] += sums[3 + c];
+  }
+  outcome_.resize(count);
+  outcomes_.read(std::span(outcome_));
+  goesOn_.clear();
+  stays_.clear();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if ((outcome_[i] & PRELIGHT_PHOTON_GOES_ON) != 0) goesOn_.push_back(i);
+    if ((outcome_[i] & PRELIGHT_PHOTON_STORED) != 0) stays_.push_back(i);
+  }
+  report.stored += stays_.size();
+  store(static_cast<std::uint32_t>(stays_.size()), firstPath, hits);
+  const auto left = static_cast<std::uint32_t>(goesOn_.size());
+  if (left == 0) return 0;
+  // In the order of their numbers, whatever the device did first. The rays that were traced are done with.
+  order_.write(std::span<const std::uint32_t>(goesOn_));
+  setArguments(compactPaths_, left, order_.get(), rays_[next].get(), queues_[current_].get(),
+               rays_[current_].get(), queues_[next].get());
+  device_.launch(compactPaths_, left, groupSize);
+  std::swap(queues_[0], queues_[1]);
+  return left;
+}
+
+void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {
+  if (count == 0) return;
+  order_.write(std::span<const std::uint32_t>(stays_));
+  setArguments(compactPhotons_, count, order_.get(), candidates_.get(), queues_[current_].get(),
+               photons_.get(), numbers_.get());
+  device_.launch(compactPhotons_, count, groupSize);
+  const std::size_t before = hits.photons.size();
+  hits.photons.resize(before + count);
+  hits.paths.resize(before + count);
+  photons_.read(std::span(hits.photons).subspan(before));
+  numbers_.read(std::span(hits.paths).subspan(before));
+  for (std::size_t i = before; i < hits.paths.size(); ++i) hits.paths[i] += firstPath;
+}
+
+/// Adds up the tallies, [count][columns].
+void PhotonTracer::sum(std::uint32_t count, std::uint32_t columns, std::span<std::int64_t> sums) {
+  const std::uint32_t groups = (count + tallyRun - 1) / tallyRun;
+  setArguments(sum_, count, columns, tallyRun, tallies_.get(), sums_.get());
+  device_.launch(sum_, std::size_t{groups} * columns, groupSize);
+  std::vector<std::int64_t> parts(std::size_t{groups} * columns);
+  sums_.read(std::span(parts));
+  for (std::size_t i = 0; i < parts.size(); ++i) sums[i % columns] += parts[i];
+}
+
+}  // namespace prelight

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "photon/photon_sources.h"
+#include "shade/transport_scene.h"
+#include "shared/photon_types.h"
+
+namespace prelight {
+
+/// Which photons are kept where they land; docs/photons.md defines the classes of paths.
+enum class PhotonKind : std::uint8_t {
+  All,       ///< at every surface that reflects diffusely
+  Indirect,  ///< those that some surface has scattered before
+  Caustic,   ///< those that mirrors, glass and narrow lobes alone have scattered; sent towards these
+};
+
+struct PhotonRequest {
+  PhotonKind kind = PhotonKind::Indirect;
+  bool aimed = true;               ///< caustic photons leave towards casters alone; false: everywhere
+  std::uint64_t photons = 100000;  ///< that leave lights
+  std::uint64_t seed = 0;
+  int rouletteDepth = 0;  ///< surfaces that a photon meets before it may be absorbed by chance
+  int depth = 2048;       ///< surfaces that it meets at most
+};
+
+/// Where the power went, a channel. Sums of whole counts: exact, whatever their number, and
+/// emitted = absorbed + escaped + cut but for photons that were lost.
+struct PhotonPower {
+  std::array<std::int64_t, 3> emitted{};
+  std::array<std::int64_t, 3> absorbed{};  ///< by surfaces, within media and beyond lights' ranges
+  std::array<std::int64_t, 3> escaped{};   ///< from the scene
+  std::array<std::int64_t, 3> cut{};       ///< still on its way when PhotonRequest::depth ended it
+  double unit = 0.0;                       ///< W a count
+
+  glm::dvec3 watts(const std::array<std::int64_t, 3>& counts) const {
+    return unit * glm::dvec3(counts[0], counts[1], counts[2]);
+  }
+};
+
+struct PhotonReport {
+  PhotonPower power;
+  std::uint64_t emitted = 0;  ///< photons
+  std::uint64_t stored = 0;   ///< hits that were kept
+  std::uint64_t rays = 0;
+};
+
+/// What photons left behind, in an order that only the scene and the request decide.
+struct PhotonHits {
+  std::vector<device::Photon> photons;
+  std::vector<std::uint32_t> paths;  ///< [photon], number of its path over all sources
+};
+
+/// Sends photons through a scene, block by block.
+class PhotonTracer {
+ public:
+  /// The arguments outlive it.
+  PhotonTracer(const CompiledScene& compiled, TransportScene& scene);
+
+  /// Appends to `hits`. Throws Interrupted between blocks.
+  PhotonReport trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress);
+
+  /// As trace(), but hands the hits of each block over and keeps nothing.
+  using Sink = std::function<void(const PhotonHits& block)>;
+  PhotonReport trace(const PhotonRequest& request, const Sink& sink, Progress& progress);
+
+ private:
+  void build(const PhotonRequest& request);
+  void traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
+                  PhotonReport& report);
+  std::uint32_t scatter(std::uint32_t count, std::uint32_t depth, std::uint32_t firstPath, PhotonHits& hits,
+                        PhotonReport& report);
+  void store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
+  void sum(std::uint32_t count, std::uint32_t columns, std::span<std::int64_t> sums);
+
+  const CompiledScene& compiled_;
+  TransportScene& scene_;
+  DeviceContext& device_;
+  std::uint32_t blockPhotons_;
+  device::PhotonParameters values_{};
+  Buffer<device::PhotonParameters> parameters_;
+  Buffer<std::uint32_t> cells_;
+  Buffer<device::PhotonPath> paths_;
+  std::array<Buffer<device::Ray>, 2> rays_;
+  std::array<Buffer<std::uint32_t>, 2> queues_;
+  std::size_t current_ = 0;  ///< of the two, the one to trace
+  Buffer<device::Hit> hits_;
+  Buffer<device::Photon> candidates_, photons_;
+  Buffer<std::uint32_t> order_, numbers_;
+  Buffer<std::uint8_t> outcomes_;
+  Buffer<std::int64_t> tallies_, sums_;
+  std::vector<std::uint8_t> outcome_;
+  std::vector<std::uint32_t> goesOn_, stays_;
+  cl::Kernel emit_, scatter_, compactPaths_, compactPhotons_, sum_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,209 @@
+// What photons do where they arrive: be stored, be absorbed, go on. docs/photons.md states the classes of paths.
+// Options: those of the included files, PRELIGHT_ABSORPTION (some glass absorbs); PRELIGHT_CAUSTICS: photons of the caustic
+// map, which follow mirrors, glass and narrow lobes alone and end on the first surface that reflects diffusely;
+// PRELIGHT_STORE_DIRECT: those that come straight from their light are stored as well.
+#include "core/octahedral_funcs.cl"
+#include "photon/path_funcs.cl"
+#include "shade/glass_funcs.cl"
+#include "shade/lobe_class_funcs.cl"
+#include "shade/vertex_funcs.cl"
+#include "shared/photon_types.h"
+
+// Where a photon is, and what its surface makes of it.
+typedef struct Arrived {
+  PathVertex vertex;
+  Bsdf bsdf;
+  Frame frame;
+  float3 wo;  // back along its way, in the frame
+} Arrived;
+
+typedef struct Departure {
+  float3 direction;
+  float3 weight;     // of the power, the choice of the lobe undone
+  uint scattered;    // PRELIGHT_SCATTERED_*
+  uint medium;
+} Departure;
+
+// Shading normals bend light that is traced from its source otherwise than light that is traced from the eye: the ratio of
+// cosines makes up for it (Veach 1997, eq. 5.19). 1 on a flat surface. Bounded: at grazing angles it has no limit.
+float adjointRatio(PathVertex v, float3 direction) {
+  const float in = fabs(dot(v.wo, v.shading)) * fabs(dot(direction, v.geometric));
+  const float out = fabs(dot(v.wo, v.geometric)) * fabs(dot(direction, v.shading));
+  return in < 4.0f * out ? in / out : 4.0f;
+}
+
+#ifdef PRELIGHT_GLASS
+bool leaveThroughGlass(Arrived a, PathScene s, LobeChoice lobes, float chance, Departure* d) {
+  const bool solid = (s.materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u;
+  const float rest = clamp((chance - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
+  const float3 shading = a.wo.z > 0.0f ? a.vertex.shading : a.vertex.geometric;
+  bool passes;
+  float relativeIor2;  // scales radiance, not power
+  d->direction =
+      throughGlass(a.bsdf, solid, a.vertex.front, a.vertex.wo, shading, rest, &d->weight, &passes, &relativeIor2);
+  if ((dot(d->direction, a.vertex.geometric) < 0.0f) != passes)
+    d->direction = throughGlass(a.bsdf, solid, a.vertex.front, a.vertex.wo, a.vertex.geometric, rest, &d->weight, &passes,
+                                &relativeIor2);
+  d->weight *= a.bsdf.glass / lobes.glass;
+  if (passes && solid) d->medium = a.vertex.front ? a.vertex.material : PRELIGHT_NO_MEDIUM;
+  d->scattered = PRELIGHT_SCATTERED_SPECULAR;
+  return true;
+}
+#endif
+
+// One lobe by chance. False: no light leaves.
+bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
+#ifdef PRELIGHT_CAUSTICS
+  const LobeChoice lobes = chooseLobes(a.bsdf, a.wo.z, false, isNarrow(a.bsdf));
+#else
+  const LobeChoice lobes = chooseLobes(a.bsdf, a.wo.z, true, true);
+#endif
+  if (!(lobes.diffuse + lobes.specular + lobes.glass > 0.0f)) return false;
+#ifdef PRELIGHT_GLASS
+  if (chance >= lobes.diffuse + lobes.specular) return leaveThroughGlass(a, s, lobes, chance, d);
+#endif
+  const bool specular = chance >= lobes.diffuse;
+  d->scattered = specular && isNarrow(a.bsdf) ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
+#ifdef PRELIGHT_MIRROR
+  if (specular && a.bsdf.smooth) {
+    d->direction = fromFrame(a.frame, (float3)(-a.wo.x, -a.wo.y, a.wo.z));
+    d->weight = (a.bsdf.metal + a.bsdf.layer * schlick(a.bsdf, a.wo.z)) / lobes.specular;
+    return dot(d->direction, a.vertex.geometric) > 0.0f;
+  }
+#endif
+  const float3 wi = sampleLobe(a.bsdf, specular, u, a.wo);
+  if (wi.z <= 0.0f) return false;
+  d->direction = fromFrame(a.frame, wi);
+  if (dot(d->direction, a.vertex.geometric) <= 0.0f) return false;
+  // Each lobe by itself, so that a photon knows which one it came from.
+  const Reflection f = evaluateBsdf(a.bsdf, a.wo, wi);
+  const LobeChoice one = {specular ? 0.0f : 1.0f, specular ? 1.0f : 0.0f, 0.0f};
+  const float density = scatterDensity(a.bsdf, one, a.wo, wi) * (specular ? lobes.specular : lobes.diffuse);
+  d->weight = (specular ? f.glossy : f.diffuse) * (adjointRatio(a.vertex, d->direction) / density);
+  return true;
+}
+
+bool storesHere(PhotonPath path, Bsdf b) {
+  if (!(largest(b.diffuse) > 0.0f)) return false;
+#ifdef PRELIGHT_CAUSTICS
+  return path.scattered == PRELIGHT_SCATTERED_SPECULAR;
+#elif defined(PRELIGHT_STORE_DIRECT)
+  return true;
+#else
+  return path.scattered != 0u;
+#endif
+}
+
+bool goesOnFrom(PhotonPath path, Bsdf b) {
+#ifdef PRELIGHT_CAUSTICS
+  return path.scattered == 0u || !(largest(b.diffuse) > 0.0f);
+#else
+  return true;
+#endif
+}
+
+void countPower(__constant const PhotonParameters* p, const float* power, float sign, long* counts) {
+  for (uint c = 0; c < 3; ++c) counts[c] += (sign < 0.0f ? -1 : 1) * countsOf(p, power[c]);
+}
+
+// A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; nextRays [count] where
+// it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: compactPaths,
+// compactPhotons, sumTallies.
+__kernel void scatterPhotons(__constant const PhotonParameters* p, const uint count, const uint depth,
+                             __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
+                             __global const float2* texCoords, __global const float4* colors,
+                             __global const ushort4* texels, __global const float* vertices,
+                             __global const uchar* flat, __global const ShadeMaterial* materials,
+                             __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
+                             __global const PunctualLight* punctual, __global const Ray* rays, __global const Hit* hits,
+                             __global const uint* queue, __global PhotonPath* paths, __global uchar* outcomes,
+                             __global Ray* nextRays, __global Photon* stored, __global long* tallies) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
+  PhotonPath path = paths[queue[i]];
+  const Hit hit = hits[i];
+  long absorbed[3] = {0, 0, 0}, escaped[3] = {0, 0, 0};
+  uchar outcome = 0;
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) {
+    countPower(p, path.power, 1.0f, escaped);
+  } else {
+    countPower(p, path.power, 1.0f, absorbed);
+    Arrived a;
+    a.vertex = loadVertex(s, rays[i], hit);
+    a.bsdf = loadBsdf(s, a.vertex);
+    a.frame = frameAround(a.vertex.shading);
+    a.wo = toFrame(a.frame, a.vertex.wo);
+    float3 power = vload3(0, path.power);
+#ifdef PRELIGHT_PUNCTUAL
+    if (depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
+      const float ratio = hit.t * punctual[p->source.light].inverseRange;
+      power *= clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
+    }
+#endif
+#ifdef PRELIGHT_ABSORPTION
+    uint medium = path.medium;
+    if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = a.vertex.material;
+    if (medium != PRELIGHT_NO_MEDIUM) power *= exp(-vload3(0, materials[medium].absorption) * hit.t);
+#endif
+    if (storesHere(path, a.bsdf)) {
+      Photon photon;
+      vstore3(a.vertex.position, 0, photon.position);
+      photon.triangle = hit.triangle;
+      vstore3(power, 0, photon.power);
+      photon.direction = packDirection(a.vertex.wo);
+      stored[i] = photon;
+      outcome |= PRELIGHT_PHOTON_STORED;
+    }
+    const uint photon = p->firstPhoton + queue[i];
+    const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
+    const float2 chance = photonPoint(p, photon, pair + PRELIGHT_PAIR_LOBE);
+    Departure d = {(float3)(0.0f), (float3)(0.0f), 0u, path.medium};
+    if (goesOnFrom(path, a.bsdf) && leave(a, s, chance.x, photonPoint(p, photon, pair + PRELIGHT_PAIR_DIRECTION), &d)) {
+      float3 leaving = power * d.weight;
+      const float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
+      if (largest(leaving) > 0.0f && chance.y < survival) {
+        vstore3(leaving / survival, 0, path.power);
+        path.medium = d.medium;
+        path.scattered |= d.scattered;
+        paths[queue[i]] = path;
+        countPower(p, path.power, -1.0f, absorbed);
+        nextRays[i] = rayFrom(a.vertex, normalize(d.direction), MAXFLOAT);
+        outcome |= PRELIGHT_PHOTON_GOES_ON;
+      }
+    }
+  }
+  outcomes[i] = outcome;
+  for (uint c = 0; c < 3; ++c) {
+    tallies[6 * i + c] = absorbed[c];
+    tallies[6 * i + 3 + c] = escaped[c];
+  }
+}
+
+// order [count]: those of the photons that go on -> their rays and queue, close together.
+__kernel void compactPaths(const uint count, __global const uint* order, __global const Ray* rays,
+                           __global const uint* queue, __global Ray* nextRays, __global uint* nextQueue) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  nextRays[i] = rays[order[i]];
+  nextQueue[i] = queue[order[i]];
+}
+
+// order [count]: those that are stored -> photons and the numbers of their paths in the block.
+__kernel void compactPhotons(const uint count, __global const uint* order, __global const Photon* stored,
+                             __global const uint* queue, __global Photon* photons, __global uint* numbers) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  photons[i] = stored[order[i]];
+  numbers[i] = queue[order[i]];
+}
+
+// tallies [count][columns] -> sums [work-item][columns], each over `run` of them.
+__kernel void sumTallies(const uint count, const uint columns, const uint run, __global const long* tallies,
+                         __global long* sums) {
+  const size_t group = get_global_id(0) / columns, column = get_global_id(0) % columns;
+  if (group * run >= count) return;
+  long sum = 0;
+  for (size_t i = group * run; i < min((size_t)count, (group + 1) * run); ++i) sum += tallies[i * columns + column];
+  sums[get_global_id(0)] = sum;
+}

@@ -1,0 +1,56 @@
+// Photons on their way: where they start, what they carry, what has become of them.
+#ifndef PRELIGHT_SHARED_PHOTON_PATH_TYPES_H
+#define PRELIGHT_SHARED_PHOTON_PATH_TYPES_H
+
+#include "shared/compat.h"
+#include "shared/shade_types.h"
+
+PRELIGHT_SHARED_BEGIN
+
+#define PRELIGHT_SOURCE_PUNCTUAL 0u
+#define PRELIGHT_SOURCE_EMITTERS 1u
+#define PRELIGHT_SOURCE_SKY 2u
+
+#define PRELIGHT_ALL_EMITTERS 0xffffffffu
+
+/// A light, or several, that photons start from. Its photons are enumerated: photon i is always the same.
+typedef struct PhotonSource {
+  uint kind;   ///< PRELIGHT_SOURCE_*
+  uint light;  ///< punctual light, or the one emitter; PRELIGHT_ALL_EMITTERS: chosen by power
+  uint count;  ///< photons that share its power
+  uint seed;
+  uint firstCell;   ///< of the directions that it sends photons in, into the list of cells
+  uint cellCount;   ///< 0: in all directions
+  uint cellsASide;  ///< the square of directions is cut into as many columns and rows
+  float tangent[3];  ///< with cells: unit, across the axis that directions are around, where a turn starts
+} PhotonSource;
+
+typedef struct PhotonParameters {
+  uint firstPhoton;  ///< of the block, in the source
+  uint pathCount;    ///< of the block
+  uint rouletteDepth;
+  float unit;        ///< W a count of the tallies
+  float centre[3];   ///< scene coordinates: light from afar covers the disc of this radius around it
+  float radius;
+  float distance;  ///< from the centre, at which light from afar starts
+  PhotonSource source;
+  LightLayout lights;
+} PhotonParameters;
+
+// How a photon has been scattered so far.
+#define PRELIGHT_SCATTERED_SPECULAR 1u  ///< by a mirror, glass, or a lobe that is nearly one
+#define PRELIGHT_SCATTERED_WIDELY 2u    ///< diffusely or by a rough lobe
+
+typedef struct PhotonPath {
+  float power[3];  ///< W
+  uint medium;     ///< material that it runs through, or PRELIGHT_NO_MEDIUM
+  uint scattered;  ///< PRELIGHT_SCATTERED_* | ...
+} PhotonPath;
+
+// What became of a photon at a surface.
+#define PRELIGHT_PHOTON_GOES_ON 1u
+#define PRELIGHT_PHOTON_STORED 2u
+
+PRELIGHT_SHARED_END
+
+#endif

@@ -1,0 +1,304 @@
+#include "photon/photon_tracer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "scene/builtin.h"
+#include "scene/loader.h"
+#include "support/devices.h"
+#include "support/materials.h"
+#include "support/scenes.h"
+
+namespace prelight::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const std::vector<Image>& noImages() {
+  static const std::vector<Image> none;
+  return none;
+}
+
+struct Flight {
+  PhotonHits hits;
+  PhotonReport report;
+
+  glm::dvec3 storedPower() const {
+    glm::dvec3 sum(0.0);
+    for (const device::Photon& p : hits.photons) sum += glm::dvec3(p.power[0], p.power[1], p.power[2]);
+    return sum;
+  }
+  glm::dvec3 emitted() const { return report.power.watts(report.power.emitted); }
+  glm::dvec3 escaped() const { return report.power.watts(report.power.escaped); }
+  glm::dvec3 absorbed() const { return report.power.watts(report.power.absorbed); }
+};
+
+Flight fly(const CompiledScene& scene, const std::vector<Light>& lights, const PhotonRequest& request,
+           const Environment* sky = nullptr) {
+  TransportScene transport({scene, noImages(), lights, sky}, sharedDevice());
+  PhotonTracer tracer(scene, transport);
+  Flight flight;
+  Progress progress;
+  flight.report = tracer.trace(request, flight.hits, progress);
+  return flight;
+}
+
+PhotonRequest requestOf(PhotonKind kind, std::uint64_t photons) {
+  PhotonRequest request;
+  request.kind = kind;
+  request.photons = photons;
+  return request;
+}
+
+Light pointLight(const glm::dvec3& position, const glm::vec3& intensity) {
+  Light light;
+  light.type = LightType::Point;
+  light.position = position;
+  light.intensity = intensity;
+  return light;
+}
+
+CompiledScene builtin(const std::string& name) {
+  Warnings warnings;
+  return compileScene(loadScene(makeBuiltinScene(name), warnings), warnings);
+}
+
+void expectBalanced(const PhotonPower& p) {
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(p.emitted[c], p.absorbed[c] + p.escaped[c] + p.cut[c]) << c;
+}
+
+/// Gives a scene's last triangles a material of their own.
+void paintLast(CompiledScene& scene, std::size_t triangles, const CompiledMaterial& material) {
+  scene.materials.push_back(material);
+  for (std::size_t t = scene.triangleCount() - triangles; t < scene.triangleCount(); ++t)
+    scene.triangleMaterials[t] = static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+CompiledScene floorOf(float half, float height = 0.0f) {
+  CompiledScene scene = ground(1, half, height);
+  scene.materials[0] = lambert(1.0f);
+  return scene;
+}
+
+/// A room of white walls of an albedo.
+CompiledScene room(float albedo) {
+  CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+  scene.materials[0] = lambert(albedo);
+  return scene;
+}
+
+TEST(PhotonPower, EveryScene_IsAccountedForToTheLastCount) {
+  for (const std::string name : {"cornell", "caustics", "shapes", "rooms"}) {
+    SCOPED_TRACE(name);
+    const CompiledScene scene = builtin(name);
+    for (const PhotonKind kind : {PhotonKind::All, PhotonKind::Indirect, PhotonKind::Caustic}) {
+      const Flight flight = fly(scene, scene.lights, requestOf(kind, 20000));
+      expectBalanced(flight.report.power);
+      EXPECT_EQ(flight.hits.photons.size(), flight.report.stored);
+      EXPECT_EQ(flight.hits.paths.size(), flight.report.stored);
+    }
+  }
+}
+
+TEST(PhotonPower, DepthCutsPaths_AndCountsWhatTheyCarried) {
+  PhotonRequest request = requestOf(PhotonKind::All, 10000);
+  request.depth = 2;
+  request.rouletteDepth = 8;
+  const Flight flight = fly(room(0.5f), {pointLight({0, 0, 0}, glm::vec3(1.0f))}, request);
+  expectBalanced(flight.report.power);
+  EXPECT_NEAR(flight.report.power.watts(flight.report.power.cut).x, 4.0 * pi / 4.0, 1e-4);
+}
+
+TEST(PhotonEmission, EachKindOfLight_SendsItsPower) {
+  const CompiledScene scene = room(0.0f);
+  const double radius = std::sqrt(3.0);
+  Light light = pointLight({0.2, 0, 0}, {1.0f, 2.0f, 3.0f});
+  const PhotonRequest request = requestOf(PhotonKind::All, 1 << 16);
+  EXPECT_NEAR(fly(scene, {light}, request).emitted().y, 8.0 * pi, 1e-5);
+  light.type = LightType::Spot;
+  light.innerConeAngle = 0.3f;
+  light.outerConeAngle = 0.6f;
+  light.direction = glm::normalize(glm::dvec3(1, 2, 3));
+  const double a = std::cos(0.6), b = std::cos(0.3);  // the falloff is the square of a ramp between these
+  EXPECT_NEAR(fly(scene, {light}, request).emitted().y, 2.0 * 2.0 * pi * ((1.0 - b) + (b - a) / 3.0), 1e-4);
+  light.type = LightType::Directional;
+  EXPECT_NEAR(fly(scene, {light}, request).emitted().y, 2.0 * pi * radius * radius, 1e-4);
+
+  CompiledScene lamp = room(0.0f);
+  append(lamp, ground(1, 0.5f, 0.2f));
+  paintLast(lamp, 2, emitter({2.0f, 3.0f, 4.0f}));
+  EXPECT_NEAR(fly(lamp, {}, request).emitted().y, 3.0 * pi, 1e-5);
+  lamp.materials.back().doubleSided = true;
+  EXPECT_NEAR(fly(lamp, {}, request).emitted().y, 6.0 * pi, 1e-5);
+
+  const Environment sky = constantEnvironment({1.0f, 2.0f, 1.0f});
+  EXPECT_NEAR(fly(scene, {}, request, &sky).emitted().y, 2.0 * 4.0 * pi * pi * radius * radius, 2e-2);
+}
+
+TEST(PhotonEmission, RangeOfALight_TakesPowerAway) {
+  Light light = pointLight({0, 0, 0}, glm::vec3(1.0f));
+  light.range = 0.9f;  // the walls are farther
+  EXPECT_EQ(fly(room(0.5f), {light}, requestOf(PhotonKind::All, 4096)).storedPower().x, 0.0);
+}
+
+TEST(PhotonEmission, NoLight_SendsNothing) {
+  const Flight flight = fly(room(0.5f), {}, requestOf(PhotonKind::All, 1000));
+  EXPECT_EQ(flight.report.emitted, 0u);
+  EXPECT_TRUE(flight.hits.photons.empty());
+}
+
+/// In a closed room of albedo a what arrives is the light's power over 1 - a.
+TEST(PhotonTracer, ClosedRoom_GathersItsGeometricSeries) {
+  for (const float albedo : {0.01f, 0.5f, 0.9f, 0.99f}) {
+    const Flight flight = fly(room(albedo), {pointLight({0.1, 0.2, 0.3}, glm::vec3(1.0f))},
+                              requestOf(PhotonKind::All, 1 << 17));
+    const double expected = 4.0 * pi / (1.0 - static_cast<double>(albedo));
+    // A photon's number of hits is geometric, of relative deviation sqrt(albedo).
+    const double sigma = std::sqrt(static_cast<double>(albedo) / (1 << 17));
+    EXPECT_NEAR(flight.storedPower().x, expected, 3.0 * sigma * expected) << albedo;
+    EXPECT_NEAR(flight.escaped().x, 0.0, 1e-12);
+    expectBalanced(flight.report.power);
+  }
+}
+
+TEST(PhotonTracer, ColouredWalls_KeepTheMeanOfEachChannel) {
+  CompiledScene scene = room(0.5f);
+  scene.materials[0].albedo = scene.materials[0].baseColor = {0.9f, 0.5f, 0.1f};
+  const Flight flight =
+      fly(scene, {pointLight({0.1, 0.2, 0.3}, glm::vec3(1.0f))}, requestOf(PhotonKind::All, 1 << 17));
+  EXPECT_NEAR(flight.storedPower().x, 4.0 * pi / 0.1, 3e-3 * 4.0 * pi / 0.1);
+  EXPECT_NEAR(flight.storedPower().y, 4.0 * pi / 0.5, 3e-3 * 4.0 * pi / 0.5);
+  EXPECT_NEAR(flight.storedPower().z, 4.0 * pi / 0.9, 3e-3 * 4.0 * pi / 0.9);
+}
+
+TEST(PhotonTracer, Flux_DoesNotDependOnTheNumberOfPhotons) {
+  const CompiledScene scene = builtin("cornell");
+  const double most = fly(scene, scene.lights, requestOf(PhotonKind::Indirect, 1 << 19)).storedPower().y;
+  for (const int count : {1 << 12, 1 << 14, 1 << 16}) {
+    const double found = fly(scene, scene.lights, requestOf(PhotonKind::Indirect, count)).storedPower().y;
+    EXPECT_NEAR(found, most, 3.0 * most / std::sqrt(count)) << count;
+  }
+}
+
+TEST(PhotonTracer, SameSeed_GivesTheSameHitsInTheSameOrder) {
+  const CompiledScene scene = builtin("caustics");
+  PhotonRequest request = requestOf(PhotonKind::Indirect, 100000);  // more than a block
+  const Flight a = fly(scene, scene.lights, request), b = fly(scene, scene.lights, request);
+  ASSERT_EQ(a.hits.photons.size(), b.hits.photons.size());
+  EXPECT_EQ(0, std::memcmp(a.hits.photons.data(), b.hits.photons.data(),
+                           a.hits.photons.size() * sizeof(device::Photon)));
+  EXPECT_EQ(a.hits.paths, b.hits.paths);
+  request.seed = 1;
+  const Flight c = fly(scene, scene.lights, request);
+  EXPECT_NE(a.hits.photons.size(), c.hits.photons.size());
+}
+
+/// Power on a floor under a point light, square by square, against its integral in closed form.
+TEST(PhotonTracer, FloorUnderAPointLight_GetsTheInverseSquare) {
+  const CompiledScene scene = floorOf(2.0f);
+  const Flight flight =
+      fly(scene, {pointLight({0, 1, 0}, glm::vec3(1.0f))}, requestOf(PhotonKind::All, 1 << 19));
+  constexpr int cells = 8;
+  std::vector<double> found(cells * cells, 0.0);
+  for (const device::Photon& p : flight.hits.photons) {
+    const int x = std::min(cells - 1, static_cast<int>((p.position[0] + 2.0f) * cells / 4.0f));
+    const int z = std::min(cells - 1, static_cast<int>((p.position[2] + 2.0f) * cells / 4.0f));
+    found[static_cast<std::size_t>(z * cells + x)] += static_cast<double>(p.power[0]);
+  }
+  // Solid angle of a corner rectangle [0,x] x [0,z] at height 1.
+  const auto corner = [](double x, double z) { return std::atan(x * z / std::sqrt(1.0 + x * x + z * z)); };
+  for (int z = 0; z < cells; ++z)
+    for (int x = 0; x < cells; ++x) {
+      const double x0 = -2.0 + 0.5 * x, z0 = -2.0 + 0.5 * z, x1 = x0 + 0.5, z1 = z0 + 0.5;
+      const double expected = corner(x1, z1) - corner(x0, z1) - corner(x1, z0) + corner(x0, z0);
+      EXPECT_NEAR(found[static_cast<std::size_t>(z * cells + x)], expected, 0.02 * expected) << x << ' ' << z;
+    }
+}
+
+TEST(PhotonTracer, GlassWithAbsorption_FollowsBeersLaw) {
+  CompiledScene scene = floorOf(50.0f, -2.0f);
+  append(scene, box(1, {-20.0f, -0.25f, -20.0f}, {20.0f, 0.25f, 20.0f}, false));
+  CompiledMaterial slab = glass(1.0f, true);
+  slab.absorption = glm::vec3(2.0f);
+  paintLast(scene, 12, slab);
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.direction = {0, -1, 0};
+  sun.intensity = glm::vec3(1.0f);
+  const Flight flight = fly(scene, {sun}, requestOf(PhotonKind::Caustic, 1 << 17));
+  EXPECT_NEAR(flight.storedPower().x, 1600.0 * std::exp(-1.0), 0.01 * 1600.0 * std::exp(-1.0));
+}
+
+/// A lens above a floor.
+CompiledScene lensScene() {
+  CompiledScene scene = floorOf(3.0f);
+  append(scene, sphere(24, 0.5f, {0.3f, 1.0f, 0.0f}));
+  scene.triangleFlat.assign(scene.triangles.size(), 1);
+  paintLast(scene, scene.triangleCount() - 2, glass(1.5f, true));
+  return scene;
+}
+
+TEST(CausticPhotons, AimedOrNot_CarryTheSamePower) {
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.direction = glm::normalize(glm::dvec3(-0.3, -1, 0.1));
+  sun.intensity = glm::vec3(2.0f);
+  Light spot = pointLight({-0.5, 2.5, 0.3}, glm::vec3(3.0f));
+  spot.type = LightType::Spot;
+  spot.direction = glm::normalize(glm::dvec3(0.5, -1, -0.3));
+  spot.outerConeAngle = 0.8f;
+  const Environment sky = constantEnvironment(glm::vec3(0.5f));
+  CompiledScene lamp = lensScene();
+  append(lamp, ground(1, 0.2f, 3.0f));
+  paintLast(lamp, 2, emitter(glm::vec3(5.0f)));
+  lamp.materials.back().doubleSided = true;
+  lamp.triangleFlat.assign(lamp.triangles.size(), 1);
+  const struct {
+    const char* name;
+    CompiledScene scene;
+    std::vector<Light> lights;
+    const Environment* sky;
+  } cases[] = {{"sun", lensScene(), {sun}, nullptr},
+               {"point", lensScene(), {pointLight({1, 2, 1}, glm::vec3(3.0f))}, nullptr},
+               {"spot", lensScene(), {spot}, nullptr},
+               {"lamp", lamp, {}, nullptr},
+               {"sky", lensScene(), {}, &sky},
+               {"all", lamp, {sun, spot}, &sky}};
+  for (const auto& c : cases) {
+    PhotonRequest request = requestOf(PhotonKind::Caustic, 1 << 18);
+    const Flight aimed = fly(c.scene, c.lights, request, c.sky);
+    request.aimed = false;
+    const Flight everywhere = fly(c.scene, c.lights, request, c.sky);
+    const double a = aimed.storedPower().x, b = everywhere.storedPower().x;
+    // Independent photons would scatter by a root of their number; these scatter less.
+    const double sigma = b / std::sqrt(static_cast<double>(everywhere.hits.photons.size()));
+    EXPECT_NEAR(a, b, 3.0 * sigma) << c.name;
+    EXPECT_GT(aimed.hits.photons.size(), 2 * everywhere.hits.photons.size()) << c.name;
+  }
+}
+
+TEST(CausticPhotons, SceneWithoutCasters_SendsNone) {
+  const Flight flight =
+      fly(room(0.5f), {pointLight({0, 0, 0}, glm::vec3(1.0f))}, requestOf(PhotonKind::Caustic, 1000));
+  EXPECT_EQ(flight.report.emitted, 0u);
+  EXPECT_EQ(flight.report.rays, 0u);
+}
+
+TEST(CausticPhotons, Mirror_ThrowsWhatItReceives) {
+  // A mirror on the floor of the room sends a lamp's light to the ceiling.
+  CompiledScene scene = box(1, {-10.0f, -1.0f, -10.0f}, {10.0f, 4.0f, 10.0f}, true);
+  scene.materials[0] = lambert(0.5f);
+  append(scene, ground(1, 1.0f));
+  paintLast(scene, 2, metal(0.8f, 0.0f));
+  scene.triangleFlat.assign(scene.triangles.size(), 1);
+  PhotonRequest request = requestOf(PhotonKind::Caustic, 1 << 16);
+  request.rouletteDepth = 8;
+  const Flight flight = fly(scene, {pointLight({0, 1, 0}, glm::vec3(1.0f))}, request);
+  EXPECT_NEAR(flight.storedPower().x, 0.8 * 4.0 * std::atan(1.0 / std::sqrt(3.0)), 2e-3);
+}
+
+}  // namespace
+}  // namespace prelight::test
