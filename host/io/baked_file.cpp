@@ -6,6 +6,7 @@
 #include "io/bake_writer.h"
 #include "io/baked_ranges.h"
 #include "io/baked_strip.h"
+#include "io/light_map_file.h"
 #include "io/volume_file.h"
 #include "scene/json_cursor.h"
 
@@ -68,6 +69,7 @@ std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& 
     bake->info = infoFromJson(*extension);
     if (const auto volume = extension->find("volume")) bake->volume = readVolume(document, root, *volume);
   }
+  if (bake) bake->lightMap = readLightMap(document, root, scene);
   return bake;
 }
 

@@ -11,13 +11,14 @@ namespace prelight {
 
 /// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data.
 /// Nodes, meshes and materials keep their order; a node with instances stores [instance][vertex].
-/// `occluders`, where given, take the place of the bake's.
+/// `occluders`, where given, take the place of the bake's. A light map, of which a file of its own is a part,
+/// is embedLightMap's.
 void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                const QuantizedOccluders* occluders = nullptr);
 
 /// Reads the PRELIGHT_transfer data of a document; nullopt when it carries none.
-/// Quantized records come back as full ones. Throws InputError when the data does not fit the scene (counts,
-/// order, ranges, NaN).
+/// Quantized records come back as full ones, and light maps from the files beside the document. Throws
+/// InputError when the data does not fit the scene (counts, order, ranges, NaN).
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene);
 
 }  // namespace prelight

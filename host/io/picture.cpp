@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <string>
 
 #include "base/error.h"
 #include "io/atomic_file.h"
@@ -90,17 +92,34 @@ OIIO::ImageSpec exrSpec(const Picture& picture, int channels) {
   return spec;
 }
 
-/// R, G, B alone are the first part, so that readers of plain pictures open the file; each further channel is
-/// a part of its own, named after its layer.
+std::string layerOf(const PictureChannel& channel) { return channel.name.substr(0, channel.name.rfind('.')); }
+
+/// Channels of one layer, texel by texel.
+std::vector<float> interleaved(std::span<const PictureChannel> channels) {
+  std::vector<float> values(channels.size() * channels[0].values.size());
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t i = 0; i < channels[c].values.size(); ++i)
+      values[i * channels.size() + c] = channels[c].values[i];
+  return values;
+}
+
+/// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
+/// part of its own, of its name.
 void writeExr(const std::filesystem::path& path, const Picture& picture,
-              const std::vector<PictureChannel>& channels) {
+              std::span<const PictureChannel> channels) {
   std::vector<Part> parts{{exrSpec(picture, 3), OIIO::TypeDesc::FLOAT, picture.pixels.data()}};
   if (!channels.empty()) parts[0].spec.attribute("oiio:subimagename", "rgb");
-  for (const PictureChannel& channel : channels) {
-    OIIO::ImageSpec spec = exrSpec(picture, 1);
-    spec.channelnames[0] = channel.name;
-    spec.attribute("oiio:subimagename", channel.name.substr(0, channel.name.rfind('.')));
-    parts.push_back({std::move(spec), OIIO::TypeDesc::FLOAT, channel.values.data()});
+  std::vector<std::vector<float>> values;
+  values.reserve(channels.size());
+  for (std::size_t first = 0, end = 0; first < channels.size(); first = end) {
+    const std::string layer = layerOf(channels[first]);
+    for (end = first + 1; end < channels.size() && layerOf(channels[end]) == layer;) ++end;
+    const auto part = channels.subspan(first, end - first);
+    OIIO::ImageSpec spec = exrSpec(picture, static_cast<int>(part.size()));
+    for (std::size_t c = 0; c < part.size(); ++c) spec.channelnames[c] = part[c].name;
+    spec.attribute("oiio:subimagename", layer);
+    values.push_back(interleaved(part));
+    parts.push_back({std::move(spec), OIIO::TypeDesc::FLOAT, values.back().data()});
   }
   writeFileAtomically(path,
                       [&](const std::filesystem::path& temporary) { writeParts(path, temporary, parts); });

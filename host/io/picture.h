@@ -24,8 +24,8 @@ struct PictureChannel {
 /// sRGB. Writes beside and renames. Throws UsageError for another extension, Error when it cannot be written.
 void writePicture(const std::filesystem::path& path, const Picture& picture);
 
-/// Writes an .exr file: R, G, B, and each further channel as a part named after its layer ("variance"), so
-/// that programs that read plain RGB pictures open it.
+/// Writes an .exr file: R, G, B, and each further layer ("variance"), whose channels follow one another, as a
+/// part of its name, so that programs that read plain RGB pictures open it.
 void writePicture(const std::filesystem::path& path, const Picture& picture,
                   const std::vector<PictureChannel>& channels);
 

@@ -8,7 +8,7 @@
 namespace prelight {
 
 std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* type,
-                                       std::size_t count) const {
+                                       std::optional<std::size_t> count) const {
   const AccessorReader reader = open(reference, type, 5126, count);
   std::vector<float> values = reader.floats();
   const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });

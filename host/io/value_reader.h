@@ -21,8 +21,9 @@ class ValueReader {
   /// The arguments outlive it; `root` is the whole glTF object.
   ValueReader(const GltfDocument& document, const JsonCursor& root) : document_(document), root_(root) {}
 
-  /// Finite numbers; `count` elements of `type`.
-  std::vector<float> floats(const JsonCursor& reference, const char* type, std::size_t count) const;
+  /// Finite numbers; `count` elements of `type`, or as many as there are.
+  std::vector<float> floats(const JsonCursor& reference, const char* type,
+                            std::optional<std::size_t> count) const;
 
   /// Unsigned integers of 2 or 4 bytes, as the file has them.
   std::vector<std::uint32_t> shortOrLongIntegers(const JsonCursor& reference) const;

@@ -11,6 +11,8 @@ namespace {
 /// Between a chart's edge and the centres of its outer texels, texels: look-ups that the hardware rounds to
 /// 1/256 of a texel still meet no other chart.
 constexpr double margin = 1.0 / 64.0;
+/// Of a texel's side to either side of its centre, where look-ups meet it with a weight worth the name.
+constexpr double reachOfTexel = 0.999;
 constexpr double noDistance = 1e30;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
@@ -48,7 +50,8 @@ bool comesNear(const std::array<glm::dvec2, 3>& c, const glm::dvec2& centre) {
   for (int i = 0; i < 3; ++i) {
     const glm::dvec2 edge = c[(i + 1) % 3] - c[i];
     const glm::dvec2 normal(-edge.y, edge.x);
-    const double reach = std::abs(normal.x) + std::abs(normal.y);
+    const double reach = reachOfTexel * (std::abs(normal.x) + std::abs(normal.y));
+    if (reach == 0.0) continue;
     double low = 1e300, high = -1e300;
     for (const glm::dvec2& p : c) {
       const double d = glm::dot(p - centre, normal);
@@ -62,7 +65,7 @@ bool comesNear(const std::array<glm::dvec2, 3>& c, const glm::dvec2& centre) {
 
 struct Nearest {
   double distance = noDistance;
-  glm::dvec2 weights{1.0 / 3.0};
+  glm::dvec2 weights{1.0 / 3.0};  ///< of corners 1 and 2
 };
 
 /// The nearest point of a triangle.
@@ -108,8 +111,8 @@ class TexelFinder {
     for (int y = first(low.y); y <= last(high.y, height_); ++y)
       for (int x = first(low.x); x <= last(high.x, width_); ++x) {
         const glm::dvec2 centre(x + 0.5, y + 0.5);
-        if (centre.x <= low.x - 1.0 || centre.x >= high.x + 1.0 || centre.y <= low.y - 1.0 ||
-            centre.y >= high.y + 1.0)
+        if (centre.x <= low.x - reachOfTexel || centre.x >= high.x + reachOfTexel ||
+            centre.y <= low.y - reachOfTexel || centre.y >= high.y + reachOfTexel)
           continue;
         const std::size_t at =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
@@ -166,8 +169,14 @@ ChartTexels makeChartTexels(const LightMapChart& chart, double texelSize) {
     const glm::dvec2 p = glm::dvec2(corner) / texelSize;
     result.corners.emplace_back(across.start + across.scale * p.x, down.start + down.scale * p.y);
   }
-  TexelFinder finder(across.steps + 1, down.steps + 1);
-  for (std::uint32_t t = 0; t < chart.triangles.size(); ++t) {
+  return findChartTexels(std::move(result.corners), across.steps + 1, down.steps + 1);
+}
+
+ChartTexels findChartTexels(std::vector<glm::vec2> corners, int width, int height) {
+  ChartTexels result;
+  result.corners = std::move(corners);
+  TexelFinder finder(width, height);
+  for (std::uint32_t t = 0; 3 * std::size_t{t} < result.corners.size(); ++t) {
     const glm::vec2* c = &result.corners[3 * std::size_t{t}];
     finder.add(t, {glm::dvec2(c[0]), glm::dvec2(c[1]), glm::dvec2(c[2])});
   }

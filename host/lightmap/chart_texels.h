@@ -24,4 +24,7 @@ struct ChartTexels {
 
 ChartTexels makeChartTexels(const LightMapChart& chart, double texelSize);
 
+/// Texels of a chart whose corners lie in a rectangle of texels already.
+ChartTexels findChartTexels(std::vector<glm::vec2> corners, int width, int height);
+
 }  // namespace prelight

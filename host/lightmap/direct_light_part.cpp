@@ -1,0 +1,86 @@
+#include "lightmap/direct_light_part.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "bake/sampling.h"
+#include "bake/surface_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t leastRays = 16, mostRaysPerReceiver = 256;
+
+CastOptions castOptions(const GroupedLights& lights, std::uint32_t rays) {
+  CastOptions options;
+  // Where nothing emits but points, the hemisphere tells only whether a place is inside an object.
+  options.raysPerReceiver =
+      lights.emitters.empty() ? leastRays : std::clamp(rays, leastRays, mostRaysPerReceiver);
+  options.lights = &lights;
+  options.marksInside = true;
+  return options;
+}
+
+bool shines(const glm::vec3& color) { return color.x > 0.0f || color.y > 0.0f || color.z > 0.0f; }
+
+}  // namespace
+
+bool hasLights(const CompiledScene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return shines(light.intensity); }) ||
+         std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t m) { return shines(scene.materials[m].emission); });
+}
+
+DirectLightPart::DirectLightPart(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays,
+                                 std::uint64_t seed)
+    : scene_(scene),
+      lights_(groupLights(scene, {{"all", {"*"}}})),
+      caster_(scene, tracer, castOptions(lights_, rays)),
+      receiversPerTexel_(lights_.emitters.empty() ? 1u : std::max(1u, rays / mostRaysPerReceiver)),
+      seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
+                                  sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 0x11647u))) {
+}
+
+device::Receiver DirectLightPart::receiverOf(const LightMapTexel& texel, std::uint32_t index) const {
+  const bool back = texel.face >= scene_.triangleCount();
+  const std::uint32_t triangle = back ? texel.face - scene_.triangleCount() : texel.face;
+  device::Receiver receiver =
+      receiverAt(scene_, {triangle, texel.b1, texel.b2, 1.0f}, back ? Side::Back : Side::Front);
+  receiver.seed = seed_ ^ sampling::hashInteger(texel.texel);
+  receiver.firstSample = index * caster_.raysPerReceiver();
+  return receiver;
+}
+
+void DirectLightPart::add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
+                          std::span<std::uint8_t> hidden) {
+  const std::size_t perBlock = std::max<std::size_t>(1, caster_.blockSize() / receiversPerTexel_);
+  const std::size_t length = 3 * static_cast<std::size_t>(coefficients);
+  for (std::size_t first = 0; first < texels.size(); first += perBlock) {
+    const std::size_t count = std::min(perBlock, texels.size() - first);
+    castBlock(texels.subspan(first, count), coefficients, values.subspan(first * length, count * length),
+              hidden.subspan(first, count));
+  }
+}
+
+void DirectLightPart::castBlock(std::span<const LightMapTexel> texels, int coefficients,
+                                std::span<float> values, std::span<std::uint8_t> hidden) {
+  receivers_.clear();
+  for (const LightMapTexel& texel : texels)
+    for (std::uint32_t k = 0; k < receiversPerTexel_; ++k) receivers_.push_back(receiverOf(texel, k));
+  caster_.cast(receivers_, cast_, {});
+  rays_ += receivers_.size() * (caster_.raysPerReceiver() + lights_.slots.size());
+  const std::uint32_t groups = caster_.groupCount();
+  for (std::size_t r = 0; r < receivers_.size(); ++r) {
+    const std::size_t texel = r / receiversPerTexel_;
+    if (cast_.inside[r] != 0) hidden[texel] = 1;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::uint32_t g = 0; g < groups; ++g)
+        values[(3 * texel + c) * static_cast<std::size_t>(coefficients)] +=
+            std::numbers::pi_v<float> * lights_.groups[g].color[static_cast<int>(c)] *
+            cast_.lights[(3 * r + c) * groups + g] / static_cast<float>(receiversPerTexel_);
+  }
+}
+
+}  // namespace prelight
