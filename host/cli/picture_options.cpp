@@ -143,13 +143,18 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   if (shaded.bake.lightGroups) viewer::groupFactors(*shaded.bake.lightGroups, options.groups);
 }
 
-void addShadingOptions(CLI::App& app, PictureOptions& options) {
+void addShadingOptions(CLI::App& app, PictureOptions& options, bool offersFull) {
   std::string shadings;
   for (const viewer::ShadingInfo& info : viewer::shadings())
     shadings += fmt::format("{} ({}), ", info.name, info.summary);
   app.add_option_function<std::string>(
-         "--shading", [&](const std::string& name) { options.shading = viewer::parseShading(name); },
-         shadings + "default: the best that the file carries")
+         "--shading",
+         [&options, offersFull](const std::string& name) {
+           options.full = offersFull && name == "full";
+           if (!options.full) options.shading = viewer::parseShading(name);
+         },
+         shadings + (offersFull ? "full (all light: traced, gathered and of photons), " : "") +
+             "default: the best that the file carries")
       ->type_name("NAME");
   app.add_option_function<std::vector<std::string>>(
          "--group",
@@ -187,11 +192,11 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
 
 }  // namespace
 
-void addPictureOptions(CLI::App& app, PictureOptions& options) {
+void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull) {
   app.add_option("SCENE", options.scene, "glTF file, baked or not (.gltf or .glb)")
       ->required()
       ->type_name("");
-  addShadingOptions(app, options);
+  addShadingOptions(app, options, offersFull);
   addWholeNumber(
       app, "--camera", {0, maxCameraIndex}, [&](std::uint64_t n) { options.camera = static_cast<int>(n); },
       "camera of the file, counted from 0 (default: the first, or one that frames the scene)");

@@ -22,6 +22,7 @@ struct PictureOptions {
   std::filesystem::path scene;
   std::filesystem::path environment;
   std::optional<viewer::Shading> shading;
+  bool full = false;  ///< all light, traced: a shading of pictures alone
   std::optional<int> camera;
   PictureSize size;
   double skyRotationDegrees = 0.0;
@@ -35,7 +36,8 @@ struct PictureOptions {
   BakeOptions bake;
 };
 
-void addPictureOptions(CLI::App& app, PictureOptions& options);
+/// `offersFull`: the command knows full shading.
+void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull = false);
 
 /// A scene ready to be drawn.
 struct ShadedScene {

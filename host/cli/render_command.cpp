@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/full_picture.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
@@ -13,6 +14,7 @@ namespace {
 
 struct RenderCommand {
   PictureOptions picture;
+  FullRequest full;
   std::filesystem::path output;
 };
 
@@ -36,6 +38,10 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedSc
 
 void runRender(const RenderCommand& command, Context& context) {
   Session session(context);
+  if (command.picture.full) {
+    renderFullPicture(session, command.picture, command.full, command.output);
+    return;
+  }
   const ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
     checkOutputFile("-o", command.output, {".exr", ".png"});
   });
@@ -60,7 +66,8 @@ void runRender(const RenderCommand& command, Context& context) {
 void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
-  addPictureOptions(*app, command->picture);
+  addPictureOptions(*app, command->picture, true);
+  addFullOptions(*app, command->full);
   addPoseOptions(*app, command->picture.pose);
   app->add_option("-o,--output", command->output,
                   "picture to write: .exr is linear radiance, .png is for the screen")
@@ -72,6 +79,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "  prelight render baked.glb -o picture.png --env sky.hdr --rotate-env 90\n"
       "  prelight render level.glb -o before.exr --shading phong --size 640x360 --light "
       "point:0,2,0:10,10,10\n"
+      "  prelight render room.glb -o room.exr --shading full --spp 32 --size 512\n"
       "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "
       "200\n"
       "  prelight render occluders.glb -o sea.png --shading vo --waves 0.4 --effect-time 2.5");

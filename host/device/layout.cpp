@@ -7,6 +7,7 @@
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
 #include "shared/density_types.h"
+#include "shared/gather_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
@@ -57,6 +58,8 @@ static_assert(isShared<AreaTriangle, 48>);
 static_assert(isShared<SurfacePlace, 8>);
 static_assert(isShared<DensityParameters, 16>);
 static_assert(isShared<DensityQuery, 32>);
+static_assert(isShared<GatherParameters, 60>);
+static_assert(isShared<GatherPath, 28>);
 static_assert(isShared<PhotonSource, 40>);
 static_assert(isShared<PhotonParameters, 112>);
 static_assert(isShared<PhotonPath, 20>);
@@ -103,7 +106,9 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<DensityQuery>("DensityQuery", offsetof(DensityQuery, radius)),
           layoutOf<PhotonSource>("PhotonSource", offsetof(PhotonSource, tangent)),
           layoutOf<PhotonParameters>("PhotonParameters", offsetof(PhotonParameters, lights)),
-          layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, scattered))};
+          layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, scattered)),
+          layoutOf<GatherParameters>("GatherParameters", offsetof(GatherParameters, lights)),
+          layoutOf<GatherPath>("GatherPath", offsetof(GatherPath, widened))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

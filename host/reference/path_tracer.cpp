@@ -24,7 +24,7 @@ std::uint32_t foldSeed(std::uint64_t seed) {
 }  // namespace
 
 PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
-                       const ReferenceRequest& request)
+                       const ReferenceRequest& request, const CachedLight* cached)
     : scene_(scene),
       device_(scene.context()),
       request_(request),
@@ -48,12 +48,13 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   shadowRays_ = Buffer<Ray>(device_, paths);
   items_ = Buffer<ShadowItem>(device_, paths);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
+  if (cached != nullptr) cached_.emplace(scene, compiled, *cached);
   buildKernels(request);
 }
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
-  const cl::Program& program =
-      device_.program("reference/path_kernels.cl", buildOptions(request, scene_.options()));
+  const cl::Program& program = device_.program("reference/path_kernels.cl",
+                                               buildOptions(request, cached_.has_value(), scene_.options()));
   generate_ = cl::Kernel(program, "generatePaths");
   collect_ = cl::Kernel(program, "collectRadiance");
   sample_ = cl::Kernel(program, "sampleLights");
@@ -90,6 +91,7 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
     count = 0;
     return;
   }
+  if (cached_) cached_->add(count, rayBuffers_[current_], hits_, queues_[current_], paths_.get());
   if (request_.integrator == Integrator::Whitted)
     for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);

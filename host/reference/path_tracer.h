@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/cached_light.h"
 #include "reference/reference.h"
 #include "reference/reference_plan.h"
 #include "shade/transport_scene.h"
@@ -14,9 +15,10 @@ namespace prelight::reference {
 /// The device's part of a reference picture: one pass over a block of pixels at a time.
 class PathTracer {
  public:
-  /// The scene outlives it, and visits punctual lights in turn if the integrator does.
+  /// The scene outlives it, and visits punctual lights in turn if the integrator does. With `cached` light
+  /// paths end at surfaces that reflect diffusely, whatever the integrator.
   PathTracer(TransportScene& scene, const CompiledScene& compiled, const Camera& camera,
-             const ReferenceRequest& request);
+             const ReferenceRequest& request, const CachedLight* cached = nullptr);
 
   /// Pixels a block at most.
   std::uint32_t blockPixels() const { return blockPixels_; }
@@ -54,6 +56,7 @@ class PathTracer {
   Buffer<device::ShadowItem> items_;
   Buffer<std::uint32_t> counters_;
   Buffer<glm::vec4> meanBuffer_;
+  std::optional<CachedLightAdder> cached_;
   cl::Kernel generate_, collect_, sample_, add_, scatter_, average_;
 };
 

@@ -81,6 +81,7 @@ std::string_view integratorName(Integrator integrator) {
 }
 
 std::uint32_t samplesPerPass(const ReferenceRequest& request) {
+  if (request.samplesPerPass > 0) return request.samplesPerPass;
   if (request.error || request.seconds) return openEndedSamples;
   const std::uint64_t most = std::clamp<std::uint64_t>(request.samples / leastPasses, 1, mostSamples);
   for (std::uint64_t samples = most; samples > 1; --samples)

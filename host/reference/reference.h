@@ -37,7 +37,8 @@ struct ReferenceRequest {
   int rouletteDepth = 8;        ///< from this vertex on, paths that carry little end by chance, without bias
   std::uint64_t samples = 256;  ///< a pixel; ignored with error or seconds
   std::optional<double> error;  ///< stop when Film::relativeError() is below this
-  std::optional<double> seconds;  ///< stop at the end of the first pass beyond this time
+  std::optional<double> seconds;     ///< stop at the end of the first pass beyond this time
+  std::uint32_t samplesPerPass = 0;  ///< of a pixel, a divisor of `samples`; 0: chosen
   std::uint64_t seed = 0;
   int width = 0;
   int height = 0;

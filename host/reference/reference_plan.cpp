@@ -26,10 +26,10 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
           pass("textures", f.layerTextures, "some material has one", "no material has one")};
 }
 
-BuildOptions buildOptions(const ReferenceRequest& request, BuildOptions options) {
+BuildOptions buildOptions(const ReferenceRequest& request, bool cachedLight, BuildOptions options) {
   const bool whitted = request.integrator == Integrator::Whitted;
-  if (whitted || request.integrator == Integrator::Distributed)
-    options.define("PRELIGHT_DIFFUSE_BOUNCES", whitted ? 0 : 1);
+  if (whitted || cachedLight || request.integrator == Integrator::Distributed)
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", whitted || cachedLight ? 0 : 1);
   return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")
       .defineIf(whitted || request.estimator == Estimator::LightsOnly, "PRELIGHT_LIGHTS_ONLY")
       .defineIf(!whitted && request.estimator == Estimator::ScatterOnly, "PRELIGHT_SCATTER_ONLY");

@@ -13,6 +13,6 @@ namespace prelight::reference {
 std::vector<PlannedPass> explainFeatures(const ShadeFeatures& features, const ReferenceRequest& request);
 
 /// Build options of kernels/reference, added to those of the scene.
-BuildOptions buildOptions(const ReferenceRequest& request, BuildOptions sceneOptions);
+BuildOptions buildOptions(const ReferenceRequest& request, bool cachedLight, BuildOptions sceneOptions);
 
 }  // namespace prelight::reference

@@ -4,6 +4,7 @@
 #include "shared/bvh_types.h"
 #include "shared/cast_types.h"
 #include "shared/density_types.h"
+#include "shared/gather_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
@@ -54,4 +55,6 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(32, PhotonSource, tangent);
   PROBE(33, PhotonParameters, lights);
   PROBE(34, PhotonPath, scattered);
+  PROBE(35, GatherParameters, lights);
+  PROBE(36, GatherPath, widened);
 }

@@ -1,0 +1,114 @@
+#include "cli/full_picture.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "cli/output_file.h"
+#include "cli/report.h"
+#include "viewer/camera.h"
+
+namespace prelight::cli {
+namespace {
+
+constexpr std::uint64_t mostPhotons = 1'000'000'000;
+constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
+
+nlohmann::ordered_json toJson(const PhotonReport& photons) {
+  return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
+}
+
+nlohmann::ordered_json fullReport(const PictureOptions& options, const FullRequest& request,
+                                  const FullReport& made, const std::filesystem::path& output,
+                                  const DeviceInfo& device, Session& session) {
+  nlohmann::ordered_json plan = nlohmann::ordered_json::array();
+  for (const PlannedPass& pass : made.plan)
+    plan.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [name, seconds] : made.stageSeconds) stages[name] = seconds;
+  return {{"command", "render"},
+          {"version", PRELIGHT_VERSION},
+          {"scene", options.scene.string()},
+          {"output", output.string()},
+          {"shading", "full"},
+          {"width", request.width},
+          {"height", request.height},
+          {"spp", request.samples},
+          {"seed", request.seed},
+          {"texels", made.texels},
+          {"photons", toJson(made.photons)},
+          {"causticPhotons", toJson(made.causticPhotons)},
+          {"rays", made.rays},
+          {"seconds", session.times().total()},
+          {"stages", cli::toJson(session.times())},
+          {"fullStages", stages},
+          {"device", cli::toJson(device)},
+          {"plan", plan},
+          {"warnings", session.warnings()}};
+}
+
+void printSummary(const FullRequest& request, const FullReport& made, const std::filesystem::path& output,
+                  Session& session) {
+  const Console& console = session.console();
+  console.line("photons", fmt::format("{} from lights, {} towards mirrors and glass",
+                                      shortCount(double(made.photons.emitted)),
+                                      shortCount(double(made.causticPhotons.emitted))));
+  console.line("traced", fmt::format("{} rays, {} texels, {} samples a pixel", shortCount(double(made.rays)),
+                                     shortCount(double(made.texels)), request.samples));
+  for (const PlannedPass& pass : made.plan)
+    if (!pass.runs) console.line("skipped", fmt::format("{}: {}", pass.name, pass.reason));
+  if (console.detailsWanted())
+    for (const auto& [name, seconds] : made.stageSeconds)
+      console.line("", fmt::format("{:<12}{:8.3f} s", name, seconds));
+  console.line("wrote", fmt::format("{}: {}x{}, full shading, in {}", output.string(), request.width,
+                                    request.height, shortSeconds(session.times().total())));
+}
+
+}  // namespace
+
+void addFullOptions(CLI::App& app, FullRequest& request) {
+  addWholeNumber(
+      app, "--spp", {1, 64}, [&](std::uint64_t n) { request.samples = static_cast<std::uint32_t>(n); },
+      fmt::format("full shading: samples a pixel (default {})", request.samples));
+  addWholeNumber(
+      app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
+      fmt::format("full shading: photons that indirect light is gathered from (default {})",
+                  request.indirect.photons));
+  addWholeNumber(
+      app, "--caustic-photons", {1, mostPhotons}, [&](std::uint64_t n) { request.causticPhotons = n; },
+      fmt::format("full shading: photons towards mirrors and glass (default {})", request.causticPhotons));
+  addWholeNumber(
+      app, "--map-texels", {1, mostTexels},
+      [&](std::uint64_t n) { request.texels = static_cast<std::uint32_t>(n); },
+      fmt::format("full shading: texels of the map of indirect light, about (default {})", request.texels));
+}
+
+void renderFullPicture(Session& session, const PictureOptions& options, const FullRequest& asked,
+                       const std::filesystem::path& output) {
+  const LoadedScene loaded = session.load(options.scene);
+  requireTriangles(loaded);
+  std::optional<Environment> sky;
+  if (!options.environment.empty())
+    sky = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
+  checkOutputFile("-o", output, {".exr", ".png"});
+  const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
+  FullRequest request = asked;
+  request.height = options.size.height;
+  request.width = options.size.width.value_or(viewer::pictureWidth(camera, options.size.height));
+  request.seed = request.indirect.seed = options.bake.request.seed;
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
+  const LitScene lit{loaded.compiled, loaded.scene.images, options.lights.value_or(loaded.scene.lights),
+                     sky ? &*sky : nullptr, options.skyRotationDegrees * std::numbers::pi / 180.0};
+  FullReport made;
+  const Picture picture = session.times().measure("render", [&] {
+    return renderFull(loaded.scene, lit, camera, request, device, session.progress(), made);
+  });
+  session.progress().clear();
+  session.times().measure("write", [&] { writePicture(output, picture); });
+  printSummary(request, made, output, session);
+  session.console().json(fullReport(options, request, made, output, device.info(), session));
+}
+
+}  // namespace prelight::cli

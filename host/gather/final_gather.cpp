@@ -1,0 +1,101 @@
+#include "gather/final_gather.h"
+
+#include <algorithm>
+
+#include "bake/caster.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+
+}  // namespace
+
+FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
+                         const IrradianceMap& irradiance, const GatherRequest& request)
+    : scene_(scene),
+      device_(scene.context()),
+      irradiance_(irradiance),
+      request_(request),
+      blockSize_(receiversPerBlock(device_.info(), request.raysPerReceiver)),
+      follows_(scene.features().glass || scene.features().mirror || scene.features().glossy),
+      castParameters_(device_, 1),
+      parameters_(device_, 1),
+      receivers_(device_, blockSize_),
+      sums_(device_, 3 * std::size_t{blockSize_}),
+      counter_(device_, 1) {
+  const std::size_t rays = std::size_t{blockSize_} * request.raysPerReceiver;
+  rayBuffers_[0] = Buffer<Ray>(device_, rays);
+  rayBuffers_[1] = Buffer<Ray>(device_, follows_ ? rays : 0);
+  for (auto& paths : paths_) paths = Buffer<GatherPath>(device_, follows_ ? rays : 0);
+  hits_ = Buffer<Hit>(device_, rays);
+  radiances_ = Buffer<float>(device_, 3 * rays);
+  values_.raysPerReceiver = request.raysPerReceiver;
+  values_.seed = static_cast<std::uint32_t>(request.seed ^ (request.seed >> 32));
+  values_.mapWidth = static_cast<std::uint32_t>(irradiance.width());
+  values_.mapHeight = static_cast<std::uint32_t>(irradiance.height());
+  values_.triangleCount = compiled.triangleCount();
+  values_.lights = scene.layout();
+  generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
+  const cl::Program& program =
+      device_.program("gather/gather_kernels.cl", scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS"));
+  gather_ = cl::Kernel(program, "gatherRadiance");
+  sum_ = cl::Kernel(program, "sumRadiance");
+}
+
+std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, Progress& progress) {
+  std::vector<glm::vec3> irradiance(receivers.size());
+  for (std::size_t first = 0; first < receivers.size(); first += blockSize_) {
+    progress.report("final gathering", static_cast<double>(first) / static_cast<double>(receivers.size()));
+    progress.check();
+    const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - first);
+    gatherBlock(receivers.subspan(first, count), std::span(irradiance).subspan(first, count));
+  }
+  return irradiance;
+}
+
+void FinalGather::gatherBlock(std::span<const Receiver> receivers, std::span<glm::vec3> irradiance) {
+  const auto count = static_cast<std::uint32_t>(receivers.size());
+  values_.receiverCount = count;
+  parameters_.write(std::span<const GatherParameters>(&values_, 1));
+  CastParameters cast{};
+  cast.receiverCount = count;
+  cast.raysPerReceiver = request_.raysPerReceiver;
+  castParameters_.write(std::span<const CastParameters>(&cast, 1));
+  receivers_.write(receivers);
+  current_ = 0;
+  setArguments(generate_, castParameters_.get(), receivers_.get(), rayBuffers_[0].get());
+  std::uint32_t active = count * request_.raysPerReceiver;
+  device_.launch(generate_, active / 8, groupSize);
+  for (int depth = 0; depth < request_.depth && active > 0; ++depth)
+    active = collect(active, static_cast<std::uint32_t>(depth));
+  setArguments(sum_, parameters_.get(), radiances_.get(), sums_.get());
+  device_.launch(sum_, count, groupSize);
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  sums_.read(std::span(&irradiance[0].x, 3 * irradiance.size()));
+}
+
+/// One surface of the rays that are left; returns how many go on.
+std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
+  scene_.tracer().traceClosest(rayBuffers_[current_], hits_, count);
+  rays_ += count;
+  counter_.fill(0);
+  setArguments(gather_, parameters_.get(), count, depth);
+  cl_uint index = irradiance_.setArguments(gather_, scene_.setArguments(gather_, 3));
+  const std::size_t next = 1 - current_;
+  for (const cl::Buffer& buffer :
+       {rayBuffers_[current_].get(), hits_.get(), paths_[current_].get(), radiances_.get(),
+        rayBuffers_[next].get(), paths_[next].get(), counter_.get()})
+    gather_.setArg(index++, buffer);
+  device_.launch(gather_, count, groupSize);
+  if (!follows_) return 0;
+  current_ = next;
+  std::uint32_t left = 0;
+  counter_.read(std::span(&left, 1));
+  return left;
+}
+
+}  // namespace prelight

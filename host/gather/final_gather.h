@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "gather/irradiance_map.h"
+#include "shade/transport_scene.h"
+#include "shared/cast_types.h"
+#include "shared/gather_types.h"
+
+namespace prelight {
+
+struct GatherRequest {
+  std::uint32_t raysPerReceiver = 128;  ///< a power of two, 8 to 256
+  std::uint64_t seed = 0;
+  int depth = 32;  ///< surfaces that a ray meets at most, mirrors and glass before the last one
+};
+
+/// Final gathering (Jensen 2001, ch. 8): indirect irradiance of receivers from an approximation of the full
+/// irradiance on the surfaces that they see. Everything but direct light and caustics arrives.
+class FinalGather {
+ public:
+  /// The arguments outlive it.
+  FinalGather(const CompiledScene& compiled, TransportScene& scene, const IrradianceMap& irradiance,
+              const GatherRequest& request);
+
+  /// Irradiance, W/m2, [receiver]. Each looks along request.raysPerReceiver directions of its sequence.
+  std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress);
+
+  std::uint64_t rays() const { return rays_; }
+
+ private:
+  void gatherBlock(std::span<const device::Receiver> receivers, std::span<glm::vec3> irradiance);
+  std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
+
+  TransportScene& scene_;
+  DeviceContext& device_;
+  const IrradianceMap& irradiance_;
+  GatherRequest request_;
+  std::uint32_t blockSize_;
+  bool follows_;
+  std::uint64_t rays_ = 0;
+  device::GatherParameters values_{};
+  Buffer<device::CastParameters> castParameters_;
+  Buffer<device::GatherParameters> parameters_;
+  Buffer<device::Receiver> receivers_;
+  std::array<Buffer<device::Ray>, 2> rayBuffers_;
+  std::array<Buffer<device::GatherPath>, 2> paths_;
+  std::size_t current_ = 0;  ///< of the two, the one to trace
+  Buffer<device::Hit> hits_;
+  Buffer<float> radiances_, sums_;
+  Buffer<std::uint32_t> counter_;
+  cl::Kernel generate_, gather_, sum_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,142 @@
+// Final gathering: a receiver's cosine-weighted rays look up what diffuse surfaces reflect. Mirrors, glass and glossy lobes
+// are followed to such surfaces. Lamps and the sky count only behind a lobe that is not narrow: seen straight they are
+// direct light, through narrow lobes alone caustics.
+// Options: those of the included files, PRELIGHT_ABSORPTION, PRELIGHT_FOLLOWS (some surface reflects otherwise than
+// diffusely).
+#include "core/sampling_funcs.cl"
+#include "gather/irradiance_map_funcs.cl"
+#include "shade/diffuse_funcs.cl"
+#include "shade/glass_funcs.cl"
+#include "shade/light_funcs.cl"
+#include "shade/lobe_class_funcs.cl"
+#include "shared/cast_types.h"
+#include "shared/gather_types.h"
+
+#define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
+
+float2 gatherPoint(__constant const GatherParameters* p, uint ray, uint depth, uint pair) {
+  const uint2 bits = samplePaddedBits(ray, hashInteger(p->seed + (depth * PRELIGHT_GATHER_PAIRS + pair) * 0x9e3779b9u));
+  return (float2)(unitFloat(bits.x), unitFloat(bits.y));
+}
+
+// Light that a ray finds where it ends, without what its surface reflects diffusely.
+float3 findLamp(__constant const GatherParameters* p, PathScene s, Lights l, Ray ray, Hit hit) {
+#ifdef PRELIGHT_SKY
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return skyRadiance(l, &p->lights, skyCoordinates(&p->lights, vload3(0, ray.direction)));
+#endif
+#ifdef PRELIGHT_EMITTERS
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
+    return emittedRadiance(s, hit.triangle, hit.u, hit.v, loadVertex(s, ray, hit).front);
+#endif
+  return (float3)(0.0f);
+}
+
+#ifdef PRELIGHT_FOLLOWS
+// Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
+bool follow(PathScene s, PathVertex v, Bsdf b, float2 chance, float2 u, GatherPath* path, float3* direction) {
+  const Frame frame = frameAround(v.shading);
+  const float3 wo = toFrame(frame, v.wo);
+  const LobeChoice lobes = chooseLobes(b, wo.z, false, true);
+  if (!(lobes.specular + lobes.glass > 0.0f)) return false;
+  float3 weight;
+  float relativeIor2 = 1.0f;
+#ifdef PRELIGHT_GLASS
+  if (chance.x >= lobes.specular) {
+    const bool solid = (s.materials[v.material].flags & PRELIGHT_SOLID) != 0u;
+    const float rest = clamp((chance.x - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
+    const float3 shading = wo.z > 0.0f ? v.shading : v.geometric;
+    bool passes;
+    *direction = throughGlass(b, solid, v.front, v.wo, shading, rest, &weight, &passes, &relativeIor2);
+    if ((dot(*direction, v.geometric) < 0.0f) != passes)
+      *direction = throughGlass(b, solid, v.front, v.wo, v.geometric, rest, &weight, &passes, &relativeIor2);
+    weight *= b.glass / lobes.glass;
+    if (passes && solid) path->medium = v.front ? v.material : PRELIGHT_NO_MEDIUM;
+  } else
+#endif
+  {
+    float3 wi = (float3)(-wo.x, -wo.y, wo.z);
+    if (b.smooth) {
+      weight = (b.metal + b.layer * schlick(b, wo.z)) / lobes.specular;
+    } else {
+      wi = sampleLobe(b, true, u, wo);
+      if (wi.z <= 0.0f) return false;
+      const LobeChoice one = {0.0f, 1.0f, 0.0f};
+      weight = evaluateBsdf(b, wo, wi).glossy / (scatterDensity(b, one, wo, wi) * lobes.specular);
+    }
+    *direction = fromFrame(frame, wi);
+    if (dot(*direction, v.geometric) <= 0.0f) return false;
+    if (!isNarrow(b)) path->widened = 1u;
+  }
+  const float3 throughput = vload3(0, path->throughput) * weight / relativeIor2;
+  path->relativeIor2 *= relativeIor2;
+  const float survival = fmin(largest(throughput) * path->relativeIor2, 1.0f);
+  if (!(survival > 0.0f) || chance.y >= survival) return false;
+  vstore3(throughput / survival, 0, path->throughput);
+  return true;
+}
+#endif
+
+// A ray a work-item, its first surface if depth is 0: paths are then not read. rays, hits [count], paths [count] of them;
+// radiance [ray of the block][3] is set at depth 0 and added to beyond -> nextRays, nextPaths [counter].
+__kernel void gatherRadiance(__constant const GatherParameters* p, const uint count, const uint depth,
+                             __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
+                             __global const float2* texCoords, __global const float4* colors,
+                             __global const ushort4* texels, __global const float* vertices,
+                             __global const uchar* flat, __global const ShadeMaterial* materials,
+                             __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
+                             __global const uint* tables, __global const uint* emitters,
+                             __global const float* emitterDensities, __global const PunctualLight* punctual,
+                             __global const float4* sky, __global const float2* corners,
+                             __global const float4* irradiances, __global const Ray* rays, __global const Hit* hits,
+                             __global const GatherPath* paths, __global float* radiances, __global Ray* nextRays,
+                             __global GatherPath* nextPaths, __global uint* counter) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
+  const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
+  const IrradianceMap map = {corners, irradiances, (int2)((int)p->mapWidth, (int)p->mapHeight), p->triangleCount};
+  GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u};
+  if (depth > 0u) path = paths[i];
+  const Ray ray = rays[i];
+  const Hit hit = hits[i];
+  float3 radiance = (float3)(0.0f);
+  if (path.widened != 0u) radiance = findLamp(p, s, lights, ray, hit);
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
+    const PathVertex vertex = loadVertex(s, ray, hit);
+    const Bsdf bsdf = loadBsdf(s, vertex);
+#ifdef PRELIGHT_ABSORPTION
+    uint medium = path.medium;
+    if (!vertex.front && (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = vertex.material;
+    if (medium != PRELIGHT_NO_MEDIUM)
+      vstore3(vload3(0, path.throughput) * exp(-vload3(0, materials[medium].absorption) * hit.t), 0, path.throughput);
+#endif
+    if (largest(bsdf.diffuse) > 0.0f)
+      radiance += reflectIrradiance(bsdf, dot(vertex.wo, vertex.shading),
+                                    irradianceAt(map, hit.triangle, vertex.front, hit.u, hit.v));
+    radiance *= vload3(0, path.throughput);
+#ifdef PRELIGHT_FOLLOWS
+    float3 direction;
+    const float2 chance = gatherPoint(p, path.ray, depth, 0u), u = gatherPoint(p, path.ray, depth, 1u);
+    if (follow(s, vertex, bsdf, chance, u, &path, &direction)) {
+      const uint slot = atomic_inc(counter);
+      nextRays[slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
+      nextPaths[slot] = path;
+    }
+#endif
+  } else {
+    radiance *= vload3(0, path.throughput);
+  }
+  __global float* out = radiances + 3 * (size_t)path.ray;
+  vstore3(depth == 0u ? radiance : vload3(0, out) + radiance, 0, out);
+}
+
+// A receiver a work-item. radiances [receiver][raysPerReceiver][3] -> irradiance [receiver][3]: pi times their mean, as
+// directions are cosine-weighted.
+__kernel void sumRadiance(__constant const GatherParameters* p, __global const float* radiances,
+                          __global float* irradiance) {
+  const size_t i = get_global_id(0);
+  if (i >= p->receiverCount) return;
+  float3 sum = (float3)(0.0f);
+  for (uint j = 0; j < p->raysPerReceiver; ++j) sum += vload3(i * p->raysPerReceiver + j, radiances);
+  vstore3(sum * (M_PI_F / (float)p->raysPerReceiver), i, irradiance);
+}

@@ -1,0 +1,146 @@
+#include "gather/final_gather.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bake/surface_sampler.h"
+#include "lightmap/make_light_map_layout.h"
+#include "support/devices.h"
+#include "support/materials.h"
+#include "support/scenes.h"
+
+namespace prelight::test {
+namespace {
+
+const std::vector<Image>& noImages() {
+  static const std::vector<Image> none;
+  return none;
+}
+
+/// A closed room whose walls have one irradiance each, and what receivers on the floor gather from them.
+struct GatherRoom {
+  CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+  GatherRequest request;
+  const Environment* sky = nullptr;
+
+  std::vector<glm::vec3> gather(const glm::vec3& irradiance) const {
+    TransportScene transport({scene, noImages(), {}, sky}, sharedDevice());
+    IrradianceMap map(transport.context(), layout());
+    map.set(std::vector<glm::vec3>(layout().texelCount(), irradiance));
+    FinalGather gatherer(scene, transport, map, request);
+    Progress progress;
+    return gatherer.gather(receivers(), progress);
+  }
+
+  /// One texel that all faces but those left out look at.
+  LightMapLayout layout() const {
+    LightMapLayout l;
+    l.width = l.height = 1;
+    l.corners.assign(6 * std::size_t{scene.triangleCount()}, glm::vec2(0.5f));
+    l.chartOf.assign(2 * std::size_t{scene.triangleCount()}, 0);
+    for (const std::uint32_t face : leftOut) l.chartOf[face] = LightMapLayout::noChart;
+    return l;
+  }
+
+  std::vector<device::Receiver> receivers() const {
+    std::vector<device::Receiver> all;
+    for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+      if (scene.triangleMaterials[t] != 0) continue;
+      for (std::uint32_t i = 0; i < 20; ++i) {
+        SurfaceSample sample{t, 0.05f + 0.03f * static_cast<float>(i % 5),
+                             0.1f + 0.15f * static_cast<float>(i / 5), 1.0f};
+        all.push_back(receiverAt(scene, sample, Side::Front));
+        all.back().seed = 17 * t + i;
+        all.back().firstSample = 0;
+      }
+    }
+    return all;
+  }
+
+  std::vector<std::uint32_t> leftOut;
+};
+
+void expectAll(const std::vector<glm::vec3>& found, const glm::vec3& expected, double tolerance) {
+  ASSERT_FALSE(found.empty());
+  for (const glm::vec3& e : found)
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(e[c], expected[c], tolerance);
+}
+
+TEST(FinalGather, ClosedRoom_GathersAlbedoTimesIrradiance) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.5f);
+  room.scene.materials[0].baseColor = {0.5f, 0.25f, 1.0f};
+  for (const std::uint32_t rays : {8u, 64u, 256u}) {
+    room.request.raysPerReceiver = rays;
+    expectAll(room.gather({1.0f, 2.0f, 3.0f}), {0.5f, 0.5f, 3.0f}, 1e-5);
+  }
+}
+
+TEST(FinalGather, Mirrors_AreFollowedToWhatTheyShow) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.5f);
+  room.scene.materials.push_back(metal(1.0f, 0.0f));
+  for (const std::uint32_t t : {0u, 1u, 6u, 7u}) room.scene.triangleMaterials[t] = 1;
+  room.request.depth = 200;
+  expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.5f), 1e-4);
+}
+
+TEST(FinalGather, Glass_LetsLightThrough) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.5f);
+  append(room.scene, sphere(8, 0.4f, {0.0f, 0.0f, 0.0f}));
+  room.scene.materials[1] = glass(1.5f, true);
+  room.scene.materials[1].baseColor = glm::vec3(1.0f);
+  room.request.depth = 200;
+  expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.5f), 1e-4);
+}
+
+TEST(FinalGather, LampsSeenStraightOrInMirrors_DoNotCount) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.0f);
+  room.scene.materials.push_back(emitter(glm::vec3(10.0f)));
+  room.scene.materials.push_back(metal(1.0f, 0.0f));
+  room.scene.triangleMaterials[0] = room.scene.triangleMaterials[1] = 1;
+  room.scene.triangleMaterials[2] = room.scene.triangleMaterials[3] = 2;
+  expectAll(room.gather(glm::vec3(0.0f)), glm::vec3(0.0f), 0.0);
+}
+
+TEST(FinalGather, LampsInRoughMetal_Count) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.0f);
+  room.scene.materials.push_back(emitter(glm::vec3(10.0f)));
+  room.scene.materials.push_back(metal(1.0f, 0.8f));
+  room.scene.triangleMaterials[0] = room.scene.triangleMaterials[1] = 1;
+  room.scene.triangleMaterials[2] = room.scene.triangleMaterials[3] = 2;
+  double sum = 0.0;
+  for (const glm::vec3& e : room.gather(glm::vec3(0.0f))) sum += static_cast<double>(e.x);
+  EXPECT_GT(sum, 0.0);
+}
+
+TEST(FinalGather, SkyBehindAnOpening_IsDirectLight) {
+  GatherRoom room;
+  room.scene = ground(1, 1.0f);
+  room.scene.materials[0] = lambert(0.5f);
+  const Environment sky = constantEnvironment(glm::vec3(1.0f));
+  room.sky = &sky;
+  expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.0f), 0.0);
+}
+
+TEST(FinalGather, FacesWithoutChart_AreBlack) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.5f);
+  for (std::uint32_t t = 0; t < room.scene.triangleCount(); ++t) room.leftOut.push_back(t);
+  expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.0f), 0.0);
+}
+
+TEST(FinalGather, SameSeed_GivesTheSameBits) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.5f);
+  room.scene.materials.push_back(metal(0.8f, 0.3f));
+  room.scene.triangleMaterials[0] = 1;
+  EXPECT_EQ(room.gather(glm::vec3(1.0f)), room.gather(glm::vec3(1.0f)));
+}
+
+}  // namespace
+}  // namespace prelight::test
