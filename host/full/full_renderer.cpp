@@ -113,16 +113,15 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   stages.mark("layout");
   IrradianceMap indirect(scene.context(), layout);
   if (report.plan[0].runs) {
-    IndirectReport made;
-    indirect.set(
-        gatherIndirectLight(compiled, scene, layout, surface, request.indirect, device, progress, made));
-    report.photons = made.photons;
-    report.rays += made.photons.rays + made.gatherRays;
-    for (const auto& stage : made.stageSeconds) report.stageSeconds.push_back(stage);
+    IndirectLight light(compiled, scene, layout, surface, request.indirect, device, progress);
+    stages.mark("photons");
+    indirect.set(onGrid(layout, light.gather(layout.texels, progress)));
+    report.photons = light.photons();
+    report.rays += light.rays();
   } else {
     indirect.set(std::vector<glm::vec3>(layout.texelCount(), glm::vec3(0.0f)));
   }
-  stages.mark("indirect");
+  stages.mark("gather");
   std::unique_ptr<Caustics> caustics;
   if (report.plan[1].runs) {
     caustics = traceCaustics(compiled, scene, surface, request, device, progress, report);

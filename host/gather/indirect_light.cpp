@@ -1,30 +1,23 @@
 #include "gather/indirect_light.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "bake/sampling.h"
 #include "bake/surface_sampler.h"
-#include "gather/final_gather.h"
 #include "photon/density_estimator.h"
 
 namespace prelight {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr std::uint32_t mostRaysPerReceiver = 256;
 
 /// Of half the scene's diagonal: photons farther than that tell nothing of a texel.
 constexpr double widestEstimate = 0.25;
 
 double sceneRadius(const CompiledScene& scene) {
   return 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
-}
-
-std::uint32_t mixed(std::uint32_t x) {
-  x = (x ^ (x >> 16)) * 0x7feb352du;
-  x = (x ^ (x >> 15)) * 0x846ca68bu;
-  return x ^ (x >> 16);
 }
 
 SurfaceSample sampleOf(const CompiledScene& compiled, const LightMapTexel& texel, Side& side) {
@@ -39,44 +32,42 @@ SurfaceSample sampleOf(const CompiledScene& compiled, const LightMapTexel& texel
   return sample;
 }
 
-std::vector<device::Receiver> receiversOf(const CompiledScene& compiled, const LightMapLayout& layout,
-                                          std::uint64_t seed) {
+/// `count` receivers at every place, whose rays go on in the place's sequence.
+std::vector<device::Receiver> receiversOf(const CompiledScene& compiled,
+                                          std::span<const LightMapTexel> places, std::uint32_t count,
+                                          std::uint32_t rays, std::uint64_t seed) {
   std::vector<device::Receiver> receivers;
-  receivers.reserve(layout.texels.size());
-  const auto folded = static_cast<std::uint32_t>(seed ^ (seed >> 32));
-  for (const LightMapTexel& texel : layout.texels) {
+  receivers.reserve(places.size() * count);
+  const std::uint32_t folded =
+      sampling::hashInteger(static_cast<std::uint32_t>(seed ^ (seed >> 32)) ^ 0x2545f491u);
+  for (const LightMapTexel& place : places) {
     Side side{};
-    const SurfaceSample sample = sampleOf(compiled, texel, side);
-    receivers.push_back(receiverAt(compiled, sample, side));
-    receivers.back().seed = mixed(texel.texel + mixed(folded));
-    receivers.back().firstSample = 0;
+    const SurfaceSample sample = sampleOf(compiled, place, side);
+    device::Receiver receiver = receiverAt(compiled, sample, side);
+    receiver.seed = sampling::hashInteger(place.texel + folded);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      receiver.firstSample = i * rays;
+      receivers.push_back(receiver);
+    }
   }
   return receivers;
 }
 
-std::vector<glm::vec3> spread(const LightMapLayout& layout, const std::vector<glm::vec3>& values) {
-  std::vector<glm::vec3> grid(layout.texelCount(), glm::vec3(0.0f));
-  for (std::size_t i = 0; i < values.size(); ++i) grid[layout.texels[i].texel] = values[i];
-  return grid;
+std::uint32_t raysPerReceiver(const IndirectRequest& request) {
+  return std::min(request.rays, mostRaysPerReceiver);
 }
 
-class Stages {
- public:
-  explicit Stages(IndirectReport& report) : report_(report) {}
-  void mark(const char* name) {
-    const Clock::time_point now = Clock::now();
-    report_.stageSeconds.emplace_back(name, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
-  }
-
- private:
-  IndirectReport& report_;
-  Clock::time_point last_ = Clock::now();
-};
+GatherRequest gatherRequest(const IndirectRequest& request) {
+  GatherRequest gather;
+  gather.raysPerReceiver = raysPerReceiver(request);
+  gather.seed = request.seed;
+  return gather;
+}
 
 }  // namespace
 
-std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled, const LightMapLayout& layout,
+std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
+                                             std::span<const LightMapTexel> places,
                                              const DensitySurface& surface, const PhotonHits& hits,
                                              int nearestPhotons, const Device& device) {
   DensityOptions options;
@@ -85,8 +76,8 @@ std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled, cons
   estimator.setPhotons(makePhotonMaps(hits.photons, surface));
   const auto radius = static_cast<float>(widestEstimate * sceneRadius(compiled));
   std::vector<device::DensityQuery> queries;
-  queries.reserve(layout.texels.size());
-  for (const device::Receiver& r : receiversOf(compiled, layout, 0)) {
+  queries.reserve(places.size());
+  for (const device::Receiver& r : receiversOf(compiled, places, 1, 0, 0)) {
     device::DensityQuery query{};
     for (int k = 0; k < 3; ++k) {
       query.position[k] = r.position[k];
@@ -96,33 +87,41 @@ std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled, cons
     query.radius = radius;
     queries.push_back(query);
   }
-  return spread(layout, estimator.estimate(queries));
+  return estimator.estimate(queries);
 }
 
-std::vector<glm::vec3> gatherIndirectLight(const CompiledScene& compiled, TransportScene& scene,
-                                           const LightMapLayout& layout, const DensitySurface& surface,
-                                           const IndirectRequest& request, const Device& device,
-                                           Progress& progress, IndirectReport& report) {
-  Stages stages(report);
+IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,
+                             const LightMapLayout& layout, const DensitySurface& surface,
+                             const IndirectRequest& request, const Device& device, Progress& progress)
+    : compiled_(compiled),
+      request_(request),
+      approximation_(scene.context(), layout),
+      gather_(compiled, scene, approximation_, gatherRequest(request)) {
   PhotonRequest photons;
   photons.kind = PhotonKind::All;
   photons.photons = request.photons;
   photons.seed = request.seed;
   PhotonHits hits;
-  report.photons = PhotonTracer(compiled, scene).trace(photons, hits, progress);
-  stages.mark("photons");
-  IrradianceMap map(scene.context(), layout);
-  map.set(approximateIrradiance(compiled, layout, surface, hits, request.nearestPhotons, device));
-  stages.mark("density");
-  GatherRequest gather;
-  gather.raysPerReceiver = request.rays;
-  gather.seed = request.seed;
-  FinalGather gatherer(compiled, scene, map, gather);
-  std::vector<glm::vec3> indirect =
-      spread(layout, gatherer.gather(receiversOf(compiled, layout, request.seed), progress));
-  report.gatherRays = gatherer.rays();
-  stages.mark("gather");
-  return indirect;
+  photons_ = PhotonTracer(compiled, scene).trace(photons, hits, progress);
+  approximation_.set(onGrid(
+      layout, approximateIrradiance(compiled, layout.texels, surface, hits, request.nearestPhotons, device)));
+}
+
+std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> places, Progress& progress) {
+  const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
+  const std::vector<glm::vec3> found =
+      gather_.gather(receiversOf(compiled_, places, count, rays, request_.seed), progress);
+  if (count == 1) return found;
+  std::vector<glm::vec3> irradiance(places.size(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < found.size(); ++i)
+    irradiance[i / count] += found[i] / static_cast<float>(count);
+  return irradiance;
+}
+
+std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
+  std::vector<glm::vec3> grid(layout.texelCount(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < values.size(); ++i) grid[layout.texels[i].texel] = values[i];
+  return grid;
 }
 
 }  // namespace prelight

@@ -96,7 +96,9 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
     for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
-  count = scatter(count, depth);
+  const ShadeFeatures& features = scene_.features();
+  const bool goesOn = !cached_ || features.glass || features.mirror || features.glossy;
+  count = goesOn ? scatter(count, depth) : 0;
   current_ = 1 - current_;
 }
 

@@ -90,6 +90,7 @@ TEST(FinalGather, Glass_LetsLightThrough) {
   GatherRoom room;
   room.scene.materials[0] = lambert(0.5f);
   append(room.scene, sphere(8, 0.4f, {0.0f, 0.0f, 0.0f}));
+  room.scene.triangleFlat.assign(room.scene.triangles.size(), 1);
   room.scene.materials[1] = glass(1.5f, true);
   room.scene.materials[1].baseColor = glm::vec3(1.0f);
   room.request.depth = 200;
