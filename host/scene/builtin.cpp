@@ -21,6 +21,7 @@ const std::vector<Recipe>& recipes() {
       {{"caustics", "a Cornell box with a solid glass sphere and a mirror box"}, makeCausticsScene},
       {{"rooms", "two closed rooms joined by a door, a light in one and the camera in the other"},
        makeRoomsScene},
+      {{"rooms-sealed", "the same with the door closed: the camera's room is dark"}, makeSealedRoomsScene},
       {{"swing", "a turning box, a crossing ball and a swinging board under a lamp (an animation of 4 s)"},
        makeSwingScene},
       {{"bumps", "a ground of cobbles, a rough wall and a block, by normal maps, unfolded for light maps"},

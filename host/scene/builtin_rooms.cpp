@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 
 #include "scene/builtin_scenes.h"
 #include "scene/gltf_builder.h"
@@ -51,6 +52,12 @@ MeshShape makeHorizontal(double lowX, double lengthX, double halfZ, double y, bo
   return facesUp ? makeSurface(corner + z, x, -z) : makeSurface(corner, x, z);
 }
 
+/// What closes a room's opening, in the plane of its wall.
+MeshShape makeDoor(double side) {
+  return makeSurface({side * halfWall, 0.0, side * halfDoor}, {0.0, 0.0, -side * 2.0 * halfDoor},
+                     {0.0, doorHeight, 0.0});
+}
+
 /// The opening through the wall: threshold, underside of the lintel, jambs.
 MeshShape makeDoorway() {
   const glm::dvec3 through(2.0 * halfWall, 0.0, 0.0);
@@ -62,10 +69,8 @@ MeshShape makeDoorway() {
   return doorway;
 }
 
-}  // namespace
-
-GltfDocument makeRoomsScene() {
-  GltfBuilder builder("rooms");
+GltfDocument makeRooms(const std::string& name, bool sealed) {
+  GltfBuilder builder(name);
   const int floor = builder.addDiffuse("Floor", {0.45, 0.32, 0.2});
   const int white = builder.addDiffuse("White", {0.78, 0.78, 0.76});
   const int leftPaint = builder.addDiffuse("Left paint", {0.75, 0.6, 0.4});
@@ -79,12 +84,23 @@ GltfDocument makeRoomsScene() {
   builder.addObject("Right floor", makeHorizontal(halfWall, length, half, 0.0, true), floor);
   builder.addObject("Right ceiling", makeHorizontal(halfWall, length, half, height, false), white);
   builder.addObject("Right walls", makeWalls(1.0), rightPaint);
-  builder.addObject("Doorway", makeDoorway(), white);
+  if (sealed) {
+    builder.addObject("Left door", makeDoor(-1.0), wood);
+    builder.addObject("Right door", makeDoor(1.0), wood);
+  } else {
+    builder.addObject("Doorway", makeDoorway(), white);
+  }
   builder.addObject("Left crate", makeBox({0.8, 0.8, 0.8}, 8, false), wood, {-3.2, 0.0, -1.1}, 0.2);
   builder.addObject("Right crate", makeBox({0.8, 1.0, 0.8}, 8, false), wood, {2.0, 0.0, -1.2}, -0.3);
   builder.addPointLight("Light", {-1.9, 2.2, 0.4}, {1.0, 0.93, 0.82}, 10.0);
   builder.addCamera("Camera", {3.7, 1.6, 1.5}, {0.4, 1.1, -0.4}, 1.0, 16.0 / 9.0);
   return builder.take();
 }
+
+}  // namespace
+
+GltfDocument makeRoomsScene() { return makeRooms("rooms", false); }
+
+GltfDocument makeSealedRoomsScene() { return makeRooms("rooms-sealed", true); }
 
 }  // namespace prelight

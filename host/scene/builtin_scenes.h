@@ -13,6 +13,7 @@ GltfDocument makeCornellScene();
 GltfDocument makeCausticsScene();
 /// Two closed rooms joined by a door opening; a point light in the left, the camera in the right.
 GltfDocument makeRoomsScene();
+GltfDocument makeSealedRoomsScene();
 /// A ground of cobbles and a rough wall, by normal maps, and a block that reaches into the ground; all
 /// unfolded for light maps.
 GltfDocument makeBumpsScene();

@@ -218,6 +218,15 @@ TEST(PhotonTracer, FloorUnderAPointLight_GetsTheInverseSquare) {
     }
 }
 
+TEST(PhotonTracer, SealedRooms_KeepPhotonsOnTheLightsSideOfTheWall) {
+  const CompiledScene scene = builtin("rooms-sealed");
+  const Flight flight = fly(scene, scene.lights, requestOf(PhotonKind::All, 1 << 18));
+  ASSERT_GT(flight.hits.photons.size(), std::size_t{1} << 18);
+  for (const device::Photon& p : flight.hits.photons)
+    ASSERT_LT(static_cast<double>(p.position[0]) + scene.origin.x, 0.0);
+  EXPECT_EQ(flight.escaped(), glm::dvec3(0.0));
+}
+
 TEST(PhotonTracer, GlassWithAbsorption_FollowsBeersLaw) {
   CompiledScene scene = floorOf(50.0f, -2.0f);
   append(scene, box(1, {-20.0f, -0.25f, -20.0f}, {20.0f, 0.25f, 20.0f}, false));

@@ -143,6 +143,23 @@ TEST(BuiltinScenes, RoomsWithTheirDoorway_AreClosed) {
   EXPECT_EQ(openEdges(rooms, shell), 0u);
 }
 
+TEST(BuiltinScenes, SealedRooms_HaveNoOpening) {
+  const CompiledScene rooms = compileBuiltin("rooms-sealed");
+  PrimitiveRange shell = rooms.primitives[0];
+  for (std::size_t i = 1; i < 8; ++i) shell.triangleCount += rooms.primitives[i].triangleCount;
+  EXPECT_EQ(openEdges(rooms, shell), 0u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const PrimitiveRange& range = rooms.primitives[i];
+    double least = 1e9, most = -1e9;
+    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+      const double x = static_cast<double>(rooms.positions[v].x) + rooms.origin.x;
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+    EXPECT_TRUE(most < 0.0 || least > 0.0) << range.name;  // the wall's inside is at x = 0
+  }
+}
+
 TEST(BuiltinScenes, UnknownName_ListsTheKnownOnes) {
   try {
     makeBuiltinScene("sponza");

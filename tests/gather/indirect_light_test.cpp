@@ -1,0 +1,105 @@
+#include "gather/indirect_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "lightmap/make_light_map_layout.h"
+#include "scene/builtin.h"
+#include "scene/loader.h"
+#include "support/devices.h"
+#include "support/materials.h"
+#include "support/scenes.h"
+
+namespace prelight::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct IndirectScene {
+  Scene source;
+  CompiledScene scene;
+  std::vector<Light> lights;
+  LightMapLayout layout;
+  IndirectRequest request;
+
+  std::vector<glm::vec3> gather() {
+    TransportScene transport({scene, source.images, lights}, sharedDevice());
+    const DensitySurface surface =
+        makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapRequest{}.creaseAngle));
+    Progress progress;
+    IndirectLight light(scene, transport, layout, surface, request, sharedDevice(), progress);
+    return light.gather(layout.texels, progress);
+  }
+};
+
+IndirectScene builtinLight(const std::string& name, std::uint32_t texels) {
+  IndirectScene light;
+  Warnings warnings;
+  light.source = loadScene(makeBuiltinScene(name), warnings);
+  light.scene = compileScene(light.source, warnings);
+  light.lights = light.source.lights;
+  LightMapRequest map;
+  map.texels = texels;
+  light.layout = makeLightMapLayout(light.source, light.scene, map);
+  return light;
+}
+
+double worldX(const CompiledScene& scene, std::uint32_t face) {
+  const std::uint32_t t = face % scene.triangleCount();
+  return static_cast<double>(scene.positions[scene.triangles[t].x].x) + scene.origin.x;
+}
+
+TEST(IndirectLight, SealedRooms_LetNothingThroughTheWall) {
+  IndirectScene light = builtinLight("rooms-sealed", 4096);
+  const std::vector<glm::vec3> found = light.gather();
+  double lit = 0.0, dark = 0.0;
+  std::size_t litCount = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double e = static_cast<double>(std::max({found[i].x, found[i].y, found[i].z}));
+    if (worldX(light.scene, light.layout.texels[i].face) < 0.0) {
+      lit += e;
+      ++litCount;
+    } else {
+      dark = std::max(dark, e);
+    }
+  }
+  ASSERT_GT(litCount, 1000u);
+  EXPECT_GT(lit, 0.0);
+  EXPECT_LE(dark, 1e-4 * lit / static_cast<double>(litCount));
+}
+
+/// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi
+/// r2).
+TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
+  IndirectScene light;
+  light.scene = sphere(24, 1.0f, {0.0f, 0.0f, 0.0f});
+  for (glm::uvec3& t : light.scene.triangles) std::swap(t.y, t.z);
+  for (glm::vec3& n : light.scene.normals) n = -n;
+  light.scene.materials[0] = lambert(0.5f);
+  light.scene.triangleFlat.assign(light.scene.triangles.size(), 1);
+  Light lamp;
+  lamp.type = LightType::Point;
+  lamp.position = {0.3, 0.2, -0.4};
+  lamp.intensity = glm::vec3(1.0f);
+  light.lights = {lamp};
+  LightMapRequest map;
+  map.texels = 2048;
+  light.layout = makeLightMapLayout(light.source, light.scene, map);
+  light.request.photons = 200000;
+  double area = 0.0;
+  for (std::uint32_t t = 0; t < light.scene.triangleCount(); ++t)
+    area += 0.5 * glm::length(geometricNormal(light.scene, t));
+  const double expected = 4.0 * pi / area;  // a / (1 - a) = 1
+  double sum = 0.0;
+  const std::vector<glm::vec3> found = light.gather();
+  for (const glm::vec3& e : found) {
+    sum += static_cast<double>(e.x);
+    EXPECT_NEAR(e.x, expected, 0.06 * expected);
+  }
+  EXPECT_NEAR(sum / static_cast<double>(found.size()), expected, 0.005 * expected);
+}
+
+}  // namespace
+}  // namespace prelight::test
