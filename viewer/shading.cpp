@@ -56,12 +56,19 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
      [](const Bake& bake) { return bake.occluders.has_value(); },
      [](const BakeRequest& request) { return request.occluders; },
      [](BakeRequest& request, const BakeRequest&) { request.occluders = true; }},
+    {Shading::Radiosity, "radiosity", "the scene's own lights as baked, with shadows and all diffuse bounces",
+     "--radiosity", [](const Bake& bake) { return bake.irradiance.has_value(); },
+     [](const BakeRequest& request) { return request.radiosity; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.radiosity = true;
+       request.radiosityShape = asked.radiosityShape;
+     }},
 }};
 
 /// From the one that shows most.
-constexpr std::array<Shading, shadingCount> byPreference = {Shading::Sh,   Shading::Ch,     Shading::Glossy,
-                                                            Shading::Haar, Shading::Lights, Shading::Vo,
-                                                            Shading::Ao,   Shading::Phong};
+constexpr std::array<Shading, shadingCount> byPreference = {
+    Shading::Sh,        Shading::Ch, Shading::Glossy, Shading::Haar, Shading::Lights,
+    Shading::Radiosity, Shading::Vo, Shading::Ao,     Shading::Phong};
 
 }  // namespace
 

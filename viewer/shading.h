@@ -12,17 +12,18 @@ namespace prelight::viewer {
 
 /// How light reaches a surface in the picture.
 enum class Shading : std::uint8_t {
-  Phong,   ///< direct light without shadows, ambient from the open sky
-  Ao,      ///< Phong with the ambient light occluded by the baked accessibility
-  Sh,      ///< light through the baked SH transfer, compressed or not
-  Ch,      ///< the same through CH transfer
-  Haar,    ///< the same through wavelet transfer
-  Glossy,  ///< diffuse and glossy reflection through transfer matrices
-  Lights,  ///< the scene's own lights through light-group transfer, with shadows
-  Vo,      ///< lights anywhere with the shadows and the diffuse light of vector occluders
+  Phong,      ///< direct light without shadows, ambient from the open sky
+  Ao,         ///< Phong with the ambient light occluded by the baked accessibility
+  Sh,         ///< light through the baked SH transfer, compressed or not
+  Ch,         ///< the same through CH transfer
+  Haar,       ///< the same through wavelet transfer
+  Glossy,     ///< diffuse and glossy reflection through transfer matrices
+  Lights,     ///< the scene's own lights through light-group transfer, with shadows
+  Vo,         ///< lights anywhere with the shadows and the diffuse light of vector occluders
+  Radiosity,  ///< the baked irradiance of the scene's own lights, with all diffuse bounces
 };
 
-constexpr int shadingCount = 8;
+constexpr int shadingCount = 9;
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {

@@ -1,6 +1,7 @@
 #include "viewer/techniques.h"
 
 #include <array>
+#include <numbers>
 #include <string>
 
 #include "base/error.h"
@@ -33,6 +34,29 @@ class AoAttributes : public DrawnTransfer {
  private:
   VertexStream accessibility_;
   VertexStream bentNormals_;
+};
+
+/// Radiosity: what surfaces reflect under lights that stay as they are baked.
+class StaticLight : public DrawnTransfer {
+ public:
+  explicit StaticLight(const std::vector<glm::vec3>& irradiance)
+      : radiance_(Attribute::Radiance, std::span<const glm::vec3>(reflected(irradiance))) {}
+
+  void light(const Illumination&) override {}
+  void bind(const gl::Program& program) const override {
+    program.set("transferForm", static_cast<int>(TransferForm::Radiance));
+    radiance_.attach();
+  }
+  void describe(const Illumination&, Warnings&) const override {}
+
+ private:
+  /// Radiance of a Lambertian surface before its albedo.
+  static std::vector<glm::vec3> reflected(std::vector<glm::vec3> irradiance) {
+    for (glm::vec3& value : irradiance) value *= std::numbers::inv_pi_v<float>;
+    return irradiance;
+  }
+
+  VertexStream radiance_;
 };
 
 using Maker = std::unique_ptr<DrawnTransfer> (*)(const RenderInputs&, Lobe);
@@ -86,6 +110,10 @@ constexpr std::array<Technique, shadingCount> table = {{
     {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<OccluderLighting>(inputs);
+     }},
+    {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<StaticLight>(*inputs.bake->irradiance);
      }},
 }};
 
@@ -144,6 +172,7 @@ DrawingRules rulesOf(Shading shading) { return table[static_cast<std::size_t>(sh
 void checkBake(const Bake& bake, const CompiledScene& scene) {
   const std::uint32_t vertices = scene.vertexCount();
   if (!bake.ao.empty()) expectSize("ambient occlusion", bake.ao.size(), vertices);
+  if (bake.irradiance) expectSize("irradiance", bake.irradiance->size(), vertices);
   if (!bake.bentNormals.empty()) expectSize("bent normals", bake.bentNormals.size(), vertices);
   if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
   if (bake.ch) checkHarmonics("CH transfer", *bake.ch, vertices);

@@ -1,4 +1,5 @@
 #include "bake/baker.h"
+#include "io/environment.h"
 
 namespace prelight {
 
@@ -44,6 +45,13 @@ std::uint64_t hashOf(const BakeRequest& request) {
     for (const std::string& pattern : set.occluders) hash.text(pattern);
   }
   hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
+  hash.value(request.radiosity);
+  if (request.radiosity) {
+    const RadiosityRequest& shape = request.radiosityShape;
+    hash.value(shape.patchSize).value(shape.method).value(shape.tolerance).value(shape.skyRotation);
+    hash.value(shape.environment != nullptr);
+    if (shape.environment) hash.values(shape.environment->radiance);
+  }
   // Rays a vertex are ignored beside the two others.
   hash.value(request.error.value_or(0.0)).value(request.seconds.value_or(0.0));
   hash.value(request.error || request.seconds ? 0 : request.rays);

@@ -22,6 +22,7 @@
 #include "occluders/occluder_tree.h"
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
+#include "radiosity/radiosity_bake.h"
 #include "scene/vertex_surface.h"
 
 namespace prelight {
@@ -277,11 +278,71 @@ void checkPlaces(const BakeRequest& request, const Charts* charts) {
                      "bake fewer texels or a lower order, or raise --max-memory");
 }
 
-void saveTo(BakeCheckpoint& checkpoint, const SceneCast& cast, Clock::time_point start) {
-  if (cast.receivers() == 0) return;
+/// What is projected from the hemispheres of receivers, with all that it needs.
+class ReceiverBake {
+ public:
+  /// What is given outlives it.
+  ReceiverBake(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const FitMesh& mesh,
+               const ShadowSets& sets, const Charts* charts, const Device& device, Tracer& tracer,
+               Clock::time_point start)
+      : request_(request),
+        plan_(plan),
+        schedule_(makeSchedule(request, mesh.slotCount(), start)),
+        setTracers_(tracersOf(scene, sets, tracer)),
+        capacity_(plan.runs("bounces") ? storedCapacity(plan, device, schedule_.raysPerReceiver) : 0),
+        lights_(request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{}),
+        occluders_(request.occluders ? std::optional(occludersOf(scene, request.occluderKind))
+                                     : std::nullopt),
+        caster_(scene, tracer,
+                castOptions(request, schedule_, capacity_, lights_, sets, occluders_ ? &*occluders_ : nullptr,
+                            setTracers_)),
+        cast_(scene, mesh, caster_, schedule_, projectionsOf(request, plan, schedule_, lights_, sets),
+              capacity_),
+        parts_{scene,  request, mesh,        lights_, sets, occluders_ ? &*occluders_ : nullptr,
+               charts, tracer,  setTracers_, caster_, cast_} {}
+
+  Bake run(Progress& progress, BakeReport& report, StageClock& clock) {
+    Bake bake = BakeRunner(parts_, plan_, progress, report, clock).run();
+    for (const Tracer& part : setTracers_) report.bytesBvh += part.bvhBytes();
+    report.rays += cast_.rays() + caster_.furtherRays();
+    report.receivers = cast_.receivers();
+    if (!request_.error && !request_.seconds)
+      report.skippedRayFraction = std::max(
+          0.0, 1.0 - double(cast_.front().receivers()) / (schedule_.receiversPerPass * schedule_.passes));
+    return bake;
+  }
+
+  std::uint64_t receivers() const { return cast_.receivers(); }
+  void save(StateWriter& state) const { cast_.save(state); }
+  void load(StateReader& state) { cast_.load(state); }
+
+ private:
+  static std::vector<Tracer> tracersOf(const CompiledScene& scene, const ShadowSets& sets, Tracer& tracer) {
+    std::vector<Tracer> tracers;
+    for (const ShadowSets::Occluders& set : sets.sets) tracers.emplace_back(tracer, scene, set.triangles);
+    return tracers;
+  }
+
+  const BakeRequest& request_;
+  const Plan& plan_;
+  Schedule schedule_;
+  std::vector<Tracer> setTracers_;
+  std::uint32_t capacity_;
+  GroupedLights lights_;
+  std::optional<BakedOccluders> occluders_;
+  Caster caster_;
+  SceneCast cast_;
+  BakeParts parts_;
+};
+
+/// The state of an interrupted bake: what receivers saw, then what elements saw.
+void saveTo(BakeCheckpoint& checkpoint, const std::optional<ReceiverBake>& receivers,
+            const std::optional<RadiosityBake>& radiosity, Clock::time_point start) {
+  if (receivers && receivers->receivers() == 0) return;
   StateWriter state;
   state.value(secondsSince(start));
-  cast.save(state);
+  if (receivers) receivers->save(state);
+  if (radiosity) radiosity->save(state);
   checkpoint.save(state.payload());
 }
 
@@ -299,44 +360,32 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const auto start = Clock::now() - std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(earlierSeconds));
   StageClock clock(report);
-  const bool withBounces = plan.runs("bounces");
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   const FitMesh mesh = makeFitMesh(scene, sets.setOfVertices(scene));
-  const Schedule schedule = makeSchedule(request, mesh.slotCount(), start);
   Tracer tracer(scene, device);
-  std::vector<Tracer> setTracers;
-  for (const ShadowSets::Occluders& set : sets.sets) setTracers.emplace_back(tracer, scene, set.triangles);
-  const std::uint32_t capacity = withBounces ? storedCapacity(plan, device, schedule.raysPerReceiver) : 0;
-  const GroupedLights lights =
-      request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{};
-  const std::optional<BakedOccluders> occluders =
-      request.occluders ? std::optional(occludersOf(scene, request.occluderKind)) : std::nullopt;
-  const BakedOccluders* const told = occluders ? &*occluders : nullptr;
-  Caster caster(scene, tracer, castOptions(request, schedule, capacity, lights, sets, told, setTracers));
   report.bytesBvh = tracer.bvhBytes();
-  for (const Tracer& part : setTracers) report.bytesBvh += part.bvhBytes();
-  SceneCast cast(scene, mesh, caster, schedule, projectionsOf(request, plan, schedule, lights, sets),
-                 capacity);
-  if (saved) cast.load(*saved);
+  std::optional<ReceiverBake> receivers;
+  if (request.castsReceivers())
+    receivers.emplace(scene, request, plan, mesh, sets, charts, device, tracer, start);
+  std::optional<RadiosityBake> radiosity;
+  if (plan.runs("radiosity")) radiosity.emplace(scene, request, tracer);
+  if (saved && receivers) receivers->load(*saved);
+  if (saved && radiosity) radiosity->load(*saved);
   saved.reset();
   clock.mark("prepare");
 
   Bake bake;
   try {
-    const BakeParts parts{scene, request, mesh, lights, sets, told, charts, tracer, setTracers, caster, cast};
-    bake = BakeRunner(parts, plan, progress, report, clock).run();
+    if (receivers) bake = receivers->run(progress, report, clock);
+    if (radiosity) bake.irradiance = radiosity->run(mesh, progress, report);
   } catch (const Interrupted&) {
-    if (checkpoint != nullptr) saveTo(*checkpoint, cast, start);
+    if (checkpoint != nullptr) saveTo(*checkpoint, receivers, radiosity, start);
     throw;
   }
-  report.rays += cast.rays() + caster.furtherRays();
-  report.receivers = cast.receivers();
-  if (!request.error && !request.seconds)
-    report.skippedRayFraction =
-        std::max(0.0, 1.0 - double(cast.front().receivers()) / (schedule.receiversPerPass * schedule.passes));
+  if (request.radiosity && !radiosity) bake.irradiance.emplace(scene.vertexCount(), glm::vec3(0.0f));
   bake.info = {
       std::string("Prelight ") + PRELIGHT_VERSION, request.seed,  report.rays,        report.aoErrorRms,
-      withBounces ? request.bounces : 0,           plan.toJson(), device.info().name, secondsSince(start)};
+      plan.runs("bounces") ? request.bounces : 0,  plan.toJson(), device.info().name, secondsSince(start)};
   return bake;
 }
 

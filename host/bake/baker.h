@@ -11,6 +11,7 @@
 #include "device/device.h"
 #include "io/state_file.h"
 #include "plan/plan.h"
+#include "radiosity/radiosity_report.h"
 #include "scene/charts.h"
 
 namespace prelight {
@@ -24,6 +25,7 @@ struct BakeReport {
   double aoErrorMax = 0.0;          ///< the same at the worst vertex
   double skippedRayFraction = 0.0;  ///< rays that the request allowed and the scene did not need
   std::uint64_t bytesBvh = 0;
+  std::optional<RadiosityReport> radiosity;  ///< where the bake solved one
   std::vector<std::string> notes;
 };
 

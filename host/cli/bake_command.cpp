@@ -82,6 +82,16 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   return request;
 }
 
+/// Radiosity alone depends on the sky.
+void readSky(const BakeCommand& command, Session& session, BakeRequest& request) {
+  if (command.environment.empty()) return;
+  const Environment sky = readEnvironment(command.environment);
+  if (request.radiosity)
+    request.radiosityShape.environment = std::make_shared<const Environment>(sky);
+  else
+    session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
+}
+
 BakeRun bakeKeepingState(Session& session, const LoadedScene& loaded, const BakeRequest& request,
                          const DeviceOptions& deviceOptions, BakeStateFile& state) {
   try {
@@ -166,12 +176,9 @@ void runBake(const BakeCommand& command, Context& context) {
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
   requireTriangles(loaded);
-  if (!command.environment.empty()) {
-    readEnvironment(command.environment);
-    session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
-  }
   checkOutputs(command);
-  const BakeRequest request = requestOf(command, session);
+  BakeRequest request = requestOf(command, session);
+  readSky(command, session, request);
   const std::optional<std::size_t> animation = animationOf(session, command, loaded.scene);
 
   DeviceOptions deviceOptions = session.deviceOptions();
@@ -236,7 +243,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
   addEffortOptions(*app, command->bake);
   addAnimationOptions(*app, *command);
   app->add_option("--env", command->environment,
-                  "accepted for scripts; the transfer does not depend on the sky")
+                  "sky of the radiosity; accepted for scripts besides, as transfer does not depend on it")
       ->type_name("MAP");
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
   app->add_flag("--resume", command->resume,

@@ -53,6 +53,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.volumeSize > 0, fmt::format("--volume {}", request.volumeSize));
   add(request.texelSize > 0, fmt::format("--texels {}", request.texelSize));
   add(request.lightGroups, "--light-groups");
+  add(request.radiosity, "--radiosity");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -179,6 +180,33 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
       ->type_name("M");
 }
 
+void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
+  RadiosityRequest& shape = request.radiosityShape;
+  app.add_flag(
+      "--radiosity", request.radiosity,
+      "irradiance of the scene's own lights at every vertex, direct and through all diffuse bounces");
+  addRealNumber(
+      app, "--patch-size", {1e-6, 1e6}, [&](double value) { shape.patchSize = value; },
+      "radiosity: longest edge of an element, metres; larger triangles are cut (default: thousands of "
+      "elements)")
+      ->type_name("M");
+  app.add_option_function<std::string>(
+         "--solver",
+         [&](const std::string& name) {
+           shape.method = chooseNamed<RadiosityMethod, 4>("--solver", name,
+                                                          {{{"jacobi", RadiosityMethod::Jacobi},
+                                                            {"chebyshev", RadiosityMethod::Chebyshev},
+                                                            {"gauss-seidel", RadiosityMethod::GaussSeidel},
+                                                            {"southwell", RadiosityMethod::Southwell}}});
+         },
+         "radiosity: jacobi, chebyshev, gauss-seidel (default) or southwell")
+      ->type_name("NAME");
+  addRealNumber(
+      app, "--tolerance", {1e-7, 0.5}, [&](double value) { shape.tolerance = value; },
+      fmt::format("radiosity: residual to solve to, of the direct light's power (default {:g})",
+                  shape.tolerance));
+}
+
 void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
   app.add_option_function<std::vector<std::string>>(
          "--shadow-set",
@@ -210,6 +238,7 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
            "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");
   addLightGroupOptions(app, request);
   addOccluderOptions(app, request);
+  addRadiosityOptions(app, request);
   addWholeNumber(
       app, "--volume", {1, BakeRequest::maxVolumeSize},
       [&](std::uint64_t n) { request.volumeSize = static_cast<int>(n); },

@@ -197,6 +197,9 @@ std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertic
   if (!bake.ao.empty()) found.push_back({"ao", "AO; " + sizeText(bytesOf(bake.ao), vertices), true});
   if (!bake.bentNormals.empty())
     found.push_back({"bentNormal", "bent normals; " + sizeText(bytesOf(bake.bentNormals), vertices), true});
+  if (bake.irradiance)
+    found.push_back({"irradiance",
+                     "irradiance of static lights; " + sizeText(bytesOf(*bake.irradiance), vertices), true});
   if (bake.sh) found.push_back(describe(*bake.sh, "sh", "SH", vertices));
   if (bake.compressedSh) found.push_back(describe(*bake.compressedSh, vertices));
   if (bake.ch) found.push_back(describe(*bake.ch, "ch", "CH", vertices));

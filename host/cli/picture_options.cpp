@@ -47,7 +47,8 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   for (const viewer::Shading shading : missing) {
     const viewer::ShadingInfo& info = viewer::infoOf(shading);
     info.addTo(request, asked);
-    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Vo;
+    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Vo &&
+                         shading != viewer::Shading::Radiosity;
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
@@ -76,6 +77,22 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.lightGroups, from.lightGroups);
   take(into.texels, from.texels);
   take(into.occluders, from.occluders);
+  take(into.irradiance, from.irradiance);
+}
+
+/// Radiosity is baked under the light of the picture.
+BakeRun bakeUnderLights(Session& session, const PictureOptions& options, const DeviceOptions& device,
+                        ShadedScene& shaded) {
+  if (!shaded.request.radiosity) return session.bake(shaded.loaded, shaded.request, device);
+  RadiosityRequest& shape = shaded.request.radiosityShape;
+  if (shaded.environment) shape.environment = std::make_shared<const Environment>(*shaded.environment);
+  shape.skyRotation = shaded.render.skyRotation;
+  if (!options.lights) return session.bake(shaded.loaded, shaded.request, device);
+  std::vector<Light>& lights = shaded.loaded.compiled.lights;
+  const std::vector<Light> own = std::exchange(lights, *options.lights);
+  BakeRun run = session.bake(shaded.loaded, shaded.request, device);
+  lights = own;
+  return run;
 }
 
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {
@@ -96,7 +113,7 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
                   options.scene.string(), viewer::shadingName(shading), techniqueText(shaded.request)));
   DeviceOptions device = session.deviceOptions();
   options.bake.addTo(device);
-  shaded.run = session.bake(shaded.loaded, shaded.request, device);
+  shaded.run = bakeUnderLights(session, options, device, shaded);
   mergeBake(shaded.bake, std::move(shaded.run->bake));
   if (options.bake.compression && shaded.request.shOrder > 0) {
     session.times().measure("compress", [&] {
@@ -137,6 +154,9 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
+  if (shading == viewer::Shading::Radiosity && !shaded.run && (options.lights || shaded.environment))
+    session.warn(
+        "--light, --env: the irradiance that the file carries is of the lights that it was baked with");
   if (shading == viewer::Shading::Lights && options.lights)
     session.warn(
         "--light: in lights shading only metals reflect such lights; use --group for the scene's own");

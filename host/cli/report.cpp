@@ -31,13 +31,29 @@ std::uint64_t peakResidentBytes() {
 double castSeconds(const BakeReport& report) {
   double seconds = 0.0;
   for (const auto& [stage, time] : report.stageSeconds)
-    if (stage == "cast" || stage == "volume" || stage == "texels") seconds += time;
+    if (stage == "cast" || stage == "volume" || stage == "texels" || stage == "form factors" ||
+        stage == "direct light")
+      seconds += time;
   return seconds;
 }
 
 double raysPerSecond(const BakeReport& report) {
   const double seconds = castSeconds(report);
   return seconds > 0.0 ? static_cast<double>(report.rays) / seconds : 0.0;
+}
+
+std::string radiosityText(const RadiosityReport& report) {
+  return fmt::format("{} elements, {} form factors, {:.3g} iterations of {}, residual {:.2g}",
+                     report.elements, shortCount(static_cast<double>(report.entries)), report.solve.sweeps(),
+                     radiosityMethodNames[static_cast<std::size_t>(report.method)], report.solve.residual());
+}
+
+void printDetails(const Console& console, const BakeRun& run, const StageTimes& times) {
+  if (!console.detailsWanted()) return;
+  for (const std::string& note : run.report.notes) console.line("note", note);
+  for (const auto& [stage, seconds] : times.stages())
+    console.line("", fmt::format("{:<12}{:8.3f} s", stage, seconds));
+  printPlan(console, run.plan);
 }
 
 }  // namespace
@@ -56,6 +72,28 @@ Json toJson(const DeviceInfo& device) {
           {"maxAllocation", device.maxAllocation}};
 }
 
+Json toJson(const RadiosityRequest& shape) {
+  return {{"solver", radiosityMethodNames[static_cast<std::size_t>(shape.method)]},
+          {"patchSize", shape.patchSize},
+          {"tolerance", shape.tolerance},
+          {"sky", shape.environment != nullptr}};
+}
+
+Json toJson(const RadiosityReport& report) {
+  Json residuals = Json::array();
+  for (const ResidualPoint& point : report.solve.curve)
+    residuals.push_back({{"sweeps", point.sweeps}, {"seconds", point.seconds}, {"residual", point.residual}});
+  return {{"elements", report.elements},
+          {"patchSize", report.patchSize},
+          {"formFactors", report.entries},
+          {"formFactorRays", report.castRays},
+          {"shadowRays", report.directRays},
+          {"solver", radiosityMethodNames[static_cast<std::size_t>(report.method)]},
+          {"converged", report.solve.converged},
+          {"residual", report.solve.residual()},
+          {"residuals", std::move(residuals)}};
+}
+
 Json toJson(const BakeRequest& request) {
   Json json = {{"ao", request.ao}, {"sh", request.shOrder}, {"bounces", request.bounces}};
   if (request.chOrder > 0) json["ch"] = request.chOrder;
@@ -65,6 +103,7 @@ Json toJson(const BakeRequest& request) {
   if (request.glossyOrder > 0) json["glossy"] = request.glossyOrder;
   if (request.lightGroups) json["lightGroups"] = true;
   if (request.occluders) json["vo"] = true;
+  if (request.radiosity) json["radiosity"] = toJson(request.radiosityShape);
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
@@ -89,31 +128,33 @@ Json toJson(const StageTimes& times) {
 Json bakeReport(const std::string& command, const LoadedScene& loaded, const std::filesystem::path& output,
                 const BakeRequest& request, const BakeRun& run, Session& session) {
   const BakeReport& report = run.report;
-  return {{"command", command},
-          {"version", PRELIGHT_VERSION},
-          {"scene", loaded.path.string()},
-          {"output", output.string()},
-          {"options", toJson(request)},
-          {"seed", request.seed},
-          {"device", toJson(run.device)},
-          {"triangles", loaded.compiled.triangleCount()},
-          {"vertices", loaded.compiled.vertexCount()},
-          {"receivers", report.receivers},
-          {"rays", report.rays},
-          {"raysPerSecond", raysPerSecond(report)},
-          {"skippedRayFraction", report.skippedRayFraction},
-          {"estimatedError", {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}}},
-          {"seconds", session.times().total()},
-          {"stages", toJson(session.times())},
-          {"memory",
-           {{"hostEstimate", run.plan.hostBytes},
-            {"deviceEstimate", run.plan.deviceBytes},
-            {"transport", run.plan.transportBytes},
-            {"bvh", report.bytesBvh},
-            {"peakResident", peakResidentBytes()}}},
-          {"plan", run.plan.toJson()},
-          {"notes", report.notes},
-          {"warnings", session.warnings()}};
+  Json json = {{"command", command},
+               {"version", PRELIGHT_VERSION},
+               {"scene", loaded.path.string()},
+               {"output", output.string()},
+               {"options", toJson(request)},
+               {"seed", request.seed},
+               {"device", toJson(run.device)},
+               {"triangles", loaded.compiled.triangleCount()},
+               {"vertices", loaded.compiled.vertexCount()},
+               {"receivers", report.receivers},
+               {"rays", report.rays},
+               {"raysPerSecond", raysPerSecond(report)},
+               {"skippedRayFraction", report.skippedRayFraction},
+               {"estimatedError", {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}}},
+               {"seconds", session.times().total()},
+               {"stages", toJson(session.times())},
+               {"memory",
+                {{"hostEstimate", run.plan.hostBytes},
+                 {"deviceEstimate", run.plan.deviceBytes},
+                 {"transport", run.plan.transportBytes},
+                 {"bvh", report.bytesBvh},
+                 {"peakResident", peakResidentBytes()}}},
+               {"plan", run.plan.toJson()},
+               {"notes", report.notes},
+               {"warnings", session.warnings()}};
+  if (report.radiosity) json["radiosity"] = toJson(*report.radiosity);
+  return json;
 }
 
 void printBakeSummary(const Console& console, const BakeRequest& request, const BakeRun& run,
@@ -127,14 +168,11 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
   if (report.skippedRayFraction > 0.005)
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);
+  if (report.radiosity) console.line("radiosity", radiosityText(*report.radiosity));
+  if (!request.castsReceivers()) return printDetails(console, run, times);
   console.line("error", fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex (estimated standard error)",
                                     report.aoErrorRms, report.aoErrorMax));
-  if (console.detailsWanted()) {
-    for (const std::string& note : report.notes) console.line("note", note);
-    for (const auto& [stage, seconds] : times.stages())
-      console.line("", fmt::format("{:<12}{:8.3f} s", stage, seconds));
-    printPlan(console, run.plan);
-  }
+  printDetails(console, run, times);
 }
 
 std::string sceneText(const LoadedScene& loaded) {

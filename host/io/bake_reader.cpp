@@ -42,9 +42,10 @@ class VertexReader {
 
   void readPrimitive(const JsonCursor& json, const PrimitiveRanges& ranges) {
     json.expectObject();
-    const std::array<const char*, 10> names = {"ao",   "bentNormal", "sh",          "shCompressed", "ch",
-                                               "haar", "glossy",     "lightGroups", "keys",         "vo"};
-    std::array<bool, 10> techniques{};
+    const std::array<const char*, 11> names = {"ao",   "bentNormal", "sh",        "shCompressed",
+                                               "ch",   "haar",       "glossy",    "lightGroups",
+                                               "keys", "vo",         "irradiance"};
+    std::array<bool, 11> techniques{};
     for (std::size_t i = 0; i < names.size(); ++i) techniques[i] = json.find(names[i]).has_value();
     if (started_ && techniques != techniques_)
       json.fail("expected the same techniques as on the other primitives", rebake);
@@ -53,6 +54,7 @@ class VertexReader {
     if (const auto ao = json.find("ao"))
       scatter(values_.floats(*ao, "SCALAR", vertexCount(ranges)), ranges, 1, bake_.ao);
     if (const auto bent = json.find("bentNormal")) readBentNormals(*bent, ranges);
+    if (const auto irradiance = json.find("irradiance")) readIrradiance(*irradiance, ranges);
     if (const auto sh = json.find("sh")) readHarmonic(*sh, ranges, bake_.sh);
     if (const auto ch = json.find("ch")) readHarmonic(*ch, ranges, bake_.ch);
     if (const auto haar = json.find("haar")) readHaar(*haar, ranges);
@@ -84,12 +86,25 @@ class VertexReader {
     scatterVertices(values, ranges, width, target);
   }
 
-  void readBentNormals(const JsonCursor& json, const PrimitiveRanges& ranges) {
+  std::vector<glm::vec3> readVectors(const JsonCursor& json, const PrimitiveRanges& ranges) const {
     const std::vector<float> values = values_.floats(json, "VEC3", vertexCount(ranges));
     std::vector<glm::vec3> vectors;
     for (std::size_t i = 0; i + 2 < values.size(); i += 3)
       vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
-    scatter(vectors, ranges, 1, bake_.bentNormals);
+    return vectors;
+  }
+
+  void readBentNormals(const JsonCursor& json, const PrimitiveRanges& ranges) {
+    scatter(readVectors(json, ranges), ranges, 1, bake_.bentNormals);
+  }
+
+  void readIrradiance(const JsonCursor& json, const PrimitiveRanges& ranges) {
+    const std::vector<glm::vec3> vectors = readVectors(json, ranges);
+    for (const glm::vec3& e : vectors)
+      if (e.x < 0.0f || e.y < 0.0f || e.z < 0.0f)
+        json.fail(fmt::format("irradiance of {}, {}, {}, expected none below 0", e.x, e.y, e.z), rebake);
+    if (!bake_.irradiance) bake_.irradiance.emplace();
+    scatter(vectors, ranges, 1, *bake_.irradiance);
   }
 
   void readHarmonic(const JsonCursor& json, const PrimitiveRanges& ranges,
@@ -316,7 +331,7 @@ class VertexReader {
   std::optional<JsonCursor> extension_;
   Bake bake_;
   bool started_ = false;
-  std::array<bool, 10> techniques_{};
+  std::array<bool, 11> techniques_{};
   std::vector<std::optional<HarmonicTransfer>> keys_;  ///< of an animation
   std::optional<OccluderRows> occluders_;
   std::vector<RowPlace> rows_;  ///< of wavelets, [vertex * channels + channel], into the pools

@@ -153,6 +153,7 @@ std::size_t storedBytes(const Bake& bake) {
              bake.haar->indices.size() * (bake.haar->storedIndexBytes() + sizeof(float));
   if (bake.glossy) bytes += bake.glossy->matrices.size() * sizeof(float);
   if (bake.lightGroups) bytes += bake.lightGroups->coefficients.size() * sizeof(float);
+  if (bake.irradiance) bytes += bake.irradiance->size() * sizeof(glm::vec3);
   return bytes;
 }
 
@@ -174,6 +175,8 @@ Json bakeToJson(GltfDocument& document, const CompiledScene& scene, const Bake& 
   if (bake.haar) json["haar"] = haarToJson(document, *bake.haar, ranges);
   if (bake.glossy) json["glossy"] = glossyToJson(document, *bake.glossy, ranges);
   if (bake.lightGroups) json["lightGroups"] = lightGroupsToJson(document, *bake.lightGroups, ranges);
+  if (bake.irradiance)
+    json["irradiance"] = append(document, gatherVertices(asFloats(*bake.irradiance), ranges, 3), "VEC3", 3);
   if (occluders != nullptr)
     json["vo"] = occludersToJson(document, *occluders, ranges);
   else if (bake.occluders)

@@ -7,6 +7,7 @@
 
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
+#include "radiosity/radiosity_plan.h"
 
 namespace prelight {
 
@@ -177,7 +178,7 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
 
 BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
-  request.ao = request.lightGroups = request.occluders = false;
+  request.ao = request.lightGroups = request.occluders = request.radiosity = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
   request.volumeSize = request.texelSize = 0;
   request.namedGroups.clear();
@@ -220,8 +221,9 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   const auto add = [&](const PlannedPass& pass) {
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.name, false, nothing});
   };
-  add({"cast", true,
-       bounces.runs               ? "closest hits, because bounces need to know what was hit"
+  add({"cast", request.castsReceivers(),
+       !request.castsReceivers()  ? "no technique that is asked for looks from receivers"
+       : bounces.runs             ? "closest hits, because bounces need to know what was hit"
        : request.occluders        ? "closest hits, because occluders are told apart by what was hit"
        : request.obscurance > 0.0 ? "closest hits, because obscurance fades with the distance"
        : request.lightGroups      ? "closest hits where a group has emitters"
@@ -250,6 +252,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planVolume(request, bounces.runs));
   add(planTexels(scene, request, bounces.runs));
   add(bounces);
+  for (const PlannedPass& pass : planRadiosity(compiled, request)) add(pass);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
   add(planTranslucent(compiled, bounces.runs));
@@ -275,6 +278,10 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   const auto side = static_cast<std::uint64_t>(request.volumeSize);
   plan.hostBytes += anything ? side * side * side * (4 * volumeValues(request, bounces.runs) + 1) : 0;
   plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
+  if (plan.runs("radiosity")) {
+    plan.hostBytes += radiosityBytes(compiled, request);
+    plan.deviceBytes += radiosityBytes(compiled, request) / 3;
+  }
   return plan;
 }
 

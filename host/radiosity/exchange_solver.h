@@ -5,23 +5,9 @@
 
 #include "base/progress.h"
 #include "radiosity/exchange_system.h"
-#include "radiosity/radiosity_request.h"
+#include "radiosity/radiosity_report.h"
 
 namespace prelight {
-
-/// A solution on its way: norms after that much work.
-struct ResidualPoint {
-  double sweeps = 0.0;    ///< row operations so far over the number of rows
-  double seconds = 0.0;   ///< since the start
-  double residual = 0.0;  ///< sum of area x |residual| of the strongest channel over that of the direct light
-};
-
-struct SolveReport {
-  std::vector<ResidualPoint> curve;
-  bool converged = false;
-  double sweeps() const { return curve.empty() ? 0.0 : curve.back().sweeps; }
-  double residual() const { return curve.empty() ? 0.0 : curve.back().residual; }
-};
 
 /// Solves the radiosity equation by iteration, all three channels together:
 ///   Jacobi        all rows from the last iterate;

@@ -149,9 +149,11 @@ void FormFactorCast::castBlock(std::uint32_t count) {
 void FormFactorCast::addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged) {
   scratch_.clear();
   glm::vec4 surface(0.0f);
+  std::uint32_t valid = 0;
   for (std::uint32_t p = 0; p < pointsPerElement_; ++p) {
     if (judged[p].w == 0.0f) continue;
     surface += judged[p];
+    if (p < 32) valid |= 1u << p;
     const std::uint32_t* first = codes + std::size_t{p} * raysPerPoint_;
     scratch_.insert(scratch_.end(), first, first + raysPerPoint_);
   }
@@ -175,6 +177,7 @@ void FormFactorCast::addRow(std::uint32_t element, const std::uint32_t* codes, c
   counts_.rays.push_back(static_cast<std::uint32_t>(scratch_.size()));
   counts_.escaped.push_back(escaped);
   counts_.surface.push_back(surface);
+  counts_.valid.push_back(valid);
 }
 
 void FormFactorCast::save(StateWriter& state) const {
@@ -190,6 +193,7 @@ void FormFactorCast::save(StateWriter& state) const {
   state.values(counts_.rays);
   state.values(counts_.escaped);
   state.values(counts_.surface);
+  state.values(counts_.valid);
 }
 
 void FormFactorCast::load(StateReader& state) {
@@ -207,9 +211,10 @@ void FormFactorCast::load(StateReader& state) {
   state.values(counts_.rays);
   state.values(counts_.escaped);
   state.values(counts_.surface);
+  state.values(counts_.valid);
   const std::size_t rows = counts_.elements.size();
   if (done_ > queue_.size() || counts_.offsets.size() != rows + 1 || counts_.rays.size() != rows ||
-      counts_.escaped.size() != rows || counts_.surface.size() != rows ||
+      counts_.escaped.size() != rows || counts_.surface.size() != rows || counts_.valid.size() != rows ||
       counts_.columns.size() != counts_.counts.size() || counts_.offsets.back() != counts_.columns.size())
     state.damaged();
 }

@@ -23,6 +23,7 @@ struct ExchangeCounts {
   std::vector<std::uint32_t> escaped;   ///< [row], of those
   std::vector<glm::vec4> surface;  ///< [row] mean albedo, and the share of the element that counts: no hole,
                                    ///< not inside an object
+  std::vector<std::uint32_t> valid;  ///< [row], bit p: point p counts, of the first 32
 };
 
 /// Casts cosine-distributed rays from points all over elements, block by block: from all fronts, then from
@@ -38,6 +39,7 @@ class FormFactorCast {
   void run(Progress& progress);
 
   const ExchangeCounts& counts() const { return counts_; }
+  std::uint32_t pointsPerElement() const { return pointsPerElement_; }
   const ElementPoints& points() const { return points_; }
   std::uint64_t rays() const { return std::uint64_t{raysPerElement_} * counts_.elements.size(); }
   bool castBacks() const { return round_ > 0 && counts_.elements.size() > elements_.perSide(); }

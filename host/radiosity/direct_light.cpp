@@ -1,0 +1,115 @@
+#include "radiosity/direct_light.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+constexpr std::uint32_t emitterSamples = 8;  ///< a point
+constexpr std::uint32_t skySamples = 16;
+constexpr std::size_t fewEmitters = 32;
+constexpr std::uint32_t raysPerBlock = 1u << 18;
+
+template <typename T>
+std::span<const T> spanOf(const std::vector<T>& values) {
+  return values;
+}
+
+std::vector<RadiosityEmitter> emittersOf(const CompiledScene& scene, const LightTables& tables) {
+  std::vector<RadiosityEmitter> emitters;
+  for (const std::uint32_t t : tables.emitters) {
+    const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
+    emitters.push_back({t, m.doubleSided ? 1u : 0u, {m.emission.x, m.emission.y, m.emission.z}, {0, 0, 0}});
+  }
+  return emitters;
+}
+
+}  // namespace
+
+DirectLight::DirectLight(const CompiledScene& scene, const RadiosityElements&, const ElementPoints& points,
+                         Tracer& tracer, std::uint32_t pointsPerElement)
+    : scene_(scene),
+      points_(points),
+      tracer_(tracer),
+      device_(tracer.context()),
+      pointsPerElement_(pointsPerElement),
+      layout_(device_, 1),
+      positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
+
+void DirectLight::setLights(const RadiosityLights& lights) {
+  const LightTables tables = makeLightTables(scene_, lights.punctual, lights.sky, false);
+  buffers_.emplace(device_, tables);
+  const LightLayout layout = lightLayout(tables, lights.skyRotation);
+  layout_.write(std::span<const LightLayout>(&layout, 1));
+  const std::vector<RadiosityEmitter> emitters = emittersOf(scene_, tables);
+  emitterBuffer_ = Buffer<RadiosityEmitter>(device_, spanOf(emitters));
+  const std::uint32_t before = slots();
+  punctual_ = static_cast<std::uint32_t>(tables.punctual.size());
+  emitters_ = static_cast<std::uint32_t>(emitters.size());
+  emitterSamples_ = emitters.empty() ? 0 : emitterSamples;
+  skySamples_ = tables.sky.empty() ? 0 : skySamples;
+  const auto options = BuildOptions()
+                           .defineIf(punctual_ > 0, "PRELIGHT_PUNCTUAL")
+                           .defineIf(skySamples_ > 0, "PRELIGHT_SKY")
+                           .defineIf(emitters_ > 0, "PRELIGHT_RADIOSITY_EMITTERS")
+                           .defineIf(emitters_ > 0 && emitters_ <= fewEmitters, "PRELIGHT_FEW_EMITTERS");
+  const auto& program = device_.program("radiosity/direct_kernels.cl", options);
+  aim_ = cl::Kernel(program, "aimAtLights");
+  sum_ = cl::Kernel(program, "sumLights");
+  if (slots() == before || slots() == 0) return;
+  blockPoints_ = std::max(pointsPerElement_, raysPerBlock / slots() / pointsPerElement_ * pointsPerElement_);
+  receivers_ = Buffer<Receiver>(device_, blockPoints_);
+  irradiance_ = Buffer<PointLight>(device_, blockPoints_);
+  rayBuffer_ = Buffer<Ray>(device_, std::size_t{blockPoints_} * slots());
+  hits_ = Buffer<Hit>(device_, std::size_t{blockPoints_} * slots());
+  values_ = Buffer<float>(device_, std::size_t{blockPoints_} * slots() * 3);
+}
+
+bool DirectLight::manyEmitters() const { return emitters_ > fewEmitters; }
+
+std::vector<PointLight> DirectLight::estimate(const std::vector<std::uint32_t>& elements,
+                                              Progress& progress) {
+  std::vector<PointLight> values(elements.size() * pointsPerElement_,
+                                 PointLight{glm::vec4(0.0f), glm::vec4(0.0f)});
+  if (slots() == 0) return values;
+  const std::size_t block = blockPoints_ / pointsPerElement_;
+  for (std::size_t first = 0; first < elements.size(); first += block) {
+    progress.check();
+    const std::size_t count = std::min(block, elements.size() - first);
+    estimateBlock(points_.of(elements, first, count, pointsPerElement_, 1),
+                  &values[first * pointsPerElement_]);
+    progress.report("direct light", double(first + count) / double(elements.size()));
+  }
+  return values;
+}
+
+void DirectLight::estimateBlock(const std::vector<ElementPoints::Place>& places, PointLight* values) {
+  std::vector<Receiver> receivers;
+  for (const ElementPoints::Place& place : places) receivers.push_back(place.receiver);
+  receivers_.write(spanOf(receivers));
+  const auto count = static_cast<cl_uint>(places.size());
+  const std::size_t rayCount = std::size_t{count} * slots();
+  setArguments(aim_, count, static_cast<cl_uint>(punctual_), static_cast<cl_uint>(emitterSamples_),
+               static_cast<cl_uint>(skySamples_), receivers_.get(), layout_.get());
+  cl_uint index = buffers_->setArguments(aim_, 6);
+  aim_.setArg(index++, emitterBuffer_.get());
+  aim_.setArg(index++, tracer_.surfaceTriangles().get());
+  aim_.setArg(index++, positions_.get());
+  aim_.setArg(index++, rayBuffer_.get());
+  aim_.setArg(index, values_.get());
+  device_.launch(aim_, rayCount, groupSize);
+  tracer_.traceAny(rayBuffer_, hits_, rayCount);
+  rays_ += rayCount;
+  setArguments(sum_, count, static_cast<cl_uint>(punctual_), static_cast<cl_uint>(emitterSamples_),
+               static_cast<cl_uint>(skySamples_), static_cast<cl_uint>(emitters_), receivers_.get(),
+               hits_.get(), values_.get(), emitterBuffer_.get(), tracer_.surfaceTriangles().get(),
+               positions_.get(), irradiance_.get());
+  device_.launch(sum_, count, groupSize);
+  irradiance_.read(std::span(values, count));
+}
+
+}  // namespace prelight

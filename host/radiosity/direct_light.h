@@ -1,0 +1,75 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "bvh/tracer.h"
+#include "io/environment.h"
+#include "radiosity/element_points.h"
+#include "radiosity/elements.h"
+#include "scene/compiled_scene.h"
+#include "shade/light_buffers.h"
+#include "shared/radiosity_types.h"
+
+namespace prelight {
+
+/// What lights a radiosity solution, besides the scene's emissive triangles.
+struct RadiosityLights {
+  std::vector<Light> punctual;       ///< world space
+  const Environment* sky = nullptr;  ///< nullptr: none
+  double skyRotation = 0.0;          ///< radians, counter-clockwise seen from above
+};
+
+/// Direct light of a point, W/m2; w unused.
+struct PointLight {
+  glm::vec4 far;       ///< of punctual lights and the sky
+  glm::vec4 emitters;  ///< of emissive triangles
+};
+
+/// Light that comes straight to points of elements, by shadow rays: one to every punctual light, some to
+/// emissive triangles, some to the sky. Up to 32 emissive triangles are integrated exactly (Lambert 1760) and
+/// the rays tell which share of that arrives.
+class DirectLight {
+ public:
+  /// All outlive it. `pointsPerElement`: as many of the first ones of `points`.
+  DirectLight(const CompiledScene& scene, const RadiosityElements& elements, const ElementPoints& points,
+              Tracer& tracer, std::uint32_t pointsPerElement);
+
+  void setLights(const RadiosityLights& lights);
+
+  /// At points of elements, [element of the list][point]. Throws Interrupted.
+  std::vector<PointLight> estimate(const std::vector<std::uint32_t>& elements, Progress& progress);
+
+  /// Emissive triangles are too many to be integrated, so that those nearby are found by few rays.
+  bool manyEmitters() const;
+
+  std::uint32_t pointsPerElement() const { return pointsPerElement_; }
+  std::uint64_t rays() const { return rays_; }  ///< so far
+
+ private:
+  std::uint32_t slots() const { return punctual_ + emitterSamples_ + skySamples_; }
+  void estimateBlock(const std::vector<ElementPoints::Place>& places, PointLight* values);
+
+  const CompiledScene& scene_;
+  const ElementPoints& points_;
+  Tracer& tracer_;
+  DeviceContext& device_;
+  std::uint32_t pointsPerElement_;
+  std::uint32_t punctual_ = 0, emitterSamples_ = 0, skySamples_ = 0, emitters_ = 0;
+  std::uint64_t rays_ = 0;
+  std::uint32_t blockPoints_ = 0;
+  std::optional<LightBuffers> buffers_;
+  Buffer<device::LightLayout> layout_;
+  Buffer<device::RadiosityEmitter> emitterBuffer_;
+  Buffer<float> positions_;
+  Buffer<device::Receiver> receivers_;
+  Buffer<device::Ray> rayBuffer_;
+  Buffer<device::Hit> hits_;
+  Buffer<float> values_;
+  Buffer<PointLight> irradiance_;
+  cl::Kernel aim_, sum_;
+};
+
+}  // namespace prelight

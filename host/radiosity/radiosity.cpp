@@ -1,0 +1,191 @@
+#include "radiosity/radiosity.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "bake/vertex_fit.h"
+#include "base/parallel.h"
+
+namespace prelight {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t mostDirectPoints = 8;
+constexpr float raysThatTell = 64.0f;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Radiosity::Radiosity(const CompiledScene& scene, Tracer& tracer, const RadiosityOptions& options)
+    : scene_(scene), tracer_(tracer), options_(options) {
+  report_.patchSize = options.patchSize > 0.0 ? options.patchSize : defaultPatchSize(scene);
+  report_.method = options.method;
+  elements_ = makeElements(scene, report_.patchSize);
+  cast_.emplace(scene, elements_, tracer, options.raysPerElement, options.seed);
+}
+
+void Radiosity::cast(Progress& progress) {
+  const auto start = Clock::now();
+  cast_->run(progress);
+  report_.castSeconds += secondsSince(start);
+  report_.castRays = cast_->rays();
+  makeRows();
+}
+
+void Radiosity::makeRows() {
+  const auto start = Clock::now();
+  const ExchangeCounts& counts = cast_->counts();
+  factors_ = makeFormFactors(elements_, counts, options_.maxMemory);
+  for (std::uint32_t row = 0; row < counts.elements.size(); ++row) {
+    if (counts.rays[row] == 0) continue;
+    lit_.push_back(counts.elements[row]);
+    valid_.push_back(counts.valid[row]);
+  }
+  directLight_.emplace(scene_, elements_, cast_->points(), tracer_,
+                       std::min(mostDirectPoints, cast_->pointsPerElement()));
+  system_.emplace(tracer_.context(), scene_, elements_, factors_);
+  solver_.emplace(*system_);
+  report_.elements = lit_.size();
+  report_.entries = factors_.values.size();
+  report_.asymmetry = factors_.asymmetry;
+  report_.rowSeconds += secondsSince(start);
+}
+
+/// Irradiance of emissive elements by the form factors, [element]; `share`: the form factor of all of them.
+std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share) const {
+  const std::uint32_t n = factors_.elementCount();
+  std::vector<glm::vec4> exitance(n, glm::vec4(0.0f)), irradiance(n, glm::vec4(0.0f));
+  share.assign(n, 0.0f);
+  for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t) {
+    const CompiledMaterial& m = scene_.materials[scene_.triangleMaterials[t]];
+    if (m.emission == glm::vec3(0.0f)) continue;
+    const bool turned = glm::dot(orientedNormal(scene_, t), geometricNormal(scene_, t)) < 0.0;
+    for (std::uint32_t side = 0; side < n / elements_.perSide(); ++side)
+      if (m.doubleSided || (side == 1) == turned)
+        std::fill_n(exitance.begin() + side * elements_.perSide() + elements_.first[t],
+                    elements_.first[t + 1] - elements_.first[t],
+                    glm::vec4(std::numbers::pi_v<float> * m.emission, 1.0f));
+  }
+  parallelRanges(n, 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      glm::dvec4 sum(0.0);
+      for (std::uint32_t k = factors_.rowStart[i]; k < factors_.rowStart[i + 1]; ++k)
+        sum += double(factors_.values[k]) * glm::dvec4(exitance[factors_.columns[k]]);
+      sum *= factors_.scale[i];
+      irradiance[i] = glm::vec4(glm::vec3(sum), 0.0f);
+      share[i] = static_cast<float>(sum.w);
+    }
+  });
+  return irradiance;
+}
+
+/// Means of the points that count. Of many emitters the form factors know more than few shadow rays, wherever
+/// enough of the element's rays have met them.
+void Radiosity::sumPoints(const std::vector<PointLight>& points) {
+  const std::uint32_t perElement = directLight_->pointsPerElement();
+  std::vector<float> share;
+  std::vector<glm::vec4> carried;
+  if (directLight_->manyEmitters()) carried = emissionThroughRows(share);
+  directPoints_.assign(points.size(), glm::vec4(0.0f));
+  pointMeans_.assign(factors_.elementCount(), glm::vec4(0.0f));
+  directElements_ = pointMeans_;
+  for (std::size_t i = 0; i < lit_.size(); ++i) {
+    const std::uint32_t element = lit_[i];
+    const bool throughRow =
+        !carried.empty() && share[element] * float(options_.raysPerElement) > raysThatTell;
+    glm::dvec3 sum(0.0);
+    int count = 0;
+    for (std::uint32_t p = 0; p < perElement; ++p) {
+      if ((valid_[i] >> p & 1u) == 0) continue;
+      const PointLight& light = points[i * perElement + p];
+      directPoints_[i * perElement + p] = throughRow ? light.far : light.far + light.emitters;
+      sum += glm::dvec3(directPoints_[i * perElement + p]);
+      ++count;
+    }
+    if (count > 0) pointMeans_[element] = glm::vec4(glm::vec3(sum / double(count)), 0.0f);
+    directElements_[element] = pointMeans_[element] + (throughRow ? carried[element] : glm::vec4(0.0f));
+  }
+}
+
+void Radiosity::setLights(const RadiosityLights& lights, Progress& progress) {
+  const auto start = Clock::now();
+  directLight_->setLights(lights);
+  sumPoints(directLight_->estimate(lit_, progress));
+  solver_->setDirect(directElements_);
+  report_.directRays = directLight_->rays();
+  report_.directSeconds += secondsSince(start);
+}
+
+const SolveReport& Radiosity::solve(Progress& progress, std::optional<double> maxSweeps) {
+  const auto start = Clock::now();
+  report_.solve =
+      solver_->solve(options_.method, options_.tolerance, maxSweeps.value_or(options_.maxSweeps), progress);
+  report_.solveSeconds += secondsSince(start);
+  return report_.solve;
+}
+
+const SolveReport& Radiosity::relight(const RadiosityLights& lights, Progress& progress) {
+  setLights(lights, progress);
+  return solve(progress);
+}
+
+std::vector<double> Radiosity::fitDirect(const FitMesh& mesh, double meanArea) const {
+  VertexFit fit(mesh, 3);
+  const std::uint32_t points = directLight_->pointsPerElement();
+  for (std::size_t i = 0; i < lit_.size(); ++i) {
+    if (elements_.sideOf(lit_[i]) == Side::Back) continue;
+    const std::uint32_t triangle = elements_.triangleOf(lit_[i]);
+    for (std::uint32_t p = 0; p < points; ++p) {
+      if ((valid_[i] >> p & 1u) == 0) continue;
+      SurfaceSample sample = cast_->points().at(lit_[i], triangle, p, 1).sample;
+      sample.weight = static_cast<float>(elements_.areas[triangle] / meanArea / points);
+      const glm::vec4& d = directPoints_[i * points + p];
+      fit.add(sample, std::array<double, 3>{d.x, d.y, d.z});
+    }
+  }
+  return fit.solve(defaultSmoothing);
+}
+
+std::vector<double> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea) const {
+  VertexFit fit(mesh, 3);
+  const std::vector<glm::vec4> irradiance = solver_->irradiance();
+  for (const std::uint32_t element : lit_) {
+    if (elements_.sideOf(element) == Side::Back) continue;
+    const std::uint32_t triangle = elements_.triangleOf(element);
+    const glm::dvec2 b =
+        pointOfPiece(elements_.splits[triangle], element - elements_.first[triangle], glm::dvec2(1.0 / 3.0));
+    const SurfaceSample sample{triangle, static_cast<float>(b.x), static_cast<float>(b.y),
+                               static_cast<float>(factors_.areas[element] / meanArea)};
+    const glm::vec4 indirect = irradiance[element] - pointMeans_[element];
+    fit.add(sample, std::array<double, 3>{indirect.x, indirect.y, indirect.z});
+  }
+  return fit.solve(defaultSmoothing);
+}
+
+std::vector<glm::vec3> Radiosity::irradianceOfVertices(const FitMesh& mesh) const {
+  double area = 0.0;
+  for (const std::uint32_t element : lit_) area += factors_.areas[element];
+  const double meanArea = area / std::max<double>(1.0, double(lit_.size()));
+  const std::vector<double> direct = fitDirect(mesh, meanArea), indirect = fitIndirect(mesh, meanArea);
+  std::vector<glm::vec3> vertices;
+  for (const std::uint32_t slot : mesh.slotOfVertex) {
+    glm::vec3 value(0.0f);
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * std::size_t{slot} + static_cast<std::size_t>(c);
+      const auto sum = static_cast<float>(std::max(0.0, direct[at]) + std::max(0.0, indirect[at]));
+      value[c] = std::isfinite(sum) ? sum : 0.0f;
+    }
+    vertices.push_back(value);
+  }
+  return vertices;
+}
+
+}  // namespace prelight

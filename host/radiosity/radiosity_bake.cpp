@@ -1,0 +1,55 @@
+#include "radiosity/radiosity_bake.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "radiosity/radiosity_plan.h"
+
+namespace prelight {
+
+namespace {
+
+RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& request) {
+  RadiosityOptions options;
+  options.patchSize = request.radiosityShape.patchSize;
+  options.raysPerElement = radiosityRays(scene, request);
+  options.seed = request.seed;
+  options.maxMemory = request.maxMemory;
+  options.method = request.radiosityShape.method;
+  options.tolerance = request.radiosityShape.tolerance;
+  return options;
+}
+
+std::string noteOf(const RadiosityReport& report) {
+  return fmt::format(
+      "radiosity: {} elements of at most {:.3g} m, {:.0f} form factors a row, {} iterations of {} to a "
+      "residual "
+      "of {:.2g}{}",
+      report.elements, report.patchSize,
+      double(report.entries) / double(std::max<std::uint64_t>(1, report.elements)), report.solve.sweeps(),
+      radiosityMethodNames[static_cast<std::size_t>(report.method)], report.solve.residual(),
+      report.solve.converged ? "" : ", which is not what was asked for");
+}
+
+}  // namespace
+
+RadiosityBake::RadiosityBake(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer)
+    : scene_(scene), request_(request), radiosity_(scene, tracer, optionsOf(scene, request)) {}
+
+std::vector<glm::vec3> RadiosityBake::run(const FitMesh& mesh, Progress& progress, BakeReport& report) {
+  radiosity_.cast(progress);
+  const RadiosityRequest& shape = request_.radiosityShape;
+  radiosity_.relight({scene_.lights, shape.environment.get(), shape.skyRotation}, progress);
+  std::vector<glm::vec3> irradiance = radiosity_.irradianceOfVertices(mesh);
+  const RadiosityReport& made = radiosity_.report();
+  report.radiosity = made;
+  report.rays += made.castRays + made.directRays;
+  report.stageSeconds.emplace_back("form factors", made.castSeconds + made.rowSeconds);
+  report.stageSeconds.emplace_back("direct light", made.directSeconds);
+  report.stageSeconds.emplace_back("solve", made.solveSeconds);
+  report.notes.push_back(noteOf(made));
+  return irradiance;
+}
+
+}  // namespace prelight

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "bake/baker.h"
+#include "bake/fit_mesh.h"
+#include "radiosity/radiosity.h"
+
+namespace prelight {
+
+/// The radiosity of a bake: Bake::irradiance under the scene's own lights and the request's sky.
+class RadiosityBake {
+ public:
+  /// `scene` and `tracer` outlive it.
+  RadiosityBake(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer);
+
+  /// Throws Interrupted; run() again, or after load(), goes on.
+  std::vector<glm::vec3> run(const FitMesh& mesh, Progress& progress, BakeReport& report);
+
+  void save(StateWriter& state) const { radiosity_.save(state); }
+  void load(StateReader& state) { radiosity_.load(state); }
+
+ private:
+  const CompiledScene& scene_;
+  const BakeRequest& request_;
+  Radiosity radiosity_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,202 @@
+// Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
+// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (shade/light_funcs.cl);
+// PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
+#include "shade/light_funcs.cl"
+#include "shared/cast_types.h"
+#include "shared/radiosity_types.h"
+
+// Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
+#define PRELIGHT_SHADOW_REACH 0.9999f
+
+typedef struct Aim {
+  float3 way;    // from the point; a shadow ray's direction
+  float reach;   // in lengths of `way`
+  float3 value;  // W/m2, if nothing is in the way
+} Aim;
+
+#ifdef PRELIGHT_PUNCTUAL
+bool aimAtPunctual(__global const PunctualLight* light, float3 point, float3 normal, Aim* aim) {
+  float3 direction;
+  float distance, falloff;
+  if (!seePunctual(light, point, &direction, &distance, &falloff)) return false;
+  const float cosine = dot(direction, normal);
+  if (cosine <= 0.0f) return false;
+  const bool afar = distance == MAXFLOAT;
+  aim->way = afar ? direction : direction * distance;
+  aim->reach = afar ? MAXFLOAT : PRELIGHT_SHADOW_REACH;
+  aim->value = cosine * falloff * vload3(0, light->intensity);
+  return true;
+}
+#endif
+
+#ifdef PRELIGHT_RADIOSITY_EMITTERS
+void loadCorners(uint triangle, __global const DeviceTriangle* triangles, __global const float* positions, float3 corner[3]) {
+  const DeviceTriangle t = triangles[triangle];
+  for (int k = 0; k < 3; ++k) corner[k] = vload3(t.vertex[k], positions);
+}
+
+// A point of an emitter by area: an unbiased sample of the irradiance that all emitters would cause.
+bool aimAtEmitter(Lights l, __constant const LightLayout* layout, __global const RadiosityEmitter* emitters,
+                  __global const DeviceTriangle* triangles, __global const float* positions, uint bits, float2 place,
+                  float samples, float3 point, float3 normal, Aim* aim) {
+  float probability, remainder;
+  const uint entry = chooseEntry(l.tables + layout->emitterTable, layout->emitterCount, bits, &probability, &remainder);
+  const RadiosityEmitter e = emitters[entry];
+  float3 corner[3];
+  loadCorners(e.triangle, triangles, positions, corner);
+  const float root = sqrt(place.x);
+  const float3 p = corner[0] + root * (1.0f - place.y) * (corner[1] - corner[0]) + root * place.y * (corner[2] - corner[0]);
+  const float3 across = cross(corner[1] - corner[0], corner[2] - corner[0]);  // twice the area long
+  const float3 way = p - point;
+  const float squared = dot(way, way);
+  if (!(squared > 1e-18f)) return false;
+  const float cosine = dot(way, normal);
+  const float facing = -dot(way, across);
+  const float seen = e.twoSided != 0u ? fabs(facing) : facing;
+  if (cosine <= 0.0f || seen <= 0.0f) return false;
+  aim->way = way;
+  aim->reach = PRELIGHT_SHADOW_REACH;
+  aim->value = vload3(0, e.radiance) * (0.5f * cosine * seen / (squared * squared * probability * samples));
+  return true;
+}
+
+// Integral of cosine / pi over the part of a triangle above the horizon of (point, normal): Lambert's formula, edge by
+// edge of the clipped polygon. Positive, whichever way the triangle is wound.
+float triangleFormFactor(float3 point, float3 normal, const float3 corner[3]) {
+  float3 above[4];
+  int count = 0;
+  for (int k = 0; k < 3; ++k) {
+    const float3 a = corner[k] - point, b = corner[(k + 1) % 3] - point;
+    const float ha = dot(a, normal), hb = dot(b, normal);
+    if (ha > 0.0f) above[count++] = a;
+    if ((ha > 0.0f) != (hb > 0.0f) && count < 4) above[count++] = a + (ha / (ha - hb)) * (b - a);
+  }
+  float sum = 0.0f;
+  for (int k = 0; k < count; ++k) {
+    const float3 a = normalize(above[k]), b = normalize(above[k + 1 < count ? k + 1 : 0]);
+    const float3 across = cross(a, b);
+    const float sine = length(across), angle = atan2(sine, dot(a, b));
+    if (sine > 1e-9f) sum += angle * dot(across, normal) / sine;
+  }
+  return fabs(sum) * (0.5f * M_1_PI_F);
+}
+
+// Irradiance of all emitters, were nothing in the way.
+float3 openIrradiance(uint count, __global const RadiosityEmitter* emitters, __global const DeviceTriangle* triangles,
+                      __global const float* positions, float3 point, float3 normal) {
+  float3 sum = (float3)(0.0f);
+  for (uint i = 0; i < count; ++i) {
+    const RadiosityEmitter e = emitters[i];
+    float3 corner[3];
+    loadCorners(e.triangle, triangles, positions, corner);
+    const float facing = -dot(corner[0] - point, cross(corner[1] - corner[0], corner[2] - corner[0]));
+    if (facing <= 0.0f && e.twoSided == 0u) continue;
+    sum += M_PI_F * triangleFormFactor(point, normal, corner) * vload3(0, e.radiance);
+  }
+  return sum;
+}
+#endif
+
+#ifdef PRELIGHT_SKY
+// Every other sample by the cosine, the others by the sky; the balance heuristic weighs both (Veach 1997).
+bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint samples, uint2 bits, float3 normal,
+              Aim* aim) {
+  float3 direction;
+  if ((sample & 1u) != 0u) {
+    Arrival a;
+    if (!arriveFromSky(l, layout, bits, &a)) return false;
+    direction = a.direction;
+  } else {
+    direction = sampleCosineHemisphere((float2)(unitFloat(bits.x), unitFloat(bits.y)), normal);
+  }
+  const float cosine = dot(direction, normal);
+  if (cosine <= 0.0f) return false;
+  const float2 uv = skyCoordinates(layout, direction);
+  const float density = (float)((samples + 1u) / 2u) * cosine * M_1_PI_F + (float)(samples / 2u) * skyDensity(l, layout, uv);
+  aim->way = direction;
+  aim->reach = MAXFLOAT;
+  aim->value = skyRadiance(l, layout, uv) * (cosine / density);
+  return true;
+}
+#endif
+
+// A shadow ray a work-item: of every point one to each punctual light, then emitterSamples, then skySamples.
+// receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is open: 0 for a ray that
+// cannot bring anything, which is made to hit nothing. Next: traceRays.
+__kernel void aimAtLights(uint pointCount, uint punctualCount, uint emitterSamples, uint skySamples,
+                          __global const Receiver* receivers, __constant const LightLayout* layout,
+                          __global const uint* tables, __global const uint* emitterTriangles,
+                          __global const float* emitterDensities, __global const PunctualLight* punctual,
+                          __global const float4* sky, __global const RadiosityEmitter* emitters,
+                          __global const DeviceTriangle* triangles, __global const float* positions,
+                          __global Ray* rays, __global float* values) {
+  const uint slots = punctualCount + emitterSamples + skySamples;
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)pointCount * slots) return;
+  const Receiver r = receivers[i / slots];
+  const uint slot = (uint)(i % slots);
+  const float3 point = vload3(0, r.position), normal = vload3(0, r.normal);
+  const Lights lights = {tables, emitterTriangles, emitterDensities, punctual, sky};
+  Aim aim;
+  bool arrives = false;
+#ifdef PRELIGHT_PUNCTUAL
+  if (slot < punctualCount) arrives = aimAtPunctual(punctual + slot, point, normal, &aim);
+#endif
+#ifdef PRELIGHT_RADIOSITY_EMITTERS
+  if (slot >= punctualCount && slot < punctualCount + emitterSamples) {
+    const uint index = r.firstSample * emitterSamples + slot - punctualCount;
+    const uint2 choice = sampleSobolBits(index, hashInteger(r.seed ^ 0x68bc21ebu));
+    const uint2 place = samplePaddedBits(index, hashInteger(r.seed ^ 0x02e5be93u));
+    arrives = aimAtEmitter(lights, layout, emitters, triangles, positions, choice.x,
+                           (float2)(unitFloat(place.x), unitFloat(place.y)), (float)emitterSamples, point, normal, &aim);
+  }
+#endif
+#ifdef PRELIGHT_SKY
+  if (slot >= punctualCount + emitterSamples) {
+    const uint sample = slot - punctualCount - emitterSamples;
+    const uint count = (sample & 1u) != 0u ? skySamples / 2u : (skySamples + 1u) / 2u;
+    const uint2 bits = sampleSobolBits(r.firstSample * count + sample / 2u,
+                                       hashInteger(r.seed ^ (0x967a889bu + (sample & 1u))));
+    arrives = aimAtSky(lights, layout, sample, skySamples, bits, normal, &aim);
+  }
+#endif
+  Ray ray;
+  vstore3(point, 0, ray.origin);
+  vstore3(arrives ? aim.way : normal, 0, ray.direction);
+  ray.sourceTriangle = r.triangle;
+  ray.tMax = arrives ? aim.reach : 0.0f;
+  rays[i] = ray;
+  vstore3(arrives ? aim.value : (float3)(0.0f), i, values);
+}
+
+// A point a work-item. hits, values [point][slot] of the rays above -> irradiance [point][2], rgb: of punctual lights
+// and the sky, and of emitters. Where the emitters are few, what they would bring unhindered is exact, and the samples
+// only tell which share of it arrives.
+__kernel void sumLights(uint pointCount, uint punctualCount, uint emitterSamples, uint skySamples, uint emitterCount,
+                        __global const Receiver* receivers, __global const Hit* hits, __global const float* values,
+                        __global const RadiosityEmitter* emitters, __global const DeviceTriangle* triangles,
+                        __global const float* positions, __global float4* irradiance) {
+  const size_t point = get_global_id(0);
+  if (point >= pointCount) return;
+  const uint slots = punctualCount + emitterSamples + skySamples;
+  float3 sum = (float3)(0.0f), open = (float3)(0.0f), all = (float3)(0.0f);
+  for (uint s = 0; s < slots; ++s) {
+    const size_t at = point * slots + s;
+    const float3 value = vload3(at, values);
+    const bool emitter = s >= punctualCount && s < punctualCount + emitterSamples;
+    const float3 arrives = hits[at].triangle == PRELIGHT_NO_TRIANGLE ? value : (float3)(0.0f);
+    if (emitter) {
+      open += arrives;
+      all += value;
+    } else {
+      sum += arrives;
+    }
+  }
+#ifdef PRELIGHT_FEW_EMITTERS
+  const Receiver r = receivers[point];
+  const float3 exact = openIrradiance(emitterCount, emitters, triangles, positions, vload3(0, r.position), vload3(0, r.normal));
+  open = all.x + all.y + all.z > 0.0f ? exact * (open / fmax(all, 1e-30f)) : (float3)(0.0f);
+#endif
+  irradiance[2 * point] = (float4)(sum, 0.0f);
+  irradiance[2 * point + 1] = (float4)(open, 0.0f);
+}
