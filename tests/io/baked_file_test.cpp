@@ -63,6 +63,19 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   EXPECT_TRUE(warnings.empty()) << "a baked file needs no complaint: " << warnings.front();
 }
 
+TEST(BakedFile, Irradiance_ComesBackAndIsChecked) {
+  GltfDocument document = sharedMeshDocument();
+  const CompiledScene scene = test::compileDocument(document);
+  Bake bake;
+  bake.irradiance.emplace();
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) bake.irradiance->emplace_back(v, 2.5f * v, 0.125f);
+  embedBake(document, scene, bake);
+  EXPECT_EQ(*readBake(document, scene)->irradiance, *bake.irradiance);
+  bake.irradiance->at(4).y = -1.0f;
+  embedBake(document, scene, bake);
+  EXPECT_NE(test::inputErrorOf([&] { readBake(document, scene); }).find("below 0"), std::string::npos);
+}
+
 TEST(BakedFile, Extension_IsUsedButNotRequired) {
   GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);

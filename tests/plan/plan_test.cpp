@@ -50,6 +50,23 @@ TEST(Plan, BlackScene_SkipsBouncesAndSaysWhy) {
   EXPECT_NE(reasonOf(plan, "bounces").find("albedo"), std::string::npos);
 }
 
+TEST(Plan, Radiosity_NeedsLightAndSurfacesThatReflect) {
+  BakeRequest request;
+  request.radiosity = true;
+  CompiledScene scene = test::ground(4, 1.0f);
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("radiosity"));
+  EXPECT_NE(reasonOf(makePlan(Scene(), scene, request), "radiosity").find("nothing in the scene shines"),
+            std::string::npos);
+  scene.lights.emplace_back();
+  const Plan plan = makePlan(Scene(), scene, request);
+  EXPECT_TRUE(plan.runs("radiosity"));
+  EXPECT_TRUE(plan.runs("form factors"));
+  EXPECT_FALSE(plan.runs("cast"));
+  scene.materials[0].albedo = glm::vec3(0.0f);
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("radiosity"));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("form factors"));
+}
+
 TEST(Plan, EmptyScene_RunsNothing) {
   const Plan plan = makePlan(Scene(), CompiledScene(), fullRequest());
   for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << pass.name;
