@@ -281,6 +281,37 @@ std::string compressPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+/// Cases of residuals are "scene/method/N sweeps"; the second scene is dashed.
+std::string radiosityPlot(const Results& results, const std::string& subtitle) {
+  CurveChart chart{"Residual of the radiosity equation",
+                   subtitle,
+                   "row operations over rows",
+                   "residual over the direct light",
+                   {}};
+  std::vector<std::string> scenes;
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "residual" || result.value <= 0.0) continue;
+    const auto [scene, rest] = splitCase(result.case_);
+    const auto [method, sweeps] = splitCase(rest);
+    if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
+    const std::string name = fmt::format("{}, {}", scene, method);
+    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
+                              [&](const Curve& c) { return c.name == name; });
+    if (curve == chart.curves.end()) {
+      const auto color = static_cast<std::size_t>(
+          std::count_if(chart.curves.begin(), chart.curves.end(),
+                        [&](const Curve& c) { return c.name.starts_with(scene + ","); }));
+      curve = chart.curves.insert(chart.curves.end(),
+                                  {name,
+                                   palette[color % palette.size()],
+                                   scene == scenes.front() ? CurveStyle::Strong : CurveStyle::Dashed,
+                                   {}});
+    }
+    curve->points.push_back({std::stod(sweeps), result.value});
+  }
+  return drawCurveChart(chart);
+}
+
 std::string relightPlot(const Results& results, const std::string& subtitle) {
   BarChart chart{"Bytes a second of processor time, against copying", subtitle, "GB/s a core", {}, {}};
   chart.legend = {{"kernel", palette[0]}, {"copy", "#a9b0b8"}};
@@ -304,7 +335,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 15> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 16> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -318,6 +349,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"compress", "compress", compressPlot},
                                            {"animation", "animation", animationPlot},
                                            {"vo", "vo", voPlot},
+                                           {"radiosity", "radiosity", radiosityPlot},
                                            {"techniques", "techniques", techniquesPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

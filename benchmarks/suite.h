@@ -65,6 +65,9 @@ struct BenchmarkOptions {
   int voShadingRounds = 7;
   std::uint64_t voShadingVertices = 100000;
   std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
+  std::vector<std::string> radiosityScenes = {"cornell", "rooms"};
+  std::uint32_t radiosityRays = 512;  ///< an element, a power of two
+  int radiositySeeds = 8;             ///< over which errors of form factors are averaged
   std::vector<std::string> techniqueScenes = {"shapes", "shiny shapes", "crowd", "crowd under a sky"};
   std::uint64_t techniqueRays = 10000;      ///< a vertex, of the scenes that are as the thesis'
   std::uint64_t techniqueCrowdRays = 1024;  ///< of the others, at most

@@ -61,6 +61,11 @@ std::vector<BenchmarkResult> runCompressSuite(const Device& device, const Benchm
 std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOptions& options,
                                         Progress& progress);
 
+/// Errors of form factors by rays, beside hemicubes; sweeps, seconds and residuals of each way to solve the
+/// radiosity equation; seconds of new lights against new form factors.
+std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
 /// options.folder. Needs OpenGL.

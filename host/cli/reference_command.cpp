@@ -193,8 +193,13 @@ void addPathOptions(CLI::App& app, ReferenceCommand& command) {
   app.add_option_function<std::string>(
          "--integrator",
          [&](const std::string& name) { request.integrator = reference::parseIntegrator(name); },
-         "path (all light), distributed (one diffuse bounce) or whitted (no diffuse bounce); default: path")
+         "path (all light), distributed (one diffuse bounce), whitted (no diffuse bounce) or instant "
+         "(diffuse "
+         "bounces from virtual lights); default: path")
       ->type_name("NAME");
+  addWholeNumber(
+      app, "--light-paths", {1, 1u << 20}, [&](std::uint64_t n) { request.lightPaths = n; },
+      fmt::format("instant: paths a sample that leave virtual lights (default {})", request.lightPaths));
   addWholeNumber(
       app, "--depth", {1, ReferenceRequest::maxDepth},
       [&](std::uint64_t n) { request.depth = static_cast<int>(n); },

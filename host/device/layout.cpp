@@ -12,6 +12,7 @@
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
 #include "shared/photon_types.h"
+#include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
@@ -41,6 +42,9 @@ static_assert(isShared<ShadeMaterial, 64>);
 static_assert(isShared<PunctualLight, 64>);
 static_assert(isShared<PathState, 48>);
 static_assert(isShared<ShadowItem, 16>);
+static_assert(isShared<VirtualLight, 48>);
+static_assert(isShared<ElementPoint, 16>);
+static_assert(isShared<RadiosityEmitter, 32>);
 static_assert(isShared<OccluderVertex, 16>);
 static_assert(isShared<OccluderSums, 64>);
 static_assert(isShared<OccluderLight, 64>);

@@ -53,6 +53,9 @@ class Radiosity {
   /// W/m2, [element], with direct light; w is 0.
   std::vector<glm::vec4> irradianceOfElements() const { return solver_->irradiance(); }
 
+  /// The direct light of the last lights, W/m2, [element].
+  const std::vector<glm::vec4>& directOfElements() const { return directElements_; }
+
   /// W/m2 at the vertices' fronts, >= 0: what fits best when it is interpolated. Direct light is fitted to
   /// points all over the elements, indirect light to the elements' centres.
   std::vector<glm::vec3> irradianceOfVertices(const FitMesh& mesh) const;

@@ -50,6 +50,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
   if (cached != nullptr) cached_.emplace(scene, compiled, *cached);
   buildKernels(request);
+  if (request.integrator == Integrator::Instant) virtual_.emplace(scene, compiled, request);
 }
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
@@ -58,6 +59,10 @@ void PathTracer::buildKernels(const ReferenceRequest& request) {
   generate_ = cl::Kernel(program, "generatePaths");
   collect_ = cl::Kernel(program, "collectRadiance");
   sample_ = cl::Kernel(program, "sampleLights");
+  if (request.integrator == Integrator::Instant)
+    sampleVirtual_ = cl::Kernel(
+        device_.program("reference/virtual_kernels.cl", buildOptions(request, false, scene_.options())),
+        "sampleVirtualLight");
   add_ = cl::Kernel(program, "addArrivals");
   scatter_ = cl::Kernel(program, "scatterPaths");
   average_ = cl::Kernel(program, "averageSamples");
@@ -65,6 +70,8 @@ void PathTracer::buildKernels(const ReferenceRequest& request) {
 
 const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_t first,
                                                 std::uint32_t count) {
+  if (virtual_ && virtualPass_ != pass) virtual_->make(pass);
+  virtualPass_ = pass;
   values_.pass = static_cast<std::uint32_t>(pass);
   values_.firstPixel = first;
   values_.pathCount = count * values_.samplesPerPass;
@@ -96,6 +103,7 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
     for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
+  if (virtual_) addVirtualLights(count);
   const ShadeFeatures& features = scene_.features();
   const bool goesOn = !cached_ || features.glass || features.mirror || features.glossy;
   count = goesOn ? scatter(count, depth) : 0;
@@ -119,6 +127,29 @@ void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::u
   sample_.setArg(index + 2, items_.get());
   sample_.setArg(index + 3, counters_.get());
   device_.launch(sample_, count, groupSize);
+  castShadows();
+}
+
+/// Of all virtual lights, one after the other.
+void PathTracer::addVirtualLights(std::uint32_t count) {
+  for (std::uint32_t light = 0; light < virtual_->count(); ++light) {
+    counters_.fill(0);
+    setArguments(sampleVirtual_, parameters_.get(), count, rayBuffers_[current_].get(), hits_.get(),
+                 queues_[current_].get(), paths_.get());
+    const cl_uint index = scene_.surface().setArguments(sampleVirtual_, 6);
+    sampleVirtual_.setArg(index, virtual_->lights().get());
+    sampleVirtual_.setArg(index + 1, light);
+    sampleVirtual_.setArg(index + 2, virtual_->leastSquare());
+    sampleVirtual_.setArg(index + 3, shadowRays_.get());
+    sampleVirtual_.setArg(index + 4, items_.get());
+    sampleVirtual_.setArg(index + 5, counters_.get());
+    device_.launch(sampleVirtual_, count, groupSize);
+    castShadows();
+  }
+}
+
+/// Adds what the shadow rays that were made bring.
+void PathTracer::castShadows() {
   const std::uint32_t shadows = readCounters()[0];
   if (shadows == 0) return;
   // The hits of the paths' own rays are needed once more, so shadow rays have theirs.

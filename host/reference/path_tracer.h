@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "reference/cached_light.h"
 #include "reference/reference.h"
 #include "reference/reference_plan.h"
+#include "reference/virtual_lights.h"
 #include "shade/transport_scene.h"
 #include "shared/reference_types.h"
 
@@ -27,13 +29,15 @@ class PathTracer {
   /// else.
   const std::vector<glm::vec4>& trace(std::uint64_t pass, std::uint32_t first, std::uint32_t count);
 
-  std::uint64_t rays() const { return rays_; }
+  std::uint64_t rays() const { return rays_ + (virtual_ ? virtual_->rays() : 0); }
 
  private:
   void buildKernels(const ReferenceRequest& request);
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   void collect(std::uint32_t count, std::uint32_t depth);
   void addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light);
+  void addVirtualLights(std::uint32_t count);
+  void castShadows();
   std::uint32_t scatter(std::uint32_t count, std::uint32_t depth);
   std::array<std::uint32_t, 2> readCounters() const;
 
@@ -44,6 +48,8 @@ class PathTracer {
   std::uint32_t blockPixels_ = 0;
   std::uint64_t rays_ = 0;
   std::vector<glm::vec4> means_;
+  std::optional<VirtualLights> virtual_;
+  std::optional<std::uint64_t> virtualPass_;  ///< whose lights they are
 
   Buffer<device::ReferenceParameters> parameters_;
 
@@ -57,7 +63,7 @@ class PathTracer {
   Buffer<std::uint32_t> counters_;
   Buffer<glm::vec4> meanBuffer_;
   std::optional<CachedLightAdder> cached_;
-  cl::Kernel generate_, collect_, sample_, add_, scatter_, average_;
+  cl::Kernel generate_, collect_, sample_, sampleVirtual_, add_, scatter_, average_;
 };
 
 }  // namespace prelight::reference

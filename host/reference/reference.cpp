@@ -63,9 +63,11 @@ void noteApproximations(const ReferenceInputs& inputs, Warnings& notes) {
 }  // namespace
 
 Integrator parseIntegrator(std::string_view name) {
-  for (const Integrator i : {Integrator::Whitted, Integrator::Distributed, Integrator::Path})
+  for (const Integrator i :
+       {Integrator::Whitted, Integrator::Distributed, Integrator::Path, Integrator::Instant})
     if (name == integratorName(i)) return i;
-  throw UsageError("--integrator", fmt::format("got '{}', expected whitted, distributed or path", name));
+  throw UsageError("--integrator",
+                   fmt::format("got '{}', expected whitted, distributed, path or instant", name));
 }
 
 std::string_view integratorName(Integrator integrator) {
@@ -74,6 +76,8 @@ std::string_view integratorName(Integrator integrator) {
       return "whitted";
     case Integrator::Distributed:
       return "distributed";
+    case Integrator::Instant:
+      return "instant";
     case Integrator::Path:
       break;
   }
@@ -81,6 +85,7 @@ std::string_view integratorName(Integrator integrator) {
 }
 
 std::uint32_t samplesPerPass(const ReferenceRequest& request) {
+  if (request.integrator == Integrator::Instant) return 1;  // every pass has virtual lights of its own
   if (request.samplesPerPass > 0) return request.samplesPerPass;
   if (request.error || request.seconds) return openEndedSamples;
   const std::uint64_t most = std::clamp<std::uint64_t>(request.samples / leastPasses, 1, mostSamples);

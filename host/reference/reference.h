@@ -20,9 +20,9 @@
 namespace prelight::reference {
 
 /// Which paths of light a picture holds; docs/reference.md defines them.
-enum class Integrator : std::uint8_t { Whitted, Distributed, Path };
+enum class Integrator : std::uint8_t { Whitted, Distributed, Path, Instant };
 
-/// Reads "whitted", "distributed" or "path". Throws UsageError naming the known ones.
+/// Reads "whitted", "distributed", "path" or "instant". Throws UsageError naming the known ones.
 Integrator parseIntegrator(std::string_view name);
 std::string_view integratorName(Integrator integrator);
 
@@ -39,6 +39,7 @@ struct ReferenceRequest {
   std::optional<double> error;  ///< stop when Film::relativeError() is below this
   std::optional<double> seconds;     ///< stop at the end of the first pass beyond this time
   std::uint32_t samplesPerPass = 0;  ///< of a pixel, a divisor of `samples`; 0: chosen
+  std::uint64_t lightPaths = 32;     ///< a pass, that leave virtual lights; Instant
   std::uint64_t seed = 0;
   int width = 0;
   int height = 0;

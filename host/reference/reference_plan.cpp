@@ -14,6 +14,8 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
                             : "no surface scatters light"),
           pass("further vertices", request.depth > 2 && f.scatters, "paths go on up to --depth",
                f.scatters ? "--depth ends paths before" : "no surface scatters light"),
+          pass("virtual lights", request.integrator == Integrator::Instant && request.depth > 2,
+               "they stand for diffuse bounces", "paths go on instead"),
           pass("punctual lights", f.punctual, "the scene or --light has some", "there are none"),
           pass("emitters", f.emitters, "some triangles emit", "no triangle emits"),
           pass("sky", f.sky, "--env gives light", "no --env, or it is black"),
@@ -28,8 +30,9 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
 
 BuildOptions buildOptions(const ReferenceRequest& request, bool cachedLight, BuildOptions options) {
   const bool whitted = request.integrator == Integrator::Whitted;
-  if (whitted || cachedLight || request.integrator == Integrator::Distributed)
-    options.define("PRELIGHT_DIFFUSE_BOUNCES", whitted || cachedLight ? 0 : 1);
+  const bool distributed = request.integrator == Integrator::Distributed && !cachedLight;
+  if (cachedLight || request.integrator != Integrator::Path)
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", distributed ? 1 : 0);
   return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")
       .defineIf(whitted || request.estimator == Estimator::LightsOnly, "PRELIGHT_LIGHTS_ONLY")
       .defineIf(!whitted && request.estimator == Estimator::ScatterOnly, "PRELIGHT_SCATTER_ONLY");

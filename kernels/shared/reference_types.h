@@ -43,6 +43,16 @@ typedef struct ShadowItem {
   uint path;
 } ShadowItem;
 
+/// A diffuse surface that a light path has met, as a point light.
+typedef struct VirtualLight {
+  float position[3];
+  uint triangle;
+  float normal[3];  ///< unit, on the side that shines
+  float f0;         ///< of the layer over the surface, the strongest channel; see ShadeMaterial
+  float intensity[3];  ///< W/sr along the normal, without the layer's loss on the way out
+  float f90;
+} VirtualLight;
+
 PRELIGHT_SHARED_END
 
 #endif

@@ -68,7 +68,10 @@ TEST(BakedFile, Irradiance_ComesBackAndIsChecked) {
   const CompiledScene scene = test::compileDocument(document);
   Bake bake;
   bake.irradiance.emplace();
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) bake.irradiance->emplace_back(v, 2.5f * v, 0.125f);
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const auto x = static_cast<float>(v);
+    bake.irradiance->emplace_back(x, 2.5f * x, 0.125f);
+  }
   embedBake(document, scene, bake);
   EXPECT_EQ(*readBake(document, scene)->irradiance, *bake.irradiance);
   bake.irradiance->at(4).y = -1.0f;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <utility>
+#include <vector>
+
+#include "bvh/tracer.h"
+#include "radiosity/element_points.h"
+#include "radiosity/elements.h"
+
+namespace prelight {
+
+/// A pixel of a hemicube around +Z.
+struct HemicubePixel {
+  glm::dvec3 direction;  ///< unit, through the pixel's centre
+  double share;          ///< delta form factor; those of a hemicube sum to 1
+};
+
+/// Half a cube of `size` x `size` pixels on top and half as many on each side (Cohen and Greenberg 1985):
+/// 3 size^2 pixels. `size` is even, >= 2.
+std::vector<HemicubePixel> makeHemicube(int size);
+
+/// Form factors of elements by hemicubes at points of theirs, pixel by pixel through the tracer: what the
+/// cast of cosine-distributed rays is checked against.
+class HemicubeCast {
+ public:
+  /// All outlive it.
+  HemicubeCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer, int size);
+
+  std::size_t pixels() const { return pixels_.size(); }
+
+  /// (element, form factor), ascending, of hemicubes at the first `count` points of an element. Rays that
+  /// escape are left out.
+  std::vector<std::pair<std::uint32_t, double>> row(const ElementPoints& points, std::uint32_t element,
+                                                    std::uint32_t count);
+
+ private:
+  const CompiledScene& scene_;
+  const RadiosityElements& elements_;
+  Tracer& tracer_;
+  std::vector<HemicubePixel> pixels_;
+};
+
+}  // namespace prelight
