@@ -11,6 +11,7 @@ namespace prelight {
 namespace {
 
 RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& request) {
+  checkRadiosityMemory(scene, request);
   RadiosityOptions options;
   options.patchSize = request.radiosityShape.patchSize;
   options.raysPerElement = radiosityRays(scene, request);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/error.h"
 #include "radiosity/elements.h"
 
 namespace prelight {
@@ -45,6 +46,18 @@ std::uint32_t radiosityRays(const CompiledScene& scene, const BakeRequest& reque
          elements * std::min<std::uint64_t>(rays, elements) * bytesPerEntry > request.maxMemory)
     rays /= 2;
   return rays;
+}
+
+void checkRadiosityMemory(const CompiledScene& scene, const BakeRequest& request) {
+  const std::uint64_t elements = makeElements(scene, patchSizeOf(scene, request)).perSide();
+  const std::uint64_t bytes =
+      elements * std::min<std::uint64_t>(radiosityRays(scene, request), elements) * bytesPerEntry;
+  if (bytes > request.maxMemory)
+    throw Error(
+        ExitCode::OutOfMemory, "--radiosity",
+        fmt::format("form factors of {} elements take about {} MB, more than the {} MB of --max-memory",
+                    elements, bytes >> 20, request.maxMemory >> 20),
+        "take larger patches (--patch-size), or raise --max-memory");
 }
 
 std::uint64_t radiosityBytes(const CompiledScene& scene, const BakeRequest& request) {

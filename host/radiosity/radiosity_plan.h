@@ -17,4 +17,7 @@ std::uint32_t radiosityRays(const CompiledScene& scene, const BakeRequest& reque
 /// Bytes on the host and on the device that form factors may take.
 std::uint64_t radiosityBytes(const CompiledScene& scene, const BakeRequest& request);
 
+/// Throws Error (OutOfMemory) where even the least rays would find more form factors than --max-memory holds.
+void checkRadiosityMemory(const CompiledScene& scene, const BakeRequest& request);
+
 }  // namespace prelight

@@ -189,6 +189,21 @@ TEST(RadiosityBake, NothingShines_IsDarknessWithoutRays) {
   for (const glm::vec3& e : *result.bake.irradiance) EXPECT_EQ(e, glm::vec3(0.0f));
 }
 
+TEST(RadiosityBake, MoreThanTheMemory_IsSaidBeforeItStarts) {
+  CompiledScene scene = test::box(20, {0, 0, 0}, {2, 2, 2}, true);
+  scene.lights = {pointLight({5, 3, 1}, {1, 1.7, 1})};
+  BakeRequest request;
+  request.radiosity = true;
+  request.maxMemory = 1u << 20;
+  try {
+    test::runBake(scene, request);
+    FAIL() << "it fitted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::OutOfMemory);
+    EXPECT_NE(std::string(error.what()).find("--max-memory"), std::string::npos);
+  }
+}
+
 TEST(RadiosityBake, SameSeed_SameBytes_OtherSeed_OtherOnes) {
   CompiledScene scene = test::box(3, {0, 0, 0}, {2, 2, 2}, true);
   scene.materials[0].albedo = glm::vec3(0.5f);
