@@ -129,7 +129,8 @@ RadiosityLights movedLights(const BenchmarkScene& scene) {
 }
 
 void measureSolvers(const std::string& name, Radiosity& radiosity, const RadiosityLights& lights,
-                    const Progress& outer, std::vector<BenchmarkResult>& results) {
+                    const BenchmarkOptions& options, const Progress& outer,
+                    std::vector<BenchmarkResult>& results) {
   StopOnly progress(outer);
   radiosity.setLights(lights, progress);
   for (std::size_t m = 0; m < radiosityMethodNames.size(); ++m) {
@@ -137,11 +138,11 @@ void measureSolvers(const std::string& name, Radiosity& radiosity, const Radiosi
     const std::string label = fmt::format("{}/{}", name, radiosityMethodNames[m]);
     ExchangeSolver solver(radiosity.system());
     solver.setDirect(radiosity.directOfElements());
-    const SolveReport timed = solver.solve(method, 1e-5, 2000.0, progress);
-    add(results, label, "sweeps to 1e-5", timed.sweeps(), "");
+    const SolveReport timed = solver.solve(method, options.radiosityTolerance, 2000.0, progress);
+    add(results, label, "sweeps", timed.sweeps(), "");
     add(results, label, "solve", timed.curve.empty() ? 0.0 : timed.curve.back().seconds, "s");
     solver.restart();
-    const SolveReport exact = solver.solve(method, 1e-6, 200.0, progress, true);
+    const SolveReport exact = solver.solve(method, 0.1 * options.radiosityTolerance, 200.0, progress, true);
     for (const ResidualPoint& point : exact.curve)
       add(results, fmt::format("{}/{:.2f} sweeps", label, point.sweeps), "residual", point.residual, "");
   }
@@ -165,7 +166,7 @@ void measureScene(const BenchmarkScene& scene, const Device& device, const Bench
   const double relight = secondsOf([&] { radiosity.relight(moved, progress); });
   results.push_back({"radiosity", scene.name, "relight", relight, "s", "form factors found anew",
                      (found + relight) / relight});
-  measureSolvers(scene.name, radiosity, moved, outer, results);
+  measureSolvers(scene.name, radiosity, moved, options, outer, results);
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ struct BenchmarkOptions {
   std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
   std::vector<std::string> radiosityScenes = {"cornell", "rooms"};
   std::uint32_t radiosityRays = 512;  ///< an element, a power of two
+  double radiosityTolerance = 1e-5;   ///< that each solver is timed to; its curve goes on to a tenth of it
   int radiositySeeds = 8;             ///< over which errors of form factors are averaged
   std::vector<std::string> techniqueScenes = {"shapes", "shiny shapes", "crowd", "crowd under a sky"};
   std::uint64_t techniqueRays = 10000;      ///< a vertex, of the scenes that are as the thesis'
