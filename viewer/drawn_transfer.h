@@ -32,16 +32,17 @@ enum Unit : GLuint {
   emissiveUnit = 2,
   triangleNormalsUnit = 3,
   skyUnit = 4,
-  transferUnit = 5,       ///< shaders/transfer.glsl
-  transferLightUnit = 6,  ///< the same
-  rangesUnit = 7,         ///< the same
-  chBasisUnit = 8,        ///< the same
-  clustersUnit = 9,       ///< the same
-  trianglesUnit = 10,     ///< shaders/glossy.glsl
-  positionsUnit = 11,     ///< the same
-  arrivingUnit = 12,      ///< the same
-  lobesUnit = 13,         ///< the same
-  lightMapsUnit = 14,     ///< shaders/surface.frag
+  transferUnit = 5,          ///< shaders/transfer.glsl
+  transferLightUnit = 6,     ///< the same
+  rangesUnit = 7,            ///< the same
+  chBasisUnit = 8,           ///< the same
+  clustersUnit = 9,          ///< the same
+  trianglesUnit = 10,        ///< shaders/glossy.glsl
+  positionsUnit = 11,        ///< the same
+  arrivingUnit = 12,         ///< the same
+  lobesUnit = 13,            ///< the same
+  lightMapsUnit = 14,        ///< shaders/light_map.glsl
+  lightMapCornersUnit = 15,  ///< the same
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

@@ -22,7 +22,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 15> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 16> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -37,7 +37,8 @@ void prepare(const gl::Program& program) {
        {"cornerPositions", positionsUnit},
        {"arriving", arrivingUnit},
        {"lobes", lobesUnit},
-       {"lightMaps", lightMapsUnit}}};
+       {"lightMaps", lightMapsUnit},
+       {"lightMapCorners", lightMapCornersUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

@@ -63,12 +63,19 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
        request.radiosity = true;
        request.radiosityShape = asked.radiosityShape;
      }},
+    {Shading::LightMap, "lightmap", "the scene's own lights as baked in a light map", "--lightmap",
+     [](const Bake& bake) { return bake.lightMap.has_value(); },
+     [](const BakeRequest& request) { return request.lightMap; },
+     [](BakeRequest& request, const BakeRequest& asked) {
+       request.lightMap = true;
+       request.lightMapTexel = asked.lightMapTexel;
+     }},
 }};
 
 /// From the one that shows most.
 constexpr std::array<Shading, shadingCount> byPreference = {
-    Shading::Sh,        Shading::Ch, Shading::Glossy, Shading::Haar, Shading::Lights,
-    Shading::Radiosity, Shading::Vo, Shading::Ao,     Shading::Phong};
+    Shading::Sh,       Shading::Ch,        Shading::Glossy, Shading::Haar, Shading::Lights,
+    Shading::LightMap, Shading::Radiosity, Shading::Vo,     Shading::Ao,   Shading::Phong};
 
 }  // namespace
 

@@ -21,9 +21,10 @@ enum class Shading : std::uint8_t {
   Lights,     ///< the scene's own lights through light-group transfer, with shadows
   Vo,         ///< lights anywhere with the shadows and the diffuse light of vector occluders
   Radiosity,  ///< the baked irradiance of the scene's own lights, with all diffuse bounces
+  LightMap,   ///< the same from the texels of a light map
 };
 
-constexpr int shadingCount = 9;
+constexpr int shadingCount = 10;
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {

@@ -10,6 +10,7 @@
 #include "viewer/cluster_transfer.h"
 #include "viewer/glossy_lighting.h"
 #include "viewer/haar_lighting.h"
+#include "viewer/light_map_lighting.h"
 #include "viewer/occluder_lighting.h"
 #include "viewer/series_transfer.h"
 
@@ -115,6 +116,10 @@ constexpr std::array<Technique, shadingCount> table = {{
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<StaticLight>(*inputs.bake->irradiance);
      }},
+    {{Ambient::LightMap, Reflection::Metals, Through::AllLights},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<LightMapLighting>(*inputs.bake->lightMap, inputs.compiled);
+     }},
 }};
 
 void expectSize(const char* what, std::size_t got, std::size_t expected) {
@@ -165,6 +170,12 @@ void checkCharts(const ChartTransfer& texels, const CompiledScene& scene) {
   }
 }
 
+void checkLightMap(const LightMap& map, const CompiledScene& scene) {
+  expectSize("faces of the light map", map.layout.chartOf.size(), 2 * std::size_t{scene.triangleCount()});
+  expectSize("light map", map.values.size(),
+             3 * map.layout.texelCount() * static_cast<std::size_t>(map.coefficients));
+}
+
 }  // namespace
 
 DrawingRules rulesOf(Shading shading) { return table[static_cast<std::size_t>(shading)].rules; }
@@ -190,6 +201,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   }
   if (bake.occluders) checkOccluders(*bake.occluders, vertices);
   if (bake.texels) checkCharts(*bake.texels, scene);
+  if (bake.lightMap) checkLightMap(*bake.lightMap, scene);
   if (const auto& lights = bake.lightGroups) {
     const auto groups = static_cast<int>(lights->groups.size());
     expectSize("light groups", lights->coefficients.size(), numbers(vertices, lights->channels, groups, 1));

@@ -17,12 +17,15 @@
 #include "bake/slot_transfer.h"
 #include "bake/volume_caster.h"
 #include "bvh/tracer.h"
+#include "lightmap/direct_light_part.h"
+#include "lightmap/light_map_bake.h"
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_threshold.h"
 #include "occluders/occluder_tree.h"
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
 #include "radiosity/radiosity_bake.h"
+#include "scene/surface_regions.h"
 #include "scene/vertex_surface.h"
 
 namespace prelight {
@@ -38,6 +41,8 @@ constexpr std::size_t occluderLeaves =
 class StageClock {
  public:
   explicit StageClock(BakeReport& report) : report_(report), last_(Clock::now()) {}
+
+  void restart() { last_ = Clock::now(); }
 
   void mark(const std::string& stage) {
     const auto now = Clock::now();
@@ -335,21 +340,46 @@ class ReceiverBake {
   BakeParts parts_;
 };
 
-/// The state of an interrupted bake: what receivers saw, then what elements saw.
+/// A light map's texels under all that lights them.
+LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const BakeRequest& request,
+                     const Plan& plan, Tracer& tracer, Progress& progress, BakeReport& report) {
+  std::optional<DirectLightPart> direct;
+  std::vector<LightMapPart*> parts;
+  if (plan.runs("direct light of the map"))
+    parts.push_back(&direct.emplace(scene, tracer, raysEach(request), request.seed));
+  bake.run(parts, progress);
+  report.lightMap.emplace();
+  LightMap map = bake.finish(usualCreaseAngle, *report.lightMap);
+  report.rays += report.lightMap->rays;
+  const LightMapLayout& layout = map.layout;
+  report.notes.push_back(fmt::format(
+      "light map: {} x {} texels, {:.0f} % of them used by {} charts; {} inside objects; seams differ by "
+      "{:.3g} "
+      "W/m2 rms, {:.3g} before they were stitched",
+      layout.width, layout.height,
+      100.0 * double(layout.texels.size()) / double(std::max<std::size_t>(1, layout.texelCount())),
+      layout.chartCount, report.lightMap->hidden, report.lightMap->jumpAfter, report.lightMap->jumpBefore));
+  return map;
+}
+
+/// The state of an interrupted bake: what receivers saw, then what elements saw, then texels.
 void saveTo(BakeCheckpoint& checkpoint, const std::optional<ReceiverBake>& receivers,
-            const std::optional<RadiosityBake>& radiosity, Clock::time_point start) {
+            const std::optional<RadiosityBake>& radiosity, const std::optional<LightMapBake>& lightMap,
+            Clock::time_point start) {
   if (receivers && receivers->receivers() == 0) return;
   StateWriter state;
   state.value(secondsSince(start));
   if (receivers) receivers->save(state);
   if (radiosity) radiosity->save(state);
+  if (lightMap) lightMap->save(state);
   checkpoint.save(state.payload());
 }
 
 }  // namespace
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
-               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint, const Charts* charts) {
+               Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint, const Charts* charts,
+               const LightMapLayout* lightMapLayout) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
@@ -371,6 +401,9 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (plan.runs("radiosity")) radiosity.emplace(scene, request, tracer);
   if (saved && receivers) receivers->load(*saved);
   if (saved && radiosity) radiosity->load(*saved);
+  std::optional<LightMapBake> lightMap;
+  if (plan.runs("light map") && lightMapLayout != nullptr) lightMap.emplace(scene, *lightMapLayout, 1);
+  if (saved && lightMap) lightMap->load(*saved);
   saved.reset();
   clock.mark("prepare");
 
@@ -378,8 +411,13 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   try {
     if (receivers) bake = receivers->run(progress, report, clock);
     if (radiosity) bake.irradiance = radiosity->run(mesh, progress, report);
+    if (lightMap) {
+      clock.restart();
+      bake.lightMap = runLightMap(*lightMap, scene, request, plan, tracer, progress, report);
+      clock.mark("light map");
+    }
   } catch (const Interrupted&) {
-    if (checkpoint != nullptr) saveTo(*checkpoint, receivers, radiosity, start);
+    if (checkpoint != nullptr) saveTo(*checkpoint, receivers, radiosity, lightMap, start);
     throw;
   }
   if (request.radiosity && !radiosity) bake.irradiance.emplace(scene.vertexCount(), glm::vec3(0.0f));

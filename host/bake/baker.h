@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "device/device.h"
 #include "io/state_file.h"
+#include "lightmap/light_map_bake.h"
 #include "plan/plan.h"
 #include "radiosity/radiosity_report.h"
 #include "scene/charts.h"
@@ -26,6 +27,7 @@ struct BakeReport {
   double skippedRayFraction = 0.0;  ///< rays that the request allowed and the scene did not need
   std::uint64_t bytesBvh = 0;
   std::optional<RadiosityReport> radiosity;  ///< where the bake solved one
+  std::optional<LightMapReport> lightMap;    ///< where the bake made one
   std::vector<std::string> notes;
 };
 
@@ -47,10 +49,11 @@ StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const D
 /// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.
 /// Same scene, request and seed give the same bytes on the same device, whatever the thread count.
 /// However often it was interrupted and continued in between, too, unless it bakes against time.
-/// Light maps are made of `charts`, which must outlive the call; without any, none are.
-/// Throws Error (a scene without triangles, device failure, out of memory) and Interrupted.
+/// Transfer of texels is made of `charts`, and a light map of `lightMap`, which must outlive the call;
+/// without any, none are. Throws Error (a scene without triangles, device failure, out of memory) and
+/// Interrupted.
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint = nullptr,
-               const Charts* charts = nullptr);
+               const Charts* charts = nullptr, const LightMapLayout* lightMap = nullptr);
 
 }  // namespace prelight

@@ -14,6 +14,7 @@
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
+#include "io/light_map_file.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
 
@@ -172,6 +173,13 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   }
 }
 
+/// Its picture comes first: a .glb that names one has one.
+void addLightMap(const std::filesystem::path& output, const LightMap& map, LoadedScene& loaded) {
+  const std::filesystem::path picture = lightMapPath(output);
+  writeLightMap(picture, map);
+  embedLightMap(loaded.document, loaded.compiled, map.layout, picture.filename().string());
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
@@ -194,6 +202,7 @@ void runBake(const BakeCommand& command, Context& context) {
   // From here on it is sooner finished than saved, whoever asks to stop.
   session.times().measure("write", [&] {
     embedBake(loaded.document, loaded.compiled, run.bake, quantized ? &*quantized : nullptr);
+    if (run.bake.lightMap) addLightMap(command.output, *run.bake.lightMap, loaded);
     writeGlb(command.output, loaded.document);
   });
   state.remove();
@@ -256,6 +265,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
       "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"
+      "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");
   app->callback([command, &context] { runBake(*command, context); });

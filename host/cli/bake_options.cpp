@@ -54,6 +54,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.texelSize > 0, fmt::format("--texels {}", request.texelSize));
   add(request.lightGroups, "--light-groups");
   add(request.radiosity, "--radiosity");
+  add(request.lightMap, "--lightmap");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -180,6 +181,18 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
       ->type_name("M");
 }
 
+void addLightMapOptions(CLI::App& app, BakeRequest& request) {
+  CLI::Option* lightMap = app.add_flag(
+      "--lightmap", request.lightMap,
+      "light map: irradiance of the scene's own lights, in an .exr beside the file; charts are made for all "
+      "meshes");
+  addRealNumber(
+      app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMapTexel = value; },
+      "light map: side of a texel, metres (default: about 65 thousand texels)")
+      ->type_name("M")
+      ->needs(lightMap);
+}
+
 void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
   RadiosityRequest& shape = request.radiosityShape;
   app.add_flag(
@@ -239,6 +252,7 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   addLightGroupOptions(app, request);
   addOccluderOptions(app, request);
   addRadiosityOptions(app, request);
+  addLightMapOptions(app, request);
   addWholeNumber(
       app, "--volume", {1, BakeRequest::maxVolumeSize},
       [&](std::uint64_t n) { request.volumeSize = static_cast<int>(n); },

@@ -179,6 +179,22 @@ BakedTechnique describe(const ChartTransfer& transfer) {
        {"bytes", bytes}}};
 }
 
+BakedTechnique describe(const LightMap& map) {
+  const LightMapLayout& layout = map.layout;
+  const std::size_t bytes = bytesOf(map.values);
+  return {"lightMap",
+          fmt::format("light map of {} x {} texels, {} charts, {} texels on the surface{}; {}", layout.width,
+                      layout.height, layout.chartCount, layout.texels.size(),
+                      map.coefficients > 1 ? ", with radiance for bump maps" : "",
+                      shortBytes(static_cast<double>(bytes))),
+          {{"width", layout.width},
+           {"height", layout.height},
+           {"charts", layout.chartCount},
+           {"texels", layout.texels.size()},
+           {"coefficients", map.coefficients},
+           {"bytes", bytes}}};
+}
+
 BakedTechnique describe(const AnimatedTransfer& transfer, std::size_t vertices) {
   std::size_t bytes = 0;
   for (const HarmonicTransfer& key : transfer.keys) bytes += bytesOf(key.coefficients);
@@ -209,6 +225,7 @@ std::vector<BakedTechnique> bakedTechniques(const Bake& bake, std::size_t vertic
   if (bake.occluders) found.push_back(describe(*bake.occluders, vertices));
   if (bake.volume) found.push_back(describe(*bake.volume));
   if (bake.texels) found.push_back(describe(*bake.texels));
+  if (bake.lightMap) found.push_back(describe(*bake.lightMap));
   if (bake.animation) found.push_back(describe(*bake.animation, vertices));
   return found;
 }

@@ -114,6 +114,14 @@ void compareTexels(const ChartTransfer& first, const ChartTransfer& second, Sess
     session.warn("the light maps differ in order, channels or size and are not compared");
 }
 
+void compareLightMaps(const LightMap& first, const LightMap& second, Session& session, Differences& result) {
+  if (first.layout.width == second.layout.width && first.layout.height == second.layout.height &&
+      first.coefficients == second.coefficients)
+    result.emplace_back("lightMap", difference(first.values, second.values));
+  else
+    session.warn("the light maps differ in size or coefficients and are not compared");
+}
+
 Differences compareBakes(const CompareCommand& command, Session& session) {
   const LoadedScene firstScene = session.load(command.first);
   const LoadedScene secondScene = session.load(command.second);
@@ -141,6 +149,7 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   compareHarmonics("sh", first.sh, second.sh);
   compareHarmonics("ch", first.ch, second.ch);
   if (first.texels && second.texels) compareTexels(*first.texels, *second.texels, session, result);
+  if (first.lightMap && second.lightMap) compareLightMaps(*first.lightMap, *second.lightMap, session, result);
   if (result.empty())
     throw InputError(command.second.string(),
                      fmt::format("shares no technique with {}", command.first.string()),

@@ -48,7 +48,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     const viewer::ShadingInfo& info = viewer::infoOf(shading);
     info.addTo(request, asked);
     const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Vo &&
-                         shading != viewer::Shading::Radiosity;
+                         shading != viewer::Shading::Radiosity && shading != viewer::Shading::LightMap;
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
@@ -78,12 +78,14 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.texels, from.texels);
   take(into.occluders, from.occluders);
   take(into.irradiance, from.irradiance);
+  take(into.lightMap, from.lightMap);
 }
 
-/// Radiosity is baked under the light of the picture.
+/// Radiosity and light maps are baked under the light of the picture.
 BakeRun bakeUnderLights(Session& session, const PictureOptions& options, const DeviceOptions& device,
                         ShadedScene& shaded) {
-  if (!shaded.request.radiosity) return session.bake(shaded.loaded, shaded.request, device);
+  if (!shaded.request.radiosity && !shaded.request.lightMap)
+    return session.bake(shaded.loaded, shaded.request, device);
   RadiosityRequest& shape = shaded.request.radiosityShape;
   if (shaded.environment) shape.environment = std::make_shared<const Environment>(*shaded.environment);
   shape.skyRotation = shaded.render.skyRotation;
@@ -154,7 +156,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
-  if (shading == viewer::Shading::Radiosity && !shaded.run && (options.lights || shaded.environment))
+  if ((shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) && !shaded.run &&
+      (options.lights || shaded.environment))
     session.warn(
         "--light, --env: the irradiance that the file carries is of the lights that it was baked with");
   if (shading == viewer::Shading::Lights && options.lights)

@@ -32,7 +32,7 @@ double castSeconds(const BakeReport& report) {
   double seconds = 0.0;
   for (const auto& [stage, time] : report.stageSeconds)
     if (stage == "cast" || stage == "volume" || stage == "texels" || stage == "form factors" ||
-        stage == "direct light")
+        stage == "direct light" || stage == "light map")
       seconds += time;
   return seconds;
 }
@@ -46,6 +46,10 @@ std::string radiosityText(const RadiosityReport& report) {
   return fmt::format("{} elements, {} form factors, {:.3g} iterations of {}, residual {:.2g}",
                      report.elements, shortCount(static_cast<double>(report.entries)), report.solve.sweeps(),
                      radiosityMethodNames[static_cast<std::size_t>(report.method)], report.solve.residual());
+}
+
+std::string lightMapText(const LightMap& map) {
+  return fmt::format("{} x {} texels, {} charts", map.layout.width, map.layout.height, map.layout.chartCount);
 }
 
 void printDetails(const Console& console, const BakeRun& run, const StageTimes& times) {
@@ -70,6 +74,13 @@ Json toJson(const DeviceInfo& device) {
           {"computeUnits", device.computeUnits},
           {"globalMemory", device.globalMemory},
           {"maxAllocation", device.maxAllocation}};
+}
+
+Json toJson(const LightMap& map, const LightMapReport& report) {
+  return {{"width", map.layout.width},       {"height", map.layout.height},
+          {"charts", map.layout.chartCount}, {"texels", map.layout.texels.size()},
+          {"hiddenTexels", report.hidden},   {"rays", report.rays},
+          {"seamJump", report.jumpAfter},    {"seamJumpBefore", report.jumpBefore}};
 }
 
 Json toJson(const RadiosityRequest& shape) {
@@ -104,6 +115,7 @@ Json toJson(const BakeRequest& request) {
   if (request.lightGroups) json["lightGroups"] = true;
   if (request.occluders) json["vo"] = true;
   if (request.radiosity) json["radiosity"] = toJson(request.radiosityShape);
+  if (request.lightMap) json["lightMap"] = {{"texelSize", request.lightMapTexel}};
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
@@ -154,6 +166,7 @@ Json bakeReport(const std::string& command, const LoadedScene& loaded, const std
                {"notes", report.notes},
                {"warnings", session.warnings()}};
   if (report.radiosity) json["radiosity"] = toJson(*report.radiosity);
+  if (report.lightMap && run.bake.lightMap) json["lightMap"] = toJson(*run.bake.lightMap, *report.lightMap);
   return json;
 }
 
@@ -169,6 +182,7 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);
   if (report.radiosity) console.line("radiosity", radiosityText(*report.radiosity));
+  if (run.bake.lightMap) console.line("light map", lightMapText(*run.bake.lightMap));
   if (!request.castsReceivers()) return printDetails(console, run, times);
   console.line("error", fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex (estimated standard error)",
                                     report.aoErrorRms, report.aoErrorMax));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "lightmap/light_map_plan.h"
+#include "lightmap/make_light_map_layout.h"
 #include "scene/loader.h"
 
 namespace prelight::cli {
@@ -38,12 +40,24 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   run.device = device.info();
   const Charts charts = chartsOf(loaded, request.texelSize);
   if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
-  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts);
+  const std::optional<LightMapLayout> lightMap = lightMapOf(loaded, request, run.plan);
+  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts,
+                       lightMap ? &*lightMap : nullptr);
   progress_.clear();
   if (!charts.leftOut.empty())
     run.report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
   return run;
+}
+
+std::optional<LightMapLayout> Session::lightMapOf(const LoadedScene& loaded, const BakeRequest& request,
+                                                  const Plan& plan) {
+  if (request.lightMap && !plan.runs("light map"))
+    throw InputError(loaded.path.string(), "no surface reflects diffusely, so none needs a light map",
+                     "leave out --lightmap");
+  if (!request.lightMap) return std::nullopt;
+  return times_.measure(
+      "layout", [&] { return makeLightMapLayout(loaded.scene, loaded.compiled, lightMapRequest(request)); });
 }
 
 Charts Session::chartsOf(const LoadedScene& loaded, int size) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double leastTexels = 4.0;  // pieces of less area than these join others
 constexpr int mostLayers = 24;       // of triangles over one another; those below get charts of their own
 constexpr double mostTexels = 0.5 * mostLightMapSide * mostLightMapSide;  // that are chosen
-constexpr double mostFileStretch = 4.0;  // of areas within an island of TEXCOORD_1
+constexpr double mostFileStretch = 4.0;  // of areas and of sides within an island of TEXCOORD_1
 
 struct Piece {
   std::vector<std::uint32_t> triangles;
@@ -180,6 +180,7 @@ class ChartsMaker {
     std::vector<glm::dvec2> corners;
     double area = 0.0, flat = 0.0;
     std::vector<std::array<double, 2>> each;
+    double skewed = 0.0;  // surface whose longer side is stretched much more than the shorter
     for (const std::uint32_t i : island) {
       chart.triangles.push_back(compiled_.primitives[p].firstTriangle + i);
       std::array<glm::dvec2, 3> c{};
@@ -187,11 +188,12 @@ class ChartsMaker {
       corners.insert(corners.end(), c.begin(), c.end());
       const glm::dvec2 e = c[1] - c[0], f = c[2] - c[0];
       each.push_back({areas_[chart.triangles.back()], 0.5 * std::abs(e.x * f.y - e.y * f.x)});
+      if (anisotropy(chart.triangles.back(), c) > mostFileStretch) skewed += each.back()[0];
       area += each.back()[0];
       flat += each.back()[1];
     }
     if (!(flat > 0.0)) return std::nullopt;
-    double stretched = 0.0;
+    double stretched = skewed;
     for (const auto& [own, laid] : each)
       if (laid * area > mostFileStretch * own * flat || laid * area * mostFileStretch < own * flat)
         stretched += own;
@@ -203,6 +205,21 @@ class ChartsMaker {
     if (std::count(free.begin(), free.end(), 0) > 0) return std::nullopt;
     setShape(shape, chart);
     return chart;
+  }
+
+  /// Ratio of the lengths that a triangle's circle becomes on the texture: of singular values of the map.
+  double anisotropy(std::uint32_t triangle, const std::array<glm::dvec2, 3>& c) const {
+    const glm::uvec3& t = compiled_.triangles[triangle];
+    const glm::dvec3 a(compiled_.positions[t.x]), e = glm::dvec3(compiled_.positions[t.y]) - a,
+                                                  f = glm::dvec3(compiled_.positions[t.z]) - a;
+    const double length = glm::length(e);
+    if (!(length > 0.0)) return 1.0;
+    const double along = glm::dot(f, e) / length, across = 2.0 * areas_[triangle] / length;
+    const glm::dvec2 u = (c[1] - c[0]) / length, v = (c[2] - c[0] - along * u) / across;
+    const double sum = glm::dot(u, u) + glm::dot(v, v), product = std::abs(u.x * v.y - u.y * v.x);
+    const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product * product));
+    const double least = 0.5 * (sum - root);
+    return least > 0.0 ? std::sqrt(0.5 * (sum + root) / least) : 1e30;
   }
 
   static void setShape(const ChartShape& shape, LightMapChart& chart) {

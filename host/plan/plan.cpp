@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lightmap/light_map_plan.h"
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
 #include "radiosity/radiosity_plan.h"
@@ -178,7 +179,7 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
 
 BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
-  request.ao = request.lightGroups = request.occluders = request.radiosity = false;
+  request.ao = request.lightGroups = request.occluders = request.radiosity = request.lightMap = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
   request.volumeSize = request.texelSize = 0;
   request.namedGroups.clear();
@@ -253,6 +254,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planTexels(scene, request, bounces.runs));
   add(bounces);
   for (const PlannedPass& pass : planRadiosity(compiled, request)) add(pass);
+  for (const PlannedPass& pass : planLightMap(compiled, request)) add(pass);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
   add(planTranslucent(compiled, bounces.runs));
@@ -278,6 +280,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   const auto side = static_cast<std::uint64_t>(request.volumeSize);
   plan.hostBytes += anything ? side * side * side * (4 * volumeValues(request, bounces.runs) + 1) : 0;
   plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
+  if (plan.runs("light map")) plan.hostBytes += lightMapBytes(compiled, request);
   if (plan.runs("radiosity")) {
     plan.hostBytes += radiosityBytes(compiled, request);
     plan.deviceBytes += radiosityBytes(compiled, request) / 3;

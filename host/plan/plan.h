@@ -46,6 +46,8 @@ struct BakeRequest {
   int texelSize = 0;   ///< texels along the largest light map, 0: none; needs shOrder, which is its order
   bool radiosity = false;           ///< irradiance of the scene's static lights at every vertex
   RadiosityRequest radiosityShape;  ///< what it is solved with
+  bool lightMap = false;            ///< irradiance of the scene's static lights, texel by texel
+  double lightMapTexel = 0.0;       ///< side of its texels, m; 0: chosen
   int bounces = 0;                  ///< diffuse interreflections, 0..16
   double nearLimit = 0.0;           ///< m, >= 0; what is nearer to a receiver occludes nothing
   double farLimit = 0.0;            ///< m; what is farther occludes nothing; 0: no limit
@@ -64,7 +66,7 @@ struct BakeRequest {
 
   /// Anything that is projected from the hemispheres of receivers.
   bool castsReceivers() const { return ao || occluders || carriesLight(); }
-  bool anything() const { return castsReceivers() || radiosity; }
+  bool anything() const { return castsReceivers() || radiosity || lightMap; }
 
   /// The same effort, limits and seed, with nothing to make.
   BakeRequest withoutTechniques() const;

@@ -15,6 +15,7 @@
 #include "lightmap/make_light_map_layout.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
+#include "support/gltf_files.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -237,6 +238,38 @@ TEST(LightMapLayout, FanAroundOneEdge_TakesNoTimeOfItsSquare) {
   const Made made = make(scene, request);
   EXPECT_LT(processSeconds() - before, 5.0);
   check(made, scene, "fan");
+}
+
+/// A white right triangle with sides of 1, with texture coordinates.
+Made triangleWith(const std::vector<float>& coords, CompiledScene& compiled) {
+  GltfDocument document = test::triangleDocument();
+  document.json["materials"][0] = {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}};
+  document.json["meshes"][0]["primitives"][0]["material"] = 0;
+  document.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+      test::appendFloats(document, coords, "VEC2");
+  Warnings warnings;
+  const Scene scene = loadScene(document, warnings);
+  compiled = compileScene(scene, warnings);
+  LightMapRequest request;
+  request.texelSize = 0.05;
+  return make(scene, compiled, request);
+}
+
+TEST(LightMapLayout, SecondTexCoords_AreKept) {
+  CompiledScene compiled;
+  const Made made = triangleWith({0.0f, 0.5f, 0.5f, 0.5f, 0.0f, 0.0f}, compiled);
+  ASSERT_EQ(made.charts.charts.size(), 1u);
+  EXPECT_TRUE(made.charts.charts[0].fromFile);
+  EXPECT_NEAR(check(made, compiled, "kept").leastRatio, 1.0, 0.1);
+}
+
+TEST(LightMapLayout, TexCoordsThatAreNoChart_AreReplaced) {
+  CompiledScene compiled;
+  EXPECT_FALSE(triangleWith({0, 0.1f, 1, 0.1f, 0, 0}, compiled).charts.charts[0].fromFile);  // skewed
+  EXPECT_FALSE(triangleWith({0, 2, 2, 2, 0, 0}, compiled).charts.charts[0].fromFile);        // outside
+  const Made made = triangleWith({0, 0, 0, 0, 0, 0}, compiled);                              // no area
+  EXPECT_FALSE(made.charts.charts[0].fromFile);
+  check(made, compiled, "replaced");
 }
 
 TEST(LightMapLayout, SameScene_GivesTheSame) {

@@ -16,6 +16,7 @@ layout(std140) uniform Frame {
 const int ambientOpen = 0;
 const int ambientAccessible = 1;
 const int ambientTransferred = 2;
+const int ambientLightMap = 3;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;

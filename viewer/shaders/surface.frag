@@ -10,6 +10,7 @@
 #include "specular.glsl"
 #include "sky.glsl"
 #include "glossy.glsl"
+#include "light_map.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -23,8 +24,6 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
-
-uniform sampler2DArray lightMaps;  // radiance before albedo
 
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
@@ -64,6 +63,9 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
 }
 
 vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
+  if (rules.x == ambientLightMap) {
+    return m.albedo / pi * lightMapIrradiance(firstTriangle + gl_PrimitiveID, gl_FrontFacing, vPosition);
+  }
   if (rules.x == ambientTransferred) {
     return m.albedo * (vChartCoord.w > 0.5 ? texture(lightMaps, vChartCoord.xyz).rgb : vTransferred);
   }

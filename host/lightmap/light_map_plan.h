@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lightmap/light_map_charts.h"
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// What the layout is made by.
+LightMapRequest lightMapRequest(const BakeRequest& request);
+
+/// Passes "light map" and "direct light of the map": whether they run, and why.
+std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request);
+
+/// That a light map takes while it is baked, about.
+std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request);
+
+}  // namespace prelight

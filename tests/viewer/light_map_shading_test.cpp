@@ -1,0 +1,127 @@
+// Pictures of light maps, against look-ups in double precision on the host.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
+
+#include "base/error.h"
+#include "lightmap/light_map_lookup.h"
+#include "lightmap/make_light_map_layout.h"
+#include "support/scenes.h"
+#include "viewer/camera.h"
+#include "viewer/quad_scene.h"
+
+namespace prelight {
+namespace {
+
+using namespace test;
+using viewer::Shading;
+
+constexpr glm::vec3 albedo(0.9f, 0.7f, 0.5f);
+
+/// A ball, whose vertices several charts share, over a two-sided square that is seen from behind in part.
+QuadScene ballAndSheet() {
+  QuadScene scene;
+  Primitive& ball = scene.add(lambertian(albedo));
+  const CompiledScene sphere = test::sphere(10, 0.7f, {0.2f, 0.1f, 0.4f});
+  ball.positions = sphere.positions;
+  ball.normals = sphere.normals;
+  ball.triangles = sphere.triangles;
+  ball.texCoords0.clear();
+  ball.texCoords1.clear();
+  Material sheet = lambertian(albedo);
+  sheet.doubleSided = true;
+  scene.add(sheet, 1.2f, glm::dmat4({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {-0.4, 0, -0.6, 1}));
+  scene.lookFrom({-1.5, 1.0, 3.0}, {0, 0, 0});
+  scene.compile();
+  LightMapRequest request;
+  request.texels = 3000;
+  LightMap map;
+  map.layout = makeLightMapLayout(Scene{}, scene.compiled, request);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> uniform(0.0f, 10.0f);
+  map.values.resize(3 * map.layout.texelCount());
+  for (float& value : map.values) value = uniform(random);
+  scene.bake.lightMap = std::move(map);
+  return scene;
+}
+
+struct Meeting {
+  std::uint32_t face = 0;
+  double b1 = 0.0, b2 = 0.0;
+  double edge = 0.0;  ///< least barycentric weight
+};
+
+/// The nearest triangle along a ray, by Moeller and Trumbore's test over all of them.
+std::optional<Meeting> meet(const CompiledScene& scene, const glm::dvec3& origin, const glm::dvec3& way) {
+  std::optional<Meeting> nearest;
+  double distance = 1e30;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const glm::dvec3 a(scene.positions[scene.triangles[t].x]),
+        e = glm::dvec3(scene.positions[scene.triangles[t].y]) - a,
+        f = glm::dvec3(scene.positions[scene.triangles[t].z]) - a;
+    const glm::dvec3 p = glm::cross(way, f);
+    const double determinant = glm::dot(e, p);
+    if (determinant == 0.0) continue;
+    const glm::dvec3 q = glm::cross(origin - a, e);
+    const double b1 = glm::dot(origin - a, p) / determinant, b2 = glm::dot(way, q) / determinant,
+                 along = glm::dot(f, q) / determinant;
+    if (b1 < 0.0 || b2 < 0.0 || b1 + b2 > 1.0 || along <= 0.0 || along >= distance) continue;
+    const bool back = determinant < 0.0;
+    if (back && !scene.materials[scene.triangleMaterials[t]].doubleSided) continue;
+    distance = along;
+    nearest = {t + (back ? scene.triangleCount() : 0), b1, b2, std::min({b1, b2, 1.0 - b1 - b2})};
+  }
+  return nearest;
+}
+
+TEST(LightMapShading, Picture_IsAlbedoTimesIrradianceOverPi) {
+  const QuadScene scene = ballAndSheet();
+  constexpr int size = 96;
+  viewer::RenderOptions options = square(Shading::LightMap, size);
+  options.samplesPerAxis = 1;
+  const Picture picture = scene.render(options);
+  const viewer::CameraMatrices camera = viewer::cameraMatrices(
+      viewer::chooseCamera(scene.scene, scene.compiled, std::nullopt), scene.compiled, 1.0);
+  const glm::dmat4 sceneFromClip = glm::inverse(camera.projection * camera.view);
+  std::size_t fronts = 0, backs = 0, wrong = 0;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::dvec4 far =
+          sceneFromClip * glm::dvec4(2.0 * (x + 0.5) / size - 1.0, 1.0 - 2.0 * (y + 0.5) / size, 1.0, 1.0);
+      const auto met = meet(scene.compiled, camera.position, glm::dvec3(far) / far.w - camera.position);
+      if (!met || met->edge < 1e-3) continue;  // on an edge either triangle may be drawn
+      const glm::dvec3 expected = glm::dvec3(albedo) / std::numbers::pi *
+                                  lightMapIrradiance(*scene.bake.lightMap, met->face, met->b1, met->b2);
+      const glm::vec3 got = picture.pixels[static_cast<std::size_t>(y * size + x)];
+      ++(met->face < scene.compiled.triangleCount() ? fronts : backs);
+      if (glm::length(glm::dvec3(got) - expected) > 2e-3) ++wrong;
+    }
+  EXPECT_GT(fronts, 800u);
+  EXPECT_GT(backs, 300u);
+  EXPECT_EQ(wrong, 0u);
+}
+
+TEST(LightMapShading, Lights_AreNotAddedToWhatIsBaked) {
+  QuadScene scene = ballAndSheet();
+  scene.scene.lights = {makeLight(LightType::Point, {1, 1, 1}, {0, 0, 3})};
+  const Picture dim = scene.render(square(Shading::LightMap));
+  EXPECT_GT(pixelAt(dim).r, 0.0f);
+  scene.scene.lights = {makeLight(LightType::Point, {50, 50, 50}, {0, 0, 3})};
+  EXPECT_TRUE(scene.render(square(Shading::LightMap)).pixels == dim.pixels);
+}
+
+TEST(LightMapShading, FileWithALightMapAlone_IsShownSo) {
+  EXPECT_EQ(viewer::carriedShading(ballAndSheet().bake), Shading::LightMap);
+}
+
+TEST(LightMapShading, LightMapOfAnotherScene_IsRefused) {
+  QuadScene scene = ballAndSheet();
+  scene.bake.lightMap->layout.chartOf.pop_back();
+  EXPECT_THROW(scene.render(square(Shading::LightMap)), Error);
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lightmap/light_map_layout.h"
+#include "scene/compiled_scene.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/gl/texture.h"
+
+namespace prelight::viewer {
+
+/// The irradiance of a light map, looked up bilinearly in the fragment shader: light that stays as it is
+/// baked.
+class LightMapLighting : public DrawnTransfer {
+ public:
+  LightMapLighting(const LightMap& map, const CompiledScene& scene);
+
+  void light(const Illumination&) override {}
+  void bind(const gl::Program& program) const override;
+  void describe(const Illumination& light, Warnings& notes) const override;
+
+ private:
+  int frontFaces_;  ///< backs are counted from here
+  gl::BufferTexture triangles_;
+  gl::BufferTexture positions_;
+  gl::BufferTexture corners_;
+  gl::Texture irradiance_;
+};
+
+}  // namespace prelight::viewer
