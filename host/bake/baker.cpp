@@ -19,6 +19,7 @@
 #include "bvh/tracer.h"
 #include "lightmap/direct_light_part.h"
 #include "lightmap/light_map_bake.h"
+#include "lightmap/sky_light_part.h"
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_threshold.h"
 #include "occluders/occluder_tree.h"
@@ -344,9 +345,14 @@ class ReceiverBake {
 LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const BakeRequest& request,
                      const Plan& plan, Tracer& tracer, Progress& progress, BakeReport& report) {
   std::optional<DirectLightPart> direct;
+  std::optional<SkyLightPart> sky;
   std::vector<LightMapPart*> parts;
   if (plan.runs("direct light of the map"))
     parts.push_back(&direct.emplace(scene, tracer, raysEach(request), request.seed));
+  const RadiosityRequest& lights = request.radiosityShape;
+  if (lights.environment)
+    parts.push_back(&sky.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
+                                 request.seed));
   bake.run(parts, progress);
   report.lightMap.emplace();
   LightMap map = bake.finish(usualCreaseAngle, *report.lightMap);

@@ -83,11 +83,11 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   return request;
 }
 
-/// Radiosity alone depends on the sky.
+/// Radiosity and light maps alone depend on the sky.
 void readSky(const BakeCommand& command, Session& session, BakeRequest& request) {
   if (command.environment.empty()) return;
   const Environment sky = readEnvironment(command.environment);
-  if (request.radiosity)
+  if (request.radiosity || request.lightMap)
     request.radiosityShape.environment = std::make_shared<const Environment>(sky);
   else
     session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
@@ -252,7 +252,8 @@ void addBakeCommand(CLI::App& program, Context& context) {
   addEffortOptions(*app, command->bake);
   addAnimationOptions(*app, *command);
   app->add_option("--env", command->environment,
-                  "sky of the radiosity; accepted for scripts besides, as transfer does not depend on it")
+                  "sky of the radiosity and the light map; accepted for scripts besides, as transfer does "
+                  "not depend on it")
       ->type_name("MAP");
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
   app->add_flag("--resume", command->resume,

@@ -40,7 +40,7 @@ std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
 
 PlannedPass planDirect(const CompiledScene& scene) {
   if (!hasLights(scene))
-    return {"direct light of the map", false, "the scene has no light and nothing emissive: all is black"};
+    return {"direct light of the map", false, "the scene has no light and nothing emissive"};
   const auto emitters = std::count_if(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
                                       [&](std::uint32_t material) {
                                         const glm::vec3& e = scene.materials[material].emission;
@@ -62,14 +62,20 @@ LightMapRequest lightMapRequest(const BakeRequest& request) {
 
 std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request) {
   const char *name = "light map", *direct = "direct light of the map";
+  const char* sky = "sky light of the map";
   if (!request.lightMap)
-    return {{name, false, "not asked for"}, {direct, false, "no light map is asked for"}};
+    return {{name, false, "not asked for"},
+            {direct, false, "no light map is asked for"},
+            {sky, false, "no light map is asked for"}};
   if (!(litArea(scene) > 0.0)) {
     const char* reason = "no surface reflects diffusely, so none needs light";
-    return {{name, false, reason}, {direct, false, reason}};
+    return {{name, false, reason}, {direct, false, reason}, {sky, false, reason}};
   }
   return {{name, true, texelText(scene, request) + "; charts of surfaces without creases, seams stitched"},
-          planDirect(scene)};
+          planDirect(scene),
+          request.radiosityShape.environment
+              ? PlannedPass{sky, true, "rays by the cosine and by the sky's radiance from every texel"}
+              : PlannedPass{sky, false, "there is no sky (--env)"}};
 }
 
 std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request) {

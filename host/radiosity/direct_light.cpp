@@ -33,10 +33,18 @@ std::vector<RadiosityEmitter> emittersOf(const CompiledScene& scene, const Light
 DirectLight::DirectLight(const CompiledScene& scene, const RadiosityElements&, const ElementPoints& points,
                          Tracer& tracer, std::uint32_t pointsPerElement)
     : scene_(scene),
-      points_(points),
+      points_(&points),
       tracer_(tracer),
       device_(tracer.context()),
       pointsPerElement_(pointsPerElement),
+      layout_(device_, 1),
+      positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
+
+DirectLight::DirectLight(const CompiledScene& scene, Tracer& tracer)
+    : scene_(scene),
+      tracer_(tracer),
+      device_(tracer.context()),
+      pointsPerElement_(1),
       layout_(device_, 1),
       positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
 
@@ -80,18 +88,26 @@ std::vector<PointLight> DirectLight::estimate(const std::vector<std::uint32_t>& 
   for (std::size_t first = 0; first < elements.size(); first += block) {
     progress.check();
     const std::size_t count = std::min(block, elements.size() - first);
-    estimateBlock(points_.of(elements, first, count, pointsPerElement_, 1),
-                  &values[first * pointsPerElement_]);
+    std::vector<Receiver> receivers;
+    for (const ElementPoints::Place& place : points_->of(elements, first, count, pointsPerElement_, 1))
+      receivers.push_back(place.receiver);
+    estimateBlock(receivers, &values[first * pointsPerElement_]);
     progress.report("direct light", double(first + count) / double(elements.size()));
   }
   return values;
 }
 
-void DirectLight::estimateBlock(const std::vector<ElementPoints::Place>& places, PointLight* values) {
-  std::vector<Receiver> receivers;
-  for (const ElementPoints::Place& place : places) receivers.push_back(place.receiver);
-  receivers_.write(spanOf(receivers));
-  const auto count = static_cast<cl_uint>(places.size());
+std::vector<PointLight> DirectLight::at(std::span<const Receiver> receivers) {
+  std::vector<PointLight> values(receivers.size(), PointLight{glm::vec4(0.0f), glm::vec4(0.0f)});
+  for (std::size_t first = 0; slots() > 0 && first < receivers.size(); first += blockPoints_)
+    estimateBlock(receivers.subspan(first, std::min<std::size_t>(blockPoints_, receivers.size() - first)),
+                  &values[first]);
+  return values;
+}
+
+void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointLight* values) {
+  receivers_.write(receivers);
+  const auto count = static_cast<cl_uint>(receivers.size());
   const std::size_t rayCount = std::size_t{count} * slots();
   setArguments(aim_, count, static_cast<cl_uint>(punctual_), static_cast<cl_uint>(emitterSamples_),
                static_cast<cl_uint>(skySamples_), receivers_.get(), layout_.get());

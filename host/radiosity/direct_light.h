@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/progress.h"
@@ -37,10 +38,16 @@ class DirectLight {
   DirectLight(const CompiledScene& scene, const RadiosityElements& elements, const ElementPoints& points,
               Tracer& tracer, std::uint32_t pointsPerElement);
 
+  /// Of receivers alone: estimate() must not be called.
+  DirectLight(const CompiledScene& scene, Tracer& tracer);
+
   void setLights(const RadiosityLights& lights);
 
   /// At points of elements, [element of the list][point]. Throws Interrupted.
   std::vector<PointLight> estimate(const std::vector<std::uint32_t>& elements, Progress& progress);
+
+  /// At receivers anywhere, of which firstSample counts the points of a sequence.
+  std::vector<PointLight> at(std::span<const device::Receiver> receivers);
 
   /// Emissive triangles are too many to be integrated, so that those nearby are found by few rays.
   bool manyEmitters() const;
@@ -50,10 +57,10 @@ class DirectLight {
 
  private:
   std::uint32_t slots() const { return punctual_ + emitterSamples_ + skySamples_; }
-  void estimateBlock(const std::vector<ElementPoints::Place>& places, PointLight* values);
+  void estimateBlock(std::span<const device::Receiver> receivers, PointLight* values);
 
   const CompiledScene& scene_;
-  const ElementPoints& points_;
+  const ElementPoints* points_ = nullptr;
   Tracer& tracer_;
   DeviceContext& device_;
   std::uint32_t pointsPerElement_;

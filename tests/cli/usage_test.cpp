@@ -42,9 +42,9 @@ TEST_F(CliUsage, Arguments_MissingOrTooMany_AreNamed) {
 }
 
 TEST_F(CliUsage, Technique_ThatDoesNotExist_NamesThoseThatDo) {
-  for (const char* option : {"--radiosity", "--lightmap", "--caustics"})
+  for (const char* option : {"--photons", "--radiance"})
     expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", option}, {option, "--ao", "--sh"});
-  for (const char* shading : {"lightmap", "full", ""})
+  for (const char* shading : {"lightmaps", "none", ""})
     expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", shading},
                   {"phong, ao, sh, ch, haar, glossy, lights, vo"});
 }

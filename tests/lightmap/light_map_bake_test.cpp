@@ -8,6 +8,7 @@
 #include "lightmap/direct_light_part.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "lightmap/sky_light_part.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 
@@ -104,6 +105,27 @@ TEST(LightMapBake, Emitter_FollowsTheFormFactor) {
   }
   ASSERT_GE(count, 1.0);
   EXPECT_NEAR(sum / count / (10.0 * std::numbers::pi * factor), 1.0, 0.02);
+}
+
+/// An even sky over a plane and under it: E = pi L, whole above, and under a roof that is everything, none.
+TEST(LightMapBake, EvenSky_GivesPiTimesItsRadiance) {
+  CompiledScene scene = test::ground(2, 1.0f);
+  scene.materials[0].doubleSided = true;
+  const Environment sky = constantEnvironment({0.5f, 1.0f, 2.0f});
+  Tracer tracer(scene, test::sharedDevice());
+  SkyLightPart part(scene, tracer, sky, 0.0, 256, 0);
+  LightMapBake made(scene, layoutOf(scene, 0.2), 1);
+  LightMapPart* parts[] = {&part};
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    const float* values = &map.values[3 * std::size_t{texel.texel}];
+    ASSERT_NEAR(values[0], 0.5 * std::numbers::pi, 0.02);
+    ASSERT_NEAR(values[1], 1.0 * std::numbers::pi, 0.04);
+    ASSERT_NEAR(values[2], 2.0 * std::numbers::pi, 0.08);
+  }
 }
 
 TEST(LightMapBake, BackOfATwoSidedSurface_HasItsOwnLight) {

@@ -1,0 +1,50 @@
+#include "lightmap/sky_light_part.h"
+
+#include <algorithm>
+
+#include "bake/sampling.h"
+#include "bake/surface_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t samplesPerPoint = 16;  // DirectLight's of a sky
+constexpr std::size_t pointsPerBlock = std::size_t{1} << 16;
+
+}  // namespace
+
+SkyLightPart::SkyLightPart(const CompiledScene& scene, Tracer& tracer, const Environment& sky,
+                           double rotation, std::uint32_t rays, std::uint64_t seed)
+    : scene_(scene),
+      light_(scene, tracer),
+      repeats_(std::max(1u, rays / samplesPerPoint)),
+      seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
+                                  sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 0x5c1bu))) {
+  light_.setLights({{}, &sky, rotation});
+}
+
+void SkyLightPart::add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
+                       std::span<std::uint8_t>) {
+  const std::size_t perBlock = std::max<std::size_t>(1, pointsPerBlock / repeats_);
+  for (std::size_t first = 0; first < texels.size(); first += perBlock) {
+    const auto block = texels.subspan(first, std::min(perBlock, texels.size() - first));
+    std::vector<device::Receiver> receivers;
+    for (const LightMapTexel& texel : block) {
+      const bool back = texel.face >= scene_.triangleCount();
+      const std::uint32_t triangle = back ? texel.face - scene_.triangleCount() : texel.face;
+      device::Receiver receiver =
+          receiverAt(scene_, {triangle, texel.b1, texel.b2, 1.0f}, back ? Side::Back : Side::Front);
+      receiver.seed = seed_ ^ sampling::hashInteger(texel.texel);
+      for (receiver.firstSample = 0; receiver.firstSample < repeats_; ++receiver.firstSample)
+        receivers.push_back(receiver);
+    }
+    const std::vector<PointLight> light = light_.at(receivers);
+    for (std::size_t p = 0; p < light.size(); ++p)
+      for (std::size_t c = 0; c < 3; ++c)
+        values[(3 * (first + p / repeats_) + c) * static_cast<std::size_t>(coefficients)] +=
+            light[p].far[static_cast<int>(c)] / static_cast<float>(repeats_);
+  }
+}
+
+}  // namespace prelight
