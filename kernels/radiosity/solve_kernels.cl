@@ -133,7 +133,10 @@ __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) v
   for (uint step = 0; step < steps; ++step) {
     float best = 0.0f;
     uint at = 0u;
-    for (uint i = item; i < count; i += PRELIGHT_SOUTHWELL_ITEMS)
+    // A contiguous part an item: processors read them fastest so, and on them one runs after the other.
+    const uint part = (count + PRELIGHT_SOUTHWELL_ITEMS - 1u) / PRELIGHT_SOUTHWELL_ITEMS;
+    const uint end = min(count, (item + 1u) * part);
+    for (uint i = item * part; i < end; ++i)
       if (unsent[i] > best) {
         best = unsent[i];
         at = i;
@@ -141,12 +144,15 @@ __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) v
     most[item] = best;
     place[item] = at;
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (uint k = 0; k < PRELIGHT_SOUTHWELL_ITEMS; ++k)
-      if (most[k] > best || (most[k] == best && place[k] < at)) {
-        best = most[k];
-        at = place[k];
-      }
+    if (item == 0u)
+      for (uint k = 1; k < PRELIGHT_SOUTHWELL_ITEMS; ++k)
+        if (most[k] > most[0]) {
+          most[0] = most[k];
+          place[0] = place[k];
+        }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    best = most[0];
+    at = place[0];
     if (best <= enough) break;
     const float4 change = residual[at];
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
