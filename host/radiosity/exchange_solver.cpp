@@ -35,6 +35,7 @@ ExchangeSolver::ExchangeSolver(const ExchangeSystem& system)
       sum_(system.program(), "sumResiduals"),
       rank_(system.program(), "rankRows"),
       relax_(system.program(), "relaxGreatest"),
+      takeUnsendable_(system.program(), "takeUnsendable"),
       takeRest_(system.program(), "takeRest") {}
 
 void ExchangeSolver::setDirect(const std::vector<glm::vec4>& direct) {
@@ -193,13 +194,15 @@ double ExchangeSolver::southwell() {
     steps += taken;
     if (taken < launch) break;
   }
-  // Rows of the strongest only took their residual; the others' waits.
-  reflect(0, system_.size());
+  // When nothing worth sending is left, all take what is.
   if (steps < n) {
     setArguments(takeRest_, n, irradiance_.get(), residual_.get());
     device_.launch(takeRest_, n, groupSize);
-    reflect(0, system_.size());
+  } else {
+    setArguments(takeUnsendable_, n, irradiance_.get(), residual_.get(), unsent_.get());
+    device_.launch(takeUnsendable_, n, groupSize);
   }
+  reflect(0, system_.size());
   return steps == 0 ? 1.0 : double(steps) / n;
 }
 

@@ -64,7 +64,7 @@ class ExchangeSolver {
   Buffer<float> unsent_;
   Buffer<glm::vec4> sums_;
   Buffer<std::uint32_t> taken_;
-  cl::Kernel gather_, measure_, reflect_, accelerate_, sum_, rank_, relax_, takeRest_;
+  cl::Kernel gather_, measure_, reflect_, accelerate_, sum_, rank_, relax_, takeUnsendable_, takeRest_;
 };
 
 }  // namespace prelight

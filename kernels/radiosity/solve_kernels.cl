@@ -176,6 +176,13 @@ __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) v
   if (item == 0u) taken[0] = done;
 }
 
+// Elements that have nothing to send take their residual at once: of black ones nothing else would.
+__kernel void takeUnsendable(uint count, __global float4* irradiance, __global const float4* residual,
+                             __global const float* unsent) {
+  const size_t i = get_global_id(0);
+  if (i < count && unsent[i] <= 0.0f) irradiance[i] += residual[i];
+}
+
 // What has not been sent is taken in without being sent: one iteration of Jacobi's for nothing.
 __kernel void takeRest(uint count, __global float4* irradiance, __global const float4* residual) {
   const size_t i = get_global_id(0);
