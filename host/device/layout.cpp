@@ -67,6 +67,7 @@ static_assert(isShared<GatherPath, 28>);
 static_assert(isShared<PhotonSource, 40>);
 static_assert(isShared<PhotonParameters, 112>);
 static_assert(isShared<PhotonPath, 20>);
+static_assert(isShared<PhotonGrid, 32>);
 
 template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -112,7 +113,8 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<PhotonParameters>("PhotonParameters", offsetof(PhotonParameters, lights)),
           layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, scattered)),
           layoutOf<GatherParameters>("GatherParameters", offsetof(GatherParameters, lights)),
-          layoutOf<GatherPath>("GatherPath", offsetof(GatherPath, widened))};
+          layoutOf<GatherPath>("GatherPath", offsetof(GatherPath, widened)),
+          layoutOf<PhotonGrid>("PhotonGrid", offsetof(PhotonGrid, firstCell))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

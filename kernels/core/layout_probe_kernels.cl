@@ -57,4 +57,5 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(34, PhotonPath, scattered);
   PROBE(35, GatherParameters, lights);
   PROBE(36, GatherPath, widened);
+  PROBE(37, PhotonGrid, firstCell);
 }

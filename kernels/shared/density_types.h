@@ -70,6 +70,14 @@ typedef struct DensityQuery {
   float radius;     ///< m, > 0; with k nearest photons the largest
 } DensityQuery;
 
+/// A map's photons by cell: cell (x, y, z) is (z x cells[1] + y) x cells[0] + x after firstCell.
+typedef struct PhotonGrid {
+  float lower[3];  ///< scene coordinates
+  float perCell;   ///< 1/m
+  uint cells[3];
+  uint firstCell;
+} PhotonGrid;
+
 PRELIGHT_SHARED_END
 
 #endif
