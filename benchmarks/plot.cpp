@@ -327,6 +327,24 @@ std::string relightPlot(const Results& results, const std::string& subtitle) {
   return drawBarChart(chart);
 }
 
+/// Cases of errors are "fixed radius/64000 photons".
+std::string photonsPlot(const Results& results, const std::string& subtitle) {
+  CurveChart chart{
+      "Error of irradiance from photons against their number", subtitle, "photons", "relative MSE", {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "relative MSE") continue;
+    const auto [kind, count] = splitCase(result.case_);
+    const auto found = std::find_if(chart.curves.begin(), chart.curves.end(),
+                                    [&](const Curve& curve) { return curve.name == kind; });
+    Curve& curve =
+        found != chart.curves.end()
+            ? *found
+            : chart.curves.emplace_back(Curve{kind, palette[chart.curves.size()], CurveStyle::Strong, {}});
+    curve.points.push_back({std::stod(count), result.value});
+  }
+  return drawCurveChart(chart);
+}
+
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
@@ -335,7 +353,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 16> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 17> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -350,6 +368,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"animation", "animation", animationPlot},
                                            {"vo", "vo", voPlot},
                                            {"radiosity", "radiosity", radiosityPlot},
+                                           {"photons", "photons", photonsPlot},
                                            {"techniques", "techniques", techniquesPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

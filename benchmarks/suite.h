@@ -69,6 +69,15 @@ struct BenchmarkOptions {
   std::uint32_t radiosityRays = 512;  ///< an element, a power of two
   double radiosityTolerance = 1e-5;   ///< that each solver is timed to; its curve goes on to a tenth of it
   int radiositySeeds = 8;             ///< over which errors of form factors are averaged
+  std::vector<std::uint64_t> photonCounts = {10000, 100000, 1000000};  ///< ascending, of trees against grids
+  std::uint64_t photonCount = 1000000;                                 ///< of maps as the thesis'
+  std::uint64_t photonLookups = 1u << 15;
+  int causticSide = 256;  ///< pixels, of the picture of a caustic
+  std::vector<std::uint64_t> causticPhotons = {10000, 50000, 200000, 1000000};
+  std::vector<int> causticNearest = {10, 20, 50, 100};
+  std::vector<double> causticRadii = {1.0, 2.0, 4.0};  ///< pixels
+  int photonPasses = 1024;
+  int photonsPerPass = 1000;
   std::vector<std::string> techniqueScenes = {"shapes", "shiny shapes", "crowd", "crowd under a sky"};
   std::uint64_t techniqueRays = 10000;      ///< a vertex, of the scenes that are as the thesis'
   std::uint64_t techniqueCrowdRays = 1024;  ///< of the others, at most

@@ -66,6 +66,11 @@ std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOpt
 std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const BenchmarkOptions& options,
                                                Progress& progress);
 
+/// Seconds to sort photons into maps and to look irradiance up, of trees against grids and beside the numbers
+/// of Larsen's thesis (2004, Tables 8.1, 8.2, 14.1); error against the number of photons.
+std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const BenchmarkOptions& options,
+                                             Progress& progress);
+
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
 /// options.folder. Needs OpenGL.

@@ -14,7 +14,7 @@
 #endif
 
 // Of the query's radius: how far apart k photons at one place are taken to be.
-#define PRELIGHT_LEAST_RADIUS 1e-3f
+#define PRELIGHT_LEAST_RADIUS 1e-5f
 
 // Of r2: the rounding of an area, below which a point has missed its triangle.
 #define PRELIGHT_LEAST_AREA 1e-6f
@@ -136,7 +136,7 @@ float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, ui
   float r2 = radius * radius;
 #if PRELIGHT_DENSITY_NEAREST > 0
   const float least = fmax(fmin(maps.parameters->minRadius, radius), PRELIGHT_LEAST_RADIUS * radius);
-  r2 = fmax(nearestReach(maps, place, r2), least * least);
+  r2 = holdsNearest(maps, place, least * least) ? least * least : nearestReach(maps, place, r2);
 #endif
   const float3 power = gatherPower(maps, place, r2);
   if (!(power.x > 0.0f || power.y > 0.0f || power.z > 0.0f)) return (float3)(0.0f);

@@ -48,6 +48,32 @@ float visitBlock(const DensityMaps maps, const DensityPlace place, __global cons
   return limit;
 }
 
+// Whether k photons or more lie within a squared reach: far cheaper than which they are.
+bool holdsNearest(const DensityMaps maps, const DensityPlace place, float limit) {
+  if (place.photons.count < PRELIGHT_DENSITY_NEAREST) return false;
+  const uint leaves = 1u << place.photons.levels;
+  int count = 0;
+  uint node = 1u;
+  do {
+    __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
+    if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < limit) {
+      if (node < leaves) {
+        node = 2u * node;
+        continue;
+      }
+      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
+      float8 reaches = squaredDistances(block, place.position);
+      if (!place.planar) reaches = squaredReaches(maps, place, block, reaches, limit);
+      const int8 inside = isless(reaches, (float8)(limit));  // -1 each
+      const int4 four = inside.lo + inside.hi;
+      count -= four.x + four.y + four.z + four.w;
+      if (count >= PRELIGHT_DENSITY_NEAREST) return true;
+    }
+    node = nodeAfter(node);
+  } while (node > 1u);
+  return false;
+}
+
 // Squared reach of the k-th nearest photon; `limit` where there are fewer than k below it.
 float nearestReach(const DensityMaps maps, const DensityPlace place, float limit) {
   if (place.photons.count < PRELIGHT_DENSITY_NEAREST) return limit;

@@ -44,7 +44,7 @@ void expectReport(const nlohmann::json& report) {
 TEST_F(CliBench, Help_ListsTheSuitesAndAnExample) {
   const std::string help = prelightDone({"bench", "--help"}).output;
   for (const char* part : {"cast", "rays", "trees", "build", "scaling", "bake", "error", "reference",
-                           "relight", "compress", "vo", "Examples:", "prelight bench"})
+                           "relight", "compress", "vo", "photons", "Examples:", "prelight bench"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 
@@ -125,6 +125,19 @@ TEST_F(CliBench, Vo_EveryTechnique_IsMeasuredWithBothKindsOfLights) {
   EXPECT_THAT(readFile("plots/vo.svg"), StartsWith("<svg"));
 }
 
+TEST_F(CliBench, Photons_TreesAndGrids_FindTheSame) {
+  prelightDone({"bench", "photons", "--quick", "--quiet", "--json", "photons.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("photons.json"));
+  expectReport(report);
+  std::size_t compared = 0;
+  for (const auto& entry : report["results"])
+    if (entry["metric"] == "difference") {
+      EXPECT_LT(entry["value"], 1e-4) << entry;
+      ++compared;
+    }
+  EXPECT_EQ(compared, 4u);
+}
+
 #ifdef PRELIGHT_WITH_VIEWER
 TEST_F(CliBench, Techniques_TablesAndPictures_AreWrittenIntoTheFolder) {
   prelightDone({"bench", "techniques", "--quick", "--quiet", "--json", "techniques.json", "--plot", "plots"});
@@ -161,8 +174,9 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  std::set<std::string> expected = {"animation", "bake",    "build",   "cast",  "compress", "error",   "rays",
-                                    "reference", "relight", "scaling", "trees", "vo",       "wavelets"};
+  std::set<std::string> expected = {"animation", "bake",    "build", "cast",    "compress",
+                                    "radiosity", "error",   "rays",  "photons", "reference",
+                                    "relight",   "scaling", "trees", "vo",      "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
   expected.insert("techniques");
 #endif
