@@ -43,6 +43,7 @@ enum Unit : GLuint {
   lobesUnit = 13,            ///< the same
   lightMapsUnit = 14,        ///< shaders/light_map.glsl
   lightMapCornersUnit = 15,  ///< the same
+  causticsUnit = 16,         ///< shaders/surface.frag
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

@@ -10,6 +10,7 @@
 #include "io/picture.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
+#include "viewer/caustic_pass.h"
 #include "viewer/group_option.h"
 #include "viewer/illumination.h"
 #include "viewer/shading.h"
@@ -27,8 +28,9 @@ struct RenderInputs {
   const CompiledScene& compiled;  ///< of `scene`
   const Bake* bake = nullptr;     ///< of `compiled`; nullptr: none, enough for Phong
   const Environment* environment =
-      nullptr;                     ///< nullptr: no sky, or a neutral one when nothing else gives light
-  const Device* device = nullptr;  ///< relights wavelet and glossy transfer; nullptr: the host does
+      nullptr;                         ///< nullptr: no sky, or a neutral one when nothing else gives light
+  const Device* device = nullptr;      ///< relights wavelet and glossy transfer; nullptr: the host does
+  const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
 };
 
 /// Light that creases reflect into themselves, in AO shading (Real-Time Rendering, 4th edition, 11.3).

@@ -22,7 +22,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 16> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 17> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -38,7 +38,8 @@ void prepare(const gl::Program& program) {
        {"arriving", arrivingUnit},
        {"lobes", lobesUnit},
        {"lightMaps", lightMapsUnit},
-       {"lightMapCorners", lightMapCornersUnit}}};
+       {"lightMapCorners", lightMapCornersUnit},
+       {"caustics", causticsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 
@@ -135,6 +136,11 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   }
   prepare(surfaceProgram_);
   prepare(backgroundProgram_);
+  if (inputs.caustics != nullptr) {
+    placesProgram_ = std::make_unique<gl::Program>("surface.vert", "surface_places.frag");
+    prepare(*placesProgram_);
+    caustics_ = std::make_unique<CausticPass>(*inputs.caustics, compiled_);
+  }
   gl::check("preparing the renderer");
 }
 
@@ -229,7 +235,7 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(skyUnit, GL_TEXTURE_2D, sky);
 }
 
-void Renderer::setSurface(const Surface& surface) const {
+void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
   const Material& m = surface.material;
   const auto bindOrWhite = [&](GLuint unit, TextureHandle texture) {
     gl::bind(unit, GL_TEXTURE_2D, texture != nullptr ? *texture : scene_.white());
@@ -240,7 +246,6 @@ void Renderer::setSurface(const Surface& surface) const {
   // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
   const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
   const float cutoff = m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f;
-  const gl::Program& p = surfaceProgram_;
   p.set("baseColorFactor", m.baseColor);
   p.set("surfaceFactors", glm::vec4(m.metallic, m.roughness, m.transmission, cutoff));
   p.set("emissionFactor", m.emission);
@@ -255,8 +260,9 @@ void Renderer::setSurface(const Surface& surface) const {
   }
 }
 
-void Renderer::drawBatches(const std::vector<const Batch*>& batches, const DrawnTransfer* transfer) const {
-  surfaceProgram_.use();
+void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
+                           const DrawnTransfer* transfer) const {
+  program.use();
   glBindVertexArray(scene_.vertexArray().name());
   for (const Attribute attribute :
        {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow,
@@ -271,11 +277,11 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Drawn
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
-  surfaceProgram_.set("transferForm", static_cast<int>(TransferForm::None));
-  if (transfer != nullptr) transfer->bind(surfaceProgram_);
+  program.set("transferForm", static_cast<int>(TransferForm::None));
+  if (transfer != nullptr) transfer->bind(program);
   for (const Batch* batch : batches) {
-    setSurface(scene_.surfaces()[batch->surface]);
-    surfaceProgram_.set("firstTriangle", static_cast<int>(batch->firstTriangle));
+    setSurface(scene_.surfaces()[batch->surface], program);
+    program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     const std::size_t offset = std::size_t{batch->firstTriangle} * sizeof(glm::uvec3);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch->triangleCount * 3), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(offset));
@@ -283,11 +289,29 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Drawn
   glBindVertexArray(0);
 }
 
+/// Filters the caustics of a tile and what lies around it, as large as samples of `target` are.
+void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                            const std::vector<const Batch*>& opaque) {
+  const int samples = target.width() / tile.width;
+  const int around = (CausticPass::margin + samples - 1) / samples;
+  const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
+  uploadFrame(view, whole, {});
+  const gl::Framebuffer& places = caustics_->places(whole.width * samples, whole.height * samples);
+  places.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  drawBatches(opaque, *placesProgram_, nullptr);
+  const Camera& camera = view.camera;
+  const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
+  caustics_->draw(2.0 * halfHeight / (static_cast<double>(view.height) * samples), scene_.triangleNormals());
+  gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
+  surfaceProgram_.use();
+  surfaceProgram_.set("causticCorner", glm::ivec4(around * samples, around * samples, 0, 1));
+}
+
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
-  uploadFrame(view, tile, light.lights);
-  bindTextures(view);
   std::vector<const Batch*> opaque;
   std::vector<const Batch*> blended;
   for (const Batch& batch : scene_.batches()) {
@@ -298,7 +322,6 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
     return glm::distance(glm::dvec3(a->center), eye) > glm::distance(glm::dvec3(b->center), eye);
   });
 
-  target.bind();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -306,9 +329,14 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
+  bindTextures(view);
+  if (caustics_ != nullptr) drawCaustics(view, tile, target, opaque);
+  uploadFrame(view, tile, light.lights);
+  bindTextures(view);
+  target.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBatches(opaque, transfer);
+  drawBatches(opaque, surfaceProgram_, transfer);
 
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
@@ -318,7 +346,9 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_SRC1_COLOR);
-  drawBatches(blended, transfer);
+  surfaceProgram_.use();
+  surfaceProgram_.set("causticCorner", glm::ivec4(0));  // those filtered lie on what is opaque
+  drawBatches(blended, surfaceProgram_, transfer);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");

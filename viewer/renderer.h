@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/camera.h"
+#include "viewer/caustic_pass.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/illumination.h"
@@ -57,6 +58,9 @@ class Renderer {
   /// What a view approximates or had to choose, for people.
   void describe(const View& view, Warnings& notes);
 
+  /// Of the last tile; nullptr where the inputs have no caustics.
+  const CausticPass* caustics() const { return caustics_.get(); }
+
  private:
   bool usesNeutralSky(const View& view) const;
   OccluderEye eyeOf(const View& view) const;
@@ -64,9 +68,12 @@ class Renderer {
   Illumination illuminationOf(const View& view) const;
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const;
-  void drawBatches(const std::vector<const Batch*>& batches, const DrawnTransfer* transfer) const;
+  void drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
+                   const DrawnTransfer* transfer) const;
+  void drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                    const std::vector<const Batch*>& opaque);
   void bindTextures(const View& view) const;
-  void setSurface(const Surface& surface) const;
+  void setSurface(const Surface& surface, const gl::Program& program) const;
 
   /// A technique in OpenGL and the light that it was last lit by.
   struct Drawn {
@@ -87,6 +94,8 @@ class Renderer {
   int skyWidth_ = 1;
   gl::Program surfaceProgram_;
   gl::Program backgroundProgram_;
+  std::unique_ptr<gl::Program> placesProgram_;
+  std::unique_ptr<CausticPass> caustics_;
   gl::Texture skyMap_;
   gl::Texture neutralSkyMap_;
   gl::Texture blackSkyMap_;

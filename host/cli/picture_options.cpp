@@ -20,6 +20,7 @@ namespace {
 constexpr int defaultHeight = 720;
 constexpr std::uint64_t maxCameraIndex = 1u << 20;
 constexpr std::uint64_t maxHaarTerms = 6 * 128 * 128;
+constexpr std::uint64_t maxCausticPhotons = 100'000'000;
 constexpr int defaultBounces = 1;
 
 void readLight(std::optional<std::vector<Light>>& lights, const std::string& text) {
@@ -242,6 +243,9 @@ void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull) 
       ->type_name("LIGHT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addWholeNumber(
+      app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
+      "add the light that mirrors and glass focus, by this many photons towards them");
   addOccluderOptions(app, options.occluders);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
@@ -249,8 +253,12 @@ void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull) 
 }
 
 viewer::RenderInputs ShadedScene::inputs() const {
-  return {loaded.scene, loaded.compiled, &bake, environment ? &*environment : nullptr,
-          device ? &*device : nullptr};
+  return {loaded.scene,
+          loaded.compiled,
+          &bake,
+          environment ? &*environment : nullptr,
+          device ? &*device : nullptr,
+          caustics ? &caustics->caustics : nullptr};
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
@@ -286,6 +294,13 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   bakeMissing(session, options, everyShading, shaded);
   checkShadingOptions(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
+  if (options.causticPhotons > 0) {
+    DeviceOptions device = session.deviceOptions();
+    options.bake.addTo(device);
+    shaded.caustics =
+        traceCaustics(session, shaded.loaded, render, shaded.environment ? &*shaded.environment : nullptr,
+                      device, options.causticPhotons);
+  }
   return shaded;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/bake_options.h"
+#include "cli/drawn_caustics.h"
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
@@ -32,6 +33,7 @@ struct PictureOptions {
   viewer::OccluderOptions occluders;
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
   viewer::Lobe lobe = viewer::Lobe::Ggx;
+  std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics
   PoseOptions pose;
   BakeOptions bake;
 };
@@ -48,6 +50,7 @@ struct ShadedScene {
   std::optional<BakeRun> run;    ///< when something was baked
   BakeRequest request;           ///< of `run`
   std::optional<Device> device;  ///< relights what a shader does not
+  std::unique_ptr<DrawnCaustics> caustics;
 
   viewer::RenderInputs inputs() const;
 };

@@ -113,6 +113,24 @@ TEST_F(CliPicture, Render_OfABuiltinScene_IsNeitherBlackNorUniform) {
   EXPECT_EQ(difference["picture"]["notFinite"], 0);
 }
 
+TEST_F(CliPicture, Caustics_OfASceneWithGlass_AddLightAndOthersSayThatThereIsNone) {
+  prelightDone({"scene", "caustics", "-o", "caustics.glb"});
+  const auto render = [&](const std::string& scene, const std::string& output, bool caustics) {
+    std::vector<std::string> arguments = {"render",    scene,   "-o",     output,
+                                          "--shading", "phong", "--size", "96x96"};
+    if (caustics) arguments.insert(arguments.end(), {"--caustics", "20000"});
+    return prelightDone(arguments);
+  };
+  render("caustics.glb", "without.exr", false);
+  EXPECT_THAT(render("caustics.glb", "with.exr", true).errors, HasSubstr("nearest of them within"));
+  const nlohmann::json picture = compare("with.exr", "without.exr")["picture"];
+  EXPECT_GT(picture["meanA"].get<double>(), 1.05 * picture["meanB"].get<double>());
+
+  EXPECT_THAT(render("scene.glb", "a.exr", true).errors, HasSubstr("through mirrors or glass"));
+  render("scene.glb", "b.exr", false);
+  EXPECT_EQ(compare("a.exr", "b.exr")["picture"]["max"], 0.0);
+}
+
 TEST_F(CliPicture, Size_WithOneNumber_TakesTheWidthFromTheCamera) {
   const nlohmann::json render = nlohmann::json::parse(
       prelightDone({"render", "scene.glb", "-o", "a.png", "--size", "40", "--json"}).output);

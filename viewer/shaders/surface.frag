@@ -25,6 +25,9 @@ in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
 
+uniform sampler2D caustics;   // irradiance of every pixel
+uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: 1 where there are some
+
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
 
@@ -95,6 +98,9 @@ void main() {
   float specularWeight = rules.y == reflectionOffMetals ? glossy : 1.0;
 
   vec3 radiance = m.emission * vGlow + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight) + vReflected;
+  if (causticCorner.w != 0) {
+    radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) + causticCorner.xy, 0).rgb;
+  }
   vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
   if (rules.y == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);

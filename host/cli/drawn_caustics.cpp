@@ -1,0 +1,40 @@
+#include "cli/drawn_caustics.h"
+
+#include <fmt/format.h>
+
+#include "photon/caustic_filter.h"
+#include "photon/photon_tracer.h"
+#include "scene/surface_regions.h"
+#include "shade/transport_scene.h"
+
+namespace prelight::cli {
+
+std::unique_ptr<DrawnCaustics> traceCaustics(Session& session, const LoadedScene& loaded,
+                                             const viewer::RenderOptions& render, const Environment* sky,
+                                             const DeviceOptions& device, std::uint64_t photons) {
+  requireTriangles(loaded);
+  const Device opened = session.times().measure("device", [&] { return Device::open(device); });
+  auto drawn = std::make_unique<DrawnCaustics>();
+  session.times().measure("caustics", [&] {
+    const LitScene lit{loaded.compiled, loaded.scene.images, render.lights.value_or(loaded.scene.lights), sky,
+                       render.skyRotation};
+    TransportScene scene(lit, opened);
+    PhotonTracer tracer(loaded.compiled, scene);
+    PhotonHits hits;
+    tracer.trace({.kind = PhotonKind::Caustic, .photons = photons}, hits, session.progress());
+    drawn->photons = std::move(hits.photons);
+  });
+  if (drawn->photons.empty()) {
+    session.console().note("--caustics: no light of this scene reaches a surface through mirrors or glass");
+    return nullptr;
+  }
+  const DensitySurface surface =
+      makeDensitySurface(loaded.compiled, makeSurfaceRegions(loaded.compiled, usualCreaseAngle));
+  drawn->caustics = {drawn->photons, chooseCausticFilter(makePhotonMaps(drawn->photons, surface))};
+  session.console().note(fmt::format("caustics: {} photons, {} nearest of them within {:.3g} m at a point",
+                                     drawn->photons.size(), drawn->caustics.filter.density.nearest,
+                                     drawn->caustics.filter.radius));
+  return drawn;
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+
+#include "photon/caustic_filter.h"
+#include "scene/compiled_scene.h"
+#include "shared/photon_types.h"
+#include "viewer/gl/buffer.h"
+#include "viewer/gl/framebuffer.h"
+#include "viewer/gl/program.h"
+
+namespace prelight::viewer {
+
+/// Photons that are drawn as caustics, and how they are filtered. `photons` outlive what refers to them.
+struct Caustics {
+  std::span<const device::Photon> photons;
+  CausticFilter filter;
+  bool skipCells = true;  ///< false: filters cells without photons, too, to measure what that costs
+};
+
+/// Caustics filtered in the space of the picture (Larsen 2004, ch. 12, corrected): photons drawn as points
+/// onto the surfaces seen, then a filter whose weights are areas of the surface. Only cells of the picture
+/// that hold photons, or whose neighbours do, are filtered.
+class CausticPass {
+ public:
+  /// Pixels around a picture that the filter of those at its border looks at.
+  static constexpr int margin = 8;
+
+  CausticPass(const Caustics& caustics, const CompiledScene& scene);
+
+  /// What opaque surfaces have to be drawn into by surface_places.frag, cleared to 0, before draw().
+  /// The same object while the size stays.
+  const gl::Framebuffer& places(int width, int height);
+
+  /// Filters photons over what places() holds. The Frame block in use is of that picture; pixelWidth as in
+  /// surface_places.glsl.
+  void draw(double pixelWidth, const gl::Texture& triangleNormals);
+
+  /// Irradiance, W/m2, of every pixel of places().
+  const gl::Texture& irradiance() const { return targets_->irradiance.color(); }
+
+  /// Share of the picture's cells that draw() filtered. Reads back: for tests and measurements.
+  double filteredShare() const;
+
+ private:
+  /// What is drawn into; pictures of one size.
+  struct Targets {
+    Targets(int width, int height);
+    gl::Framebuffer places, power, irradiance, marks;
+  };
+
+  void drawPhotons(const gl::Program& program, const gl::Framebuffer& target, bool add) const;
+  void setPicture(const gl::Program& program, double pixelWidth, const gl::Texture& triangleNormals) const;
+
+  CausticFilter filter_;
+  bool skipCells_;
+  GLsizei photonCount_ = 0;
+  gl::Program photonProgram_, markProgram_, filterProgram_;
+  gl::Buffer photons_;
+  gl::VertexArray photonArray_, noVertices_;
+  std::unique_ptr<Targets> targets_;
+};
+
+}  // namespace prelight::viewer

@@ -1,0 +1,18 @@
+#version 410 core
+// Where the surface of every pixel is; see surface_places.glsl.
+#include "frame.glsl"
+#include "material.glsl"
+
+in vec3 vPosition;
+in vec4 vTexCoords;
+in vec2 vEmissiveTexCoord;
+in vec4 vColor;
+
+out vec4 outPlace;
+
+void main() {
+  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  if (m.alpha < surfaceFactors.w) discard;
+  float number = float(firstTriangle + gl_PrimitiveID + 1);
+  outPlace = vec4(vPosition, gl_FrontFacing ? number : -number);
+}
