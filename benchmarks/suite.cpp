@@ -30,6 +30,7 @@ const std::vector<Entry>& entries() {
        runErrorSuite},
       {{"reference", "error of the reference renderer against time, and the error that it reports"},
        runReferenceSuite},
+      {{"full", "error of pictures with all light against time, beside path tracing"}, runFullSuite},
       {{"wavelets", "error and flicker of Haar wavelets by the number of the light's coefficients"},
        runWaveletsSuite},
       {{"relight", "bytes a second of relighting and light projection on the device, against copying"},

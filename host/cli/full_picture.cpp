@@ -99,8 +99,14 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
   DeviceOptions deviceOptions = session.deviceOptions();
   options.bake.addTo(deviceOptions);
   const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
-  const LitScene lit{loaded.compiled, loaded.scene.images, options.lights.value_or(loaded.scene.lights),
-                     sky ? &*sky : nullptr, options.skyRotationDegrees * std::numbers::pi / 180.0};
+  std::vector<Light> lights = options.lights.value_or(loaded.scene.lights);
+  if (!sky && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
+    sky = constantEnvironment(glm::vec3(1.0f));
+    session.console().note(
+        "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
+  }
+  const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights), sky ? &*sky : nullptr,
+                     options.skyRotationDegrees * std::numbers::pi / 180.0};
   FullReport made;
   const Picture picture = session.times().measure("render", [&] {
     return renderFull(loaded.scene, lit, camera, request, device, session.progress(), made);

@@ -17,7 +17,7 @@ namespace prelight {
 struct FullRequest {
   int width = 0;
   int height = 0;
-  std::uint32_t samples = 16;       ///< a pixel, 1 to 64
+  std::uint32_t samples = 8;        ///< a pixel, 1 to 64
   std::uint32_t texels = 1u << 13;  ///< of the light map that holds indirect light, about
   IndirectRequest indirect;
   std::uint64_t causticPhotons = 200000;  ///< that leave lights towards what makes caustics

@@ -15,7 +15,7 @@
 namespace prelight {
 
 struct IndirectRequest {
-  std::uint64_t photons = 100000;  ///< that leave lights, for the approximation that is gathered from
+  std::uint64_t photons = 50000;  ///< that leave lights, for the approximation that is gathered from
   int nearestPhotons = 60;         ///< of an estimate
   std::uint32_t rays = 128;        ///< a place, a power of two from 8 on
   std::uint64_t seed = 0;

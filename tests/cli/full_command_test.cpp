@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+
+#include "cli/cli_test.h"
+#include "cli/glb_scene.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class CliFull : public CliTest {
+ protected:
+  nlohmann::json render(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "render");
+    for (const char* more : {"--shading", "full", "--size", "24x24", "--spp", "4", "--photons", "2000",
+                             "--map-texels", "512", "--json"})
+      arguments.emplace_back(more);
+    return nlohmann::json::parse(prelightDone(arguments).output);
+  }
+
+  nlohmann::json compare(const std::string& a, const std::string& b) const {
+    return nlohmann::json::parse(prelightDone({"compare", a, b, "--json"}).output);
+  }
+};
+
+nlohmann::json passOf(const nlohmann::json& report, const std::string& name) {
+  for (const nlohmann::json& pass : report["plan"])
+    if (pass["name"] == name) return pass;
+  return {};
+}
+
+TEST_F(CliFull, DiffuseScene_SkipsCausticsAndSaysWhy) {
+  prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  const nlohmann::json report = render({"cornell.glb", "-o", "a.exr"});
+  EXPECT_EQ(report["shading"], "full");
+  EXPECT_GT(report["photons"]["stored"], 2000);
+  EXPECT_EQ(report["causticPhotons"]["rays"], 0);
+  EXPECT_FALSE(passOf(report, "caustic photons")["runs"]);
+  EXPECT_THAT(passOf(report, "caustic photons")["reason"].get<std::string>(),
+              HasSubstr("no surface is a mirror"));
+  EXPECT_GT(compare("a.exr", "a.exr")["picture"]["meanA"], 0.05);
+}
+
+TEST_F(CliFull, SameSeed_GivesTheSameBytesAndAnotherSeedDoesNot) {
+  prelightDone({"scene", "caustics", "-o", "scene.glb"});
+  EXPECT_TRUE(
+      passOf(render({"scene.glb", "-o", "a.exr", "--caustic-photons", "5000"}), "caustic photons")["runs"]);
+  render({"scene.glb", "-o", "b.exr", "--caustic-photons", "5000"});
+  render({"scene.glb", "-o", "c.exr", "--caustic-photons", "5000", "--seed", "1"});
+  EXPECT_EQ(compare("a.exr", "b.exr")["picture"]["max"], 0.0);
+  EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 0.0);
+}
+
+TEST_F(CliFull, SceneWithoutLight_IsLitByANeutralSky) {
+  writeFile("scene.glb", floorAndRoof().bytes());
+  const ProcessResult result = prelightDone(
+      {"render", "scene.glb", "-o", "a.exr", "--shading", "full", "--size", "16x16", "--light", "none"});
+  EXPECT_THAT(result.errors, HasSubstr("lit by a neutral sky"));
+  EXPECT_GT(compare("a.exr", "a.exr")["picture"]["meanA"], 0.0);
+}
+
+TEST_F(CliFull, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritten) {
+  prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  for (const auto& [option, value] :
+       std::vector<std::pair<std::string, std::string>>{{"--spp", "0"},
+                                                        {"--spp", "65"},
+                                                        {"--photons", "0"},
+                                                        {"--map-texels", "many"},
+                                                        {"--caustic-photons", "-1"}}) {
+    expectFailure(2, {"render", "cornell.glb", "-o", "a.exr", "--shading", "full", option, value}, {option});
+  }
+}
+
+TEST_F(CliFull, View_DoesNotKnowIt) {
+  prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  expectFailure(2, {"view", "cornell.glb", "--shading", "full"}, {"--shading full", "one of: phong"});
+}
+
+}  // namespace
+}  // namespace prelight::test
