@@ -74,7 +74,11 @@ std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
   options.nearest = nearestPhotons;
   DensityEstimator estimator(surface, options, device);
   estimator.setPhotons(makePhotonMaps(hits.photons, surface));
-  const auto radius = static_cast<float>(widestEstimate * sceneRadius(compiled));
+  return estimator.estimate(densityQueries(compiled, places, widestEstimate * sceneRadius(compiled)));
+}
+
+std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
+                                                 std::span<const LightMapTexel> places, double radius) {
   std::vector<device::DensityQuery> queries;
   queries.reserve(places.size());
   for (const device::Receiver& r : receiversOf(compiled, places, 1, 0, 0)) {
@@ -84,10 +88,10 @@ std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
       query.normal[k] = r.geometricNormal[k];
     }
     query.triangle = r.triangle;
-    query.radius = radius;
+    query.radius = static_cast<float>(radius);
     queries.push_back(query);
   }
-  return estimator.estimate(queries);
+  return queries;
 }
 
 IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,

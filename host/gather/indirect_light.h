@@ -16,8 +16,8 @@ namespace prelight {
 
 struct IndirectRequest {
   std::uint64_t photons = 50000;  ///< that leave lights, for the approximation that is gathered from
-  int nearestPhotons = 60;         ///< of an estimate
-  std::uint32_t rays = 128;        ///< a place, a power of two from 8 on
+  int nearestPhotons = 60;        ///< of an estimate
+  std::uint32_t rays = 128;       ///< a place, a power of two from 8 on
   std::uint64_t seed = 0;
 };
 
@@ -50,6 +50,10 @@ class IndirectLight {
   IrradianceMap approximation_;
   FinalGather gather_;
 };
+
+/// Queries of a density estimate at places of the surface, with a largest radius in metres.
+std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
+                                                 std::span<const LightMapTexel> places, double radius);
 
 /// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
 std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values);

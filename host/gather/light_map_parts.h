@@ -22,4 +22,25 @@ class IndirectLightPart final : public LightMapPart {
   Progress& progress_;
 };
 
+/// What photons tell by their density, such as caustics.
+class PhotonLightPart final : public LightMapPart {
+ public:
+  /// `radius`: m, the largest of an estimate; `rays`: that the photons took. The arguments outlive it.
+  PhotonLightPart(std::string name, const CompiledScene& compiled, DensityEstimator& estimator, double radius,
+                  std::uint64_t rays)
+      : name_(std::move(name)), compiled_(compiled), estimator_(estimator), radius_(radius), rays_(rays) {}
+
+  std::string name() const override { return name_; }
+  void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
+           std::span<std::uint8_t> hidden) override;
+  std::uint64_t rays() const override { return rays_; }
+
+ private:
+  std::string name_;
+  const CompiledScene& compiled_;
+  DensityEstimator& estimator_;
+  double radius_;
+  std::uint64_t rays_;
+};
+
 }  // namespace prelight

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "bake/fit_mesh.h"
+#include "lightmap/light_map_layout.h"
+
+namespace prelight {
+
+/// Irradiance of the fronts at every vertex, W/m2, such that interpolating it between vertices comes closest
+/// to the light map (least squares over the surface); 0 where a vertex has no chart around it.
+std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,
+                                            const LightMap& map);
+
+}  // namespace prelight
