@@ -47,6 +47,7 @@ std::uint64_t hashOf(const BakeRequest& request) {
   hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
   hash.value(request.radiosity);
   hash.value(request.lightMap).value(request.lightMapTexel);
+  hash.value(request.caustics).value(request.photons);
   if (request.radiosity || request.lightMap) {
     const RadiosityRequest& shape = request.radiosityShape;
     hash.value(shape.patchSize).value(shape.method).value(shape.tolerance).value(shape.skyRotation);

@@ -17,9 +17,11 @@
 #include "bake/slot_transfer.h"
 #include "bake/volume_caster.h"
 #include "bvh/tracer.h"
+#include "gather/light_map_light.h"
 #include "lightmap/direct_light_part.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/sky_light_part.h"
+#include "lightmap/vertex_irradiance.h"
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_threshold.h"
 #include "occluders/occluder_tree.h"
@@ -342,10 +344,12 @@ class ReceiverBake {
 };
 
 /// A light map's texels under all that lights them.
-LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const BakeRequest& request,
-                     const Plan& plan, Tracer& tracer, Progress& progress, BakeReport& report) {
+LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const LightMapInputs& inputs,
+                     const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
+                     Progress& progress, BakeReport& report) {
   std::optional<DirectLightPart> direct;
   std::optional<SkyLightPart> sky;
+  LightMapLight light(scene, inputs.images, inputs.layout, request, plan, device, tracer, progress);
   std::vector<LightMapPart*> parts;
   if (plan.runs("direct light of the map"))
     parts.push_back(&direct.emplace(scene, tracer, raysEach(request), request.seed));
@@ -353,6 +357,7 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const BakeR
   if (lights.environment)
     parts.push_back(&sky.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
                                  request.seed));
+  light.addTo(parts);
   bake.run(parts, progress);
   report.lightMap.emplace();
   LightMap map = bake.finish(usualCreaseAngle, *report.lightMap);
@@ -385,7 +390,7 @@ void saveTo(BakeCheckpoint& checkpoint, const std::optional<ReceiverBake>& recei
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint, const Charts* charts,
-               const LightMapLayout* lightMapLayout) {
+               const LightMapInputs* lightMapInputs) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
@@ -408,7 +413,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (saved && receivers) receivers->load(*saved);
   if (saved && radiosity) radiosity->load(*saved);
   std::optional<LightMapBake> lightMap;
-  if (plan.runs("light map") && lightMapLayout != nullptr) lightMap.emplace(scene, *lightMapLayout, 1);
+  if (plan.runs("light map") && lightMapInputs != nullptr) lightMap.emplace(scene, lightMapInputs->layout, 1);
   if (saved && lightMap) lightMap->load(*saved);
   saved.reset();
   clock.mark("prepare");
@@ -419,7 +424,9 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
     if (radiosity) bake.irradiance = radiosity->run(mesh, progress, report);
     if (lightMap) {
       clock.restart();
-      bake.lightMap = runLightMap(*lightMap, scene, request, plan, tracer, progress, report);
+      bake.lightMap =
+          runLightMap(*lightMap, scene, *lightMapInputs, request, plan, device, tracer, progress, report);
+      if (!bake.irradiance) bake.irradiance = irradianceOfVertices(scene, mesh, *bake.lightMap);
       clock.mark("light map");
     }
   } catch (const Interrupted&) {

@@ -236,6 +236,17 @@ void addAnimationOptions(CLI::App& app, BakeCommand& command) {
       ->excludes(keys);
 }
 
+/// Not among the techniques that render and view share: there caustics are drawn, not baked.
+void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
+  app.add_flag("--caustics", request.caustics,
+               "light map: with the light that mirrors and glass throw, from photons sent towards them")
+      ->needs("--lightmap");
+  addWholeNumber(
+      app, "--photons", {1, 1'000'000'000}, [&](std::uint64_t n) { request.photons = n; },
+      "light map: photons that leave lights (default: four a texel), and as many towards mirrors and glass")
+      ->needs("--lightmap");
+}
+
 }  // namespace
 
 void addBakeCommand(CLI::App& program, Context& context) {
@@ -249,6 +260,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
   addTechniqueOptions(*app, command->bake);
   app->add_flag("--vo-compress", command->quantizesOccluders,
                 "store vector occluders in whole numbers, in about a quarter of the bytes");
+  addMapPhotonOptions(*app, command->bake.request);
   addEffortOptions(*app, command->bake);
   addAnimationOptions(*app, *command);
   app->add_option("--env", command->environment,
@@ -267,6 +279,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
       "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"
+      "  prelight bake glass.glb -o baked.glb --lightmap --caustics --photons 1000000\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");
   app->callback([command, &context] { runBake(*command, context); });

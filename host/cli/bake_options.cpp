@@ -55,6 +55,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.lightGroups, "--light-groups");
   add(request.radiosity, "--radiosity");
   add(request.lightMap, "--lightmap");
+  add(request.caustics, "--caustics");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -182,10 +183,11 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
 }
 
 void addLightMapOptions(CLI::App& app, BakeRequest& request) {
-  CLI::Option* lightMap = app.add_flag(
-      "--lightmap", request.lightMap,
-      "light map: irradiance of the scene's own lights, in an .exr beside the file; charts are made for all "
-      "meshes");
+  CLI::Option* lightMap = app.add_flag("--lightmap", request.lightMap,
+                                       "light map: irradiance of the scene's own lights, direct and through "
+                                       "all bounces, in an .exr beside the "
+                                       "file and at the vertices; charts are made for all "
+                                       "meshes");
   addRealNumber(
       app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMapTexel = value; },
       "light map: side of a texel, metres (default: about 65 thousand texels)")

@@ -41,8 +41,10 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   const Charts charts = chartsOf(loaded, request.texelSize);
   if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
   const std::optional<LightMapLayout> lightMap = lightMapOf(loaded, request, run.plan);
+  std::optional<LightMapInputs> inputs;
+  if (lightMap) inputs.emplace(LightMapInputs{*lightMap, loaded.scene.images});
   run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts,
-                       lightMap ? &*lightMap : nullptr);
+                       inputs ? &*inputs : nullptr);
   progress_.clear();
   if (!charts.leftOut.empty())
     run.report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lightmap/direct_light_part.h"
+#include "photon/casters.h"
 
 namespace prelight {
 
@@ -52,6 +53,41 @@ PlannedPass planDirect(const CompiledScene& scene) {
                                    : ", of which one each is exact")};
 }
 
+PlannedPass planSky(const BakeRequest& request) {
+  const char* name = "sky light of the map";
+  if (!request.radiosityShape.environment) return {name, false, "there is no sky (--env)"};
+  return {name, true, "rays by the cosine and by the sky's radiance from every texel"};
+}
+
+bool isLit(const CompiledScene& scene, const BakeRequest& request) {
+  return hasLights(scene) || request.radiosityShape.environment != nullptr;
+}
+
+constexpr const char* unlit = "the scene has no light, nothing emissive and no sky";
+
+PlannedPass planIndirect(const CompiledScene& scene, const BakeRequest& request) {
+  const char* name = "indirect light of the map";
+  if (!isLit(scene, request)) return {name, false, unlit};
+  return {name, true, "photons, their density in every texel, and a final gathering from it"};
+}
+
+PlannedPass planCaustics(const CompiledScene& scene, const BakeRequest& request) {
+  const char* name = "caustics of the map";
+  if (!request.caustics) return {name, false, "not asked for (--caustics)"};
+  if (!isLit(scene, request)) return {name, false, unlit};
+  if (causticCasters(scene).empty()) return {name, false, "no surface is a mirror, glass or nearly a mirror"};
+  return {name, true, "photons towards mirrors, glass and narrow lobes"};
+}
+
+/// All passes of a light map, for one reason not run.
+std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
+  return {{"light map", false, map},
+          {"direct light of the map", false, parts},
+          {"sky light of the map", false, parts},
+          {"indirect light of the map", false, parts},
+          {"caustics of the map", false, parts}};
+}
+
 }  // namespace
 
 LightMapRequest lightMapRequest(const BakeRequest& request) {
@@ -61,21 +97,17 @@ LightMapRequest lightMapRequest(const BakeRequest& request) {
 }
 
 std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request) {
-  const char *name = "light map", *direct = "direct light of the map";
-  const char* sky = "sky light of the map";
-  if (!request.lightMap)
-    return {{name, false, "not asked for"},
-            {direct, false, "no light map is asked for"},
-            {sky, false, "no light map is asked for"}};
+  if (!request.lightMap) return noLightMap("not asked for", "no light map is asked for");
   if (!(litArea(scene) > 0.0)) {
     const char* reason = "no surface reflects diffusely, so none needs light";
-    return {{name, false, reason}, {direct, false, reason}, {sky, false, reason}};
+    return noLightMap(reason, reason);
   }
-  return {{name, true, texelText(scene, request) + "; charts of surfaces without creases, seams stitched"},
-          planDirect(scene),
-          request.radiosityShape.environment
-              ? PlannedPass{sky, true, "rays by the cosine and by the sky's radiance from every texel"}
-              : PlannedPass{sky, false, "there is no sky (--env)"}};
+  return {
+      {"light map", true, texelText(scene, request) + "; charts of surfaces without creases, seams stitched"},
+      planDirect(scene),
+      planSky(request),
+      planIndirect(scene, request),
+      planCaustics(scene, request)};
 }
 
 std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request) {

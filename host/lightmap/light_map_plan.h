@@ -12,7 +12,8 @@ namespace prelight {
 /// What the layout is made by.
 LightMapRequest lightMapRequest(const BakeRequest& request);
 
-/// Passes "light map", "direct light of the map" and "sky light of the map": whether they run, and why.
+/// Passes "light map" and "direct", "sky" and "indirect light" and "caustics of the map": whether they run,
+/// and why.
 std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request);
 
 /// That a light map takes while it is baked, about.

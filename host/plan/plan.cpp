@@ -179,7 +179,7 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
 
 BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
-  request.ao = request.lightGroups = request.occluders = request.radiosity = request.lightMap = false;
+  request.ao = request.lightGroups = request.occluders = request.radiosity = request.lightMap = request.caustics = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
   request.volumeSize = request.texelSize = 0;
   request.namedGroups.clear();

@@ -48,6 +48,8 @@ struct BakeRequest {
   RadiosityRequest radiosityShape;  ///< what it is solved with
   bool lightMap = false;            ///< irradiance of the scene's static lights, texel by texel
   double lightMapTexel = 0.0;       ///< side of its texels, m; 0: chosen
+  bool caustics = false;            ///< in the light map, which it needs
+  std::uint64_t photons = 0;        ///< of the light map; 0: chosen by its texels
   int bounces = 0;                  ///< diffuse interreflections, 0..16
   double nearLimit = 0.0;           ///< m, >= 0; what is nearer to a receiver occludes nothing
   double farLimit = 0.0;            ///< m; what is farther occludes nothing; 0: no limit

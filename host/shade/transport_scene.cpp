@@ -3,19 +3,27 @@
 namespace prelight {
 
 TransportScene::TransportScene(const LitScene& lit, const Device& device, bool choosePunctual)
-    : tracer_(lit.scene, device),
+    : TransportScene(lit, std::make_unique<Tracer>(lit.scene, device), nullptr, choosePunctual) {}
+
+TransportScene::TransportScene(const LitScene& lit, Tracer& tracer, bool choosePunctual)
+    : TransportScene(lit, nullptr, &tracer, choosePunctual) {}
+
+TransportScene::TransportScene(const LitScene& lit, std::unique_ptr<Tracer> own, Tracer* tracer,
+                               bool choosePunctual)
+    : ownTracer_(std::move(own)),
+      tracer_(ownTracer_ ? ownTracer_.get() : tracer),
       tables_(makeLightTables(lit.scene, lit.lights, lit.sky, choosePunctual)),
       layout_(lightLayout(tables_, lit.skyRotation)),
       features_(findShadeFeatures(lit.scene, tables_)),
-      surface_(lit.scene, lit.images, tracer_, features_.layerTextures),
-      lights_(tracer_.context(), tables_) {}
+      surface_(lit.scene, lit.images, *tracer_, features_.layerTextures),
+      lights_(tracer_->context(), tables_) {}
 
 cl_uint TransportScene::setArguments(cl::Kernel& kernel, cl_uint index) const {
   return lights_.setArguments(kernel, surface_.setArguments(kernel, index));
 }
 
 BuildOptions TransportScene::options() const {
-  BuildOptions options = tracer_.surfaceOptions();
+  BuildOptions options = tracer_->surfaceOptions();
   return defineFeatures(features_, options);
 }
 

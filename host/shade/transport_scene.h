@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "bvh/tracer.h"
@@ -25,6 +26,9 @@ class TransportScene {
   /// `choosePunctual`: as makeLightTables(). The scene must have a triangle.
   TransportScene(const LitScene& lit, const Device& device, bool choosePunctual = true);
 
+  /// With the scene's tracer, which outlives it.
+  TransportScene(const LitScene& lit, Tracer& tracer, bool choosePunctual = true);
+
   /// Sets surface and lights (ShadedSurface, then LightBuffers) as arguments of a kernel from `index` on;
   /// returns the index after them.
   cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
@@ -34,14 +38,17 @@ class TransportScene {
   /// Options that programs which look at it are built with.
   BuildOptions options() const;
 
-  Tracer& tracer() { return tracer_; }
-  DeviceContext& context() const { return tracer_.context(); }
+  Tracer& tracer() { return *tracer_; }
+  DeviceContext& context() const { return tracer_->context(); }
   const LightTables& lights() const { return tables_; }
   const device::LightLayout& layout() const { return layout_; }
   const ShadeFeatures& features() const { return features_; }
 
  private:
-  Tracer tracer_;
+  TransportScene(const LitScene& lit, std::unique_ptr<Tracer> own, Tracer* tracer, bool choosePunctual);
+
+  std::unique_ptr<Tracer> ownTracer_;
+  Tracer* tracer_;
   LightTables tables_;
   device::LightLayout layout_;
   ShadeFeatures features_;
