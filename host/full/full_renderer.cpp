@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "lightmap/make_light_map_layout.h"
 #include "photon/casters.h"
-#include "photon/density_estimator.h"
+#include "photon/caustic_light.h"
 #include "reference/film.h"
 #include "reference/path_tracer.h"
 
@@ -17,9 +18,6 @@ namespace prelight {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Of half the scene's diagonal: how far an estimate of caustics looks for photons.
-constexpr double widestCaustic = 0.02;
 
 class Stages {
  public:
@@ -35,12 +33,13 @@ class Stages {
   Clock::time_point last_ = Clock::now();
 };
 
-/// Photons that mirrors and glass have thrown onto other surfaces, ready to be looked up.
-struct Caustics {
-  DensityOptions options;
-  DensityEstimator estimator;
-  double radius = 0.0;
-};
+/// Width of what a pixel sees in the middle of the scene, m.
+double pixelFootprint(const CompiledScene& compiled, const Camera& camera, int height) {
+  const glm::dvec3 centre = 0.5 * (glm::dvec3(compiled.boundsMin) + glm::dvec3(compiled.boundsMax));
+  const double distance = glm::length(glm::dvec3(camera.world[3]) - compiled.origin - centre);
+  const double half = camera.perspective ? distance * std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
+  return 2.0 * half / height;
+}
 
 std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
   const bool lit = scene.lights().groupCount > 0;
@@ -51,26 +50,6 @@ std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
           {"caustic photons", lit && casters,
            casters ? lit ? "some surface is a mirror, glass or nearly a mirror" : "nothing gives light"
                    : "no surface is a mirror, glass or nearly a mirror"}};
-}
-
-std::unique_ptr<Caustics> traceCaustics(const CompiledScene& compiled, TransportScene& scene,
-                                        const DensitySurface& surface, const FullRequest& request,
-                                        const Device& device, Progress& progress, FullReport& report) {
-  PhotonRequest photons;
-  photons.kind = PhotonKind::Caustic;
-  photons.photons = request.causticPhotons;
-  photons.seed = request.seed + 1;
-  photons.rouletteDepth = 8;
-  PhotonHits hits;
-  report.causticPhotons = PhotonTracer(compiled, scene).trace(photons, hits, progress);
-  if (hits.photons.empty()) return nullptr;
-  DensityOptions options;
-  options.nearest = request.nearestCausticPhotons;
-  const double radius = 0.5 * glm::length(glm::dvec3(compiled.boundsMax - compiled.boundsMin));
-  auto caustics = std::make_unique<Caustics>(
-      Caustics{options, DensityEstimator(surface, options, device), widestCaustic * radius});
-  caustics->estimator.setPhotons(makePhotonMaps(hits.photons, surface));
-  return caustics;
 }
 
 Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
@@ -122,9 +101,11 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
     indirect.set(std::vector<glm::vec3>(layout.texelCount(), glm::vec3(0.0f)));
   }
   stages.mark("gather");
-  std::unique_ptr<Caustics> caustics;
+  std::unique_ptr<CausticLight> caustics;
   if (report.plan[1].runs) {
-    caustics = traceCaustics(compiled, scene, surface, request, device, progress, report);
+    caustics = traceCausticLight(compiled, scene, surface, request.causticPhotons, request.seed + 1,
+                                 pixelFootprint(compiled, camera, request.height), device, progress,
+                                 report.causticPhotons);
     report.rays += report.causticPhotons.rays;
   }
   stages.mark("caustics");
@@ -132,8 +113,8 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   cached.indirect = &indirect;
   if (caustics) {
     cached.caustics = &caustics->estimator;
-    cached.causticOptions = caustics->options;
-    cached.causticRadius = caustics->radius;
+    cached.causticOptions = caustics->filter.density;
+    cached.causticRadius = caustics->filter.radius;
   }
   Picture picture = draw(compiled, scene, camera, cached, request, progress, report);
   stages.mark("picture");

@@ -49,19 +49,13 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
 
 void LightMapLight::traceCaustics(const CompiledScene& scene, const LightMapLayout& layout,
                                   const BakeRequest& request, const Device& device, Progress& progress) {
-  PhotonRequest photons;
-  photons.kind = PhotonKind::Caustic;
-  photons.photons = request.photons > 0 ? request.photons : usualPhotons(layout.texels.size());
-  photons.seed = request.seed + 1;
-  photons.rouletteDepth = 8;
-  PhotonHits hits;
-  const PhotonReport report = PhotonTracer(scene, transport_).trace(photons, hits, progress);
-  if (hits.photons.empty()) return;
-  const PhotonMaps maps = makePhotonMaps(hits.photons, surface_);
-  const CausticFilter filter = chooseCausticFilter(maps, meanTexel(scene, layout));
-  causticDensity_ = std::make_unique<DensityEstimator>(surface_, filter.density, device);
-  causticDensity_->setPhotons(maps);
-  causticPart_.emplace("caustics", scene, *causticDensity_, filter.radius, report.rays);
+  const std::uint64_t photons = request.photons > 0 ? request.photons : usualPhotons(layout.texels.size());
+  PhotonReport report;
+  causticLight_ = traceCausticLight(scene, transport_, surface_, photons, request.seed + 1,
+                                    meanTexel(scene, layout), device, progress, report);
+  if (!causticLight_) return;
+  causticPart_.emplace("caustics", scene, causticLight_->estimator, causticLight_->filter.radius,
+                       report.rays);
 }
 
 void LightMapLight::addTo(std::vector<LightMapPart*>& parts) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gather/light_map_parts.h"
-#include "photon/caustic_filter.h"
+#include "photon/caustic_light.h"
 #include "plan/plan.h"
 
 namespace prelight {
@@ -28,7 +28,7 @@ class LightMapLight {
   TransportScene transport_;
   DensitySurface surface_;
   std::optional<IndirectLight> indirect_;
-  std::unique_ptr<DensityEstimator> causticDensity_;
+  std::unique_ptr<CausticLight> causticLight_;
   std::optional<IndirectLightPart> indirectPart_;
   std::optional<PhotonLightPart> causticPart_;
 };

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+
+#include "photon/caustic_filter.h"
+#include "photon/photon_tracer.h"
+
+namespace prelight {
+
+/// The light of caustics, ready to be looked up on surfaces.
+struct CausticLight {
+  CausticFilter filter;
+  DensityEstimator estimator;
+};
+
+/// Sends `photons` towards what makes caustics and chooses the filter for a `footprint` in metres
+/// (chooseCausticFilter). nullptr: none landed. Throws Interrupted. `surface` and `device` outlive the
+/// result.
+std::unique_ptr<CausticLight> traceCausticLight(const CompiledScene& compiled, TransportScene& scene,
+                                                const DensitySurface& surface, std::uint64_t photons,
+                                                std::uint64_t seed, double footprint, const Device& device,
+                                                Progress& progress, PhotonReport& report);
+
+}  // namespace prelight
