@@ -1,10 +1,13 @@
 #include "reference/cached_light.h"
 
+#include <algorithm>
+
 namespace prelight::reference {
 
 namespace {
 
 constexpr std::size_t groupSize = 64;
+constexpr std::uint32_t causticSamples = 2;  // of a pixel
 
 BuildOptions optionsOf(const TransportScene& scene, const CachedLight& light) {
   BuildOptions options = scene.options();
@@ -15,7 +18,7 @@ BuildOptions optionsOf(const TransportScene& scene, const CachedLight& light) {
 }  // namespace
 
 CachedLightAdder::CachedLightAdder(TransportScene& scene, const CompiledScene& compiled,
-                                   const CachedLight& light)
+                                   const CachedLight& light, std::uint32_t samples)
     : scene_(scene),
       add_(scene.context().program("reference/cached_light_kernels.cl", optionsOf(scene, light)),
            "addCachedLight") {
@@ -26,6 +29,8 @@ CachedLightAdder::CachedLightAdder(TransportScene& scene, const CompiledScene& c
   if (light.caustics == nullptr) return;
   light.caustics->setArguments(add_, index + 3);
   add_.setArg(index + 11, static_cast<cl_float>(light.causticRadius));
+  add_.setArg(index + 12, static_cast<cl_uint>(samples));
+  add_.setArg(index + 13, static_cast<cl_uint>(std::min(samples, causticSamples)));
 }
 
 void CachedLightAdder::add(std::uint32_t count, const Buffer<device::Ray>& rays,

@@ -18,7 +18,9 @@ struct CachedLight {
 /// Adds cached light to the paths of a block.
 class CachedLightAdder {
  public:
-  CachedLightAdder(TransportScene& scene, const CompiledScene& compiled, const CachedLight& light);
+  /// `samples`: paths a pixel.
+  CachedLightAdder(TransportScene& scene, const CompiledScene& compiled, const CachedLight& light,
+                   std::uint32_t samples);
 
   void add(std::uint32_t count, const Buffer<device::Ray>& rays, const Buffer<device::Hit>& hits,
            const Buffer<std::uint32_t>& queue, const cl::Buffer& paths);

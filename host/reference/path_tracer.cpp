@@ -48,7 +48,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   shadowRays_ = Buffer<Ray>(device_, paths);
   items_ = Buffer<ShadowItem>(device_, paths);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
-  if (cached != nullptr) cached_.emplace(scene, compiled, *cached);
+  if (cached != nullptr) cached_.emplace(scene, compiled, *cached, samples);
   buildKernels(request);
   if (request.integrator == Integrator::Instant) virtual_.emplace(scene, compiled, request);
 }

@@ -8,6 +8,9 @@
 #include "photon/density_funcs.cl"
 #endif
 
+// Caustics are smooth over a pixel, as their filter is wider, and cost most: of a pixel's samples, paths of causticSamples
+// look them up for all.
+//
 // A ray a work-item, after collectRadiance. corners, irradiances: of an IrradianceMap of indirect light; the density
 // arguments are the members of DensityMaps, causticRadius the largest radius of their estimate.
 __kernel void addCachedLight(const uint count, __global const Ray* rays, __global const Hit* hits,
@@ -25,7 +28,8 @@ __kernel void addCachedLight(const uint count, __global const Ray* rays, __globa
                              __global const LeafTree* photonTrees, __global const float* photonBoxes,
                              __global const PhotonBlock* photonBlocks, __global const SurfacePlace* places,
                              __global const LeafTree* areaTrees, __global const AreaNode* areaNodes,
-                             __global const AreaTriangle* areaTriangles, const float causticRadius
+                             __global const AreaTriangle* areaTriangles, const float causticRadius,
+                             const uint samples, const uint causticSamples
 #endif
 ) {
   const size_t i = get_global_id(0);
@@ -40,7 +44,9 @@ __kernel void addCachedLight(const uint count, __global const Ray* rays, __globa
 #ifdef PRELIGHT_CACHED_CAUSTICS
   const DensityMaps maps = {densityParameters, photonTrees, photonBoxes, photonBlocks,
                             places, areaTrees, areaNodes, areaTriangles};
-  irradiance += photonIrradiance(maps, vertex.position, vertex.geometric, hit.triangle, causticRadius);
+  if (queue[i] % samples < causticSamples)
+    irradiance += photonIrradiance(maps, vertex.position, vertex.geometric, hit.triangle, causticRadius) *
+                  ((float)samples / (float)causticSamples);
 #endif
   __global PathState* path = paths + queue[i];
   const float3 radiance = reflectIrradiance(bsdf, dot(vertex.wo, vertex.shading), irradiance);
