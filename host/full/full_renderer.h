@@ -20,7 +20,7 @@ struct FullRequest {
   std::uint32_t samples = 8;        ///< a pixel, 1 to 64
   std::uint32_t texels = 1u << 13;  ///< of the light map that holds indirect light, about
   IndirectRequest indirect;
-  std::uint64_t causticPhotons = 200000;  ///< that leave lights towards what makes caustics
+  std::uint64_t causticPhotons = 100000;  ///< that leave lights towards what makes caustics
   int depth = 16;                         ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;
 };
