@@ -197,16 +197,26 @@ std::string errorPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
-std::string referencePlot(const Results& results, const std::string& subtitle) {
+/// A curve a scene of relative squared error against time.
+std::string timeErrorPlot(const Results& results, const std::string& title, const std::string& subtitle,
+                          const std::string& metric) {
   std::vector<SceneResults> scenes;
   for (const BenchmarkResult& result : results)
     if (const auto [scene, label] = splitCase(result.case_); !label.starts_with("long run"))
       groupNamed(scenes, scene).results.push_back(result);
-  CurveChart chart{"Error of the reference renderer against time", subtitle, "seconds", "relative MSE", {}};
+  CurveChart chart{title, subtitle, "seconds", "relative MSE", {}};
   for (const SceneResults& scene : scenes)
     chart.curves.push_back({scene.name, palette[chart.curves.size() % palette.size()], CurveStyle::Strong,
-                            pointsOf(scene.results, "relMSE")});
+                            pointsOf(scene.results, metric)});
   return drawCurveChart(chart);
+}
+
+std::string referencePlot(const Results& results, const std::string& subtitle) {
+  return timeErrorPlot(results, "Error of the reference renderer against time", subtitle, "relMSE");
+}
+
+std::string fullPlot(const Results& results, const std::string& subtitle) {
+  return timeErrorPlot(results, "Error of pictures with all light against time", subtitle, "relMSE of 99 %");
 }
 
 /// Cases of selection are "select/light/count/how".
@@ -353,7 +363,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 17> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 18> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -362,6 +372,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"bake", "bake", bakePlot},
                                            {"error", "error", errorPlot},
                                            {"reference", "reference", referencePlot},
+                                           {"full", "full", fullPlot},
                                            {"wavelets", "wavelets", waveletsPlot},
                                            {"relight", "relight", relightPlot},
                                            {"compress", "compress", compressPlot},

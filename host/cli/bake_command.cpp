@@ -181,6 +181,8 @@ void addLightMap(const std::filesystem::path& output, const LightMap& map, Loade
 }
 
 void runBake(const BakeCommand& command, Context& context) {
+  if (command.bake.request.photons > 0 && !command.bake.request.lightMap)
+    throw UsageError("--photons", "it is of light maps, and none is asked for", "add --lightmap");
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
   requireTriangles(loaded);
@@ -238,13 +240,12 @@ void addAnimationOptions(CLI::App& app, BakeCommand& command) {
 
 /// Not among the techniques that render and view share: there caustics are drawn, not baked.
 void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--caustics", request.caustics,
-               "light map: with the light that mirrors and glass throw, from photons sent towards them")
-      ->needs("--lightmap");
+  app.add_flag_callback(
+      "--caustics", [&] { request.caustics = request.lightMap = true; },
+      "a light map with the light that mirrors and glass throw, from photons sent towards them");
   addWholeNumber(
       app, "--photons", {1, 1'000'000'000}, [&](std::uint64_t n) { request.photons = n; },
-      "light map: photons that leave lights (default: four a texel), and as many towards mirrors and glass")
-      ->needs("--lightmap");
+      "light map: photons that leave lights (default: four a texel), and as many towards mirrors and glass");
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ TEST_F(CliLightMap, Bake_WritesCoordinatesAndAPicture) {
   for (std::size_t node = 0; node < 2; ++node) {
     const auto& entry =
         scene.json.at("nodes").at(node).at("extensions").at("PRELIGHT_transfer").at("primitives").at(0);
-    EXPECT_EQ(entry.size(), 1u);
+    EXPECT_EQ(entry.size(), 2u);
+    EXPECT_FALSE(floatAccessor(scene, entry.at("irradiance")).empty());
     EXPECT_EQ(entry.at("lightmap").at("image"), "out.lightmap.exr");
     for (const float value : floatAccessor(scene, entry.at("lightmap").at("texCoord"))) {
       EXPECT_GE(value, 0.0f);
@@ -74,6 +75,22 @@ TEST_F(CliLightMap, BadOptions_AreUsageErrors) {
   expectFailure(badUsage, {"bake", "scene.glb", "-o", "x.glb", "--texel-size", "1"}, {"--lightmap"});
   expectFailure(badUsage, {"bake", "scene.glb", "-o", "x.glb", "--lightmap", "--texel-size", "1e-6"},
                 {"--texel-size", "4096", "or more"});
+}
+
+TEST_F(CliLightMap, Caustics_BringALightMapWithThem) {
+  prelightDone({"scene", "caustics", "-o", "scene.glb"});
+  const auto report =
+      nlohmann::json::parse(prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--caustics", "--photons",
+                                          "5000", "--texel-size", "0.2", "--rays", "64", "--json"})
+                                .output);
+  std::size_t runs = 0;
+  for (const nlohmann::json& pass : report["plan"]["passes"])
+    for (const char* name : {"light map", "indirect light of the map", "caustics of the map"})
+      runs += pass["name"] == name && pass["runs"].get<bool>();
+  EXPECT_EQ(runs, 3u);
+  EXPECT_GT(readFile("baked.lightmap.exr").size(), 1000u);
+  expectFailure(2, {"bake", "scene.glb", "-o", "b.glb", "--ao", "--photons", "5000"},
+                {"--photons", "--lightmap"});
 }
 
 }  // namespace

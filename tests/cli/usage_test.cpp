@@ -42,7 +42,7 @@ TEST_F(CliUsage, Arguments_MissingOrTooMany_AreNamed) {
 }
 
 TEST_F(CliUsage, Technique_ThatDoesNotExist_NamesThoseThatDo) {
-  for (const char* option : {"--photons", "--radiance"})
+  for (const char* option : {"--photon-map", "--radiance"})
     expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", option}, {option, "--ao", "--sh"});
   for (const char* shading : {"lightmaps", "none", ""})
     expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", shading},
