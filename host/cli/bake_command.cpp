@@ -180,9 +180,16 @@ void addLightMap(const std::filesystem::path& output, const LightMap& map, Loade
   embedLightMap(loaded.document, loaded.compiled, map.layout, picture.filename().string());
 }
 
+/// Options that only a light map has.
+void checkMapOptions(const BakeRequest& request) {
+  if (request.lightMap) return;
+  for (const auto& [given, option] :
+       {std::pair{request.photons > 0, "--photons"}, std::pair{request.lightMapTexel > 0.0, "--texel-size"}})
+    if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
+}
+
 void runBake(const BakeCommand& command, Context& context) {
-  if (command.bake.request.photons > 0 && !command.bake.request.lightMap)
-    throw UsageError("--photons", "it is of light maps, and none is asked for", "add --lightmap");
+  checkMapOptions(command.bake.request);
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
   requireTriangles(loaded);

@@ -183,16 +183,15 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
 }
 
 void addLightMapOptions(CLI::App& app, BakeRequest& request) {
-  CLI::Option* lightMap = app.add_flag("--lightmap", request.lightMap,
-                                       "light map: irradiance of the scene's own lights, direct and through "
-                                       "all bounces, in an .exr beside the "
-                                       "file and at the vertices; charts are made for all "
-                                       "meshes");
+  app.add_flag("--lightmap", request.lightMap,
+               "light map: irradiance of the scene's own lights, direct and through "
+               "all bounces, in an .exr beside the "
+               "file and at the vertices; charts are made for all "
+               "meshes");
   addRealNumber(
       app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMapTexel = value; },
       "light map: side of a texel, metres (default: about 65 thousand texels)")
-      ->type_name("M")
-      ->needs(lightMap);
+      ->type_name("M");
 }
 
 void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
