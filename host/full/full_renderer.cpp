@@ -41,7 +41,21 @@ double pixelFootprint(const CompiledScene& compiled, const Camera& camera, int h
   return 2.0 * half / height;
 }
 
-std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
+/// Of the surface: emitters that take more of it are near what they light, seldom far.
+constexpr double largeEmitters = 0.02;
+
+double emitterShare(const CompiledScene& scene) {
+  double all = 0.0, emitting = 0.0;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const double area = glm::length(geometricNormal(scene, t));
+    const glm::vec3& e = scene.materials[scene.triangleMaterials[t]].emission;
+    all += area;
+    if (e.x > 0.0f || e.y > 0.0f || e.z > 0.0f) emitting += area;
+  }
+  return all > 0.0 ? emitting / all : 0.0;
+}
+
+std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters, bool meetsLights) {
   const bool lit = scene.lights().groupCount > 0;
   const bool scatters = scene.features().scatters;
   return {{"indirect light", lit && scatters,
@@ -49,7 +63,10 @@ std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
                : "nothing gives light"},
           {"caustic photons", lit && casters,
            casters ? lit ? "some surface is a mirror, glass or nearly a mirror" : "nothing gives light"
-                   : "no surface is a mirror, glass or nearly a mirror"}};
+                   : "no surface is a mirror, glass or nearly a mirror"},
+          {"rays to large emitters", meetsLights,
+           meetsLights ? "emitters take more than a fiftieth of the surface: diffuse rays look for them, too"
+                       : "emitters take less than a fiftieth of the surface: samples of them suffice"}};
 }
 
 Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
@@ -81,7 +98,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   Stages stages(report);
   const CompiledScene& compiled = lit.scene;
   TransportScene scene(lit, device);
-  report.plan = planOf(scene, !causticCasters(compiled).empty());
+  report.plan = planOf(scene, !causticCasters(compiled).empty(), emitterShare(compiled) > largeEmitters);
   stages.mark("scene");
   LightMapRequest map;
   map.texels = request.texels;
@@ -111,6 +128,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   stages.mark("caustics");
   reference::CachedLight cached;
   cached.indirect = &indirect;
+  cached.meetsLights = report.plan[2].runs;
   if (caustics) {
     cached.caustics = &caustics->estimator;
     cached.causticOptions = caustics->filter.density;

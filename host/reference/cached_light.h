@@ -13,6 +13,8 @@ struct CachedLight {
   const DensityEstimator* caustics = nullptr;  ///< with its photons; nullptr: there are none
   DensityOptions causticOptions;               ///< of the estimator
   double causticRadius = 0.0;                  ///< m, the largest of an estimate
+  bool meetsLights = false;  ///< diffuse rays look for lights as well: where these are near, samples of them
+                             ///< alone have no bound
 };
 
 /// Adds cached light to the paths of a block.

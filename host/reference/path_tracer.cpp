@@ -49,20 +49,22 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   items_ = Buffer<ShadowItem>(device_, paths);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
   if (cached != nullptr) cached_.emplace(scene, compiled, *cached, samples);
+  meetsLights_ = cached != nullptr && cached->meetsLights;
   buildKernels(request);
   if (request.integrator == Integrator::Instant) virtual_.emplace(scene, compiled, request);
 }
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
-  const cl::Program& program = device_.program("reference/path_kernels.cl",
-                                               buildOptions(request, cached_.has_value(), scene_.options()));
+  const cl::Program& program = device_.program(
+      "reference/path_kernels.cl",
+      buildOptions(request, cached_ ? std::optional(meetsLights_) : std::nullopt, scene_.options()));
   generate_ = cl::Kernel(program, "generatePaths");
   collect_ = cl::Kernel(program, "collectRadiance");
   sample_ = cl::Kernel(program, "sampleLights");
   if (request.integrator == Integrator::Instant)
-    sampleVirtual_ = cl::Kernel(
-        device_.program("reference/virtual_kernels.cl", buildOptions(request, false, scene_.options())),
-        "sampleVirtualLight");
+    sampleVirtual_ = cl::Kernel(device_.program("reference/virtual_kernels.cl",
+                                                buildOptions(request, std::nullopt, scene_.options())),
+                                "sampleVirtualLight");
   add_ = cl::Kernel(program, "addArrivals");
   scatter_ = cl::Kernel(program, "scatterPaths");
   average_ = cl::Kernel(program, "averageSamples");
@@ -105,7 +107,7 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
   if (virtual_) addVirtualLights(count);
   const ShadeFeatures& features = scene_.features();
-  const bool goesOn = !cached_ || features.glass || features.mirror || features.glossy;
+  const bool goesOn = !cached_ || meetsLights_ || features.glass || features.mirror || features.glossy;
   count = goesOn ? scatter(count, depth) : 0;
   current_ = 1 - current_;
 }

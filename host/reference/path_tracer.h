@@ -63,6 +63,7 @@ class PathTracer {
   Buffer<std::uint32_t> counters_;
   Buffer<glm::vec4> meanBuffer_;
   std::optional<CachedLightAdder> cached_;
+  bool meetsLights_ = false;  ///< CachedLight::meetsLights
   cl::Kernel generate_, collect_, sample_, sampleVirtual_, add_, scatter_, average_;
 };
 

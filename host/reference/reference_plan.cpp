@@ -28,11 +28,13 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
           pass("textures", f.layerTextures, "some material has one", "no material has one")};
 }
 
-BuildOptions buildOptions(const ReferenceRequest& request, bool cachedLight, BuildOptions options) {
+BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> cachedLight,
+                          BuildOptions options) {
   const bool whitted = request.integrator == Integrator::Whitted;
-  const bool distributed = request.integrator == Integrator::Distributed && !cachedLight;
-  if (cachedLight || request.integrator != Integrator::Path)
-    options.define("PRELIGHT_DIFFUSE_BOUNCES", distributed ? 1 : 0);
+  if (cachedLight)
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", *cachedLight ? 1 : 0).define("PRELIGHT_CACHED_LIGHT");
+  else if (request.integrator != Integrator::Path)
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", request.integrator == Integrator::Distributed ? 1 : 0);
   return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")
       .defineIf(whitted || request.estimator == Estimator::LightsOnly, "PRELIGHT_LIGHTS_ONLY")
       .defineIf(!whitted && request.estimator == Estimator::ScatterOnly, "PRELIGHT_SCATTER_ONLY");

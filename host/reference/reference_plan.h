@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "device/build_options.h"
@@ -13,6 +14,8 @@ namespace prelight::reference {
 std::vector<PlannedPass> explainFeatures(const ShadeFeatures& features, const ReferenceRequest& request);
 
 /// Build options of kernels/reference, added to those of the scene.
-BuildOptions buildOptions(const ReferenceRequest& request, bool cachedLight, BuildOptions sceneOptions);
+/// `cachedLight`: there is some; CachedLight::meetsLights.
+BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> cachedLight,
+                          BuildOptions sceneOptions);
 
 }  // namespace prelight::reference

@@ -21,7 +21,7 @@ VirtualLights::VirtualLights(TransportScene& scene, const CompiledScene& compile
       request_(request),
       tracer_(compiled, scene),
       make_(scene.context().program("reference/virtual_kernels.cl",
-                                    buildOptions(request, false, scene.options())),
+                                    buildOptions(request, std::nullopt, scene.options())),
             "makeVirtualLights") {
   for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t)
     area_ += 0.5 * glm::length(geometricNormal(compiled, t));

@@ -34,6 +34,7 @@ __kernel void addCachedLight(const uint count, __global const Ray* rays, __globa
 ) {
   const size_t i = get_global_id(0);
   if (i >= count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  if (paths[queue[i]].diffuseBounces > 0u) return;  // it looks for lights alone
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
   const IrradianceMap map = {corners, irradiances, (int2)((int)mapWidth, (int)mapHeight), triangleCount};
   const Hit hit = hits[i];

@@ -3,7 +3,8 @@
 // queue [ray] tells which path a ray belongs to. The order within a queue is left to chance; nothing depends on it,
 // because every path has random numbers and a state of its own.
 // Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
-// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs).
+// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_CACHED_LIGHT (diffuse rays look for
+// lights alone: cached_light_kernels.cl brings the rest).
 #include "shade/glass_funcs.cl"
 #include "reference/path_funcs.cl"
 
@@ -116,6 +117,9 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const uint c
   if (wo.z <= 0.0f) return;
 
   const PathState path = paths[queue[i]];
+#ifdef PRELIGHT_CACHED_LIGHT
+  if (path.diffuseBounces > 0u) return;
+#endif
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const uint2 choice = pathBits(p, queue[i], pair + PRELIGHT_PAIR_LIGHT);
   const uint2 place = pathBits(p, queue[i], pair + PRELIGHT_PAIR_PLACE);
@@ -211,6 +215,9 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const uint c
   const Frame frame = frameAround(vertex.shading);
   const float3 wo = toFrame(frame, vertex.wo);
   PathState path = paths[queue[i]];
+#ifdef PRELIGHT_CACHED_LIGHT
+  if (path.diffuseBounces > 0u) return;
+#endif
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const float2 chance = pathPoint(p, queue[i], pair + PRELIGHT_PAIR_LOBE);
 #ifdef PRELIGHT_DIFFUSE_BOUNCES

@@ -87,7 +87,28 @@ TEST(FullRenderer, Cornell_ComesCloseToPathTracing) {
   shot.request.samples = 64;
   EXPECT_LT(relativeError(shot.render(), truthOf(shot, 2048)), 0.002);
   EXPECT_FALSE(runs(shot.report, "caustic photons"));
+  EXPECT_FALSE(runs(shot.report, "rays to large emitters"));
   EXPECT_EQ(shot.report.causticPhotons.rays, 0u);
+}
+
+/// A closed room of albedo 1/2 whose walls emit 1 shows 2 everywhere.
+TEST(FullRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
+  FullShot shot;
+  shot.scene = box(2, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+  shot.scene.materials[0] = lambert(0.5f);
+  shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+  shot.camera = cameraAt({0.3, 0.2, 0.1}, {-1.0, -0.5, -1.0}, 1.2);
+  shot.request.width = shot.request.height = 16;
+  shot.request.samples = 64;
+  double sum = 0.0, squares = 0.0;
+  const Picture picture = shot.render();
+  for (const glm::vec3& pixel : picture.pixels) {
+    sum += static_cast<double>(pixel.y);
+    squares += std::pow(static_cast<double>(pixel.y) - 2.0, 2.0);
+  }
+  EXPECT_NEAR(sum / static_cast<double>(picture.pixels.size()), 2.0, 0.002 * 2.0);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(picture.pixels.size())), 0.01 * 2.0);
+  EXPECT_TRUE(runs(shot.report, "rays to large emitters"));
 }
 
 TEST(FullRenderer, SceneWithoutLight_IsBlack) {
