@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "lightmap/light_map_bake.h"
 #include "lightmap/make_light_map_layout.h"
 #include "photon/casters.h"
 #include "photon/caustic_light.h"
@@ -69,6 +70,25 @@ std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters, bool 
                        : "emitters take less than a fiftieth of the surface: samples of them suffice"}};
 }
 
+/// Indirect light of a layout's texels on its grid. What gets none at all in a lit scene lies inside an
+/// object, or in the dark; it takes after its neighbours on the chart, so as not to darken what is beside it.
+std::vector<glm::vec3> filledGrid(const LightMapLayout& layout, std::span<const glm::vec3> irradiance) {
+  LightMap map;
+  map.layout = layout;
+  map.values.assign(3 * layout.texelCount(), 0.0f);
+  std::vector<std::uint8_t> hidden(irradiance.size());
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    hidden[i] = irradiance[i] == glm::vec3(0.0f) ? 1 : 0;
+    for (int c = 0; c < 3; ++c)
+      map.values[3 * std::size_t{layout.texels[i].texel} + static_cast<std::size_t>(c)] = irradiance[i][c];
+  }
+  fillHidden(std::move(hidden), map);
+  std::vector<glm::vec3> grid;
+  for (std::size_t t = 0; t < layout.texelCount(); ++t)
+    grid.emplace_back(map.values[3 * t], map.values[3 * t + 1], map.values[3 * t + 2]);
+  return grid;
+}
+
 Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
              const reference::CachedLight& cached, const FullRequest& request, Progress& progress,
              FullReport& report) {
@@ -111,7 +131,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   if (report.plan[0].runs) {
     IndirectLight light(compiled, scene, layout, surface, request.indirect, device, progress);
     stages.mark("photons");
-    indirect.set(onGrid(layout, light.gather(layout.texels, progress)));
+    indirect.set(filledGrid(layout, light.gather(layout.texels, progress)));
     report.photons = light.photons();
     report.rays += light.rays();
   } else {
