@@ -42,15 +42,9 @@ bool follow(PathScene s, PathVertex v, Bsdf b, float2 chance, float2 u, GatherPa
   float relativeIor2 = 1.0f;
 #ifdef PRELIGHT_GLASS
   if (chance.x >= lobes.specular) {
-    const bool solid = (s.materials[v.material].flags & PRELIGHT_SOLID) != 0u;
     const float rest = clamp((chance.x - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
-    const float3 shading = wo.z > 0.0f ? v.shading : v.geometric;
-    bool passes;
-    *direction = throughGlass(b, solid, v.front, v.wo, shading, rest, &weight, &passes, &relativeIor2);
-    if ((dot(*direction, v.geometric) < 0.0f) != passes)
-      *direction = throughGlass(b, solid, v.front, v.wo, v.geometric, rest, &weight, &passes, &relativeIor2);
+    *direction = leaveGlass(s, v, b, wo.z, rest, &weight, &relativeIor2, &path->medium);
     weight *= b.glass / lobes.glass;
-    if (passes && solid) path->medium = v.front ? v.material : PRELIGHT_NO_MEDIUM;
   } else
 #endif
   {

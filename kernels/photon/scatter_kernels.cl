@@ -32,25 +32,6 @@ float adjointRatio(PathVertex v, float3 direction) {
   return in < 4.0f * out ? in / out : 4.0f;
 }
 
-#ifdef PRELIGHT_GLASS
-bool leaveThroughGlass(Arrived a, PathScene s, LobeChoice lobes, float chance, Departure* d) {
-  const bool solid = (s.materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u;
-  const float rest = clamp((chance - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
-  const float3 shading = a.wo.z > 0.0f ? a.vertex.shading : a.vertex.geometric;
-  bool passes;
-  float relativeIor2;  // scales radiance, not power
-  d->direction =
-      throughGlass(a.bsdf, solid, a.vertex.front, a.vertex.wo, shading, rest, &d->weight, &passes, &relativeIor2);
-  if ((dot(d->direction, a.vertex.geometric) < 0.0f) != passes)
-    d->direction = throughGlass(a.bsdf, solid, a.vertex.front, a.vertex.wo, a.vertex.geometric, rest, &d->weight, &passes,
-                                &relativeIor2);
-  d->weight *= a.bsdf.glass / lobes.glass;
-  if (passes && solid) d->medium = a.vertex.front ? a.vertex.material : PRELIGHT_NO_MEDIUM;
-  d->scattered = PRELIGHT_SCATTERED_SPECULAR;
-  return true;
-}
-#endif
-
 // One lobe by chance. False: no light leaves.
 bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
 #ifdef PRELIGHT_CAUSTICS
@@ -60,7 +41,14 @@ bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
 #endif
   if (!(lobes.diffuse + lobes.specular + lobes.glass > 0.0f)) return false;
 #ifdef PRELIGHT_GLASS
-  if (chance >= lobes.diffuse + lobes.specular) return leaveThroughGlass(a, s, lobes, chance, d);
+  if (chance >= lobes.diffuse + lobes.specular) {
+    const float rest = clamp((chance - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
+    float relativeIor2;  // scales radiance, not power
+    d->direction = leaveGlass(s, a.vertex, a.bsdf, a.wo.z, rest, &d->weight, &relativeIor2, &d->medium);
+    d->weight *= a.bsdf.glass / lobes.glass;
+    d->scattered = PRELIGHT_SCATTERED_SPECULAR;
+    return true;
+  }
 #endif
   const bool specular = chance >= lobes.diffuse;
   d->scattered = specular && isNarrow(a.bsdf) ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;

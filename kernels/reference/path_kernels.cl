@@ -235,21 +235,14 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const uint c
 
   float3 direction, weight;
   float density = 0.0f;
-  bool passes = false;
   float relativeIor2 = 1.0f;
   uint medium = path.medium;
 #ifdef PRELIGHT_GLASS
   if (chance.x >= lobes.diffuse + lobes.specular) {
-    const bool solid = (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u;
     // What is left of the choice of the lobe decides between reflection and transmission.
     const float rest = clamp((chance.x - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
-    const float3 shading = wo.z > 0.0f ? vertex.shading : vertex.geometric;
-    direction = throughGlass(bsdf, solid, vertex.front, vertex.wo, shading, rest, &weight, &passes, &relativeIor2);
-    // Where the shading normal would send light to the wrong side, the triangle's own normal does not.
-    if ((dot(direction, vertex.geometric) < 0.0f) != passes)
-      direction = throughGlass(bsdf, solid, vertex.front, vertex.wo, vertex.geometric, rest, &weight, &passes, &relativeIor2);
+    direction = leaveGlass(s, vertex, bsdf, wo.z, rest, &weight, &relativeIor2, &medium);
     weight *= bsdf.glass / lobes.glass;
-    if (passes && solid) medium = vertex.front ? vertex.material : PRELIGHT_NO_MEDIUM;
   } else
 #endif
   {

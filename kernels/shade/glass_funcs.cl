@@ -2,7 +2,7 @@
 #ifndef PRELIGHT_SHADE_GLASS_FUNCS_CL
 #define PRELIGHT_SHADE_GLASS_FUNCS_CL
 
-#include "shade/bsdf_funcs.cl"
+#include "shade/vertex_funcs.cl"
 
 // Ratio of the ior beyond to that here.
 float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }
@@ -29,6 +29,20 @@ float3 throughGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n, float c
   *relativeIor2 = eta * eta;
   const float inside = sqrt(fmax(1.0f - (1.0f - cosine * cosine) / (eta * eta), 0.0f));
   return normalize((cosine / eta - inside) * n - wo / eta);
+}
+
+// How light leaves the glass of a vertex; woZ: cosine of where it came from with the shading normal. Where that normal would
+// send light to the wrong side, the triangle's own does not. `medium` becomes what it runs through then.
+float3 leaveGlass(PathScene s, PathVertex v, Bsdf b, float woZ, float chance, float3* weight, float* relativeIor2,
+                  uint* medium) {
+  const bool solid = (s.materials[v.material].flags & PRELIGHT_SOLID) != 0u;
+  const float3 shading = woZ > 0.0f ? v.shading : v.geometric;
+  bool passes;
+  float3 direction = throughGlass(b, solid, v.front, v.wo, shading, chance, weight, &passes, relativeIor2);
+  if ((dot(direction, v.geometric) < 0.0f) != passes)
+    direction = throughGlass(b, solid, v.front, v.wo, v.geometric, chance, weight, &passes, relativeIor2);
+  if (passes && solid) *medium = v.front ? v.material : PRELIGHT_NO_MEDIUM;
+  return direction;
 }
 
 #endif
