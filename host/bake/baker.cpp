@@ -16,6 +16,7 @@
 #include "bake/scene_cast.h"
 #include "bake/slot_transfer.h"
 #include "bake/volume_caster.h"
+#include "base/stage_clock.h"
 #include "bvh/tracer.h"
 #include "gather/light_map_light.h"
 #include "lightmap/direct_light_part.h"
@@ -39,24 +40,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t occluderLeaves =
     128;  // of all nodes; twice as many gain 0.002 to 0.007 of shadow error
-
-/// Adds the time since the last mark to the report under a name.
-class StageClock {
- public:
-  explicit StageClock(BakeReport& report) : report_(report), last_(Clock::now()) {}
-
-  void restart() { last_ = Clock::now(); }
-
-  void mark(const std::string& stage) {
-    const auto now = Clock::now();
-    report_.stageSeconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
-  }
-
- private:
-  BakeReport& report_;
-  Clock::time_point last_;
-};
 
 /// Rows of senders that the plan's memory and the device have room for.
 std::uint32_t storedCapacity(const Plan& plan, const Device& device, std::uint32_t raysPerReceiver) {
@@ -349,7 +332,9 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Light
                      Progress& progress, BakeReport& report) {
   std::optional<DirectLightPart> direct;
   std::optional<SkyLightPart> sky;
-  LightMapLight light(scene, inputs.images, inputs.layout, request, plan, device, tracer, progress);
+  std::optional<LightMapLight> light;
+  if (plan.runs("indirect light of the map") || plan.runs("caustics of the map"))
+    light.emplace(scene, inputs.images, inputs.layout, request, plan, device, tracer, progress);
   std::vector<LightMapPart*> parts;
   if (plan.runs("direct light of the map"))
     parts.push_back(&direct.emplace(scene, tracer, raysEach(request), request.seed));
@@ -357,7 +342,7 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Light
   if (lights.environment)
     parts.push_back(&sky.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
                                  request.seed));
-  light.addTo(parts);
+  if (light) light->addTo(parts);
   bake.run(parts, progress);
   report.lightMap.emplace();
   LightMap map = bake.finish(usualCreaseAngle, *report.lightMap);
@@ -400,7 +385,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (saved) saved->value(earlierSeconds);
   const auto start = Clock::now() - std::chrono::duration_cast<Clock::duration>(
                                         std::chrono::duration<double>(earlierSeconds));
-  StageClock clock(report);
+  StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   const FitMesh mesh = makeFitMesh(scene, sets.setOfVertices(scene));
   Tracer tracer(scene, device);

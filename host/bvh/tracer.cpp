@@ -6,6 +6,7 @@
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
 #include "scene/compile_parts.h"
+#include "scene/device_wrap.h"
 
 namespace prelight {
 
@@ -33,18 +34,6 @@ cl::Buffer upload(DeviceContext& device, const std::vector<T>& data) {
   if (!data.empty())
     device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, data.size() * sizeof(T), data.data());
   return buffer;
-}
-
-std::uint32_t deviceWrap(WrapMode mode) {
-  switch (mode) {
-    case WrapMode::ClampToEdge:
-      return PRELIGHT_WRAP_CLAMP;
-    case WrapMode::MirroredRepeat:
-      return PRELIGHT_WRAP_MIRROR;
-    case WrapMode::Repeat:
-      break;
-  }
-  return PRELIGHT_WRAP_REPEAT;
 }
 
 glm::u16vec4 linearTexel(const std::uint8_t* srgb) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
+#include "base/stage_clock.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/make_light_map_layout.h"
 #include "photon/casters.h"
@@ -17,22 +17,6 @@
 namespace prelight {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-class Stages {
- public:
-  explicit Stages(FullReport& report) : report_(report) {}
-  void mark(const char* name) {
-    const Clock::time_point now = Clock::now();
-    report_.stageSeconds.emplace_back(name, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
-  }
-
- private:
-  FullReport& report_;
-  Clock::time_point last_ = Clock::now();
-};
 
 /// Width of what a pixel sees in the middle of the scene, m.
 double pixelFootprint(const CompiledScene& compiled, const Camera& camera, int height) {
@@ -115,7 +99,7 @@ Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera&
 
 Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camera, const FullRequest& request,
                    const Device& device, Progress& progress, FullReport& report) {
-  Stages stages(report);
+  StageClock stages(report.stageSeconds);
   const CompiledScene& compiled = lit.scene;
   TransportScene scene(lit, device);
   report.plan = planOf(scene, !causticCasters(compiled).empty(), emitterShare(compiled) > largeEmitters);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scene/compile_parts.h"
+#include "scene/device_wrap.h"
 
 namespace prelight {
 
@@ -17,18 +18,6 @@ using device::ShadeMaterial;
 
 /// Radiance beyond this is no light of this world; below, no product along a path leaves float's range.
 constexpr float brightest = 1e12f;
-
-std::uint32_t deviceWrap(WrapMode mode) {
-  switch (mode) {
-    case WrapMode::ClampToEdge:
-      return PRELIGHT_WRAP_CLAMP;
-    case WrapMode::MirroredRepeat:
-      return PRELIGHT_WRAP_MIRROR;
-    case WrapMode::Repeat:
-      break;
-  }
-  return PRELIGHT_WRAP_REPEAT;
-}
 
 void setTexture(DeviceMaterial& d, const Image& image, std::uint32_t offset, WrapMode s, WrapMode t) {
   d.texelOffset = offset;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace prelight {
+
+/// Files the time since the last mark under a name.
+class StageClock {
+ public:
+  /// `seconds` outlives it.
+  explicit StageClock(std::vector<std::pair<std::string, double>>& seconds) : seconds_(seconds) {}
+
+  void restart() { last_ = Clock::now(); }
+
+  void mark(const std::string& stage) {
+    const auto now = Clock::now();
+    seconds_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::vector<std::pair<std::string, double>>& seconds_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace prelight

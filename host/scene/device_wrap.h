@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.h"
+#include "shared/scene_types.h"
+
+namespace prelight {
+
+/// DeviceMaterial::wrapS and wrapT of a texture's mode.
+inline std::uint32_t deviceWrap(WrapMode mode) {
+  switch (mode) {
+    case WrapMode::ClampToEdge:
+      return PRELIGHT_WRAP_CLAMP;
+    case WrapMode::MirroredRepeat:
+      return PRELIGHT_WRAP_MIRROR;
+    case WrapMode::Repeat:
+      break;
+  }
+  return PRELIGHT_WRAP_REPEAT;
+}
+
+}  // namespace prelight
