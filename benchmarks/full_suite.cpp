@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "benchmarks/measure.h"
+#include "benchmarks/path_traced.h"
 #include "benchmarks/suites.h"
 #include "full/full_renderer.h"
-#include "reference/reference.h"
 
 namespace prelight::benchmarks {
 
@@ -35,35 +34,8 @@ double relMse99(const Picture& picture, const Picture& truth) {
   return sum / static_cast<double>(kept);
 }
 
-struct Trial {
-  Picture picture;
-  double seconds = 0.0;
-};
-
-Trial trace(const BenchmarkScene& scene, int size, std::uint64_t samples, std::uint64_t seed,
-            const Device& device, const Progress& progress) {
-  const reference::ReferenceInputs inputs{.scene = scene.compiled,
-                                          .images = scene.scene.images,
-                                          .lights = scene.scene.lights,
-                                          .camera = scene.scene.cameras.at(0)};
-  reference::ReferenceRequest request;
-  request.samples = samples;
-  request.seed = seed;
-  request.width = request.height = size;
-  reference::Film film(size, size);
-  reference::ReferenceReport report;
-  StopOnly quiet(progress);
-  Trial trial;
-  trial.seconds = secondsOf([&] {
-    renderReference(
-        inputs, request, device, quiet, [] {}, film, report);
-  });
-  trial.picture = film.picture();
-  return trial;
-}
-
-Trial renderAll(const BenchmarkScene& scene, int size, std::uint32_t samples, std::uint64_t seed,
-                const Device& device, const Progress& progress) {
+TimedPicture renderAll(const BenchmarkScene& scene, int size, std::uint32_t samples, std::uint64_t seed,
+                       const Device& device, const Progress& progress) {
   const LitScene lit{scene.compiled, scene.scene.images, scene.scene.lights};
   FullRequest request;
   request.samples = samples;
@@ -71,7 +43,7 @@ Trial renderAll(const BenchmarkScene& scene, int size, std::uint32_t samples, st
   request.width = request.height = size;
   StopOnly quiet(progress);
   FullReport report;
-  Trial trial;
+  TimedPicture trial;
   trial.seconds = secondsOf([&] {
     trial.picture = renderFull(scene.scene, lit, scene.scene.cameras.at(0), request, device, quiet, report);
   });
@@ -82,7 +54,7 @@ Trial renderAll(const BenchmarkScene& scene, int size, std::uint32_t samples, st
 struct Measured {
   std::vector<double> seconds, errors;
 
-  void add(const Trial& trial, const Picture& truth) {
+  void add(const TimedPicture& trial, const Picture& truth) {
     seconds.push_back(trial.seconds);
     errors.push_back(relMse99(trial.picture, truth));
   }
@@ -103,14 +75,14 @@ void report(const std::string& scene, std::uint32_t samples, const Measured& ful
 void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
                   StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
   const int size = 2 * options.referenceSize;
-  const Picture truth = trace(scene, size, options.referenceLongRun, truthSeed, device, progress).picture;
+  const Picture truth = pathTrace(scene, size, options.referenceLongRun, truthSeed, device, progress).picture;
   renderAll(scene, size, sampleCounts[0], 0, device, progress);  // warms up
   steps.advance();
   Measured peer;
   std::array<Measured, sampleCounts.size()> full;
   for (int run = 0; run < options.runs; ++run) {
     const auto seed = static_cast<std::uint64_t>(run);
-    peer.add(trace(scene, size, std::min(peerSamples, options.referenceLongRun), seed, device, progress),
+    peer.add(pathTrace(scene, size, std::min(peerSamples, options.referenceLongRun), seed, device, progress),
              truth);
     for (std::size_t i = 0; i < full.size(); ++i)
       full[i].add(renderAll(scene, size, sampleCounts[i], seed, device, progress), truth);

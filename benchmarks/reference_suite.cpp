@@ -5,17 +5,12 @@
 #include <utility>
 
 #include "base/luminance.h"
-#include "benchmarks/measure.h"
+#include "benchmarks/path_traced.h"
 #include "benchmarks/suites.h"
-#include "reference/reference.h"
 
 namespace prelight::benchmarks {
 
 namespace {
-
-using reference::Film;
-using reference::ReferenceReport;
-using reference::ReferenceRequest;
 
 /// The long run's seed; no other run has it, so that errors are independent.
 constexpr std::uint64_t longRunSeed = 0;
@@ -49,35 +44,6 @@ double relativeError(const Picture& picture, const Picture& truth) {
   return std::sqrt(squares / count) / (mean / count);
 }
 
-struct Render {
-  Picture picture;
-  double seconds = 0.0;
-  double reportedError = 0.0;
-};
-
-Render render(const BenchmarkScene& scene, int size, std::uint64_t samples, std::uint64_t seed,
-              const Device& device, const Progress& progress) {
-  const reference::ReferenceInputs inputs{.scene = scene.compiled,
-                                          .images = scene.scene.images,
-                                          .lights = scene.scene.lights,
-                                          .camera = scene.scene.cameras.at(0)};
-  ReferenceRequest request;
-  request.samples = samples;
-  request.seed = seed;
-  request.width = request.height = size;
-  Film film(size, size);
-  ReferenceReport report;
-  StopOnly quiet(progress);
-  Render result;
-  result.seconds = secondsOf([&] {
-    renderReference(
-        inputs, request, device, quiet, [] {}, film, report);
-  });
-  result.picture = film.picture();
-  result.reportedError = film.passes < 2 ? 0.0 : film.relativeError();
-  return result;
-}
-
 /// What the runs of one number of samples came to; squares are averaged over runs, each of a seed of its own.
 struct QualityPoint {
   std::uint64_t samples = 0;  ///< a pixel
@@ -86,7 +52,7 @@ struct QualityPoint {
   double errorSquares = 0.0;
   double reportedSquares = 0.0;
 
-  void add(const Render& run, const Picture& truth) {
+  void add(const TimedPicture& run, const Picture& truth) {
     seconds.push_back(run.seconds);
     relativeSquares += relativeMeanSquare(run.picture, truth);
     const double error = relativeError(run.picture, truth);
@@ -117,7 +83,7 @@ void report(const std::string& scene, const QualityPoint& point, std::vector<Ben
 void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
                   StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
   const int size = options.referenceSize;
-  const Render truth = render(scene, size, options.referenceLongRun, longRunSeed, device, progress);
+  const TimedPicture truth = pathTrace(scene, size, options.referenceLongRun, longRunSeed, device, progress);
   const std::string name = fmt::format("{}/long run of {} samples", scene.name, options.referenceLongRun);
   results.push_back({"reference", name, "time", truth.seconds, "s", {}, {}});
   results.push_back({"reference", name, "reported error", truth.reportedError, "of mean luminance", {}, {}});
@@ -128,7 +94,7 @@ void measureScene(const BenchmarkScene& scene, const Device& device, const Bench
   for (int run = 0; run < options.runs; ++run) {
     const std::uint64_t seed = longRunSeed + 1 + static_cast<std::uint64_t>(run);
     for (QualityPoint& point : points)
-      point.add(render(scene, size, point.samples, seed, device, progress), truth.picture);
+      point.add(pathTrace(scene, size, point.samples, seed, device, progress), truth.picture);
     steps.advance();
   }
   for (const QualityPoint& point : points) report(scene.name, point, results);
