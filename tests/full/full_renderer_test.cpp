@@ -12,11 +12,6 @@
 namespace prelight::test {
 namespace {
 
-const std::vector<Image>& noImages() {
-  static const std::vector<Image> none;
-  return none;
-}
-
 struct FullShot {
   Scene source;
   CompiledScene scene;

@@ -13,11 +13,6 @@
 namespace prelight::test {
 namespace {
 
-const std::vector<Image>& noImages() {
-  static const std::vector<Image> none;
-  return none;
-}
-
 /// A closed room whose walls have one irradiance each, and what receivers on the floor gather from them.
 struct GatherRoom {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);

@@ -17,11 +17,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-const std::vector<Image>& noImages() {
-  static const std::vector<Image> none;
-  return none;
-}
-
 struct Flight {
   PhotonHits hits;
   PhotonReport report;

@@ -9,11 +9,6 @@ namespace prelight::test {
 
 namespace {
 
-const std::vector<Image>& noImages() {
-  static const std::vector<Image> none;
-  return none;
-}
-
 glm::dmat4 lookAt(const glm::dvec3& eye, const glm::dvec3& target) {
   const glm::dvec3 way = glm::normalize(target - eye);
   const glm::dvec3 up = std::abs(way.y) > 0.99 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);

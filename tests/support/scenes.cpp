@@ -137,6 +137,11 @@ CompiledScene box(int cells, const glm::vec3& lower, const glm::vec3& upper, boo
   return sceneOf(std::move(positions), std::move(triangles));
 }
 
+const std::vector<Image>& noImages() {
+  static const std::vector<Image> none;
+  return none;
+}
+
 glm::vec3 randomDirection(std::mt19937& random) {
   std::normal_distribution<float> normal;
   for (;;) {

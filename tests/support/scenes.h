@@ -29,6 +29,9 @@ CompiledScene ground(int cells, float half, float height = 0.0f);
 /// `inward` turns its faces to the inside.
 CompiledScene box(int cells, const glm::vec3& lower, const glm::vec3& upper, bool inward);
 
+/// For what asks for the images of a scene that has none.
+const std::vector<Image>& noImages();
+
 /// A direction of uniform density on the sphere.
 glm::vec3 randomDirection(std::mt19937& random);
 
