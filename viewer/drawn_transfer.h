@@ -37,9 +37,9 @@ enum Unit : GLuint {
   rangesUnit = 7,            ///< the same
   chBasisUnit = 8,           ///< the same
   clustersUnit = 9,          ///< the same
-  trianglesUnit = 10,        ///< shaders/glossy.glsl
+  trianglesUnit = 10,        ///< shaders/triangles.glsl
   positionsUnit = 11,        ///< the same
-  arrivingUnit = 12,         ///< the same
+  arrivingUnit = 12,         ///< shaders/glossy.glsl
   lobesUnit = 13,            ///< the same
   lightMapsUnit = 14,        ///< shaders/light_map.glsl
   lightMapCornersUnit = 15,  ///< the same
@@ -65,6 +65,8 @@ class VertexStream {
   void fill(std::span<const T> values) const {
     buffer_.fill(GL_ARRAY_BUFFER, values, GL_DYNAMIC_DRAW);
   }
+
+  const gl::Buffer& buffer() const { return buffer_; }
 
   /// Ties it to the vertex array in use.
   void attach() const {

@@ -47,15 +47,10 @@ std::vector<float> multiply(const GlossyTransfer& transfer, const std::vector<do
 
 }  // namespace
 
-GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe,
-                               const Device* device)
+GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, Lobe lobe, const Device* device)
     : transfer_(transfer),
       device_(device),
       lobe_(lobe),
-      triangles_(
-          gl::makeBufferTexture(std::span<const glm::uvec3>(scene.triangles), 1, GL_RGB32UI, "triangles")),
-      positions_(
-          gl::makeBufferTexture(std::span<const glm::vec3>(scene.positions), 1, GL_RGB32F, "positions")),
       lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).bands), 1,
                                    GL_RG32F, "lobes")),
       accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
@@ -89,8 +84,6 @@ void GlossyLighting::bind(const gl::Program& program) const {
   program.set("transferForm", static_cast<int>(TransferForm::Radiance));
   program.set("glossyOrder", transfer_.order);
   program.set("lobeIsBrdf", lobe_ == Lobe::Phong ? 1 : 0);
-  gl::bind(trianglesUnit, GL_TEXTURE_BUFFER, triangles_.texture);
-  gl::bind(positionsUnit, GL_TEXTURE_BUFFER, positions_.texture);
   gl::bind(lobesUnit, GL_TEXTURE_BUFFER, lobes_.texture);
   gl::bind(arrivingUnit, GL_TEXTURE_BUFFER, arriving_.texture);
   accessibility_.attach();

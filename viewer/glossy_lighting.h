@@ -5,7 +5,6 @@
 
 #include "bake/bake.h"
 #include "device/device.h"
-#include "scene/compiled_scene.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
 #include "viewer/specular_lobes.h"
@@ -23,7 +22,7 @@ namespace prelight::viewer {
 class GlossyLighting : public DrawnTransfer {
  public:
   /// Transfer and device outlive it. `device` nullptr: on the host.
-  GlossyLighting(const GlossyTransfer& transfer, const CompiledScene& scene, Lobe lobe, const Device* device);
+  GlossyLighting(const GlossyTransfer& transfer, Lobe lobe, const Device* device);
   ~GlossyLighting() override;
 
   void light(const Illumination& light) override;
@@ -37,8 +36,6 @@ class GlossyLighting : public DrawnTransfer {
   const Device* device_;
   Lobe lobe_;
   std::unique_ptr<GlossyRelighter> relighter_;
-  gl::BufferTexture triangles_;
-  gl::BufferTexture positions_;
   gl::BufferTexture lobes_;
   gl::BufferTexture arriving_;  ///< [vertex][i] RGB
   VertexStream accessibility_;

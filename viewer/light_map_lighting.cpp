@@ -30,10 +30,6 @@ std::vector<glm::vec3> irradianceOf(const LightMap& map, int side) {
 
 LightMapLighting::LightMapLighting(const LightMap& map, const CompiledScene& scene)
     : frontFaces_(static_cast<int>(scene.triangleCount())),
-      triangles_(
-          gl::makeBufferTexture(std::span<const glm::uvec3>(scene.triangles), 1, GL_RGB32UI, "triangles")),
-      positions_(
-          gl::makeBufferTexture(std::span<const glm::vec3>(scene.positions), 1, GL_RGB32F, "positions")),
       corners_(gl::makeBufferTexture(std::span<const glm::vec2>(cornersOf(map.layout)), 1, GL_RG32F,
                                      "light map coordinates")),
       irradiance_(gl::makeFloatArray(std::max(map.layout.width, map.layout.height), 1, "light map")) {
@@ -44,8 +40,6 @@ LightMapLighting::LightMapLighting(const LightMap& map, const CompiledScene& sce
 void LightMapLighting::bind(const gl::Program& program) const {
   program.set("transferForm", static_cast<int>(TransferForm::None));
   program.set("frontFaces", frontFaces_);
-  gl::bind(trianglesUnit, GL_TEXTURE_BUFFER, triangles_.texture);
-  gl::bind(positionsUnit, GL_TEXTURE_BUFFER, positions_.texture);
   gl::bind(lightMapCornersUnit, GL_TEXTURE_BUFFER, corners_.texture);
   gl::bind(lightMapsUnit, GL_TEXTURE_2D_ARRAY, irradiance_);
 }

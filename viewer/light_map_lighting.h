@@ -19,8 +19,6 @@ class LightMapLighting : public DrawnTransfer {
 
  private:
   int frontFaces_;  ///< backs are counted from here
-  gl::BufferTexture triangles_;
-  gl::BufferTexture positions_;
   gl::BufferTexture corners_;
   gl::Texture irradiance_;
 };

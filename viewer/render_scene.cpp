@@ -113,6 +113,9 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
   triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
+  triangleCorners_ = gl::textureOfBuffer(triangles_, compiled.triangles.size(), GL_RGB32UI, "triangles");
+  cornerPositions_ =
+      gl::textureOfBuffer(streams_.front().buffer(), compiled.positions.size(), GL_RGB32F, "positions");
 }
 
 }  // namespace prelight::viewer

@@ -48,6 +48,8 @@ class RenderScene {
   const std::vector<Batch>& batches() const { return batches_; }
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
+  const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
+  const gl::Texture& positions() const { return cornerPositions_; }  ///< [vertex]
   const gl::Texture& white() const { return white_; }
 
  private:
@@ -68,6 +70,8 @@ class RenderScene {
   std::vector<VertexStream> streams_;
   gl::Buffer triangles_;
   gl::BufferTexture triangleNormals_;
+  gl::Texture triangleCorners_;  ///< of `triangles_`
+  gl::Texture cornerPositions_;  ///< of the first stream
   gl::Texture white_;
   std::vector<LoadedTexture> textures_;
   std::vector<Surface> surfaces_;

@@ -229,6 +229,8 @@ void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector
 
 void Renderer::bindTextures(const View& view) const {
   gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
+  gl::bind(trianglesUnit, GL_TEXTURE_BUFFER, scene_.triangles());
+  gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
   const gl::Texture& sky = inputs_.environment != nullptr ? skyMap_
                            : usesNeutralSky(view)         ? neutralSkyMap_
                                                           : blackSkyMap_;
@@ -329,7 +331,6 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
-  bindTextures(view);
   if (caustics_ != nullptr) drawCaustics(view, tile, target, opaque);
   uploadFrame(view, tile, light.lights);
   bindTextures(view);

@@ -97,19 +97,25 @@ void fillFloatArray(const Texture& texture, const glm::ivec3& corner, const glm:
   check("filling a layer of a texture");
 }
 
-BufferTexture makeBufferTexture(std::span<const std::byte> bytes, std::size_t count, GLenum format,
-                                const char* what) {
+Texture textureOfBuffer(const Buffer& buffer, std::size_t count, GLenum format, const char* what) {
   const auto largest = static_cast<std::size_t>(limit(GL_MAX_TEXTURE_BUFFER_SIZE));
   if (count > largest) {
     throw Error(ExitCode::RuntimeFailure, what,
                 std::to_string(count) + " texels; OpenGL here takes up to " + std::to_string(largest),
                 "use a lower order or a smaller scene");
   }
-  BufferTexture result{Buffer(GL_TEXTURE_BUFFER, bytes), Texture()};
-  glBindTexture(GL_TEXTURE_BUFFER, result.texture.name());
-  glTexBuffer(GL_TEXTURE_BUFFER, format, result.buffer.name());
+  Texture texture;
+  glBindTexture(GL_TEXTURE_BUFFER, texture.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.name());
   check(std::string("uploading ") + what);
-  return result;
+  return texture;
+}
+
+BufferTexture makeBufferTexture(std::span<const std::byte> bytes, std::size_t count, GLenum format,
+                                const char* what) {
+  Buffer buffer(GL_TEXTURE_BUFFER, bytes);
+  Texture texture = textureOfBuffer(buffer, count, format, what);
+  return {std::move(buffer), std::move(texture)};
 }
 
 BufferTexture makeBufferTexture(std::span<const glm::vec4> texels, const char* what) {

@@ -33,6 +33,10 @@ struct BufferTexture {
   Texture texture;
 };
 
+/// The texture of a buffer of `count` texels, which outlives it. Throws Error when OpenGL does not allow as
+/// many; `what` names the data.
+Texture textureOfBuffer(const Buffer& buffer, std::size_t count, GLenum format, const char* what);
+
 /// `count` texels of an OpenGL format. Throws Error when OpenGL does not allow as many; `what` names the
 /// data.
 BufferTexture makeBufferTexture(std::span<const std::byte> bytes, std::size_t count, GLenum format,

@@ -1,24 +1,12 @@
-// Reflection of what arrives at a surface through glossy transfer; needs frame.glsl, material.glsl and specular.glsl.
+// Reflection of what arrives at a surface through glossy transfer; needs frame.glsl, material.glsl, specular.glsl and
+// triangles.glsl.
 uniform int glossyOrder;
-uniform int lobeIsBrdf;               // 1: the lobe is the BRDF over F0 (Phong), 0: the split-sum reflectance's shape
-uniform usamplerBuffer triangleCorners;  // [triangle], vertices
-uniform samplerBuffer cornerPositions;   // [vertex]
-uniform samplerBuffer arriving;          // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
-uniform samplerBuffer lobes;             // [step][band], LobeTable of specular_lobes.h
+uniform int lobeIsBrdf;          // 1: the lobe is the BRDF over F0 (Phong), 0: the split-sum reflectance's shape
+uniform samplerBuffer arriving;  // [vertex][i] RGB: SH of radiance x visibility x cosine / pi
+uniform samplerBuffer lobes;     // [step][band], LobeTable of specular_lobes.h
 
 const int maxGlossyOrder = 8;
 const int lobeSteps = 65;
-
-// Weights of a triangle's corners at a point in its plane.
-vec3 barycentric(vec3 point, vec3 a, vec3 b, vec3 c) {
-  vec3 ab = b - a;
-  vec3 ac = c - a;
-  vec3 normal = cross(ab, ac);
-  float scale = 1.0 / max(dot(normal, normal), 1e-30);
-  float wb = dot(cross(point - a, ac), normal) * scale;
-  float wc = dot(cross(ab, point - a), normal) * scale;
-  return vec3(1.0 - wb - wc, wb, wc);
-}
 
 vec3 arrivingNumber(ivec3 rows, vec3 weights, int i) {
   return weights.x * texelFetch(arriving, rows.x + i).rgb + weights.y * texelFetch(arriving, rows.y + i).rgb +
@@ -34,8 +22,7 @@ vec2 lobeAt(float roughness, int band) {
 
 vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n, vec3 toEye) {
   ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
-  vec3 weights = barycentric(point, texelFetch(cornerPositions, corners.x).xyz, texelFetch(cornerPositions, corners.y).xyz,
-                             texelFetch(cornerPositions, corners.z).xyz);
+  vec3 weights = weightsOfCorners(corners, point);
   ivec3 rows = corners * (glossyOrder * glossyOrder);
   vec3 w = reflect(-toEye, n);
   float cosine = dot(n, w);

@@ -1,4 +1,4 @@
-// Light maps whose places belong to the corners of triangles; needs glossy.glsl for triangles and weights.
+// Light maps whose places belong to the corners of triangles; needs triangles.glsl.
 uniform sampler2DArray lightMaps;       // radiance before albedo, or irradiance
 uniform samplerBuffer lightMapCorners;  // [face][3] texels from the upper left; x < 0: the face has none
 uniform int frontFaces;                 // fronts of triangles, then their backs
@@ -9,9 +9,7 @@ vec3 lightMapIrradiance(int triangle, bool front, vec3 point) {
   vec2 first = texelFetch(lightMapCorners, face).xy;
   if (first.x < 0.0) return vec3(0.0);
   ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
-  vec3 weights = barycentric(point, texelFetch(cornerPositions, corners.x).xyz, texelFetch(cornerPositions, corners.y).xyz,
-                             texelFetch(cornerPositions, corners.z).xyz);
-  weights = max(weights, vec3(0.0));
+  vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
   weights /= weights.x + weights.y + weights.z;
   vec2 place = weights.x * first + weights.y * texelFetch(lightMapCorners, face + 1).xy +
                weights.z * texelFetch(lightMapCorners, face + 2).xy - 0.5;

@@ -9,6 +9,7 @@
 #include "material.glsl"
 #include "specular.glsl"
 #include "sky.glsl"
+#include "triangles.glsl"
 #include "glossy.glsl"
 #include "light_map.glsl"
 

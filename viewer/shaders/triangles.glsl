@@ -1,0 +1,19 @@
+// The triangles of the scene and places on them.
+uniform usamplerBuffer triangleCorners;  // [triangle], vertices
+uniform samplerBuffer cornerPositions;   // [vertex]
+
+// Weights of a triangle's corners at a point in its plane.
+vec3 barycentric(vec3 point, vec3 a, vec3 b, vec3 c) {
+  vec3 ab = b - a;
+  vec3 ac = c - a;
+  vec3 normal = cross(ab, ac);
+  float scale = 1.0 / max(dot(normal, normal), 1e-30);
+  float wb = dot(cross(point - a, ac), normal) * scale;
+  float wc = dot(cross(ab, point - a), normal) * scale;
+  return vec3(1.0 - wb - wc, wb, wc);
+}
+
+vec3 weightsOfCorners(ivec3 corners, vec3 point) {
+  return barycentric(point, texelFetch(cornerPositions, corners.x).xyz, texelFetch(cornerPositions, corners.y).xyz,
+                     texelFetch(cornerPositions, corners.z).xyz);
+}
