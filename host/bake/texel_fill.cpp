@@ -10,8 +10,8 @@ namespace {
 class TexelFiller {
  public:
   TexelFiller(int width, int height, std::size_t length, std::span<std::uint8_t> filled,
-              std::span<float> values)
-      : width_(width), height_(height), length_(length), filled_(filled), values_(values) {}
+              std::span<float> values, std::span<const std::uint32_t> groups)
+      : width_(width), height_(height), length_(length), filled_(filled), values_(values), groups_(groups) {}
 
   void run() {
     std::vector<std::size_t> ring = emptyBesideFilled();
@@ -24,12 +24,16 @@ class TexelFiller {
   }
 
  private:
+  /// Of the same group.
   template <typename Visitor>
   void forNeighbours(std::size_t texel, const Visitor& visit) const {
     const int column = static_cast<int>(texel) % width_, row = static_cast<int>(texel) / width_;
     for (int r = std::max(0, row - 1); r <= std::min(height_ - 1, row + 1); ++r)
       for (int c = std::max(0, column - 1); c <= std::min(width_ - 1, column + 1); ++c)
-        if (r != row || c != column) visit(static_cast<std::size_t>(r * width_ + c));
+        if (r != row || c != column) {
+          const auto other = static_cast<std::size_t>(r * width_ + c);
+          if (groups_.empty() || groups_[other] == groups_[texel]) visit(other);
+        }
   }
 
   std::vector<std::size_t> emptyBesideFilled() const {
@@ -71,13 +75,14 @@ class TexelFiller {
   std::size_t length_;
   std::span<std::uint8_t> filled_;
   std::span<float> values_;
+  std::span<const std::uint32_t> groups_;
 };
 
 }  // namespace
 
 void fillTexels(int width, int height, std::size_t length, std::span<std::uint8_t> filled,
-                std::span<float> values) {
-  TexelFiller(width, height, length, filled, values).run();
+                std::span<float> values, std::span<const std::uint32_t> groups) {
+  TexelFiller(width, height, length, filled, values, groups).run();
 }
 
 }  // namespace prelight

@@ -66,7 +66,7 @@ std::vector<glm::vec3> filledGrid(const LightMapLayout& layout, std::span<const 
     for (int c = 0; c < 3; ++c)
       map.values[3 * std::size_t{layout.texels[i].texel} + static_cast<std::size_t>(c)] = irradiance[i][c];
   }
-  fillHidden(std::move(hidden), map);
+  fillHidden(hidden, map);
   std::vector<glm::vec3> grid;
   for (std::size_t t = 0; t < layout.texelCount(); ++t)
     grid.emplace_back(map.values[3 * t], map.values[3 * t + 1], map.values[3 * t + 2]);

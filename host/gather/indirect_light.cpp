@@ -64,8 +64,8 @@ GatherRequest gatherRequest(const IndirectRequest& request) {
   return gather;
 }
 
-}  // namespace
-
+/// Irradiance that photons tell by themselves, W/m2, at places of the surface: of all light, noisy (Larsen
+/// 2004, ch. 10).
 std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
                                              std::span<const LightMapTexel> places,
                                              const DensitySurface& surface, const PhotonHits& hits,
@@ -76,6 +76,15 @@ std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
   estimator.setPhotons(makePhotonMaps(hits.photons, surface));
   return estimator.estimate(densityQueries(compiled, places, widestEstimate * sceneRadius(compiled)));
 }
+
+/// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
+std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
+  std::vector<glm::vec3> grid(layout.texelCount(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i < values.size(); ++i) grid[layout.texels[i].texel] = values[i];
+  return grid;
+}
+
+}  // namespace
 
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
                                                  std::span<const LightMapTexel> places, double radius) {
@@ -120,12 +129,6 @@ std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> plac
   for (std::size_t i = 0; i < found.size(); ++i)
     irradiance[i / count] += found[i] / static_cast<float>(count);
   return irradiance;
-}
-
-std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values) {
-  std::vector<glm::vec3> grid(layout.texelCount(), glm::vec3(0.0f));
-  for (std::size_t i = 0; i < values.size(); ++i) grid[layout.texels[i].texel] = values[i];
-  return grid;
 }
 
 }  // namespace prelight

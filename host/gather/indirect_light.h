@@ -21,13 +21,6 @@ struct IndirectRequest {
   std::uint64_t seed = 0;
 };
 
-/// Irradiance that photons tell by themselves, W/m2, at places of the surface: of all light, noisy (Larsen
-/// 2004, ch. 10).
-std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
-                                             std::span<const LightMapTexel> places,
-                                             const DensitySurface& surface, const PhotonHits& hits,
-                                             int nearestPhotons, const Device& device);
-
 /// Indirect light at places of the surface: everything but direct light and caustics. A final gathering from
 /// what photons left in the texels of a light map (Larsen 2004, ch. 11, over the whole hemisphere).
 class IndirectLight {
@@ -54,8 +47,5 @@ class IndirectLight {
 /// Queries of a density estimate at places of the surface, with a largest radius in metres.
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
                                                  std::span<const LightMapTexel> places, double radius);
-
-/// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
-std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm::vec3> values);
 
 }  // namespace prelight

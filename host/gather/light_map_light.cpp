@@ -54,8 +54,7 @@ void LightMapLight::traceCaustics(const CompiledScene& scene, const LightMapLayo
   causticLight_ = traceCausticLight(scene, transport_, surface_, photons, request.seed + 1,
                                     meanTexel(scene, layout), device, progress, report);
   if (!causticLight_) return;
-  causticPart_.emplace("caustics", scene, causticLight_->estimator, causticLight_->filter.radius,
-                       report.rays);
+  causticPart_.emplace(scene, causticLight_->estimator, causticLight_->filter.radius, report.rays);
 }
 
 void LightMapLight::addTo(std::vector<LightMapPart*>& parts) {

@@ -12,7 +12,6 @@ class IndirectLightPart final : public LightMapPart {
   /// The arguments outlive it.
   IndirectLightPart(IndirectLight& light, Progress& progress) : light_(light), progress_(progress) {}
 
-  std::string name() const override { return "indirect"; }
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
   std::uint64_t rays() const override { return light_.rays(); }
@@ -26,17 +25,15 @@ class IndirectLightPart final : public LightMapPart {
 class PhotonLightPart final : public LightMapPart {
  public:
   /// `radius`: m, the largest of an estimate; `rays`: that the photons took. The arguments outlive it.
-  PhotonLightPart(std::string name, const CompiledScene& compiled, DensityEstimator& estimator, double radius,
+  PhotonLightPart(const CompiledScene& compiled, DensityEstimator& estimator, double radius,
                   std::uint64_t rays)
-      : name_(std::move(name)), compiled_(compiled), estimator_(estimator), radius_(radius), rays_(rays) {}
+      : compiled_(compiled), estimator_(estimator), radius_(radius), rays_(rays) {}
 
-  std::string name() const override { return name_; }
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
   std::uint64_t rays() const override { return rays_; }
 
  private:
-  std::string name_;
   const CompiledScene& compiled_;
   DensityEstimator& estimator_;
   double radius_;

@@ -212,20 +212,14 @@ class ChartGrower {
   std::priority_queue<Candidate> queue_;
 };
 
-constexpr std::size_t mostSidesOfEdge = 32;
-
 }  // namespace
 
 TriangleNeighbours neighboursOf(const CompiledScene& scene, std::span<const std::uint32_t> groups) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  const std::vector<EdgeSide> sides = edgeSidesOf(scene, placesOfVertices(scene));
-  forEachEdge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-    if (edge.size() > mostSidesOfEdge) return;
-    for (const EdgeSide& a : edge)
-      for (const EdgeSide& b : edge)
-        if (a.reversed != b.reversed && a.triangle != b.triangle && groups[a.triangle] != noGroup &&
-            groups[a.triangle] == groups[b.triangle])
-          pairs.emplace_back(a.triangle, b.triangle);
+  forEachContinuation(scene, [&](const EdgeSide& a, const EdgeSide& b) {
+    if (groups[a.triangle] == noGroup || groups[a.triangle] != groups[b.triangle]) return;
+    pairs.emplace_back(a.triangle, b.triangle);
+    pairs.emplace_back(b.triangle, a.triangle);
   });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

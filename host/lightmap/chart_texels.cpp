@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "bake/surface_sampler.h"
+
 namespace prelight {
 
 namespace {
@@ -182,6 +184,14 @@ ChartTexels findChartTexels(std::vector<glm::vec2> corners, int width, int heigh
   }
   finder.giveTo(result);
   return result;
+}
+
+LightMapTexel texelOnMap(const CompiledScene& scene, const ChartTexels::Place& place, std::uint32_t face,
+                         const glm::ivec2& origin, int width) {
+  const glm::dvec2 b = keptOffEdges(scene, face % scene.triangleCount(), place.weights);
+  const std::uint32_t x = static_cast<std::uint32_t>(origin.x) + place.x,
+                      y = static_cast<std::uint32_t>(origin.y) + place.y;
+  return {y * static_cast<std::uint32_t>(width) + x, face, static_cast<float>(b.x), static_cast<float>(b.y)};
 }
 
 }  // namespace prelight

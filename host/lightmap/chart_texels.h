@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lightmap/light_map_charts.h"
+#include "lightmap/light_map_layout.h"
 #include "lightmap/mask_packing.h"
 
 namespace prelight {
@@ -26,5 +27,10 @@ ChartTexels makeChartTexels(const LightMapChart& chart, double texelSize);
 
 /// Texels of a chart whose corners lie in a rectangle of texels already.
 ChartTexels findChartTexels(std::vector<glm::vec2> corners, int width, int height);
+
+/// A chart's texel on the map: `face` is that of the place's triangle, kept off its edges as all receivers.
+/// `origin`: of the chart's mask, texels; `width`: of the map.
+LightMapTexel texelOnMap(const CompiledScene& scene, const ChartTexels::Place& place, std::uint32_t face,
+                         const glm::ivec2& origin, int width);
 
 }  // namespace prelight

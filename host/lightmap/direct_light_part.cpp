@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "bake/sampling.h"
-#include "bake/surface_sampler.h"
+#include "lightmap/texel_receiver.h"
 
 namespace prelight {
 
@@ -44,10 +44,7 @@ DirectLightPart::DirectLightPart(const CompiledScene& scene, Tracer& tracer, std
 }
 
 device::Receiver DirectLightPart::receiverOf(const LightMapTexel& texel, std::uint32_t index) const {
-  const bool back = texel.face >= scene_.triangleCount();
-  const std::uint32_t triangle = back ? texel.face - scene_.triangleCount() : texel.face;
-  device::Receiver receiver =
-      receiverAt(scene_, {triangle, texel.b1, texel.b2, 1.0f}, back ? Side::Back : Side::Front);
+  device::Receiver receiver = receiverAt(scene_, texel);
   receiver.seed = seed_ ^ sampling::hashInteger(texel.texel);
   receiver.firstSample = index * caster_.raysPerReceiver();
   return receiver;

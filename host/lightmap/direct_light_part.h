@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "bake/caster.h"
@@ -20,7 +19,6 @@ class DirectLightPart final : public LightMapPart {
   /// The scene, which has a light, and the tracer outlive it.
   DirectLightPart(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays, std::uint64_t seed);
 
-  std::string name() const override { return "direct"; }
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
   std::uint64_t rays() const override { return rays_; }

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <numeric>
 
-#include "bake/surface_sampler.h"
 #include "lightmap/chart_texels.h"
 
 namespace prelight {
@@ -55,14 +54,8 @@ void addTexels(const CompiledScene& scene, const std::vector<std::uint32_t>& fac
   for (glm::vec2& corner : corners) corner -= glm::vec2(origin);
   const ChartTexels found =
       findChartTexels(std::move(corners), std::max(1, end.x - origin.x), std::max(1, end.y - origin.y));
-  for (const ChartTexels::Place& place : found.places) {
-    const std::uint32_t face = faces[place.triangle], triangle = face % scene.triangleCount();
-    const glm::dvec2 b = keptOffEdges(scene, triangle, place.weights);
-    const std::uint32_t x = static_cast<std::uint32_t>(origin.x) + place.x,
-                        y = static_cast<std::uint32_t>(origin.y) + place.y;
-    layout.texels.push_back({y * static_cast<std::uint32_t>(layout.width) + x, face, static_cast<float>(b.x),
-                             static_cast<float>(b.y)});
-  }
+  for (const ChartTexels::Place& place : found.places)
+    layout.texels.push_back(texelOnMap(scene, place, faces[place.triangle], origin, layout.width));
 }
 
 }  // namespace

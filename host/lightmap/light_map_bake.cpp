@@ -1,8 +1,8 @@
 #include "lightmap/light_map_bake.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 
+#include "bake/texel_fill.h"
 #include "lightmap/seam_stitching.h"
 
 namespace prelight {
@@ -10,61 +10,6 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t blockSize = 4096;  // texels between two looks at whether to stop
-
-/// Grows rings of values into hidden texels.
-class HiddenFiller {
- public:
-  HiddenFiller(std::vector<std::uint8_t> hidden, LightMap& map)
-      : hidden_(std::move(hidden)), map_(map), placeOf_(map.layout.texelCount(), none) {
-    for (std::uint32_t i = 0; i < map.layout.texels.size(); ++i) placeOf_[map.layout.texels[i].texel] = i;
-  }
-
-  void run() {
-    std::vector<std::uint32_t> waiting;
-    for (std::uint32_t i = 0; i < hidden_.size(); ++i)
-      if (hidden_[i]) waiting.push_back(i);
-    for (bool changed = true; changed && !waiting.empty();) {
-      std::vector<std::uint32_t> ring, rest;
-      for (const std::uint32_t place : waiting) (takeMean(place) ? ring : rest).push_back(place);
-      for (const std::uint32_t place : ring) hidden_[place] = 0;
-      changed = !ring.empty();
-      waiting = std::move(rest);
-    }
-  }
-
- private:
-  static constexpr std::uint32_t none = 0xffffffffu;
-
-  std::uint32_t chartOf(std::uint32_t place) const {
-    return map_.layout.chartOf[map_.layout.texels[place].face];
-  }
-
-  /// False when no neighbour has a value.
-  bool takeMean(std::uint32_t place) {
-    const std::size_t length = 3 * static_cast<std::size_t>(map_.coefficients);
-    const auto width = static_cast<std::uint32_t>(map_.layout.width);
-    const std::uint32_t texel = map_.layout.texels[place].texel;
-    const int x = static_cast<int>(texel % width), y = static_cast<int>(texel / width);
-    std::vector<float> sum(length, 0.0f);
-    float count = 0.0f;
-    for (int row = std::max(0, y - 1); row <= std::min(map_.layout.height - 1, y + 1); ++row)
-      for (int column = std::max(0, x - 1); column <= std::min(map_.layout.width - 1, x + 1); ++column) {
-        const std::uint32_t other =
-            placeOf_[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)];
-        if (other == none || hidden_[other] || chartOf(other) != chartOf(place)) continue;
-        count += 1.0f;
-        for (std::size_t i = 0; i < length; ++i)
-          sum[i] += map_.values[map_.layout.texels[other].texel * length + i];
-      }
-    if (count == 0.0f) return false;
-    for (std::size_t i = 0; i < length; ++i) map_.values[texel * length + i] = sum[i] / count;
-    return true;
-  }
-
-  std::vector<std::uint8_t> hidden_;
-  LightMap& map_;
-  std::vector<std::uint32_t> placeOf_;  ///< [texel], or none
-};
 
 }  // namespace
 
@@ -124,8 +69,18 @@ LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report) {
   return std::move(map_);
 }
 
-void fillHidden(std::vector<std::uint8_t> hidden, LightMap& map) {
-  HiddenFiller(std::move(hidden), map).run();
+void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map) {
+  if (std::find(hidden.begin(), hidden.end(), 1) == hidden.end()) return;
+  const LightMapLayout& layout = map.layout;
+  std::vector<std::uint8_t> filled(layout.texelCount(), 1);
+  std::vector<std::uint32_t> charts(layout.texelCount(), LightMapLayout::noChart);
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    const LightMapTexel& texel = layout.texels[i];
+    filled[texel.texel] = hidden[i] == 0 ? 1 : 0;
+    charts[texel.texel] = layout.chartOf[texel.face];
+  }
+  fillTexels(layout.width, layout.height, 3 * static_cast<std::size_t>(map.coefficients), filled, map.values,
+             charts);
 }
 
 }  // namespace prelight

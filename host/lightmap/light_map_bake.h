@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -16,9 +15,6 @@ namespace prelight {
 class LightMapPart {
  public:
   virtual ~LightMapPart() = default;
-
-  /// For progress and reports.
-  virtual std::string name() const = 0;
 
   /// Adds to `values`, [texel][channel 3][coefficients], what arrives at places of the surface. `hidden`,
   /// [texel], becomes 1 where a place lies inside an object, so that nothing that is seen there counts.
@@ -63,6 +59,6 @@ class LightMapBake {
 
 /// Texels of `hidden`, [place of layout.texels], take the mean of their neighbours on the same chart that are
 /// not, ring by ring. A chart that is hidden as a whole stays as it is.
-void fillHidden(std::vector<std::uint8_t> hidden, LightMap& map);
+void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map);
 
 }  // namespace prelight

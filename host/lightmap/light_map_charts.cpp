@@ -100,13 +100,11 @@ class ChartsMaker {
   /// Groups are primitives, apart for triangles with and without a back.
   void measure() {
     groups_.assign(compiled_.triangleCount(), noGroup);
-    primitiveOf_.resize(compiled_.triangleCount());
     for (std::size_t p = 0; p < compiled_.primitives.size(); ++p) {
       const PrimitiveRange& range = compiled_.primitives[p];
       for (std::uint32_t i = 0; i < range.triangleCount; ++i) {
         const std::uint32_t t = range.firstTriangle + i;
         const CompiledMaterial& material = compiled_.materials[compiled_.triangleMaterials[t]];
-        primitiveOf_[t] = p;
         areas_.push_back(0.5 * glm::length(geometricNormal(compiled_, t)));
         if (!hasLight(material, false)) continue;
         groups_[t] = static_cast<std::uint32_t>(p);
@@ -176,7 +174,7 @@ class ChartsMaker {
   std::optional<LightMapChart> fileChart(std::size_t p, const std::vector<glm::vec2>& coords,
                                          const std::vector<glm::uvec3>& triangles,
                                          const std::vector<std::uint32_t>& island) const {
-    LightMapChart chart{p, false, true, {}, {}, {}};
+    LightMapChart chart{false, true, {}, {}, {}};
     std::vector<glm::dvec2> corners;
     double area = 0.0, flat = 0.0;
     std::vector<std::array<double, 2>> each;
@@ -287,7 +285,7 @@ class ChartsMaker {
   }
 
   void addChart(std::vector<std::uint32_t> triangles, const ChartShape& shape) {
-    LightMapChart chart{primitiveOf_[triangles[0]], false, false, std::move(triangles), {}, {}};
+    LightMapChart chart{false, false, std::move(triangles), {}, {}};
     setShape(shape, chart);
     result_.charts.push_back(std::move(chart));
   }
@@ -307,9 +305,8 @@ class ChartsMaker {
   const CompiledScene& compiled_;
   const LightMapRequest& request_;
   LightMapCharts result_;
-  std::vector<std::uint32_t> groups_;     ///< [triangle]
-  std::vector<std::size_t> primitiveOf_;  ///< [triangle]
-  std::vector<double> areas_;             ///< [triangle], m2
+  std::vector<std::uint32_t> groups_;  ///< [triangle]
+  std::vector<double> areas_;          ///< [triangle], m2
   TriangleNeighbours neighbours_;
   std::map<std::pair<int, int>, bool> usable_;  ///< by mesh and primitive: TEXCOORD_1 makes a chart
 };

@@ -12,7 +12,6 @@ namespace prelight {
 
 /// A piece of a primitive's surface laid flat.
 struct LightMapChart {
-  std::size_t primitive = 0;             ///< into CompiledScene::primitives
   bool back = false;                     ///< the backs of its triangles
   bool fromFile = false;                 ///< laid out by the file's TEXCOORD_1
   std::vector<std::uint32_t> triangles;  ///< of the scene

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "bake/surface_sampler.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "lightmap/chart_texels.h"
@@ -61,14 +60,9 @@ LightMapLayout placed(const CompiledScene& scene, const LightMapCharts& charts,
       for (std::size_t corner = 0; corner < 3; ++corner)
         layout.corners[3 * face + corner] = glm::vec2(origin) + texels[c].corners[3 * t + corner];
     }
-    for (const ChartTexels::Place& place : texels[c].places) {
-      const std::uint32_t triangle = chart.triangles[place.triangle];
-      const glm::dvec2 b = keptOffEdges(scene, triangle, place.weights);
-      const std::uint32_t x = static_cast<std::uint32_t>(origin.x) + place.x,
-                          y = static_cast<std::uint32_t>(origin.y) + place.y;
-      layout.texels.push_back({y * static_cast<std::uint32_t>(layout.width) + x, firstFace + triangle,
-                               static_cast<float>(b.x), static_cast<float>(b.y)});
-    }
+    for (const ChartTexels::Place& place : texels[c].places)
+      layout.texels.push_back(
+          texelOnMap(scene, place, firstFace + chart.triangles[place.triangle], origin, layout.width));
   }
   std::sort(layout.texels.begin(), layout.texels.end(),
             [](const LightMapTexel& a, const LightMapTexel& b) { return a.texel < b.texel; });

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double closeness = 0.05;   // weight of staying, relative to a seam point
 constexpr double angleSlack = 1e-4;  // as of surface regions
-constexpr std::size_t mostSidesOfEdge = 32;
 constexpr int mostRounds = 400;
 constexpr double tolerance = 1e-5;  // of the residual
 
@@ -22,18 +21,12 @@ class SeamFinder {
       : scene_(scene), layout_(layout), creaseAngle_(creaseAngle) {}
 
   std::vector<SeamPoint> find() {
-    const std::vector<EdgeSide> sides = edgeSidesOf(scene_, placesOfVertices(scene_));
-    forEachEdge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-      if (edge.size() > mostSidesOfEdge) return;
-      for (std::size_t i = 0; i < edge.size(); ++i)
-        for (std::size_t k = i + 1; k < edge.size(); ++k) meet(edge[i], edge[k]);
-    });
+    forEachContinuation(scene_, [&](const EdgeSide& a, const EdgeSide& b) { meet(a, b); });
     return std::move(seams_);
   }
 
  private:
   void meet(const EdgeSide& a, const EdgeSide& b) {
-    if (a.reversed == b.reversed || a.triangle == b.triangle) return;
     const glm::dvec3 n = geometricNormal(scene_, a.triangle), m = geometricNormal(scene_, b.triangle);
     if (std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m)) >= creaseAngle_ - angleSlack) return;
     addSeam(a, b, 0);

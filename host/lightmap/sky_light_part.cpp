@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bake/sampling.h"
-#include "bake/surface_sampler.h"
+#include "lightmap/texel_receiver.h"
 
 namespace prelight {
 
@@ -21,7 +21,7 @@ SkyLightPart::SkyLightPart(const CompiledScene& scene, Tracer& tracer, const Env
       repeats_(std::max(1u, rays / samplesPerPoint)),
       seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
                                   sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 0x5c1bu))) {
-  light_.setLights({{}, &sky, rotation});
+  light_.setLights({{}, &sky, rotation, false});
 }
 
 void SkyLightPart::add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
@@ -31,10 +31,7 @@ void SkyLightPart::add(std::span<const LightMapTexel> texels, int coefficients, 
     const auto block = texels.subspan(first, std::min(perBlock, texels.size() - first));
     std::vector<device::Receiver> receivers;
     for (const LightMapTexel& texel : block) {
-      const bool back = texel.face >= scene_.triangleCount();
-      const std::uint32_t triangle = back ? texel.face - scene_.triangleCount() : texel.face;
-      device::Receiver receiver =
-          receiverAt(scene_, {triangle, texel.b1, texel.b2, 1.0f}, back ? Side::Back : Side::Front);
+      device::Receiver receiver = receiverAt(scene_, texel);
       receiver.seed = seed_ ^ sampling::hashInteger(texel.texel);
       for (receiver.firstSample = 0; receiver.firstSample < repeats_; ++receiver.firstSample)
         receivers.push_back(receiver);

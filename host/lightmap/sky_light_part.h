@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "bvh/tracer.h"
@@ -19,7 +18,6 @@ class SkyLightPart final : public LightMapPart {
   SkyLightPart(const CompiledScene& scene, Tracer& tracer, const Environment& sky, double rotation,
                std::uint32_t rays, std::uint64_t seed);
 
-  std::string name() const override { return "sky"; }
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
   std::uint64_t rays() const override { return light_.rays(); }

@@ -53,7 +53,8 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   buffers_.emplace(device_, tables);
   const LightLayout layout = lightLayout(tables, lights.skyRotation);
   layout_.write(std::span<const LightLayout>(&layout, 1));
-  const std::vector<RadiosityEmitter> emitters = emittersOf(scene_, tables);
+  std::vector<RadiosityEmitter> emitters;
+  if (lights.emitters) emitters = emittersOf(scene_, tables);
   emitterBuffer_ = Buffer<RadiosityEmitter>(device_, spanOf(emitters));
   const std::uint32_t before = slots();
   punctual_ = static_cast<std::uint32_t>(tables.punctual.size());

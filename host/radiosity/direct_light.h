@@ -16,11 +16,12 @@
 
 namespace prelight {
 
-/// What lights a radiosity solution, besides the scene's emissive triangles.
+/// What lights a radiosity solution.
 struct RadiosityLights {
   std::vector<Light> punctual;       ///< world space
   const Environment* sky = nullptr;  ///< nullptr: none
   double skyRotation = 0.0;          ///< radians, counter-clockwise seen from above
+  bool emitters = true;              ///< the scene's emissive triangles light it, too
 };
 
 /// Direct light of a point, W/m2; w unused.

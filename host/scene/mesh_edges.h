@@ -35,4 +35,20 @@ void forEachEdge(std::span<const EdgeSide> sides, const Visitor& visit) {
   }
 }
 
+/// Calls visit(a, b) for every two sides of different triangles that continue one another: they share an edge
+/// and go along it in opposite ways. Edges of more than 32 triangles are left out: they are no surface, and
+/// pairs grow with the square.
+template <typename Visitor>
+void forEachContinuation(const CompiledScene& scene, const Visitor& visit) {
+  constexpr std::size_t mostSides = 32;
+  const std::vector<EdgeSide> sides = edgeSidesOf(scene, placesOfVertices(scene));
+  forEachEdge(std::span(sides), [&](std::span<const EdgeSide> edge) {
+    if (edge.size() > mostSides) return;
+    for (std::size_t i = 0; i < edge.size(); ++i)
+      for (std::size_t k = i + 1; k < edge.size(); ++k)
+        if (edge[i].reversed != edge[k].reversed && edge[i].triangle != edge[k].triangle)
+          visit(edge[i], edge[k]);
+  });
+}
+
 }  // namespace prelight

@@ -15,7 +15,6 @@ constexpr double leastNoise = 0.05;   // rad: a sliver's normal is more uncertai
 constexpr double rounding = 0x1p-22;  // of coordinates, after a transform
 constexpr int sliverRounds = 16;      // slivers in a row that are attached one by one
 constexpr std::uint32_t none = 0xffffffffu;
-constexpr std::size_t mostSidesOfEdge = 32;  // more are no surface, and pairs grow with the square
 
 class RegionGrower {
  public:
@@ -26,12 +25,7 @@ class RegionGrower {
   }
 
   SurfaceRegions grow() {
-    const std::vector<EdgeSide> sides = edgeSidesOf(scene_, placesOfVertices(scene_));
-    forEachEdge(std::span(sides), [&](std::span<const EdgeSide> edge) {
-      if (edge.size() > mostSidesOfEdge) return;
-      for (std::size_t i = 0; i < edge.size(); ++i)
-        for (std::size_t k = i + 1; k < edge.size(); ++k) meet(edge[i], edge[k]);
-    });
+    forEachContinuation(scene_, [&](const EdgeSide& a, const EdgeSide& b) { meet(a, b); });
     attachSlivers();
     return number();
   }
@@ -71,7 +65,6 @@ class RegionGrower {
   }
 
   void meet(const EdgeSide& a, const EdgeSide& b) {
-    if (a.reversed == b.reversed || a.triangle == b.triangle) return;
     const glm::dvec3 &n = normals_[a.triangle], &m = normals_[b.triangle];
     const double angle = std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m));
     if (sliver_[a.triangle] || sliver_[b.triangle])

@@ -44,5 +44,15 @@ TEST(FillTexels, NothingFilled_StaysAsItIs) {
   EXPECT_EQ(filled, std::vector<std::uint8_t>(4, 0));
 }
 
+// Two groups of a row; the third has nothing to take after.
+TEST(FillTexels, Groups_TakeAfterTheirOwn) {
+  std::vector<std::uint8_t> filled = {1, 0, 0, 0, 1, 0};
+  std::vector<float> values = {2.0f, 50.0f, 50.0f, 50.0f, 6.0f, 50.0f};
+  const std::vector<std::uint32_t> groups = {7, 7, 7, 9, 9, 1};
+  fillTexels(6, 1, 1, filled, values, groups);
+  EXPECT_EQ(values, (std::vector<float>{2.0f, 2.0f, 2.0f, 6.0f, 6.0f, 50.0f}));
+  EXPECT_EQ(filled, (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 0}));
+}
+
 }  // namespace
 }  // namespace prelight
