@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bake/sampling.h"
-#include "bake/surface_sampler.h"
+#include "lightmap/texel_receiver.h"
 #include "photon/density_estimator.h"
 
 namespace prelight {
@@ -20,18 +20,6 @@ double sceneRadius(const CompiledScene& scene) {
   return 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
 }
 
-SurfaceSample sampleOf(const CompiledScene& compiled, const LightMapTexel& texel, Side& side) {
-  const bool back = texel.face >= compiled.triangleCount();
-  side = back ? Side::Back : Side::Front;
-  SurfaceSample sample;
-  sample.triangle = back ? texel.face - compiled.triangleCount() : texel.face;
-  const glm::dvec2 weights = keptOffEdges(compiled, sample.triangle, glm::dvec2(texel.b1, texel.b2));
-  sample.b1 = static_cast<float>(weights.x);
-  sample.b2 = static_cast<float>(weights.y);
-  sample.weight = 1.0f;
-  return sample;
-}
-
 /// `count` receivers at every place, whose rays go on in the place's sequence.
 std::vector<device::Receiver> receiversOf(const CompiledScene& compiled,
                                           std::span<const LightMapTexel> places, std::uint32_t count,
@@ -41,9 +29,7 @@ std::vector<device::Receiver> receiversOf(const CompiledScene& compiled,
   const std::uint32_t folded =
       sampling::hashInteger(static_cast<std::uint32_t>(seed ^ (seed >> 32)) ^ 0x2545f491u);
   for (const LightMapTexel& place : places) {
-    Side side{};
-    const SurfaceSample sample = sampleOf(compiled, place, side);
-    device::Receiver receiver = receiverAt(compiled, sample, side);
+    device::Receiver receiver = receiverAt(compiled, place);
     receiver.seed = sampling::hashInteger(place.texel + folded);
     for (std::uint32_t i = 0; i < count; ++i) {
       receiver.firstSample = i * rays;

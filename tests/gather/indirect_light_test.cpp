@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lightmap/make_light_map_layout.h"
+#include "lightmap/texel_receiver.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
 #include "support/devices.h"
@@ -68,6 +69,16 @@ TEST(IndirectLight, SealedRooms_LetNothingThroughTheWall) {
   ASSERT_GT(litCount, 1000u);
   EXPECT_GT(lit, 0.0);
   EXPECT_LE(dark, 1e-4 * lit / static_cast<double>(litCount));
+}
+
+/// Photons are looked for where the texels' other light is taken.
+TEST(IndirectLight, Queries_LieAtTheTexelsReceivers) {
+  const IndirectScene light = builtinLight("shapes", 1024);
+  const auto queries = densityQueries(light.scene, light.layout.texels, 1.0);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const device::Receiver receiver = receiverAt(light.scene, light.layout.texels[i]);
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(queries[i].position[k], receiver.position[k]) << i;
+  }
 }
 
 /// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi
