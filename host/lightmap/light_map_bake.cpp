@@ -24,7 +24,9 @@ LightMapBake::LightMapBake(const CompiledScene& scene, LightMapLayout layout, in
 void LightMapBake::run(std::span<LightMapPart* const> parts, Progress& progress) {
   const std::size_t length = 3 * static_cast<std::size_t>(map_.coefficients), count = hidden_.size();
   std::uint64_t earlier = 0;
-  for (const LightMapPart* part : parts) earlier += part->rays();
+  // What parts have cast already (photons) counts once, however often the bake goes on.
+  if (done_ > 0)
+    for (const LightMapPart* part : parts) earlier += part->rays();
   std::vector<float> values;
   while (done_ < count) {
     progress.check();

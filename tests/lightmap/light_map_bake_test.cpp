@@ -181,6 +181,30 @@ TEST(LightMapBake, Interrupted_GoesOnToTheSame) {
   first.save(state);
   const std::vector<std::byte> payload(state.payload().begin(), state.payload().end());
   StateReader reader("state", payload);
+/// A part that has cast rays before it is asked for texels, as photons are.
+class EarlyPart final : public LightMapPart {
+ public:
+  void add(std::span<const LightMapTexel> texels, int, std::span<float>, std::span<std::uint8_t>) override {
+    rays_ += texels.size();
+  }
+  std::uint64_t rays() const override { return rays_; }
+
+ private:
+  std::uint64_t rays_ = 1000;
+};
+
+TEST(LightMapBake, RaysOfPhotons_AreReported) {
+  const CompiledScene scene = test::ground(1, 1.0f);
+  EarlyPart part;
+  LightMapPart* parts[] = {&part};
+  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  EXPECT_EQ(report.rays, 1000 + map.layout.texels.size());
+}
+
   LightMapBake second(scene, layout, 1);
   second.load(reader);
   Progress progress;
