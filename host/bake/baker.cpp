@@ -20,6 +20,7 @@
 #include "bvh/tracer.h"
 #include "gather/light_map_light.h"
 #include "lightmap/direct_light_part.h"
+#include "lightmap/inside_part.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/sky_light_part.h"
 #include "lightmap/vertex_irradiance.h"
@@ -331,6 +332,7 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Light
                      const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
                      Progress& progress, BakeReport& report) {
   std::optional<DirectLightPart> direct;
+  std::optional<InsidePart> inside;
   std::optional<SkyLightPart> sky;
   std::optional<LightMapLight> light;
   if (plan.runs("indirect light of the map") || plan.runs("caustics of the map"))
@@ -338,6 +340,8 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Light
   std::vector<LightMapPart*> parts;
   if (plan.runs("direct light of the map"))
     parts.push_back(&direct.emplace(scene, tracer, raysEach(request), request.seed));
+  else
+    parts.push_back(&inside.emplace(scene, tracer, request.seed));
   const RadiosityRequest& lights = request.radiosityShape;
   if (lights.environment)
     parts.push_back(&sky.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lightmap/direct_light_part.h"
+#include "lightmap/inside_part.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
 #include "lightmap/sky_light_part.h"
@@ -152,10 +153,56 @@ TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighbours) {
   }
 }
 
+/// The same by the light of the sky, without a single lamp: what is under the box is dark and stays out of
+/// it.
+TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighboursUnderASky) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::box(1, {-0.32f, -0.1f, -0.32f}, {0.32f, 0.001f, 0.32f}, false));
+  const Environment sky = constantEnvironment(glm::vec3(1.0f));
+  Tracer tracer(scene, test::sharedDevice());
+  InsidePart inside(scene, tracer, 0);
+  SkyLightPart light(scene, tracer, sky, 0.0, 256, 0);
+  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  LightMapPart* parts[] = {&inside, &light};
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  EXPECT_GT(report.hidden, 20u);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    if (texel.face >= 32) continue;
+    ASSERT_NEAR(map.values[3 * std::size_t{texel.texel}], std::numbers::pi, 0.1);
+  }
+}
+
 TEST(LightMapBake, SameSeed_GivesTheSame) {
   CompiledScene scene = test::ground(2, 1.0f);
   scene.lights = {pointLight({0.0, 1.0, 0.0}, glm::vec3(1.0f))};
   EXPECT_EQ(bake(scene, 0.1).values, bake(scene, 0.1).values);
+}
+
+/// A part that has cast rays before it is asked for texels, as photons are.
+class EarlyPart final : public LightMapPart {
+ public:
+  void add(std::span<const LightMapTexel> texels, int, std::span<float>, std::span<std::uint8_t>) override {
+    rays_ += texels.size();
+  }
+  std::uint64_t rays() const override { return rays_; }
+
+ private:
+  std::uint64_t rays_ = 1000;
+};
+
+TEST(LightMapBake, RaysOfPhotons_AreReported) {
+  const CompiledScene scene = test::ground(1, 1.0f);
+  EarlyPart part;
+  LightMapPart* parts[] = {&part};
+  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  EXPECT_EQ(report.rays, 1000 + map.layout.texels.size());
 }
 
 class StopAfter : public Progress {
@@ -181,30 +228,6 @@ TEST(LightMapBake, Interrupted_GoesOnToTheSame) {
   first.save(state);
   const std::vector<std::byte> payload(state.payload().begin(), state.payload().end());
   StateReader reader("state", payload);
-/// A part that has cast rays before it is asked for texels, as photons are.
-class EarlyPart final : public LightMapPart {
- public:
-  void add(std::span<const LightMapTexel> texels, int, std::span<float>, std::span<std::uint8_t>) override {
-    rays_ += texels.size();
-  }
-  std::uint64_t rays() const override { return rays_; }
-
- private:
-  std::uint64_t rays_ = 1000;
-};
-
-TEST(LightMapBake, RaysOfPhotons_AreReported) {
-  const CompiledScene scene = test::ground(1, 1.0f);
-  EarlyPart part;
-  LightMapPart* parts[] = {&part};
-  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
-  Progress progress;
-  made.run(parts, progress);
-  LightMapReport report;
-  const LightMap map = made.finish(usualCreaseAngle, report);
-  EXPECT_EQ(report.rays, 1000 + map.layout.texels.size());
-}
-
   LightMapBake second(scene, layout, 1);
   second.load(reader);
   Progress progress;
