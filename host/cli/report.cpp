@@ -115,7 +115,11 @@ Json toJson(const BakeRequest& request) {
   if (request.lightGroups) json["lightGroups"] = true;
   if (request.occluders) json["vo"] = true;
   if (request.radiosity) json["radiosity"] = toJson(request.radiosityShape);
-  if (request.lightMap) json["lightMap"] = {{"texelSize", request.lightMapTexel}};
+  if (request.lightMap)
+    json["lightMap"] = {{"texelSize", request.lightMapTexel},
+                        {"photons", request.photons},
+                        {"caustics", request.caustics},
+                        {"sky", request.radiosityShape.environment != nullptr}};
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));

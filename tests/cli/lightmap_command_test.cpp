@@ -46,6 +46,14 @@ TEST_F(CliLightMap, Bake_WritesCoordinatesAndAPicture) {
   EXPECT_FALSE(readFile("out.lightmap.exr").empty());
 }
 
+TEST_F(CliLightMap, Report_RepeatsTheMapsOptions) {
+  bake("out.glb", {"--texel-size", "0.5", "--photons", "1000", "--caustics", "--report", "report.json"});
+  const auto report = nlohmann::ordered_json::parse(readFile("report.json"));
+  const nlohmann::ordered_json asked = {
+      {"texelSize", 0.5}, {"photons", 1000}, {"caustics", true}, {"sky", false}};
+  EXPECT_EQ(report.at("options").at("lightMap"), asked);
+}
+
 TEST_F(CliLightMap, SameSeed_SameBytes) {
   bake("a.glb", {"--texel-size", "0.1"});
   bake("b.glb", {"--texel-size", "0.1"});
