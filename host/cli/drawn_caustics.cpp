@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "photon/caustic_filter.h"
-#include "photon/photon_tracer.h"
+#include "photon/casters.h"
+#include "photon/caustic_light.h"
 #include "scene/surface_regions.h"
 #include "shade/transport_scene.h"
 
@@ -13,6 +13,11 @@ std::unique_ptr<DrawnCaustics> traceCaustics(Session& session, const LoadedScene
                                              const viewer::RenderOptions& render, const Environment* sky,
                                              const DeviceOptions& device, std::uint64_t photons) {
   requireTriangles(loaded);
+  const auto nothing = [&] {
+    session.console().note("--caustics: no light of this scene reaches a surface through mirrors or glass");
+    return nullptr;
+  };
+  if (causticCasters(loaded.compiled).empty()) return nothing();
   const Device opened = session.times().measure("device", [&] { return Device::open(device); });
   auto drawn = std::make_unique<DrawnCaustics>();
   session.times().measure("caustics", [&] {
@@ -21,13 +26,10 @@ std::unique_ptr<DrawnCaustics> traceCaustics(Session& session, const LoadedScene
     TransportScene scene(lit, opened);
     PhotonTracer tracer(loaded.compiled, scene);
     PhotonHits hits;
-    tracer.trace({.kind = PhotonKind::Caustic, .photons = photons}, hits, session.progress());
+    tracer.trace(causticRequest(photons), hits, session.progress());
     drawn->photons = std::move(hits.photons);
   });
-  if (drawn->photons.empty()) {
-    session.console().note("--caustics: no light of this scene reaches a surface through mirrors or glass");
-    return nullptr;
-  }
+  if (drawn->photons.empty()) return nothing();
   const DensitySurface surface =
       makeDensitySurface(loaded.compiled, makeSurfaceRegions(loaded.compiled, usualCreaseAngle));
   drawn->caustics = {drawn->photons, chooseCausticFilter(makePhotonMaps(drawn->photons, surface))};

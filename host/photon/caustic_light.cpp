@@ -10,17 +10,16 @@ constexpr int rouletteDepth = 8;
 
 }  // namespace
 
+PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed) {
+  return {.kind = PhotonKind::Caustic, .photons = photons, .seed = seed, .rouletteDepth = rouletteDepth};
+}
+
 std::unique_ptr<CausticLight> traceCausticLight(const CompiledScene& compiled, TransportScene& scene,
                                                 const DensitySurface& surface, std::uint64_t photons,
                                                 std::uint64_t seed, double footprint, const Device& device,
                                                 Progress& progress, PhotonReport& report) {
-  PhotonRequest request;
-  request.kind = PhotonKind::Caustic;
-  request.photons = photons;
-  request.seed = seed;
-  request.rouletteDepth = rouletteDepth;
   PhotonHits hits;
-  report = PhotonTracer(compiled, scene).trace(request, hits, progress);
+  report = PhotonTracer(compiled, scene).trace(causticRequest(photons, seed), hits, progress);
   if (hits.photons.empty()) return nullptr;
   const PhotonMaps maps = makePhotonMaps(hits.photons, surface);
   const CausticFilter filter = chooseCausticFilter(maps, footprint);

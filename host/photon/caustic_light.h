@@ -13,6 +13,9 @@ struct CausticLight {
   DensityEstimator estimator;
 };
 
+/// `photons` towards what makes caustics, which mirrors and glass weaken before any may end by chance.
+PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed = 0);
+
 /// Sends `photons` towards what makes caustics and chooses the filter for a `footprint` in metres
 /// (chooseCausticFilter). nullptr: none landed. Throws Interrupted. `surface` and `device` outlive the
 /// result.

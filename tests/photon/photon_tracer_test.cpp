@@ -6,6 +6,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "photon/caustic_light.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
 #include "support/devices.h"
@@ -302,6 +303,19 @@ TEST(CausticPhotons, Mirror_ThrowsWhatItReceives) {
   request.rouletteDepth = 8;
   const Flight flight = fly(scene, {pointLight({0, 1, 0}, glm::vec3(1.0f))}, request);
   EXPECT_NEAR(flight.storedPower().x, 0.8 * 4.0 * std::atan(1.0 / std::sqrt(3.0)), 2e-3);
+}
+
+TEST(CausticPhotons, UsualRequest_LetsADarkMirrorWeakenPhotonsAndNotEndThem) {
+  CompiledScene scene = box(1, {-10.0f, -1.0f, -10.0f}, {10.0f, 4.0f, 10.0f}, true);
+  scene.materials[0] = lambert(0.5f);
+  append(scene, ground(1, 1.0f));
+  paintLast(scene, 2, metal(0.1f, 0.0f));
+  scene.triangleFlat.assign(scene.triangles.size(), 1);
+  const Flight flight = fly(scene, {pointLight({0, 1, 0}, glm::vec3(1.0f))}, causticRequest(4096));
+  const double sent = flight.emitted().x / double(flight.report.emitted);
+  ASSERT_FALSE(flight.hits.photons.empty());
+  for (const device::Photon& photon : flight.hits.photons)
+    EXPECT_NEAR(photon.power[0], 0.1 * sent, 0.01 * sent);
 }
 
 }  // namespace
