@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bake/surface_sampler.h"
+#include "base/span_of.h"
 
 namespace prelight {
 
@@ -33,11 +34,6 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
     if (!std::binary_search(set.triangles.begin(), set.triangles.end(), emitter.triangle))
       for (float& factor : emitter.factor) factor = 0.0f;
   return emitters;
-}
-
-template <typename T>
-std::span<const T> spanOf(const std::vector<T>& values) {
-  return values;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/pattern.h"
+#include "scene/light_sources.h"
 #include "scene/punctual_light.h"
 
 namespace prelight {
@@ -15,8 +16,6 @@ namespace {
 /// Shadow rays to the emitters of all groups together from a receiver, which has 16 to 64 rays of its own,
 /// and their bounds for one group.
 constexpr std::uint32_t emitterSamples = 64, leastSamples = 4, mostSamples = 16;
-
-bool shines(const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z > 0.0f; }
 
 /// What is dealt to a group: a punctual light, or an emissive node.
 struct Source {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "occluders/occluder_vectors.h"
+#include "scene/lobes.h"
 #include "shade/surface_upload.h"
 
 namespace prelight {

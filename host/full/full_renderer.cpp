@@ -13,6 +13,7 @@
 #include "photon/caustic_light.h"
 #include "reference/film.h"
 #include "reference/path_tracer.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -33,9 +34,8 @@ double emitterShare(const CompiledScene& scene) {
   double all = 0.0, emitting = 0.0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     const double area = glm::length(geometricNormal(scene, t));
-    const glm::vec3& e = scene.materials[scene.triangleMaterials[t]].emission;
     all += area;
-    if (e.x > 0.0f || e.y > 0.0f || e.z > 0.0f) emitting += area;
+    if (shines(scene.materials[scene.triangleMaterials[t]].emission)) emitting += area;
   }
   return all > 0.0 ? emitting / all : 0.0;
 }
@@ -133,11 +133,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   reference::CachedLight cached;
   cached.indirect = &indirect;
   cached.meetsLights = report.plan[2].runs;
-  if (caustics) {
-    cached.caustics = &caustics->estimator;
-    cached.causticOptions = caustics->filter.density;
-    cached.causticRadius = caustics->filter.radius;
-  }
+  cached.caustics = caustics.get();
   Picture picture = draw(compiled, scene, camera, cached, request, progress, report);
   stages.mark("picture");
   return picture;

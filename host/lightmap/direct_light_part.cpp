@@ -22,16 +22,7 @@ CastOptions castOptions(const GroupedLights& lights, std::uint32_t rays) {
   return options;
 }
 
-bool shines(const glm::vec3& color) { return color.x > 0.0f || color.y > 0.0f || color.z > 0.0f; }
-
 }  // namespace
-
-bool hasLights(const CompiledScene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const Light& light) { return shines(light.intensity); }) ||
-         std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                     [&](std::uint32_t m) { return shines(scene.materials[m].emission); });
-}
 
 DirectLightPart::DirectLightPart(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays,
                                  std::uint64_t seed)

@@ -38,7 +38,4 @@ class DirectLightPart final : public LightMapPart {
   CastValues cast_;
 };
 
-/// Whether anything in the scene shines.
-bool hasLights(const CompiledScene& scene);
-
 }  // namespace prelight

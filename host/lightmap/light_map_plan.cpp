@@ -7,6 +7,7 @@
 
 #include "lightmap/direct_light_part.h"
 #include "photon/casters.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -42,11 +43,9 @@ std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
 PlannedPass planDirect(const CompiledScene& scene) {
   if (!hasLights(scene))
     return {"direct light of the map", false, "the scene has no light and nothing emissive"};
-  const auto emitters = std::count_if(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                                      [&](std::uint32_t material) {
-                                        const glm::vec3& e = scene.materials[material].emission;
-                                        return e.x > 0.0f || e.y > 0.0f || e.z > 0.0f;
-                                      });
+  const auto emitters =
+      std::count_if(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                    [&](std::uint32_t material) { return shines(scene.materials[material].emission); });
   return {"direct light of the map", true,
           fmt::format("shadow rays from every texel to {} punctual lights{}", scene.lights.size(),
                       emitters > 0 ? fmt::format(" and {} emissive triangles", emitters)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "scene/lobes.h"
+
 namespace prelight {
 
 namespace {
@@ -19,10 +21,6 @@ bool anyTriangle(const CompiledScene& scene, bool (*test)(const CompiledMaterial
 bool isShiny(const CompiledMaterial& material) {
   const bool reflects = material.metallic > 0.0f || (material.specular > 0.0f && material.ior != 1.0f);
   return !material.unlit && reflects && material.roughness <= roughestShine;
-}
-
-bool isGlass(const CompiledMaterial& material) {
-  return !material.unlit && material.transmission > 0.0f && material.metallic < 1.0f;
 }
 
 bool hasShine(const CompiledScene& scene) { return anyTriangle(scene, isShiny); }

@@ -13,10 +13,7 @@ namespace prelight {
 /// 0.5. Factors count, textures do not.
 bool isShiny(const CompiledMaterial& material);
 
-/// Lets light through by refraction or straight.
-bool isGlass(const CompiledMaterial& material);
-
-/// Whether the material of a triangle is.
+/// Whether some triangle's material is shiny (isShiny) or glass (isGlass).
 bool hasShine(const CompiledScene& scene);
 bool hasGlass(const CompiledScene& scene);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "photon/leaf_tree.h"
+
 namespace prelight {
 
 namespace {
@@ -41,9 +43,7 @@ std::vector<Spread> spreadsOf(const PhotonMaps& maps) {
   for (const device::LeafTree& tree : maps.trees) {
     const std::uint32_t leaves = tree.count == 0 ? 0 : 1u << tree.levels;
     for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
-      const std::uint64_t first = std::uint64_t{tree.count} * leaf >> tree.levels;
-      const std::uint64_t last = std::uint64_t{tree.count} * (leaf + 1) >> tree.levels;
-      const auto count = static_cast<std::uint32_t>(last - first);
+      const auto count = static_cast<std::uint32_t>(leafBegin(tree, leaf + 1) - leafBegin(tree, leaf));
       if (count < 2) continue;
       const std::size_t node = std::size_t{tree.firstNode} + leaves - 1 + leaf;
       spreads.push_back({areaOf(&maps.boxes[6 * node]) / (count - 1), count});

@@ -90,13 +90,10 @@ void aim(Candidate& c, const Ball& from, std::span<const DirectionFrame> frames,
 Candidate aimedEmitter(const CompiledScene& scene, const LightTables& lights, std::uint32_t emitter,
                        std::span<const Ball> casters, std::uint64_t photons) {
   const std::uint32_t t = lights.emitters[emitter];
-  const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
-  const glm::dvec3 normal = geometricNormal(scene, t);
-  Candidate c = everywhere(
-      PRELIGHT_SOURCE_EMITTERS, emitter,
-      pi * 0.5 * glm::length(normal) * luminance(glm::dvec3(m.emissionFactor)) * (m.doubleSided ? 2.0 : 1.0));
-  std::vector<DirectionFrame> frames{frameAlong(glm::normalize(normal))};
-  if (m.doubleSided) frames.push_back({-frames[0].axis, frames[0].tangent});
+  Candidate c = everywhere(PRELIGHT_SOURCE_EMITTERS, emitter, lights.emitterPowers[emitter]);
+  std::vector<DirectionFrame> frames{frameAlong(glm::normalize(geometricNormal(scene, t)))};
+  if (scene.materials[scene.triangleMaterials[t]].doubleSided)
+    frames.push_back({-frames[0].axis, frames[0].tangent});
   aim(c, ballAround(scene, std::span(&t, 1)), frames, {DirectionMap::Hemisphere, 0.0}, casters, photons);
   return c;
 }

@@ -22,8 +22,6 @@ class ProgressiveIrradiance {
   /// within the radius.
   void addPass(const PhotonMaps& photons, DensityEstimator& estimator);
 
-  int passes() const { return passes_; }
-
   /// The next pass's radius over the first's.
   double radiusShare() const;
 

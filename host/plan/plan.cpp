@@ -9,6 +9,7 @@
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
 #include "radiosity/radiosity_plan.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -21,15 +22,6 @@ constexpr int haarBounceOrder = 6;       // bands that carry what bounces add to
 constexpr std::uint64_t seenBytes = 72;  // what a vertex keeps of an occluder until its record is made
 constexpr std::uint64_t wayBytes = 56;   // the same of what is mirrored or comes through it
 constexpr std::uint64_t blockBytes = std::uint64_t{16} << 20;
-
-bool reflects(const CompiledScene& scene) {
-  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
-                     [&](std::uint32_t m) {
-                       const glm::vec3 a = scene.materials[m].albedo;
-                       return a.x > 0.0f || a.y > 0.0f || a.z > 0.0f;
-                     }) ||
-         scene.hasDiffuseTransmission();
-}
 
 PlannedPass planTranslucent(const CompiledScene& scene, bool bounces) {
   if (!scene.hasDiffuseTransmission())
@@ -46,7 +38,7 @@ std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {
 PlannedPass planBounces(const CompiledScene& scene, const BakeRequest& request) {
   if (!request.carriesLight()) return {"bounces", false, "no technique that is asked for carries light"};
   if (request.bounces == 0) return {"bounces", false, "none are asked for"};
-  if (!reflects(scene))
+  if (!scattersDiffusely(scene))
     return {"bounces", false,
             "no surface has a diffuse albedo above 0 or lets light through, so nothing is reflected"};
   return {"bounces", true, fmt::format("{} from stored transport, without new rays", request.bounces)};
@@ -179,7 +171,8 @@ void estimateMemory(const CompiledScene& scene, const BakeRequest& request, bool
 
 BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
-  request.ao = request.lightGroups = request.occluders = request.radiosity = request.lightMap = request.caustics = false;
+  request.ao = request.lightGroups = request.occluders = request.radiosity = request.lightMap =
+      request.caustics = false;
   request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
   request.volumeSize = request.texelSize = 0;
   request.namedGroups.clear();
@@ -282,8 +275,9 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
   if (plan.runs("light map")) plan.hostBytes += lightMapBytes(compiled, request);
   if (plan.runs("radiosity")) {
-    plan.hostBytes += radiosityBytes(compiled, request);
-    plan.deviceBytes += radiosityBytes(compiled, request) / 3;
+    const std::uint64_t bytes = std::min(request.maxMemory, radiosityScale(compiled, request).bytes());
+    plan.hostBytes += bytes;
+    plan.deviceBytes += bytes / 3;
   }
   return plan;
 }

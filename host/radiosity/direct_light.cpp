@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/span_of.h"
+
 namespace prelight {
 
 namespace {
@@ -14,11 +16,6 @@ constexpr std::uint32_t skySamples = 16;
 constexpr std::size_t fewEmitters = 32;
 constexpr std::uint32_t raysPerBlock = 1u << 18;
 
-template <typename T>
-std::span<const T> spanOf(const std::vector<T>& values) {
-  return values;
-}
-
 std::vector<RadiosityEmitter> emittersOf(const CompiledScene& scene, const LightTables& tables) {
   std::vector<RadiosityEmitter> emitters;
   for (const std::uint32_t t : tables.emitters) {
@@ -30,8 +27,8 @@ std::vector<RadiosityEmitter> emittersOf(const CompiledScene& scene, const Light
 
 }  // namespace
 
-DirectLight::DirectLight(const CompiledScene& scene, const RadiosityElements&, const ElementPoints& points,
-                         Tracer& tracer, std::uint32_t pointsPerElement)
+DirectLight::DirectLight(const CompiledScene& scene, const ElementPoints& points, Tracer& tracer,
+                         std::uint32_t pointsPerElement)
     : scene_(scene),
       points_(&points),
       tracer_(tracer),

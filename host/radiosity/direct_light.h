@@ -9,7 +9,6 @@
 #include "bvh/tracer.h"
 #include "io/environment.h"
 #include "radiosity/element_points.h"
-#include "radiosity/elements.h"
 #include "scene/compiled_scene.h"
 #include "shade/light_buffers.h"
 #include "shared/radiosity_types.h"
@@ -36,8 +35,8 @@ struct PointLight {
 class DirectLight {
  public:
   /// All outlive it. `pointsPerElement`: as many of the first ones of `points`.
-  DirectLight(const CompiledScene& scene, const RadiosityElements& elements, const ElementPoints& points,
-              Tracer& tracer, std::uint32_t pointsPerElement);
+  DirectLight(const CompiledScene& scene, const ElementPoints& points, Tracer& tracer,
+              std::uint32_t pointsPerElement);
 
   /// Of receivers alone: estimate() must not be called.
   DirectLight(const CompiledScene& scene, Tracer& tracer);

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
+#include "base/span_of.h"
+
 namespace prelight {
 
 namespace {
-
-template <typename T>
-std::span<const T> spanOf(const std::vector<T>& values) {
-  return values;
-}
 
 std::vector<glm::vec4> padded(const std::vector<glm::vec3>& colors) {
   std::vector<glm::vec4> values;
@@ -36,7 +33,6 @@ ExchangeSystem::ExchangeSystem(DeviceContext& device, const CompiledScene& scene
     : device_(device),
       size_(factors.elementCount()),
       perSide_(elements.perSide()),
-      hostAreas_(factors.areas),
       rowStart_(device, spanOf(factors.rowStart)),
       columns_(device, spanOf(factors.columns)),
       values_(device, spanOf(factors.values)),

@@ -20,7 +20,6 @@ class ExchangeSystem {
 
   std::uint32_t size() const { return size_; }
   std::uint32_t perSide() const { return perSide_; }
-  std::size_t entries() const { return columns_.size(); }
 
   /// Greatest share of what arrives at an element that leaves it again, of any channel: bounds the spectrum.
   double greatestAlbedo() const { return greatestAlbedo_; }
@@ -36,15 +35,11 @@ class ExchangeSystem {
   const Buffer<glm::vec4>& albedo() const { return albedo_; }
   const Buffer<glm::vec4>& transmission() const { return transmission_; }
 
-  /// [element], of hosts' interest.
-  const std::vector<float>& hostAreas() const { return hostAreas_; }
-
  private:
   DeviceContext& device_;
   std::uint32_t size_;
   std::uint32_t perSide_;
   double greatestAlbedo_ = 0.0;
-  std::vector<float> hostAreas_;
   Buffer<std::uint32_t> rowStart_;
   Buffer<std::uint32_t> columns_;
   Buffer<float> values_;

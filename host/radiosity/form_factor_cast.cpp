@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "bake/caster.h"
+#include "base/span_of.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -24,7 +26,6 @@ std::vector<glm::uvec2> piecesOf(const RadiosityElements& elements) {
 
 /// [triangle], bit 0: it reflects, bit 1: it lets light through.
 std::vector<std::uint8_t> reflectingTriangles(const CompiledScene& scene) {
-  const auto shines = [](const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z > 0.0f; };
   std::vector<std::uint8_t> reflecting;
   for (const std::uint32_t material : scene.triangleMaterials) {
     const CompiledMaterial& m = scene.materials[material];
@@ -32,11 +33,6 @@ std::vector<std::uint8_t> reflectingTriangles(const CompiledScene& scene) {
         static_cast<std::uint8_t>((shines(m.albedo) ? 1 : 0) | (shines(m.diffuseTransmission) ? 3 : 0)));
   }
   return reflecting;
-}
-
-template <typename T>
-std::span<const T> spanOf(const std::vector<T>& values) {
-  return values;
 }
 
 }  // namespace

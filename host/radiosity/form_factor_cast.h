@@ -42,7 +42,6 @@ class FormFactorCast {
   std::uint32_t pointsPerElement() const { return pointsPerElement_; }
   const ElementPoints& points() const { return points_; }
   std::uint64_t rays() const { return std::uint64_t{raysPerElement_} * counts_.elements.size(); }
-  bool castBacks() const { return round_ > 0 && counts_.elements.size() > elements_.perSide(); }
 
   void save(StateWriter& state) const;
   void load(StateReader& state);

@@ -98,8 +98,6 @@ void setScales(FormFactors& f) {
     if (f.areas[i] <= 0.0f) continue;
     const double wanted = 1.0 - double(f.escaped[i]);
     f.scale[i] = static_cast<float>(sum > 0.0 && wanted > 0.0 ? wanted / sum : 1.0 / double(f.areas[i]));
-    if (sum > 0.0 && wanted > 0.0)
-      f.asymmetry = std::max(f.asymmetry, std::abs(double(f.scale[i]) * double(f.areas[i]) - 1.0));
   }
 }
 

@@ -20,7 +20,6 @@ struct FormFactors {
   std::vector<float> areas;             ///< [element], m2, without what does not count
   std::vector<float> escaped;           ///< [element], share that leaves the scene
   std::vector<glm::vec3> albedo;        ///< [element]
-  double asymmetry = 0.0;               ///< largest difference of scale x area from 1
   bool backs = false;                   ///< the elements include those of the backs
 
   std::uint32_t elementCount() const { return static_cast<std::uint32_t>(areas.size()); }

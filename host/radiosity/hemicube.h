@@ -28,8 +28,6 @@ class HemicubeCast {
   /// All outlive it.
   HemicubeCast(const CompiledScene& scene, const RadiosityElements& elements, Tracer& tracer, int size);
 
-  std::size_t pixels() const { return pixels_.size(); }
-
   /// (element, form factor), ascending, of hemicubes at the first `count` points of an element. Rays that
   /// escape are left out.
   std::vector<std::pair<std::uint32_t, double>> row(const ElementPoints& points, std::uint32_t element,

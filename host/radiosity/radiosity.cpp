@@ -49,13 +49,12 @@ void Radiosity::makeRows() {
     lit_.push_back(counts.elements[row]);
     valid_.push_back(counts.valid[row]);
   }
-  directLight_.emplace(scene_, elements_, cast_->points(), tracer_,
+  directLight_.emplace(scene_, cast_->points(), tracer_,
                        std::min(mostDirectPoints, cast_->pointsPerElement()));
   system_.emplace(tracer_.context(), scene_, elements_, factors_);
   solver_.emplace(*system_);
   report_.elements = lit_.size();
   report_.entries = factors_.values.size();
-  report_.asymmetry = factors_.asymmetry;
   report_.rowSeconds += secondsSince(start);
 }
 

@@ -60,8 +60,6 @@ class Radiosity {
   /// points all over the elements, indirect light to the elements' centres.
   std::vector<glm::vec3> irradianceOfVertices(const FitMesh& mesh) const;
 
-  const RadiosityElements& elements() const { return elements_; }
-  const FormFactors& factors() const { return factors_; }
   const ExchangeSystem& system() const { return *system_; }
   const RadiosityReport& report() const { return report_; }
 

@@ -11,10 +11,11 @@ namespace prelight {
 namespace {
 
 RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& request) {
-  checkRadiosityMemory(scene, request);
+  const RadiosityScale scale = radiosityScale(scene, request);
+  checkRadiosityMemory(scale, request);
   RadiosityOptions options;
-  options.patchSize = request.radiosityShape.patchSize;
-  options.raysPerElement = radiosityRays(scene, request);
+  options.patchSize = scale.patchSize;
+  options.raysPerElement = scale.rays;
   options.seed = request.seed;
   options.maxMemory = request.maxMemory;
   options.method = request.radiosityShape.method;

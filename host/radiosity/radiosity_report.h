@@ -31,7 +31,6 @@ struct RadiosityReport {
   double rowSeconds = 0.0;  ///< from counts to form factors
   double directSeconds = 0.0;
   double solveSeconds = 0.0;
-  double asymmetry = 0.0;
   double patchSize = 0.0;
   RadiosityMethod method = RadiosityMethod::GaussSeidel;
   SolveReport solve;  ///< of the last lights

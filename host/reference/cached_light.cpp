@@ -12,7 +12,8 @@ constexpr std::uint32_t causticSamples = 2;  // of a pixel
 BuildOptions optionsOf(const TransportScene& scene, const CachedLight& light) {
   BuildOptions options = scene.options();
   if (light.caustics == nullptr) return options;
-  return DensityEstimator::addOptions(options.define("PRELIGHT_CACHED_CAUSTICS"), light.causticOptions);
+  return DensityEstimator::addOptions(options.define("PRELIGHT_CACHED_CAUSTICS"),
+                                      light.caustics->filter.density);
 }
 
 }  // namespace
@@ -27,8 +28,8 @@ CachedLightAdder::CachedLightAdder(TransportScene& scene, const CompiledScene& c
   add_.setArg(index + 1, static_cast<cl_uint>(light.indirect->height()));
   add_.setArg(index + 2, static_cast<cl_uint>(compiled.triangleCount()));
   if (light.caustics == nullptr) return;
-  light.caustics->setArguments(add_, index + 3);
-  add_.setArg(index + 11, static_cast<cl_float>(light.causticRadius));
+  light.caustics->estimator.setArguments(add_, index + 3);
+  add_.setArg(index + 11, static_cast<cl_float>(light.caustics->filter.radius));
   add_.setArg(index + 12, static_cast<cl_uint>(samples));
   add_.setArg(index + 13, static_cast<cl_uint>(std::min(samples, causticSamples)));
 }

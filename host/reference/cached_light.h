@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gather/irradiance_map.h"
-#include "photon/density_estimator.h"
+#include "photon/caustic_light.h"
 #include "shade/transport_scene.h"
 
 namespace prelight::reference {
@@ -9,10 +9,8 @@ namespace prelight::reference {
 /// Light computed beforehand, which paths of a camera find where they meet a surface instead of being
 /// followed on. The referents outlive it.
 struct CachedLight {
-  const IrradianceMap* indirect = nullptr;     ///< of everything but direct light and caustics
-  const DensityEstimator* caustics = nullptr;  ///< with its photons; nullptr: there are none
-  DensityOptions causticOptions;               ///< of the estimator
-  double causticRadius = 0.0;                  ///< m, the largest of an estimate
+  const IrradianceMap* indirect = nullptr;  ///< of everything but direct light and caustics
+  const CausticLight* caustics = nullptr;   ///< nullptr: there are none
   bool meetsLights = false;  ///< diffuse rays look for lights as well: where these are near, samples of them
                              ///< alone have no bound
 };

@@ -106,8 +106,7 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
       addDirectLight(count, depth, light);
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
   if (virtual_) addVirtualLights(count);
-  const ShadeFeatures& features = scene_.features();
-  const bool goesOn = !cached_ || meetsLights_ || features.glass || features.mirror || features.glossy;
+  const bool goesOn = !cached_ || meetsLights_ || scene_.features().specularLobes();
   count = goesOn ? scatter(count, depth) : 0;
   current_ = 1 - current_;
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/luminance.h"
+#include "scene/light_sources.h"
 #include "scene/punctual_light.h"
 
 namespace prelight {
@@ -33,29 +34,25 @@ double power(const Light& light, double sceneRadius) {
   return strength * 4.0 * pi;
 }
 
-bool shines(const glm::vec3& radiance) { return radiance.x > 0.0f || radiance.y > 0.0f || radiance.z > 0.0f; }
-
 std::uint32_t append(std::vector<std::uint32_t>& tables, const std::vector<std::uint32_t>& bounds) {
   const auto first = static_cast<std::uint32_t>(tables.size());
   tables.insert(tables.end(), bounds.begin(), bounds.end());
   return first;
 }
 
-/// Power of each emitting triangle, and its list.
-std::vector<double> listEmitters(const CompiledScene& scene, LightTables& result) {
-  std::vector<double> powers;
+void listEmitters(const CompiledScene& scene, LightTables& result) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
     if (!shines(m.emissionFactor)) continue;
     const double area = 0.5 * glm::length(geometricNormal(scene, t));
     result.emitters.push_back(t);
-    powers.push_back(pi * area * luminance(glm::dvec3(m.emissionFactor)) * (m.doubleSided ? 2.0 : 1.0));
+    result.emitterPowers.push_back(pi * area * luminance(glm::dvec3(m.emissionFactor)) *
+                                   (m.doubleSided ? 2.0 : 1.0));
   }
-  return powers;
 }
 
-void addEmitters(const CompiledScene& scene, const std::vector<double>& powers, LightTables& result) {
-  const std::vector<std::uint32_t> bounds = makeIntervals(powers);
+void addEmitters(const CompiledScene& scene, LightTables& result) {
+  const std::vector<std::uint32_t> bounds = makeIntervals(result.emitterPowers);
   result.emitterTable = append(result.tables, bounds);
   result.emitterDensities.assign(scene.triangleCount(), 0.0f);
   for (std::size_t i = 0; i < bounds.size(); ++i) {
@@ -159,14 +156,14 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   }
   if (choosePunctual) groups = result.punctualPowers;
   result.emitterGroup = static_cast<std::uint32_t>(groups.size());
-  const std::vector<double> emitterPowers = listEmitters(scene, result);
-  result.emitterPower = std::accumulate(emitterPowers.begin(), emitterPowers.end(), 0.0);
-  if (!emitterPowers.empty()) groups.push_back(result.emitterPower);
+  listEmitters(scene, result);
+  result.emitterPower = std::accumulate(result.emitterPowers.begin(), result.emitterPowers.end(), 0.0);
+  if (!result.emitters.empty()) groups.push_back(result.emitterPower);
   const bool skyShines = sky != nullptr && std::any_of(sky->radiance.begin(), sky->radiance.end(),
                                                        [](const auto& r) { return shines(r); });
   result.groupCount = static_cast<std::uint32_t>(groups.size()) + (skyShines ? 1 : 0);
   result.tables.resize(result.groupCount);  // filled last: the sky's power comes with its tables
-  if (!emitterPowers.empty()) addEmitters(scene, emitterPowers, result);
+  if (!result.emitters.empty()) addEmitters(scene, result);
   if (skyShines) result.skyPower = addSky(*sky, result) * pi * radius * radius;
   if (skyShines) groups.push_back(result.skyPower);
   if (groups.empty()) return result;

@@ -29,7 +29,8 @@ struct LightTables {
   std::vector<device::PunctualLight> punctual;
   std::vector<glm::vec4> sky;          ///< [row][column]; empty without a sky
   std::vector<double> punctualPowers;  ///< [light] luminance of its power, W
-  double emitterPower = 0.0;
+  std::vector<double> emitterPowers;   ///< [emitter] the same
+  double emitterPower = 0.0;           ///< their sum
   double skyPower = 0.0;
   std::uint32_t groupCount = 0;
   std::uint32_t emitterGroup = 0;

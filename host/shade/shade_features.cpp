@@ -1,17 +1,13 @@
 #include "shade/shade_features.h"
 
+#include "scene/lobes.h"
+
 namespace prelight {
 
 namespace {
 
 /// As PRELIGHT_SMOOTH_BELOW in kernels/shade/bsdf_funcs.cl.
 constexpr float smoothBelow = 0.05f;
-
-bool reflectsSpecularly(const CompiledMaterial& m) {
-  return !m.unlit && (m.metallic > 0.0f || (m.specular > 0.0f && m.transmission < 1.0f));
-}
-
-bool isGlass(const CompiledMaterial& m) { return !m.unlit && m.transmission > 0.0f && m.metallic < 1.0f; }
 
 /// With a texture of roughness a surface may be either.
 bool mayBeSmooth(const CompiledMaterial& m) {

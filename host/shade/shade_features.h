@@ -18,8 +18,8 @@ struct ShadeFeatures {
   bool layerTextures = false;
   bool scatters = false;  ///< some surface sends light on
 
-  /// Some surface may send light on in (about) one direction.
-  bool specular() const { return glass || mirror; }
+  /// Some surface sends light on otherwise than diffusely.
+  bool specularLobes() const { return glass || mirror || glossy; }
 };
 
 ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights);

@@ -1,0 +1,20 @@
+#include "scene/light_sources.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+bool hasLights(const CompiledScene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& light) { return shines(light.intensity); }) ||
+         std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t m) { return shines(scene.materials[m].emission); });
+}
+
+bool scattersDiffusely(const CompiledScene& scene) {
+  return scene.hasDiffuseTransmission() ||
+         std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                     [&](std::uint32_t m) { return shines(scene.materials[m].albedo); });
+}
+
+}  // namespace prelight

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// Whether a colour or a radiance is any light at all.
+inline bool shines(const glm::vec3& c) { return c.x > 0.0f || c.y > 0.0f || c.z > 0.0f; }
+
+/// Whether anything in the scene gives light: a punctual light or an emissive triangle.
+bool hasLights(const CompiledScene& scene);
+
+/// Whether light that arrives at some surface leaves it again diffusely, on either side.
+bool scattersDiffusely(const CompiledScene& scene);
+
+}  // namespace prelight
