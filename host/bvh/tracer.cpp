@@ -76,7 +76,8 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
   uploadSurface(scene);
 }
 
-Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles)
+Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+               BuildQuality quality)
     : context_(whole.context_),
       layout_(whole.layout_),
       alphaTest_(whole.alphaTest_),
@@ -87,7 +88,33 @@ Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const 
       texCoords_(whole.texCoords_),
       colors_(whole.colors_),
       texels_(whole.texels_) {
-  if (!treeless_) uploadTree(scene, BuildQuality::High, triangles);
+  if (!treeless_) uploadTree(scene, quality, triangles);
+}
+
+void Tracer::separate(const CompiledScene& scene, std::span<const std::uint32_t> moving) {
+  std::vector<std::uint8_t> moves(scene.triangleCount(), 0);
+  for (const std::uint32_t t : moving) moves[t] = 1;
+  std::vector<std::uint32_t> still;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+    if (moves[t] == 0) still.push_back(t);
+  treeless_ = still.empty();
+  if (!treeless_) uploadTree(scene, BuildQuality::Balanced, still);
+  closest_ = any_ = {};  // the stack may have another size
+  separatedTriangles_.assign(moving.begin(), moving.end());
+  follow(scene);
+}
+
+void Tracer::follow(const CompiledScene& scene) {
+  separated_.reset();
+  if (separatedTriangles_.empty()) return;
+  separated_ = std::make_unique<Tracer>(*this, scene, separatedTriangles_, BuildQuality::Balanced);
+  if (keepNearer_() == nullptr)
+    keepNearer_ = cl::Kernel(context_->program("bvh/nearer_kernels.cl", {}), "keepNearer");
+}
+
+std::vector<Hit> Tracer::traceSeparated(std::span<const Ray> rays) {
+  if (separated_) return separated_->traceClosest(rays);
+  return std::vector<Hit>(rays.size(), Hit{0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f});
 }
 
 cl::Kernel& Tracer::kernel(Query query) {
@@ -161,6 +188,15 @@ void Tracer::setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const {
 }
 
 void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
+  traceTree(query, rays, hits, count);
+  if (!separated_ || count == 0) return;
+  if (separatedHits_.size() < count) separatedHits_ = Buffer<Hit>(*context_, count);
+  separated_->traceTree(query, rays, separatedHits_, count);
+  setArguments(keepNearer_, static_cast<cl_uint>(count), separatedHits_.get(), hits.get());
+  context_->launch(keepNearer_, count, groupSize);
+}
+
+void Tracer::traceTree(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
   if (treeless_) return hits.fill({0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f});
   cl::Kernel& kernel = this->kernel(query);
   kernel.setArg(0, nodes_);

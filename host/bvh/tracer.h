@@ -18,6 +18,7 @@ namespace prelight {
 enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 
 /// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
+/// Objects that move have a tree of their own, and rays go through both.
 /// This header and bake/caster.h are the ones outside device/ that show OpenCL types.
 class Tracer {
  public:
@@ -27,7 +28,18 @@ class Tracer {
 
   /// Another tracer's surface with a tree over a part of its triangles, whose indices stay the scene's; none:
   /// every ray misses. `scene` is the one that `whole` was made of.
-  Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles);
+  Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+         BuildQuality quality = BuildQuality::High);
+
+  /// Gives triangles a tree of their own, so that follow() builds no other when they move. `scene` is the one
+  /// that this was made of. Replaces an earlier choice; none: all are in one tree again.
+  void separate(const CompiledScene& scene, std::span<const std::uint32_t> moving);
+
+  /// Takes separated triangles to where the scene has them now. No other may have moved.
+  void follow(const CompiledScene& scene);
+
+  /// Closest hits on separated triangles alone.
+  std::vector<device::Hit> traceSeparated(std::span<const device::Ray> rays);
 
   /// Closest hit of each of the first `count` rays.
   void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
@@ -49,7 +61,9 @@ class Tracer {
   /// Options that programs which look at the surface are built with.
   BuildOptions surfaceOptions() const;
 
-  std::size_t bvhBytes() const { return nodeBytes_ + triangleBytes_; }
+  std::size_t bvhBytes() const {
+    return nodeBytes_ + triangleBytes_ + (separated_ ? separated_->bvhBytes() : 0);
+  }
   BvhLayout layout() const { return layout_; }
   DeviceContext& context() const { return *context_; }
 
@@ -61,6 +75,7 @@ class Tracer {
   void uploadSurface(const CompiledScene& scene);
   cl::Kernel& kernel(Query query);
   void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  void traceTree(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
   std::vector<device::Hit> traceFromHost(Query query, std::span<const device::Ray> rays);
 
   DeviceContext* context_;
@@ -80,6 +95,10 @@ class Tracer {
   Buffer<glm::u16vec4> texels_;
   cl::Kernel closest_;  // built when first asked for
   cl::Kernel any_;
+  std::vector<std::uint32_t> separatedTriangles_;
+  std::unique_ptr<Tracer> separated_;  ///< the tree over them; none: there are none
+  Buffer<device::Hit> separatedHits_;
+  cl::Kernel keepNearer_;
 };
 
 }  // namespace prelight

@@ -46,18 +46,21 @@ FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
   sum_ = cl::Kernel(program, "sumRadiance");
 }
 
-std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, Progress& progress) {
+std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, Progress& progress,
+                                           std::vector<std::uint32_t>* seen) {
+  if (seen != nullptr) seen->clear();
   std::vector<glm::vec3> irradiance(receivers.size());
   for (std::size_t first = 0; first < receivers.size(); first += blockSize_) {
     progress.report("final gathering", static_cast<double>(first) / static_cast<double>(receivers.size()));
     progress.check();
     const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - first);
-    gatherBlock(receivers.subspan(first, count), std::span(irradiance).subspan(first, count));
+    gatherBlock(receivers.subspan(first, count), std::span(irradiance).subspan(first, count), seen);
   }
   return irradiance;
 }
 
-void FinalGather::gatherBlock(std::span<const Receiver> receivers, std::span<glm::vec3> irradiance) {
+void FinalGather::gatherBlock(std::span<const Receiver> receivers, std::span<glm::vec3> irradiance,
+                              std::vector<std::uint32_t>* seen) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   values_.receiverCount = count;
   parameters_.write(std::span<const GatherParameters>(&values_, 1));
@@ -70,8 +73,14 @@ void FinalGather::gatherBlock(std::span<const Receiver> receivers, std::span<glm
   setArguments(generate_, castParameters_.get(), receivers_.get(), rayBuffers_[0].get());
   std::uint32_t active = count * request_.raysPerReceiver;
   device_.launch(generate_, active / 8, groupSize);
-  for (int depth = 0; depth < request_.depth && active > 0; ++depth)
+  const std::uint32_t first = active;
+  for (int depth = 0; depth < request_.depth && active > 0; ++depth) {
     active = collect(active, static_cast<std::uint32_t>(depth));
+    if (depth > 0 || seen == nullptr) continue;
+    std::vector<Hit> hits(first);
+    hits_.read(std::span(hits));
+    for (const Hit& hit : hits) seen->push_back(hit.triangle);
+  }
   setArguments(sum_, parameters_.get(), radiances_.get(), sums_.get());
   device_.launch(sum_, count, groupSize);
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
@@ -87,7 +96,7 @@ std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
   cl_uint index = irradiance_.setArguments(gather_, scene_.setArguments(gather_, 3));
   const std::size_t next = 1 - current_;
   for (const cl::Buffer& buffer :
-       {rayBuffers_[current_].get(), hits_.get(), paths_[current_].get(), radiances_.get(),
+       {receivers_.get(), rayBuffers_[current_].get(), hits_.get(), paths_[current_].get(), radiances_.get(),
         rayBuffers_[next].get(), paths_[next].get(), counter_.get()})
     gather_.setArg(index++, buffer);
   device_.launch(gather_, count, groupSize);

@@ -27,12 +27,16 @@ class FinalGather {
               const GatherRequest& request);
 
   /// Irradiance, W/m2, [receiver]. Each looks along request.raysPerReceiver directions of its sequence.
-  std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress);
+  /// `seen`, where it is asked for, becomes the triangles that rays met first, [receiver][ray], or
+  /// PRELIGHT_NO_TRIANGLE.
+  std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress,
+                                std::vector<std::uint32_t>* seen = nullptr);
 
   std::uint64_t rays() const { return rays_; }
 
  private:
-  void gatherBlock(std::span<const device::Receiver> receivers, std::span<glm::vec3> irradiance);
+  void gatherBlock(std::span<const device::Receiver> receivers, std::span<glm::vec3> irradiance,
+                   std::vector<std::uint32_t>* seen);
   std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
 
   TransportScene& scene_;

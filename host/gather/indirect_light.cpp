@@ -20,25 +20,6 @@ double sceneRadius(const CompiledScene& scene) {
   return 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
 }
 
-/// `count` receivers at every place, whose rays go on in the place's sequence.
-std::vector<device::Receiver> receiversOf(const CompiledScene& compiled,
-                                          std::span<const LightMapTexel> places, std::uint32_t count,
-                                          std::uint32_t rays, std::uint64_t seed) {
-  std::vector<device::Receiver> receivers;
-  receivers.reserve(places.size() * count);
-  const std::uint32_t folded =
-      sampling::hashInteger(static_cast<std::uint32_t>(seed ^ (seed >> 32)) ^ 0x2545f491u);
-  for (const LightMapTexel& place : places) {
-    device::Receiver receiver = receiverAt(compiled, place);
-    receiver.seed = sampling::hashInteger(place.texel + folded);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      receiver.firstSample = i * rays;
-      receivers.push_back(receiver);
-    }
-  }
-  return receivers;
-}
-
 std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, mostRaysPerReceiver);
 }
@@ -72,11 +53,29 @@ std::vector<glm::vec3> onGrid(const LightMapLayout& layout, std::span<const glm:
 
 }  // namespace
 
+std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
+                                              std::span<const LightMapTexel> places, std::uint32_t count,
+                                              std::uint32_t rays, std::uint64_t seed) {
+  std::vector<device::Receiver> receivers;
+  receivers.reserve(places.size() * count);
+  const std::uint32_t folded =
+      sampling::hashInteger(static_cast<std::uint32_t>(seed ^ (seed >> 32)) ^ 0x2545f491u);
+  for (const LightMapTexel& place : places) {
+    device::Receiver receiver = receiverAt(compiled, place);
+    receiver.seed = sampling::hashInteger(place.texel + folded);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      receiver.firstSample = i * rays;
+      receivers.push_back(receiver);
+    }
+  }
+  return receivers;
+}
+
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
                                                  std::span<const LightMapTexel> places, double radius) {
   std::vector<device::DensityQuery> queries;
   queries.reserve(places.size());
-  for (const device::Receiver& r : receiversOf(compiled, places, 1, 0, 0)) {
+  for (const device::Receiver& r : gatherReceivers(compiled, places, 1, 0, 0)) {
     device::DensityQuery query{};
     for (int k = 0; k < 3; ++k) {
       query.position[k] = r.position[k];
@@ -109,7 +108,7 @@ IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scen
 std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> places, Progress& progress) {
   const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
   const std::vector<glm::vec3> found =
-      gather_.gather(receiversOf(compiled_, places, count, rays, request_.seed), progress);
+      gather_.gather(gatherReceivers(compiled_, places, count, rays, request_.seed), progress);
   if (count == 1) return found;
   std::vector<glm::vec3> irradiance(places.size(), glm::vec3(0.0f));
   for (std::size_t i = 0; i < found.size(); ++i)

@@ -44,6 +44,11 @@ class IndirectLight {
   FinalGather gather_;
 };
 
+/// `count` receivers at every place, for FinalGather, whose rays go on in the place's sequence.
+std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
+                                              std::span<const LightMapTexel> places, std::uint32_t count,
+                                              std::uint32_t rays, std::uint64_t seed);
+
 /// Queries of a density estimate at places of the surface, with a largest radius in metres.
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
                                                  std::span<const LightMapTexel> places, double radius);

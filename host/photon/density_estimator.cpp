@@ -54,6 +54,11 @@ BuildOptions& DensityEstimator::addOptions(BuildOptions& options, const DensityO
       .define("PRELIGHT_DENSITY_NEAREST", density.nearest);
 }
 
+void DensityEstimator::follow(const DensitySurface& surface) {
+  areaNodes_.write(std::span<const AreaNode>(surface.areaNodes));
+  triangles_.write(std::span<const AreaTriangle>(surface.triangles));
+}
+
 void DensityEstimator::setPhotons(const PhotonMaps& maps) {
   assert(maps.trees.size() == mapCount_);
   photonTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(maps.trees));

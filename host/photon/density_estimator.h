@@ -34,6 +34,9 @@ class DensityEstimator {
   /// Throws UsageError for options out of range.
   DensityEstimator(const DensitySurface& surface, const DensityOptions& options, const Device& device);
 
+  /// Takes the surface to where it is now, see followDensitySurface.
+  void follow(const DensitySurface& surface);
+
   /// From now on these photons count.
   void setPhotons(const PhotonMaps& maps);
 

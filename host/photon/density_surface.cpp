@@ -208,4 +208,21 @@ DensitySurface makeDensitySurface(const CompiledScene& scene, const SurfaceRegio
   return surface;
 }
 
+void followDensitySurface(DensitySurface& surface, const CompiledScene& scene,
+                          std::span<const std::uint32_t> regions) {
+  std::vector<std::uint32_t> placeOf(surface.regionCount(), 0xffffffffu);
+  for (std::size_t i = 0; i < regions.size(); ++i) placeOf[regions[i]] = static_cast<std::uint32_t>(i);
+  std::vector<std::vector<TreeItem>> items(regions.size());
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const std::uint32_t place = placeOf[surface.places[t].region & ~PRELIGHT_PLANAR_REGION];
+    if (place != 0xffffffffu) items[place].push_back({glm::vec3(0.0f), t});
+  }
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    std::sort(items[i].begin(), items[i].end(), [&](const TreeItem& a, const TreeItem& b) {
+      return surface.places[a.index].slot < surface.places[b.index].slot;
+    });
+    AreaTreeFiller(scene, surface.areaTrees[regions[i]], items[i], surface).fill();
+  }
+}
+
 }  // namespace prelight

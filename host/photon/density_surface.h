@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/compiled_scene.h"
@@ -20,5 +21,9 @@ struct DensitySurface {
 
 /// A region lies in a plane where no vertex is further from it than rounding of its coordinates explains.
 DensitySurface makeDensitySurface(const CompiledScene& scene, const SurfaceRegions& regions);
+
+/// Takes regions whose triangles have moved together, as rigid bodies, to where the scene has them now.
+void followDensitySurface(DensitySurface& surface, const CompiledScene& scene,
+                          std::span<const std::uint32_t> regions);
 
 }  // namespace prelight

@@ -40,28 +40,6 @@ bool isSound(const Photon& photon, std::size_t triangleCount) {
                   triangleCount));
 }
 
-/// Region and side of every photon.
-std::vector<std::uint32_t> findMaps(std::span<const Photon> photons, const DensitySurface& surface) {
-  std::vector<std::uint32_t> mapOf(photons.size());
-  std::atomic<std::size_t> unsound = photons.size();
-  parallelRanges(photons.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!isSound(photons[i], surface.places.size())) {
-        for (std::size_t seen = unsound; i < seen && !unsound.compare_exchange_weak(seen, i);) {
-        }
-        return;
-      }
-      const device::SurfacePlace& place = surface.places[photons[i].triangle];
-      const float* n = surface.triangles[place.slot].normal;
-      const glm::dvec3 from = unpackDirection(photons[i].direction);
-      const bool back = from.x * n[0] + from.y * n[1] + from.z * n[2] < 0.0;
-      mapOf[i] = 2u * (place.region & ~PRELIGHT_PLANAR_REGION) + (back ? 1u : 0u);
-    }
-  });
-  if (unsound < photons.size()) reject(photons, unsound, surface.places.size());
-  return mapOf;
-}
-
 std::vector<TreeRange> rangesOf(std::span<const std::uint32_t> mapOf, std::size_t mapCount) {
   std::vector<TreeRange> ranges(mapCount);
   for (const std::uint32_t map : mapOf) ++ranges[map].count;
@@ -93,8 +71,29 @@ Box fillBlock(std::span<const Photon> photons, std::span<const TreeItem> items, 
 
 }  // namespace
 
+std::vector<std::uint32_t> mapsOfPhotons(std::span<const Photon> photons, const DensitySurface& surface) {
+  std::vector<std::uint32_t> mapOf(photons.size());
+  std::atomic<std::size_t> unsound = photons.size();
+  parallelRanges(photons.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!isSound(photons[i], surface.places.size())) {
+        for (std::size_t seen = unsound; i < seen && !unsound.compare_exchange_weak(seen, i);) {
+        }
+        return;
+      }
+      const device::SurfacePlace& place = surface.places[photons[i].triangle];
+      const float* n = surface.triangles[place.slot].normal;
+      const glm::dvec3 from = unpackDirection(photons[i].direction);
+      const bool back = from.x * n[0] + from.y * n[1] + from.z * n[2] < 0.0;
+      mapOf[i] = 2u * (place.region & ~PRELIGHT_PLANAR_REGION) + (back ? 1u : 0u);
+    }
+  });
+  if (unsound < photons.size()) reject(photons, unsound, surface.places.size());
+  return mapOf;
+}
+
 PhotonMaps makePhotonMaps(std::span<const Photon> photons, const DensitySurface& surface) {
-  const std::vector<std::uint32_t> mapOf = findMaps(photons, surface);
+  const std::vector<std::uint32_t> mapOf = mapsOfPhotons(photons, surface);
   const std::vector<TreeRange> ranges = rangesOf(mapOf, 2 * std::size_t{surface.regionCount()});
   std::vector<TreeItem> items(photons.size());
   std::vector<std::size_t> next;

@@ -18,6 +18,11 @@ struct PhotonMaps {
   std::size_t photonCount = 0;
 };
 
+/// Map of every photon: region of the surface that it landed on, twice, and 1 more on the back. Throws as
+/// makePhotonMaps.
+std::vector<std::uint32_t> mapsOfPhotons(std::span<const device::Photon> photons,
+                                         const DensitySurface& surface);
+
 /// Depends on nothing but the photons and their order, whatever the number of threads. Throws InputError for
 /// a photon whose position or power is not finite, whose power is negative or whose triangle there is not.
 PhotonMaps makePhotonMaps(std::span<const device::Photon> photons, const DensitySurface& surface);

@@ -35,12 +35,20 @@ BuildOptions scatterOptions(const PhotonRequest& request, BuildOptions options) 
 
 }  // namespace
 
+void PhotonHits::append(const PhotonHits& more) {
+  photons.insert(photons.end(), more.photons.begin(), more.photons.end());
+  paths.insert(paths.end(), more.paths.begin(), more.paths.end());
+  flights.insert(flights.end(), more.flights.begin(), more.flights.end());
+  flightPaths.insert(flightPaths.end(), more.flightPaths.begin(), more.flightPaths.end());
+}
+
 PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
     : compiled_(compiled),
       scene_(scene),
       device_(scene.context()),
       blockPhotons_(photonsPerBlock(device_.info())),
       parameters_(device_, 1),
+      chosen_(device_, 0),
       paths_(device_, blockPhotons_),
       hits_(device_, blockPhotons_),
       candidates_(device_, blockPhotons_),
@@ -54,7 +62,7 @@ PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
   for (auto& queue : queues_) queue = Buffer<std::uint32_t>(device_, blockPhotons_);
 }
 
-void PhotonTracer::build(const PhotonRequest& request) {
+void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sources) {
   emit_ = cl::Kernel(device_.program("photon/emit_kernels.cl", scene_.options()), "emitPhotons");
   const cl::Program& program =
       device_.program("photon/scatter_kernels.cl", scatterOptions(request, scene_.options()));
@@ -62,16 +70,20 @@ void PhotonTracer::build(const PhotonRequest& request) {
   compactPaths_ = cl::Kernel(program, "compactPaths");
   compactPhotons_ = cl::Kernel(program, "compactPhotons");
   sum_ = cl::Kernel(program, "sumTallies");
+  const double sceneRadius =
+      0.5 * glm::length(glm::dvec3(compiled_.boundsMax) - glm::dvec3(compiled_.boundsMin));
+  values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
+  values_.unit = static_cast<float>(unitOf(sources));
+  values_.radius = static_cast<float>(sources.radius);
+  values_.distance = static_cast<float>(2.01 * sceneRadius);
+  for (int k = 0; k < 3; ++k) values_.centre[k] = static_cast<float>(sources.centre[k]);
+  values_.lights = scene_.layout();
+  cells_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(sources.cells));
 }
 
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress) {
   return trace(
-      request,
-      [&](const PhotonHits& block) {
-        hits.photons.insert(hits.photons.end(), block.photons.begin(), block.photons.end());
-        hits.paths.insert(hits.paths.end(), block.paths.begin(), block.paths.end());
-      },
-      progress);
+      request, [&](const PhotonHits& block) { hits.append(block); }, progress);
 }
 
 PhotonReport PhotonTracer::trace(const PhotonRequest& request, const Sink& sink, Progress& progress) {
@@ -81,19 +93,11 @@ PhotonReport PhotonTracer::trace(const PhotonRequest& request, const Sink& sink,
           : allSources(compiled_, scene_.lights(), request.photons, request.seed);
   PhotonReport report;
   if (sources.sources.empty()) return report;
-  build(request);
+  build(request, sources);
   report.power.unit = unitOf(sources);
-  const double sceneRadius =
-      0.5 * glm::length(glm::dvec3(compiled_.boundsMax) - glm::dvec3(compiled_.boundsMin));
-  values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
-  values_.unit = static_cast<float>(report.power.unit);
-  values_.radius = static_cast<float>(sources.radius);
-  values_.distance = static_cast<float>(2.01 * sceneRadius);
-  for (int k = 0; k < 3; ++k) values_.centre[k] = static_cast<float>(sources.centre[k]);
-  values_.lights = scene_.layout();
-  cells_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(sources.cells));
   const double all = std::accumulate(sources.sources.begin(), sources.sources.end(), 0.0,
                                      [](double sum, const PhotonSource& s) { return sum + s.count; });
+  values_.chosen = 0;
   std::uint32_t firstPath = 0;
   for (const PhotonSource& source : sources.sources) {
     values_.source = source;
@@ -111,16 +115,36 @@ PhotonReport PhotonTracer::trace(const PhotonRequest& request, const Sink& sink,
   return report;
 }
 
+PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSources& sources,
+                                 std::size_t source, std::span<const std::uint32_t> photons, PhotonHits& hits,
+                                 Progress& progress) {
+  PhotonReport report;
+  build(request, sources);
+  report.power.unit = unitOf(sources);
+  values_.chosen = 1;
+  values_.source = sources.sources[source];
+  chosen_ = Buffer<std::uint32_t>(device_, photons);
+  const auto count = static_cast<std::uint32_t>(photons.size());
+  for (std::uint32_t first = 0; first < count; first += values_.pathCount) {
+    progress.check();
+    values_.firstPhoton = first;
+    values_.pathCount = std::min(blockPhotons_, count - first);
+    traceBlock(request, first, hits, report);
+  }
+  return report;
+}
+
 void PhotonTracer::traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
                               PhotonReport& report) {
   parameters_.write(std::span<const PhotonParameters>(&values_, 1));
   emit_.setArg(0, parameters_.get());
   const cl_uint index = scene_.setArguments(emit_, 1);
   emit_.setArg(index, cells_.get());
-  emit_.setArg(index + 1, paths_.get());
-  emit_.setArg(index + 2, queues_[0].get());
-  emit_.setArg(index + 3, rays_[0].get());
-  emit_.setArg(index + 4, tallies_.get());
+  emit_.setArg(index + 1, chosen_.get());
+  emit_.setArg(index + 2, paths_.get());
+  emit_.setArg(index + 3, queues_[0].get());
+  emit_.setArg(index + 4, rays_[0].get());
+  emit_.setArg(index + 5, tallies_.get());
   std::uint32_t active = values_.pathCount;
   device_.launch(emit_, active, groupSize);
   std::array<std::int64_t, 3> emitted{};
@@ -135,18 +159,19 @@ void PhotonTracer::traceBlock(const PhotonRequest& request, std::uint32_t firstP
       return;
     }
     const PhotonPower before = report.power;
-    active = scatter(active, depth, firstPath, hits, report);
+    active = scatter(request, active, depth, firstPath, hits, report);
     for (std::size_t c = 0; c < 3; ++c)
       left[c] -= report.power.absorbed[c] - before.absorbed[c] + report.power.escaped[c] - before.escaped[c];
   }
 }
 
 /// One surface of the photons that are on their way; returns how many go on.
-std::uint32_t PhotonTracer::scatter(std::uint32_t count, std::uint32_t depth, std::uint32_t firstPath,
-                                    PhotonHits& hits, PhotonReport& report) {
+std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t count, std::uint32_t depth,
+                                    std::uint32_t firstPath, PhotonHits& hits, PhotonReport& report) {
   const std::size_t next = 1 - current_;
   scene_.tracer().traceClosest(rays_[current_], hits_, count);
   report.rays += count;
+  if (request.flights) keepFlights(count, firstPath, hits);
   setArguments(scatter_, parameters_.get(), count, depth);
   const cl_uint index = scene_.surface().setArguments(scatter_, 3);
   scatter_.setArg(index, scene_.lightBuffers().punctual().get());
@@ -198,6 +223,20 @@ void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHit
   photons_.read(std::span(hits.photons).subspan(before));
   numbers_.read(std::span(hits.paths).subspan(before));
   for (std::size_t i = before; i < hits.paths.size(); ++i) hits.paths[i] += firstPath;
+}
+
+void PhotonTracer::keepFlights(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {
+  std::vector<Ray> rays(count);
+  std::vector<Hit> met(count);
+  std::vector<std::uint32_t> numbers(count);
+  rays_[current_].read(std::span(rays));
+  hits_.read(std::span(met));
+  queues_[current_].read(std::span(numbers));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (met[i].triangle != PRELIGHT_NO_TRIANGLE) rays[i].tMax = met[i].t;
+    hits.flights.push_back({rays[i], met[i].triangle});
+    hits.flightPaths.push_back(firstPath + numbers[i]);
+  }
 }
 
 /// Adds up the tallies, [count][columns].

@@ -27,6 +27,7 @@ struct PhotonRequest {
   std::uint64_t seed = 0;
   int rouletteDepth = 0;  ///< surfaces that a photon meets before it may be absorbed by chance
   int depth = 2048;       ///< surfaces that it meets at most
+  bool flights = false;   ///< PhotonHits::flights are wanted, too
 };
 
 /// Where the power went, a channel. Sums of whole counts: exact, whatever their number, and
@@ -50,10 +51,20 @@ struct PhotonReport {
   std::uint64_t rays = 0;
 };
 
+/// A photon on its way from one surface to the next, as it was traced.
+struct PhotonFlight {
+  device::Ray ray;             ///< tMax: t of the hit; infinite where the photon left the scene
+  std::uint32_t triangle = 0;  ///< that it met, or PRELIGHT_NO_TRIANGLE
+};
+
 /// What photons left behind, in an order that only the scene and the request decide.
 struct PhotonHits {
   std::vector<device::Photon> photons;
-  std::vector<std::uint32_t> paths;  ///< [photon], number of its path over all sources
+  std::vector<std::uint32_t> paths;        ///< [photon], number of its path over all sources
+  std::vector<PhotonFlight> flights;       ///< where they were asked for; of a path in their order
+  std::vector<std::uint32_t> flightPaths;  ///< [flight]
+
+  void append(const PhotonHits& more);
 };
 
 /// Sends photons through a scene, block by block.
@@ -69,13 +80,19 @@ class PhotonTracer {
   using Sink = std::function<void(const PhotonHits& block)>;
   PhotonReport trace(const PhotonRequest& request, const Sink& sink, Progress& progress);
 
+  /// Of one source, photons that are chosen by their numbers, each as it is among all. Appends to `hits`,
+  /// where a path's number is its place in the choice. `sources`: of the scene as it is.
+  PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, std::size_t source,
+                     std::span<const std::uint32_t> photons, PhotonHits& hits, Progress& progress);
+
  private:
-  void build(const PhotonRequest& request);
+  void build(const PhotonRequest& request, const PhotonSources& sources);
   void traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
                   PhotonReport& report);
-  std::uint32_t scatter(std::uint32_t count, std::uint32_t depth, std::uint32_t firstPath, PhotonHits& hits,
-                        PhotonReport& report);
+  std::uint32_t scatter(const PhotonRequest& request, std::uint32_t count, std::uint32_t depth,
+                        std::uint32_t firstPath, PhotonHits& hits, PhotonReport& report);
   void store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
+  void keepFlights(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
   void sum(std::uint32_t count, std::uint32_t columns, std::span<std::int64_t> sums);
 
   const CompiledScene& compiled_;
@@ -84,7 +101,7 @@ class PhotonTracer {
   std::uint32_t blockPhotons_;
   device::PhotonParameters values_{};
   Buffer<device::PhotonParameters> parameters_;
-  Buffer<std::uint32_t> cells_;
+  Buffer<std::uint32_t> cells_, chosen_;
   Buffer<device::PhotonPath> paths_;
   std::array<Buffer<device::Ray>, 2> rays_;
   std::array<Buffer<std::uint32_t>, 2> queues_;

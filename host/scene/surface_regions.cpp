@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "scene/mesh_edges.h"
@@ -120,6 +121,22 @@ class RegionGrower {
 
 SurfaceRegions makeSurfaceRegions(const CompiledScene& scene, double creaseAngle) {
   return RegionGrower(scene, creaseAngle).grow();
+}
+
+SurfaceRegions splitByPrimitive(const SurfaceRegions& regions, const CompiledScene& scene) {
+  SurfaceRegions split;
+  split.regionOf.resize(scene.triangleCount());
+  for (const PrimitiveRange& range : scene.primitives) {
+    std::map<std::uint32_t, std::uint32_t>
+        numbers;  // of this primitive, by the region that they are cut from
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+      const auto [entry, fresh] = numbers.try_emplace(regions.regionOf[t], split.count());
+      if (fresh) split.areas.push_back(0.0);
+      split.regionOf[t] = entry->second;
+      split.areas[entry->second] += 0.5 * glm::length(geometricNormal(scene, t));
+    }
+  }
+  return split;
 }
 
 }  // namespace prelight

@@ -25,6 +25,9 @@ struct SurfaceRegions {
 /// count as creases.
 SurfaceRegions makeSurfaceRegions(const CompiledScene& scene, double creaseAngle);
 
+/// The regions again, cut where primitives meet: nodes that move apart then share none.
+SurfaceRegions splitByPrimitive(const SurfaceRegions& regions, const CompiledScene& scene);
+
 /// Larsen's surfaces are smooth where faces meet at less than this; rad.
 constexpr double usualCreaseAngle = 0.5235987755982988;  // 30 degrees
 

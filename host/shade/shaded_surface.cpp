@@ -20,6 +20,10 @@ ShadedSurface::ShadedSurface(const CompiledScene& scene, const std::vector<Image
   if (layerTextures) texCoords_ = Buffer<glm::vec2>(device, std::span<const glm::vec2>(scene.texCoords));
 }
 
+void ShadedSurface::follow(const CompiledScene& scene) {
+  vertices_.write(std::span<const float>(interleaveVertices(scene)));
+}
+
 cl_uint ShadedSurface::setArguments(cl::Kernel& kernel, cl_uint index) const {
   tracer_->setSurfaceArguments(kernel, index);
   kernel.setArg(index + 1, bases_.get());

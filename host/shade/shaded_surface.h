@@ -17,6 +17,9 @@ class ShadedSurface {
   ShadedSurface(const CompiledScene& scene, const std::vector<Image>& images, const Tracer& tracer,
                 bool layerTextures);
 
+  /// Takes vertices to where the scene has them now.
+  void follow(const CompiledScene& scene);
+
   /// Sets the members of a kernel's PathScene as its arguments from `index` on; returns the index after them.
   cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
 

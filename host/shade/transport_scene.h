@@ -29,6 +29,13 @@ class TransportScene {
   /// With the scene's tracer, which outlives it.
   TransportScene(const LitScene& lit, Tracer& tracer, bool choosePunctual = true);
 
+  /// Takes vertices of triangles that the tracer has separated (Tracer::separate) to where the scene has them
+  /// now.
+  void follow(const CompiledScene& scene);
+
+  /// From now on these punctual lights shine, as many and of the same types as before, each in its place.
+  void setLights(const CompiledScene& scene, const std::vector<Light>& lights);
+
   /// Sets surface and lights (ShadedSurface, then LightBuffers) as arguments of a kernel from `index` on;
   /// returns the index after them.
   cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
@@ -49,6 +56,9 @@ class TransportScene {
 
   std::unique_ptr<Tracer> ownTracer_;
   Tracer* tracer_;
+  const Environment* sky_;
+  double skyRotation_;
+  bool choosePunctual_;
   LightTables tables_;
   device::LightLayout layout_;
   ShadeFeatures features_;

@@ -14,8 +14,12 @@
 
 #define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
 
-float2 gatherPoint(__constant const GatherParameters* p, uint ray, uint depth, uint pair) {
-  const uint2 bits = samplePaddedBits(ray, hashInteger(p->seed + (depth * PRELIGHT_GATHER_PAIRS + pair) * 0x9e3779b9u));
+// Of the receiver's own sequence, whatever it is gathered together with.
+float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver* receivers, uint ray, uint depth, uint pair) {
+  const uint receiver = ray / p->raysPerReceiver;
+  const uint sample = receivers[receiver].firstSample + ray % p->raysPerReceiver;
+  const uint dimension = hashInteger(p->seed + (depth * PRELIGHT_GATHER_PAIRS + pair) * 0x9e3779b9u);
+  const uint2 bits = samplePaddedBits(sample, hashInteger(receivers[receiver].seed ^ dimension));
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
 }
 
@@ -70,7 +74,8 @@ bool follow(PathScene s, PathVertex v, Bsdf b, float2 chance, float2 u, GatherPa
 }
 #endif
 
-// A ray a work-item, its first surface if depth is 0: paths are then not read. rays, hits [count], paths [count] of them;
+// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays, hits
+// [count], paths [count] of them;
 // radiance [ray of the block][3] is set at depth 0 and added to beyond -> nextRays, nextPaths [counter].
 __kernel void gatherRadiance(__constant const GatherParameters* p, const uint count, const uint depth,
                              __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
@@ -81,9 +86,10 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
                              __global const uint* tables, __global const uint* emitters,
                              __global const float* emitterDensities, __global const PunctualLight* punctual,
                              __global const float4* sky, __global const float2* corners,
-                             __global const float4* irradiances, __global const Ray* rays, __global const Hit* hits,
-                             __global const GatherPath* paths, __global float* radiances, __global Ray* nextRays,
-                             __global GatherPath* nextPaths, __global uint* counter) {
+                             __global const float4* irradiances, __global const Receiver* receivers,
+                             __global const Ray* rays, __global const Hit* hits, __global const GatherPath* paths,
+                             __global float* radiances, __global Ray* nextRays, __global GatherPath* nextPaths,
+                             __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
@@ -110,7 +116,7 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     float3 direction;
-    const float2 chance = gatherPoint(p, path.ray, depth, 0u), u = gatherPoint(p, path.ray, depth, 1u);
+    const float2 chance = gatherPoint(p, receivers, path.ray, depth, 0u), u = gatherPoint(p, receivers, path.ray, depth, 1u);
     if (follow(s, vertex, bsdf, chance, u, &path, &direction)) {
       const uint slot = atomic_inc(counter);
       nextRays[slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);

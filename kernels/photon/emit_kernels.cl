@@ -101,8 +101,9 @@ Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits,
 }
 #endif
 
-// A photon a work-item. cells [source.firstCell + cell] -> paths, queue, rays [pathCount]; emitted [pathCount][3], in counts
-// of the tallies. Next: trace, scatterPhotons.
+// A photon a work-item: one after the other or, of a choice, those that `numbers` has from firstPhoton on. cells
+// [source.firstCell + cell] -> paths, queue, rays [pathCount]; emitted [pathCount][3], in counts of the tallies. Next: trace,
+// scatterPhotons.
 __kernel void emitPhotons(__constant const PhotonParameters* p, __global const DeviceTriangle* triangles,
                           __global const DeviceMaterial* bases, __global const float2* texCoords,
                           __global const float4* colors, __global const ushort4* texels, __global const float* vertices,
@@ -110,13 +111,14 @@ __kernel void emitPhotons(__constant const PhotonParameters* p, __global const D
                           __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
                           __global const uint* tables, __global const uint* emitters,
                           __global const float* emitterDensities, __global const PunctualLight* punctual,
-                          __global const float4* sky, __global const uint* cells, __global PhotonPath* paths,
-                          __global uint* queue, __global Ray* rays, __global long* emitted) {
+                          __global const float4* sky, __global const uint* cells, __global const uint* numbers,
+                          __global PhotonPath* paths, __global uint* queue, __global Ray* rays, __global long* emitted) {
   const size_t i = get_global_id(0);
   if (i >= p->pathCount) return;
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
   const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
-  const uint photon = p->firstPhoton + (uint)i;
+  const uint rank = p->firstPhoton + (uint)i;
+  const uint photon = p->chosen != 0u ? numbers[rank] : rank;
   const uint2 bits = directionBits(p->source, cells, photon);
   const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
   const float2 place = photonPoint(p, photon, PRELIGHT_PAIR_PLACE);
@@ -138,6 +140,7 @@ __kernel void emitPhotons(__constant const PhotonParameters* p, __global const D
   vstore3(e.power * share, 0, path.power);
   path.medium = PRELIGHT_NO_MEDIUM;
   path.scattered = 0u;
+  path.photon = photon;
   paths[i] = path;
   queue[i] = (uint)i;
   Ray ray;

@@ -143,7 +143,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
       stored[i] = photon;
       outcome |= PRELIGHT_PHOTON_STORED;
     }
-    const uint photon = p->firstPhoton + queue[i];
+    const uint photon = path.photon;
     const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
     const float2 chance = photonPoint(p, photon, pair + PRELIGHT_PAIR_LOBE);
     Departure d = {(float3)(0.0f), (float3)(0.0f), 0u, path.medium};

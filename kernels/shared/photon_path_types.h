@@ -26,7 +26,8 @@ typedef struct PhotonSource {
 } PhotonSource;
 
 typedef struct PhotonParameters {
-  uint firstPhoton;  ///< of the block, in the source
+  uint firstPhoton;  ///< of the block, in the source, or in the list of those that were chosen
+  uint chosen;       ///< 1: photons of a list alone
   uint pathCount;    ///< of the block
   uint rouletteDepth;
   float unit;        ///< W a count of the tallies
@@ -45,6 +46,7 @@ typedef struct PhotonPath {
   float power[3];  ///< W
   uint medium;     ///< material that it runs through, or PRELIGHT_NO_MEDIUM
   uint scattered;  ///< PRELIGHT_SCATTERED_* | ...
+  uint photon;     ///< of its source
 } PhotonPath;
 
 // What became of a photon at a surface.

@@ -1,0 +1,224 @@
+#include "update/live_gather.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "base/luminance.h"
+#include "gather/indirect_light.h"
+#include "update/moved_boxes.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t mostRaysOfReceiver = 256;
+
+/// Places on a moved mirror, or the like, that look for what sees it.
+constexpr std::size_t mostLooks = 8;
+
+GatherRequest requestOf(const LiveGatherOptions& options) {
+  GatherRequest request;
+  request.raysPerReceiver = std::min(options.rays, mostRaysOfReceiver);
+  request.seed = options.seed;
+  return request;
+}
+
+std::uint32_t triangleOf(const CompiledScene& scene, std::uint32_t face) {
+  return face >= scene.triangleCount() ? face - scene.triangleCount() : face;
+}
+
+glm::dvec3 pointOf(const CompiledScene& scene, const LightMapTexel& place) {
+  const glm::uvec3 t = scene.triangles[triangleOf(scene, place.face)];
+  return (1.0 - double(place.b1) - double(place.b2)) * glm::dvec3(scene.positions[t.x]) +
+         double(place.b1) * glm::dvec3(scene.positions[t.y]) +
+         double(place.b2) * glm::dvec3(scene.positions[t.z]);
+}
+
+/// [region], 1: no texel lies on it.
+std::vector<std::uint8_t> regionsWithoutTexels(const CompiledScene& scene, const LightMapLayout& layout,
+                                               const SurfaceRegions& regions) {
+  std::vector<std::uint8_t> without(regions.count(), 1);
+  for (const LightMapTexel& place : layout.texels)
+    without[regions.regionOf[triangleOf(scene, place.face)]] = 0;
+  return without;
+}
+
+/// Largest form factor of the ball around a box from a point.
+double ballShare(const Box& box, const glm::dvec3& point) {
+  const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
+  const glm::dvec3 half = 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
+  const double radius2 = glm::dot(half, half), distance2 = glm::dot(point - centre, point - centre);
+  return distance2 > radius2 ? radius2 / distance2 : 1.0;
+}
+
+}  // namespace
+
+LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, const LightMapLayout& layout,
+                       const SurfaceRegions& regions, const IrradianceMap& approximation,
+                       const LiveGatherOptions& options)
+    : scene_(scene),
+      options_(options),
+      rays_(requestOf(options).raysPerReceiver),
+      receivers_(std::max(1u, options.rays / rays_)),
+      gather_(scene, transport, approximation, requestOf(options)),
+      places_(layout.texels),
+      triangleRegions_(regions.regionOf),
+      relays_(regionsWithoutTexels(scene, layout, regions)),
+      links_(regions, relays_),
+      expected_(regions.count(), 0.0),
+      seenExpected_(places_.size(), 0.0),
+      near_(places_.size(), 0.0),
+      first_(places_.size(), 0),
+      gathered_(places_.size(), glm::vec3(0.0f)),
+      shown_(places_.size(), glm::vec3(0.0f)),
+      blendLeft_(places_.size(), 0) {
+  for (const LightMapTexel& place : places_)
+    regionOf_.push_back(regions.regionOf[triangleOf(scene, place.face)]);
+}
+
+double LiveGather::meanIrradiance() const {
+  double sum = 0.0;
+  for (const glm::vec3& e : gathered_) sum += luminance(glm::dvec3(e));
+  return sum / static_cast<double>(std::max<std::size_t>(1, gathered_.size()));
+}
+
+void LiveGather::moved(std::span<const std::uint32_t> triangles, Progress& progress) {
+  std::vector<Box> boxes = boxesAround(scene_, triangles);
+  std::swap(boxes, lastBoxes_);
+  boxes.insert(boxes.end(), lastBoxes_.begin(), lastBoxes_.end());
+  std::vector<std::uint8_t> hasMoved(scene_.triangleCount(), 0);
+  for (const std::uint32_t t : triangles) hasMoved[t] = 1;
+  std::vector<std::uint8_t> regions(expected_.size(), 0);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (hasMoved[triangleOf(scene_, places_[i].face)] != 0) {
+      first_[i] = regions[regionOf_[i]] = 1;
+      continue;
+    }
+    const glm::dvec3 point = pointOf(scene_, places_[i]);
+    double share = 0.0;
+    for (const Box& box : boxes) share += ballShare(box, point);
+    near_[i] += std::min(share, 1.0) * luminance(glm::dvec3(gathered_[i]));
+  }
+  for (const std::uint32_t t : triangles)
+    if (relays_[triangleRegions_[t]] != 0) regions[triangleRegions_[t]] = 1;
+  for (std::uint32_t r = 0; r < regions.size(); ++r)
+    if (regions[r] != 0) movedRegions_.push_back(r);
+  lookAround(triangles, progress);
+  announceMoved();
+}
+
+/// Mirrors and glass have no texels whose rays would tell what sees them: a few places on them look instead.
+void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& progress) {
+  std::vector<std::uint32_t> relays;
+  for (const std::uint32_t t : triangles)
+    if (relays_[triangleRegions_[t]] != 0) relays.push_back(t);
+  std::vector<LightMapTexel> looks;
+  const std::size_t count = std::min(mostLooks, relays.size());
+  for (std::size_t i = 0; i < count; ++i)
+    looks.push_back(
+        {static_cast<std::uint32_t>(i), relays[i * relays.size() / count], 1.0f / 3.0f, 1.0f / 3.0f});
+  if (looks.empty()) return;
+  std::vector<std::uint32_t> seen;
+  gather_.gather(gatherReceivers(scene_, looks, 1, rays_, options_.seed), progress, &seen);
+  for (std::size_t i = 0; i < count; ++i)
+    links_.add(triangleRegions_[looks[i].face], std::span(seen).subspan(i * rays_, rays_));
+}
+
+/// What moves takes light away and brings other light, of the scene's mean each.
+void LiveGather::announceMoved() {
+  std::vector<RegionChange> changes;
+  for (const std::uint32_t r : movedRegions_) changes.push_back({r, meanIrradiance()});
+  links_.spread(changes, expected_);
+}
+
+void LiveGather::approximationChanged(std::span<const RegionChange> changes) {
+  links_.spread(changes, expected_);
+}
+
+/// Change that is expected at a texel, W/m2; nothing is near what no changed surface sees.
+double LiveGather::priority(std::size_t place) const {
+  if (first_[place] != 0) return std::numeric_limits<double>::infinity();
+  const double base = expected_[regionOf_[place]] - seenExpected_[place];
+  return base > 0.0 ? base + near_[place] : 0.0;
+}
+
+/// Texels that wait, greatest change first.
+std::vector<std::uint32_t> LiveGather::choose() const {
+  const double mean = meanIrradiance();
+  std::vector<std::pair<double, std::uint32_t>> waiting;
+  for (std::uint32_t i = 0; i < places_.size(); ++i) {
+    const double change = priority(i);
+    if (change > options_.leastChange * (luminance(glm::dvec3(gathered_[i])) + 0.01 * mean))
+      waiting.emplace_back(-change, i);
+  }
+  std::sort(waiting.begin(), waiting.end());
+  std::vector<std::uint32_t> places;
+  for (const auto& entry : waiting) places.push_back(entry.second);
+  return places;
+}
+
+std::uint64_t LiveGather::gather(std::span<const std::uint32_t> places, Progress& progress) {
+  const std::uint64_t before = gather_.rays();
+  std::vector<LightMapTexel> texels;
+  for (const std::uint32_t place : places) texels.push_back(places_[place]);
+  std::vector<std::uint32_t> seen;
+  const std::vector<glm::vec3> found =
+      gather_.gather(gatherReceivers(scene_, texels, receivers_, rays_, options_.seed), progress, &seen);
+  const std::size_t raysOfTexel = std::size_t{rays_} * receivers_;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t k = 0; k < receivers_; ++k) sum += glm::dvec3(found[i * receivers_ + k]);
+    const std::uint32_t place = places[i];
+    gathered_[place] = glm::vec3(sum / double(receivers_));
+    links_.add(regionOf_[place], std::span(seen).subspan(i * raysOfTexel, raysOfTexel));
+    seenExpected_[place] = expected_[regionOf_[place]];
+    near_[place] = 0.0;
+    first_[place] = 0;
+    blendLeft_[place] = options_.blendFrames;
+  }
+  return gather_.rays() - before;
+}
+
+void LiveGather::gatherAll(Progress& progress) {
+  std::vector<std::uint32_t> all(places_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  gather(all, progress);
+  shown_ = gathered_;
+  std::fill(blendLeft_.begin(), blendLeft_.end(), 0u);
+  movedRegions_.clear();
+}
+
+void LiveGather::blend(GatherFrame& frame) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (blendLeft_[i] == 0) continue;
+    shown_[i] += (gathered_[i] - shown_[i]) / static_cast<float>(blendLeft_[i]);
+    if (--blendLeft_[i] > 0) ++frame.blending;
+  }
+}
+
+GatherFrame LiveGather::advance(Progress& progress) {
+  GatherFrame frame;
+  std::vector<std::uint32_t> places = choose();
+  const std::size_t waiting = places.size();
+  if (options_.texelsPerFrame > 0 && waiting > options_.texelsPerFrame)
+    places.resize(options_.texelsPerFrame);
+  if (!places.empty()) {
+    frame.rays = gather(places, progress);
+    if (!movedRegions_.empty() && std::find(first_.begin(), first_.end(), 1) == first_.end()) {
+      announceMoved();  // now that their texels have told who sees them
+      movedRegions_.clear();
+    }
+  }
+  frame.texels = static_cast<std::uint32_t>(places.size());
+  frame.waiting = static_cast<std::uint32_t>(waiting - places.size());
+  blend(frame);
+  return frame;
+}
+
+bool LiveGather::settled() const {
+  return std::all_of(blendLeft_.begin(), blendLeft_.end(), [](std::uint32_t left) { return left == 0; }) &&
+         choose().empty();
+}
+
+}  // namespace prelight
