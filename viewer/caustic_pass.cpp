@@ -57,14 +57,10 @@ CausticPass::Targets::Targets(int width, int height)
       marks(cellsOf(width), cellsOf(height)) {}
 
 CausticPass::CausticPass(const Caustics& caustics, const CompiledScene& scene)
-    : filter_(caustics.filter),
-      skipCells_(caustics.skipCells),
-      photonCount_(static_cast<GLsizei>(caustics.photons.size())),
-      photonProgram_("photon.vert", "photon.frag"),
+    : photonProgram_("photon.vert", "photon.frag"),
       markProgram_("photon_mark.vert", "mark.frag"),
       filterProgram_("caustic_cells.vert", "caustic_filter.frag") {
-  photons_.fill(GL_ARRAY_BUFFER, std::span<const PhotonVertex>(verticesOf(caustics.photons, scene)),
-                GL_STATIC_DRAW);
+  update(caustics, scene);
   glBindVertexArray(photonArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, photons_.name());
   attach(0, 3, offsetof(PhotonVertex, position));
@@ -80,6 +76,14 @@ CausticPass::CausticPass(const Caustics& caustics, const CompiledScene& scene)
     program->set("marks", static_cast<int>(marksUnit));
   }
   gl::check("preparing caustics");
+}
+
+void CausticPass::update(const Caustics& caustics, const CompiledScene& scene) {
+  filter_ = caustics.filter;
+  skipCells_ = caustics.skipCells;
+  photonCount_ = static_cast<GLsizei>(caustics.photons.size());
+  photons_.fill(GL_ARRAY_BUFFER, std::span<const PhotonVertex>(verticesOf(caustics.photons, scene)),
+                GL_DYNAMIC_DRAW);
 }
 
 const gl::Framebuffer& CausticPass::places(int width, int height) {

@@ -30,6 +30,8 @@ class CausticPass {
 
   CausticPass(const Caustics& caustics, const CompiledScene& scene);
 
+  void update(const Caustics& caustics, const CompiledScene& scene);
+
   /// What opaque surfaces have to be drawn into by surface_places.frag, cleared to 0, before draw().
   /// The same object while the size stays.
   const gl::Framebuffer& places(int width, int height);

@@ -26,12 +26,15 @@ glm::dmat4 turnAbout(const glm::dvec3& point, double angle, const glm::dvec3& ax
 }  // namespace
 
 Controls::Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade,
-                   std::vector<std::string> groups)
+                   std::vector<std::string> groups, std::vector<DragNode> nodes)
     : view_(std::move(view)),
       firstCamera_(view_.camera),
       canShade_(std::move(canShade)),
       groups_(std::move(groups)),
-      selectedGroup_(groups_.empty() ? -1 : 0) {
+      selectedGroup_(groups_.empty() ? -1 : 0),
+      nodes_(std::move(nodes)),
+      selectedNode_(nodes_.empty() ? -1 : 0) {
+  view_.nodeShifts.resize(nodes_.size(), glm::dvec3(0.0));
   view_.groupFactors.resize(groups_.size(), glm::vec3(1.0f));
   const glm::dvec3 lower(scene.boundsMin);
   const glm::dvec3 upper(scene.boundsMax);
@@ -56,6 +59,8 @@ void Controls::drag(Drag what, const glm::dvec2& delta) {
       return setSkyRotation(view_.skyRotation + delta.x * pi);
     case Drag::Light:
       return turnLight(delta);
+    case Drag::Node:
+      return moveNode(delta);
   }
 }
 
@@ -71,12 +76,29 @@ void Controls::orbit(const glm::dvec2& delta) {
 
 void Controls::pan(const glm::dvec2& delta) {
   const double distance = glm::length(glm::dvec3(view_.camera.world[3]) - target_);
-  const double height =
-      view_.camera.perspective ? 2.0 * std::tan(0.5 * view_.camera.yFov) * distance : 2.0 * view_.camera.yMag;
-  const glm::dvec3 shift = -height * (delta.x * axis(0) + delta.y * axis(1));
+  const glm::dvec3 shift = -heightAt(distance) * (delta.x * axis(0) + delta.y * axis(1));
   target_ += shift;
   view_.camera.world[3] += glm::dvec4(shift, 0.0);
   moved();
+}
+
+double Controls::heightAt(double depth) const {
+  return view_.camera.perspective ? 2.0 * std::tan(0.5 * view_.camera.yFov) * depth : 2.0 * view_.camera.yMag;
+}
+
+void Controls::moveNode(const glm::dvec2& delta) {
+  if (selectedNode_ < 0) return;
+  const auto node = static_cast<std::size_t>(selectedNode_);
+  const glm::dvec3 center = nodes_[node].center + view_.nodeShifts[node];
+  const double depth = glm::dot(center - glm::dvec3(view_.camera.world[3]), -axis(2));
+  if (view_.camera.perspective && !(depth > 0.0)) return;  // behind the eye
+  view_.nodeShifts[node] += heightAt(depth) * (delta.x * axis(0) + delta.y * axis(1));
+  ++changes_;
+}
+
+void Controls::selectNode(int index) {
+  if (index < 0 || index >= static_cast<int>(nodes_.size())) return;
+  selectedNode_ = index;
 }
 
 void Controls::scroll(double steps, bool light) {
@@ -137,6 +159,9 @@ void Controls::run(Command command) {
       return addLight();
     case Command::NextLight:
       if (selectedLight_ >= 0) selectLight((selectedLight_ + 1) % static_cast<int>(view_.lights.size()));
+      return;
+    case Command::NextNode:
+      if (selectedNode_ >= 0) selectNode((selectedNode_ + 1) % static_cast<int>(nodes_.size()));
       return;
     case Command::NextGroup:
       if (selectedGroup_ >= 0) selectGroup((selectedGroup_ + 1) % static_cast<int>(groups_.size()));

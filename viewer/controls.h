@@ -11,13 +11,14 @@
 namespace prelight::viewer {
 
 /// What dragging the mouse moves.
-enum class Drag { None, Orbit, Pan, Sky, Light };
+enum class Drag { None, Orbit, Pan, Sky, Light, Node };
 
 /// What a key does to the view.
 enum class Command {
   SkyLeft,
   SkyRight,
   NextLight,
+  NextNode,
   AddLight,
   NextGroup,
   BrightenGroup,
@@ -25,22 +26,30 @@ enum class Command {
   ResetView,
 };
 
+/// A node that can be dragged.
+struct DragNode {
+  std::string name;
+  glm::dvec3 center{0.0};  ///< at rest, world
+};
+
 /// What the user's hands do to a view, free of any window system. Every change counts up `changes`.
 class Controls {
  public:
   /// `canShade` says which shadings may be switched to; `groups` are the names of the bake's light groups.
   Controls(View view, const CompiledScene& scene, std::function<bool(Shading)> canShade,
-           std::vector<std::string> groups = {});
+           std::vector<std::string> groups = {}, std::vector<DragNode> nodes = {});
 
   const View& view() const { return view_; }
   std::size_t changes() const { return changes_; }
   int selectedLight() const { return selectedLight_; }  ///< into View::lights; -1 without lights
   const std::vector<std::string>& groups() const { return groups_; }
   int selectedGroup() const { return selectedGroup_; }  ///< into groups(); -1 without any
+  const std::vector<DragNode>& nodes() const { return nodes_; }
+  int selectedNode() const { return selectedNode_; }  ///< into nodes(); -1 without any
   bool canShade(Shading shading) const { return canShade_(shading); }
 
   /// `delta` is in window heights, +x right and +y up. Light moves the selected light on its sphere around
-  /// the scene's centre (a directional one: turns it).
+  /// the scene's centre (a directional one: turns it). Node moves the selected node across the picture.
   void drag(Drag what, const glm::dvec2& delta);
 
   /// Zooms by steps of the wheel, positive nearer; with `light` the selected light's distance from the
@@ -53,6 +62,7 @@ class Controls {
   void selectLight(int index);
   void setLightIntensity(const glm::vec3& intensity);
   void selectGroup(int index);
+  void selectNode(int index);
   void setGroupFactor(const glm::vec3& factor);       ///< of the selected group
   void setOccluders(const OccluderOptions& options);  ///< cut to their ranges
   /// Moves the time of effects on, where they show.
@@ -64,6 +74,8 @@ class Controls {
   void pan(const glm::dvec2& delta);
   void zoom(double factor);
   void turnLight(const glm::dvec2& delta);
+  void moveNode(const glm::dvec2& delta);
+  double heightAt(double depth) const;
   void addLight();
   void moved();
   glm::dvec3 axis(int index) const { return glm::normalize(glm::dvec3(view_.camera.world[index])); }
@@ -78,6 +90,8 @@ class Controls {
   int selectedLight_ = -1;
   std::vector<std::string> groups_;
   int selectedGroup_ = -1;
+  std::vector<DragNode> nodes_;
+  int selectedNode_ = -1;
   std::size_t changes_ = 0;
 };
 

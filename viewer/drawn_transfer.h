@@ -44,6 +44,9 @@ enum Unit : GLuint {
   lightMapsUnit = 14,        ///< shaders/light_map.glsl
   lightMapCornersUnit = 15,  ///< the same
   causticsUnit = 16,         ///< shaders/surface.frag
+  shadowMapsUnit = 17,       ///< shaders/shadows.glsl
+  shadowLightsUnit = 18,     ///< the same
+  shadowViewsUnit = 19,      ///< the same
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

@@ -1,7 +1,10 @@
 #include "viewer/light_map_lighting.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
+
+#include "base/error.h"
 
 namespace prelight::viewer {
 namespace {
@@ -15,13 +18,13 @@ std::vector<glm::vec2> cornersOf(const LightMapLayout& layout) {
 }
 
 /// Of a square of `side` texels; black outside the map, so that look-ups with no weight there stay finite.
-std::vector<glm::vec3> irradianceOf(const LightMap& map, int side) {
-  const auto length = static_cast<std::size_t>(map.coefficients), row = static_cast<std::size_t>(side),
-             width = static_cast<std::size_t>(map.layout.width);
+std::vector<glm::vec3> irradianceOf(std::span<const float> values, int width, int coefficients, int side) {
+  const auto length = static_cast<std::size_t>(coefficients), row = static_cast<std::size_t>(side),
+             columns = static_cast<std::size_t>(width);
   std::vector<glm::vec3> irradiance(row * row, glm::vec3(0.0f));
-  for (std::size_t texel = 0; texel < map.layout.texelCount(); ++texel) {
-    const float* values = &map.values[3 * length * texel];
-    irradiance[texel / width * row + texel % width] = {values[0], values[length], values[2 * length]};
+  for (std::size_t texel = 0; 3 * length * texel < values.size(); ++texel) {
+    const float* value = &values[3 * length * texel];
+    irradiance[texel / columns * row + texel % columns] = {value[0], value[length], value[2 * length]};
   }
   return irradiance;
 }
@@ -30,11 +33,23 @@ std::vector<glm::vec3> irradianceOf(const LightMap& map, int side) {
 
 LightMapLighting::LightMapLighting(const LightMap& map, const CompiledScene& scene)
     : frontFaces_(static_cast<int>(scene.triangleCount())),
+      width_(map.layout.width),
+      height_(map.layout.height),
+      coefficients_(map.coefficients),
       corners_(gl::makeBufferTexture(std::span<const glm::vec2>(cornersOf(map.layout)), 1, GL_RG32F,
                                      "light map coordinates")),
       irradiance_(gl::makeFloatArray(std::max(map.layout.width, map.layout.height), 1, "light map")) {
-  const int side = std::max(map.layout.width, map.layout.height);
-  gl::fillFloatArray(irradiance_, {0, 0, 0}, {side, side}, irradianceOf(map, side));
+  fill(map.values);
+}
+
+void LightMapLighting::fill(std::span<const float> values) {
+  const std::size_t expected = 3 * static_cast<std::size_t>(coefficients_) *
+                               static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  if (values.size() != expected)
+    throw Error(ExitCode::RuntimeFailure, "light map",
+                std::to_string(values.size()) + " values, its layout needs " + std::to_string(expected));
+  const int side = std::max(width_, height_);
+  gl::fillFloatArray(irradiance_, {0, 0, 0}, {side, side}, irradianceOf(values, width_, coefficients_, side));
 }
 
 void LightMapLighting::bind(const gl::Program& program) const {

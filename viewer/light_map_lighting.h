@@ -17,8 +17,12 @@ class LightMapLighting : public DrawnTransfer {
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
+  /// Replaces the map's values, laid out as they were. Throws Error for another number of them.
+  void fill(std::span<const float> values);
+
  private:
   int frontFaces_;  ///< backs are counted from here
+  int width_, height_, coefficients_;
   gl::BufferTexture corners_;
   gl::Texture irradiance_;
 };

@@ -123,6 +123,7 @@ std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {
     sample.direction = glm::normalize(geometricNormal(scene, emitter.triangle));
     sample.area = static_cast<float>(total / count * emitter.area / emitter.power);
     sample.twoSided = material.doubleSided;
+    sample.isSample = true;
     samples.push_back(sample);
   }
   return samples;

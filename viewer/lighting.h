@@ -41,6 +41,7 @@ struct ShadedLight {
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
   /// light's. True for directional lights and those outside the scene's bounds.
   bool throughTransfer = false;
+  bool isSample = false;  ///< one of many that stand for a large light; such come after all others
 
   bool operator==(const ShadedLight&) const = default;
 };

@@ -21,7 +21,10 @@ constexpr const char* help =
     "right + wheel      its distance\n"
     "Tab, L             next light, add a light\n"
     "Shift + left drag  turn the sky (also Q and E)\n"
-    "1 to 8             phong, ao, sh, ch, haar, glossy, lights, vo\n"
+    "N                  next node\n"
+    "Shift + right drag move the selected node (full shading)\n"
+    "1 to 9             phong, ao, sh, ch, haar, glossy, lights, vo, radiosity\n"
+    "F                  full shading\n"
     "G, PgUp, PgDn      next light group, brighter, dimmer\n"
     "R                  first view\n"
     "H                  this help\n"
@@ -51,6 +54,18 @@ void drawLights(Controls& controls) {
                         1e6f)) {
     controls.setLightIntensity(intensity);
   }
+}
+
+void drawNodes(Controls& controls) {
+  if (controls.view().shading != Shading::Full || controls.selectedNode() < 0) return;
+  if (!ImGui::BeginCombo("node", controls.nodes()[controls.selectedNode()].name.c_str())) return;
+  for (int i = 0; i < static_cast<int>(controls.nodes().size()); ++i) {
+    ImGui::PushID(i);
+    if (ImGui::Selectable(controls.nodes()[i].name.c_str(), i == controls.selectedNode()))
+      controls.selectNode(i);
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
 }
 
 void drawGroups(Controls& controls) {
@@ -124,6 +139,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
     controls.setSkyRotation(degrees * std::numbers::pi / 180.0);
   }
   drawLights(controls);
+  drawNodes(controls);
   drawGroups(controls);
   drawOccluders(controls);
   if (showHelp_) {

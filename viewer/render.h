@@ -18,7 +18,8 @@
 
 namespace prelight {
 class Device;
-}
+struct FullLight;
+}  // namespace prelight
 
 namespace prelight::viewer {
 
@@ -31,6 +32,7 @@ struct RenderInputs {
       nullptr;                         ///< nullptr: no sky, or a neutral one when nothing else gives light
   const Device* device = nullptr;      ///< relights wavelet and glossy transfer; nullptr: the host does
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
+  const FullLight* full = nullptr;     ///< full shading needs it, and adds its caustics; nullptr: not offered
 };
 
 /// Light that creases reflect into themselves, in AO shading (Real-Time Rendering, 4th edition, 11.3).

@@ -33,6 +33,8 @@ glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
   return 0.5f * (lower + upper);
 }
 
+bool hasNoHoles(const Surface& surface) { return surface.material.alphaMode == AlphaMode::Opaque; }
+
 std::vector<glm::vec4> geometricNormals(const CompiledScene& compiled) {
   std::vector<glm::vec4> normals;
   normals.reserve(compiled.triangles.size());
@@ -47,6 +49,12 @@ std::vector<glm::vec4> geometricNormals(const CompiledScene& compiled) {
 }
 
 }  // namespace
+
+void drawTriangles(const Batch& batch) {
+  const std::size_t offset = std::size_t{batch.firstTriangle} * sizeof(glm::uvec3);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.triangleCount * 3), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(offset));
+}
 
 RenderScene::RenderScene(const RenderInputs& inputs) {
   Image white{"white", 1, 1, {255, 255, 255, 255}};
@@ -93,7 +101,29 @@ void RenderScene::makeBatches(const CompiledScene& compiled) {
       batches_.push_back({surface, t, 1, {}});
     }
   }
+  for (Batch& batch : batches_) {
+    batch.center = centerOf(compiled, batch);
+    const bool whole = hasNoHoles(surfaces_[batch.surface]);
+    if (!occluders_.empty() && whole && hasNoHoles(surfaces_[occluders_.back().surface]))
+      occluders_.back().triangleCount += batch.triangleCount;
+    else
+      occluders_.push_back(batch);
+  }
+}
+
+void RenderScene::fillPositions(const CompiledScene& compiled) {
+  streams_.front().fill(std::span<const glm::vec3>(compiled.positions));
   for (Batch& batch : batches_) batch.center = centerOf(compiled, batch);
+}
+
+void RenderScene::drawOccluders(const std::function<void(const Surface&)>& setSurface) const {
+  glBindVertexArray(vertexArray_.name());
+  glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
+  for (const Batch& batch : occluders_) {
+    setSurface(surfaces_[batch.surface]);
+    drawTriangles(batch);
+  }
+  glBindVertexArray(0);
 }
 
 template <typename T>

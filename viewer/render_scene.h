@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <span>
@@ -35,6 +36,9 @@ struct Batch {
   glm::vec3 center{0.0f};  ///< of its bounds, to sort what is blended
 };
 
+/// Draws a batch of the scene whose vertex array is in use.
+void drawTriangles(const Batch& batch);
+
 /// A scene as OpenGL objects of the current context; nothing in it depends on a bake, lights or camera.
 /// Triangle normals are a buffer texture of RGBA32F: geometric normal, and 1 where a triangle shades flat,
 /// else 0.
@@ -51,6 +55,13 @@ class RenderScene {
   const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
   const gl::Texture& positions() const { return cornerPositions_; }  ///< [vertex]
   const gl::Texture& white() const { return white_; }
+
+  /// Takes the vertices to other places.
+  void fillPositions(const CompiledScene& compiled);
+
+  /// Draws all triangles with the program in use, both sides of them, as what stands in the light's way;
+  /// `setSurface` is called before those of a surface that has holes and once for all that have none.
+  void drawOccluders(const std::function<void(const Surface&)>& setSurface) const;
 
  private:
   struct LoadedTexture {
@@ -76,6 +87,7 @@ class RenderScene {
   std::vector<LoadedTexture> textures_;
   std::vector<Surface> surfaces_;
   std::vector<Batch> batches_;
+  std::vector<Batch> occluders_;  ///< batches, those without holes that follow each other joined
 };
 
 }  // namespace prelight::viewer

@@ -22,7 +22,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 17> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 20> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -39,7 +39,10 @@ void prepare(const gl::Program& program) {
        {"lobes", lobesUnit},
        {"lightMaps", lightMapsUnit},
        {"lightMapCorners", lightMapCornersUnit},
-       {"caustics", causticsUnit}}};
+       {"caustics", causticsUnit},
+       {"shadowMaps", shadowMapsUnit},
+       {"shadowLights", shadowLightsUnit},
+       {"shadowViews", shadowViewsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 
@@ -136,15 +139,53 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   }
   prepare(surfaceProgram_);
   prepare(backgroundProgram_);
-  if (inputs.caustics != nullptr) {
-    placesProgram_ = std::make_unique<gl::Program>("surface.vert", "surface_places.frag");
-    prepare(*placesProgram_);
-    caustics_ = std::make_unique<CausticPass>(*inputs.caustics, compiled_);
-  }
+  if (inputs.full != nullptr) checkFullLight(*inputs.full, compiled_);
+  if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
   gl::check("preparing the renderer");
 }
 
+void Renderer::makeCaustics(const Caustics& caustics) {
+  if (placesProgram_ == nullptr) {
+    placesProgram_ = std::make_unique<gl::Program>("surface.vert", "surface_places.frag");
+    prepare(*placesProgram_);
+  }
+  caustics_ = std::make_unique<CausticPass>(caustics, compiled_);
+}
+
+FullLighting& Renderer::full() {
+  if (full_ == nullptr) {
+    full_ = std::make_unique<FullLighting>(*inputs_.full, compiled_, scene_);
+    fullProgram_ = std::make_unique<gl::Program>("surface.vert", "full.frag");
+    prepare(*fullProgram_);
+    if (caustics_ == nullptr && !inputs_.full->photons.empty())
+      makeCaustics({inputs_.full->photons, inputs_.full->filter});
+  }
+  return *full_;
+}
+
+void Renderer::updateIndirect(std::span<const float> values) { full().updateIndirect(values); }
+
+void Renderer::updateCaustics(const Caustics& caustics) {
+  full();
+  if (caustics_ == nullptr)
+    makeCaustics(caustics);
+  else
+    caustics_->update(caustics, compiled_);
+}
+
+void Renderer::sceneMoved() {
+  scene_.fillPositions(compiled_);
+  emitters_ = sampleEmitters(compiled_, emitterSamples);
+  if (samples_ != nullptr) samples_->setScene(compiled_);
+  if (full_ != nullptr) full_->sceneMoved();
+}
+
+bool Renderer::showsCaustics(const View& view) const {
+  return caustics_ != nullptr && (inputs_.caustics != nullptr || view.shading == Shading::Full);
+}
+
 bool Renderer::canShade(Shading shading) const {
+  if (shading == Shading::Full) return inputs_.full != nullptr;
   return shading == Shading::Phong || (inputs_.bake != nullptr && infoOf(shading).carriedBy(*inputs_.bake));
 }
 
@@ -152,7 +193,11 @@ bool Renderer::usesNeutralSky(const View& view) const {
   return inputs_.environment == nullptr && view.lights.empty() && emitters_.empty();
 }
 
-Illumination Renderer::illuminationOf(const View& view) const {
+const Environment* Renderer::skyOf(const View& view) const {
+  return usesNeutralSky(view) ? &neutralMap_ : inputs_.environment;
+}
+
+Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   light.lights = lightsOf(view);
@@ -173,8 +218,15 @@ Illumination Renderer::illuminationOf(const View& view) const {
 const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination& light) {
   if (!canShade(view.shading)) {
     const ShadingInfo& info = infoOf(view.shading);
+    if (view.shading == Shading::Full)
+      throw Error(ExitCode::RuntimeFailure, "--shading full", "its indirect light is not among the inputs",
+                  "make it with makeFullLight");
     throw Error(ExitCode::RuntimeFailure, "--shading " + std::string(info.name),
                 "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
+  }
+  if (view.shading == Shading::Full) {
+    full().light(light);
+    return &full();
   }
   Drawn& drawn = drawn_[static_cast<std::size_t>(view.shading)];
   if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
@@ -194,28 +246,36 @@ OccluderEye Renderer::eyeOf(const View& view) const {
   return {-camera.forward, false};
 }
 
-std::vector<ShadedLight> Renderer::lightsOf(const View& view) const {
-  std::vector<ShadedLight> lights;
+std::vector<ShadedLight> Renderer::lightsOf(const View& view) {
+  std::vector<ShadedLight> lights, samples;
   for (const Light& light : view.lights) lights.push_back(shadedLight(light, compiled_));
-  const std::size_t room = maxLights - (view.emitters ? emitters_.size() : 0);
+  if (view.shading == Shading::Full) {
+    if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(compiled_);
+    samples = samples_->of(view.emitters, skyOf(view), view.skyRotation);
+  } else if (view.emitters) {
+    samples = emitters_;
+  }
+  const std::size_t room = maxLights - samples.size();
   if (lights.size() > room) {
     const auto strength = [](const ShadedLight& l) { return l.intensity.r + l.intensity.g + l.intensity.b; };
     std::stable_sort(lights.begin(), lights.end(),
                      [&](const ShadedLight& a, const ShadedLight& b) { return strength(a) > strength(b); });
     lights.resize(room);
   }
-  if (view.emitters) lights.insert(lights.end(), emitters_.begin(), emitters_.end());
+  lights.insert(lights.end(), samples.begin(), samples.end());
   return lights;
 }
 
-void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const {
+void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
+                           int samplesPerAxis) const {
   FrameBlock frame{};
   const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
   DrawingRules rules = rulesOf(view.shading);
   if (view.shading == Shading::Vo && view.occluders.allHighlights) rules.reflection = Reflection::Everywhere;
   setCamera(view, tile, compiled_, frame);
   setSky(view, sky, skyWidth_, frame);
-  frame.counts = {static_cast<int>(lights.size()), 0, 0, 0};
+  const auto single = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return !l.isSample; });
+  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), samplesPerAxis, 0};
   frame.rules = {static_cast<int>(rules.ambient), static_cast<int>(rules.reflection),
                  static_cast<int>(rules.through), view.aoCorrection == AoCorrection::Interreflection ? 1 : 0};
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
@@ -255,6 +315,8 @@ void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
   p.set("dielectricWeight", m.specular);
   p.set("alphaBlend", m.alphaMode == AlphaMode::Blend ? 1 : 0);
   p.set("unlit", m.unlit ? 1 : 0);
+  p.set("glassIor", m.ior);
+  p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
   if (m.doubleSided) {
     glDisable(GL_CULL_FACE);
   } else {
@@ -280,24 +342,23 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::P
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
   program.set("transferForm", static_cast<int>(TransferForm::None));
+  program.set("showsSurroundings", 0);
   if (transfer != nullptr) transfer->bind(program);
   for (const Batch* batch : batches) {
     setSurface(scene_.surfaces()[batch->surface], program);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
-    const std::size_t offset = std::size_t{batch->firstTriangle} * sizeof(glm::uvec3);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch->triangleCount * 3), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
+    drawTriangles(*batch);
   }
   glBindVertexArray(0);
 }
 
 /// Filters the caustics of a tile and what lies around it, as large as samples of `target` are.
 void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                            const std::vector<const Batch*>& opaque) {
+                            const std::vector<const Batch*>& opaque, const gl::Program& program) {
   const int samples = target.width() / tile.width;
   const int around = (CausticPass::margin + samples - 1) / samples;
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
-  uploadFrame(view, whole, {});
+  uploadFrame(view, whole, {}, samples);
   const gl::Framebuffer& places = caustics_->places(whole.width * samples, whole.height * samples);
   places.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
@@ -307,13 +368,14 @@ void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Frameb
   const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
   caustics_->draw(2.0 * halfHeight / (static_cast<double>(view.height) * samples), scene_.triangleNormals());
   gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
-  surfaceProgram_.use();
-  surfaceProgram_.set("causticCorner", glm::ivec4(around * samples, around * samples, 0, 1));
+  program.use();
+  program.set("causticCorner", glm::ivec4(around * samples, around * samples, 0, 1));
 }
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
+  const gl::Program& program = view.shading == Shading::Full ? *fullProgram_ : surfaceProgram_;
   std::vector<const Batch*> opaque;
   std::vector<const Batch*> blended;
   for (const Batch& batch : scene_.batches()) {
@@ -331,13 +393,13 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
-  if (caustics_ != nullptr) drawCaustics(view, tile, target, opaque);
-  uploadFrame(view, tile, light.lights);
+  if (showsCaustics(view)) drawCaustics(view, tile, target, opaque, program);
+  uploadFrame(view, tile, light.lights, target.width() / tile.width);
   bindTextures(view);
   target.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBatches(opaque, surfaceProgram_, transfer);
+  drawBatches(opaque, program, transfer);
 
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
@@ -347,9 +409,9 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
 
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_SRC1_COLOR);
-  surfaceProgram_.use();
-  surfaceProgram_.set("causticCorner", glm::ivec4(0));  // those filtered lie on what is opaque
-  drawBatches(blended, surfaceProgram_, transfer);
+  program.use();
+  program.set("causticCorner", glm::ivec4(0));  // those filtered lie on what is opaque
+  drawBatches(blended, program, transfer);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
@@ -360,12 +422,14 @@ void Renderer::describe(const View& view, Warnings& notes) {
     notes.emplace_back(
         "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
   }
-  const std::size_t room = maxLights - emitters_.size();
+  const Illumination light = illuminationOf(view);
+  const auto samples = std::count_if(light.lights.begin(), light.lights.end(),
+                                     [](const ShadedLight& l) { return l.isSample; });
+  const std::size_t room = maxLights - static_cast<std::size_t>(samples);
   if (view.lights.size() > room) {
     notes.push_back("the scene has " + std::to_string(view.lights.size()) + " lights: the strongest " +
                     std::to_string(room) + " are drawn");
   }
-  const Illumination light = illuminationOf(view);
   const DrawingRules rules = rulesOf(view.shading);
   const bool inside = std::any_of(light.lights.begin(), light.lights.end(),
                                   [](const ShadedLight& source) { return !source.throughTransfer; });

@@ -8,9 +8,11 @@
 
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
+#include "viewer/full_lighting.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/illumination.h"
+#include "viewer/light_samples.h"
 #include "viewer/render_scene.h"
 #include "viewer/techniques.h"
 
@@ -38,6 +40,7 @@ struct View {
   OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
+  std::vector<glm::dvec3> nodeShifts;   ///< m, of MovedScene; the renderer knows them by sceneMoved()
 };
 
 /// Draws a scene with the current OpenGL context; headless pictures and the window share it.
@@ -47,7 +50,7 @@ class Renderer {
   /// OpenGL cannot hold it and when the bake does not fit the scene.
   explicit Renderer(const RenderInputs& inputs, Lobe lobe = Lobe::Ggx);
 
-  /// True when the bake carries what a shading needs.
+  /// True when the bake carries what a shading needs; for Full: when its light is among the inputs.
   bool canShade(Shading shading) const;
 
   /// Draws the tile of the view into the whole of `target`, whose size is a multiple of the tile's.
@@ -55,8 +58,22 @@ class Renderer {
   /// shading that the bake does not carry.
   void draw(const View& view, const Tile& tile, const gl::Framebuffer& target);
 
+  /// Replaces the indirect light of full shading, W/m2, [y][x][channel 3] of the inputs' light map. Throws
+  /// Error for another number of values.
+  void updateIndirect(std::span<const float> values);
+
+  /// Replaces the caustics of full shading.
+  void updateCaustics(const Caustics& caustics);
+
+  /// Vertices of the scene are at other places, with normals as they were: draws them there from now on.
+  /// Baked light stays as it is.
+  void sceneMoved();
+
   /// What a view approximates or had to choose, for people.
   void describe(const View& view, Warnings& notes);
+
+  /// Squares of shadow maps that full shading drew anew for its last picture.
+  std::size_t shadowViewsDrawn() const { return full_ == nullptr ? 0 : full_->shadows().viewsDrawn(); }
 
   /// Of the last tile; nullptr where the inputs have no caustics.
   const CausticPass* caustics() const { return caustics_.get(); }
@@ -64,14 +81,19 @@ class Renderer {
  private:
   bool usesNeutralSky(const View& view) const;
   OccluderEye eyeOf(const View& view) const;
-  std::vector<ShadedLight> lightsOf(const View& view) const;
-  Illumination illuminationOf(const View& view) const;
+  const Environment* skyOf(const View& view) const;
+  std::vector<ShadedLight> lightsOf(const View& view);
+  Illumination illuminationOf(const View& view);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
-  void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights) const;
+  FullLighting& full();
+  bool showsCaustics(const View& view) const;
+  void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
+                   int samplesPerAxis) const;
   void drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
                    const DrawnTransfer* transfer) const;
   void drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                    const std::vector<const Batch*>& opaque);
+                    const std::vector<const Batch*>& opaque, const gl::Program& program);
+  void makeCaustics(const Caustics& caustics);
   void bindTextures(const View& view) const;
   void setSurface(const Surface& surface, const gl::Program& program) const;
 
@@ -87,6 +109,9 @@ class Renderer {
   RenderScene scene_;
   std::array<Drawn, shadingCount> drawn_;
   std::vector<ShadedLight> emitters_;
+  std::unique_ptr<LightSamples> samples_;
+  std::unique_ptr<FullLighting> full_;
+  std::unique_ptr<gl::Program> fullProgram_;
   SkyCoefficients sky_;
   Environment neutralMap_;
   SkyCoefficients neutralSky_;

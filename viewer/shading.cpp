@@ -70,12 +70,15 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
        request.lightMap = true;
        request.lightMapTexel = asked.lightMapTexel;
      }},
+    {Shading::Full, "full", "all light, with caustics, mirrors and glass", "",
+     [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
+     [](BakeRequest&, const BakeRequest&) {}},
 }};
 
 /// From the one that shows most.
 constexpr std::array<Shading, shadingCount> byPreference = {
-    Shading::Sh,       Shading::Ch,        Shading::Glossy, Shading::Haar, Shading::Lights,
-    Shading::LightMap, Shading::Radiosity, Shading::Vo,     Shading::Ao,   Shading::Phong};
+    Shading::Sh,        Shading::Ch, Shading::Glossy, Shading::Haar,  Shading::Lights, Shading::LightMap,
+    Shading::Radiosity, Shading::Vo, Shading::Ao,     Shading::Phong, Shading::Full};
 
 }  // namespace
 

@@ -22,9 +22,10 @@ enum class Shading : std::uint8_t {
   Vo,         ///< lights anywhere with the shadows and the diffuse light of vector occluders
   Radiosity,  ///< the baked irradiance of the scene's own lights, with all diffuse bounces
   LightMap,   ///< the same from the texels of a light map
+  Full,       ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and glass
 };
 
-constexpr int shadingCount = 10;
+constexpr int shadingCount = 11;
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {
@@ -32,7 +33,7 @@ struct ShadingInfo {
   std::string_view name;
   std::string_view summary;             ///< for lists of names
   std::string_view bakeOption;          ///< of `bake`, for what it needs; empty for Phong
-  bool (*carriedBy)(const Bake&);       ///< the bake has all that it needs
+  bool (*carriedBy)(const Bake&);       ///< the bake has all that it needs; no bake has what Full does
   bool (*askedBy)(const BakeRequest&);  ///< the request names what it needs
   /// Asks for what it needs: as `asked` does, or by default.
   void (*addTo)(BakeRequest& request, const BakeRequest& asked);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "full/full_light.h"
 #include "occluders/occluder_places.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"
@@ -120,6 +121,8 @@ constexpr std::array<Technique, shadingCount> table = {{
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<LightMapLighting>(*inputs.bake->lightMap, inputs.compiled);
      }},
+    {{Ambient::LightMap, Reflection::Everywhere, Through::None},
+     [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
 }};
 
 void expectSize(const char* what, std::size_t got, std::size_t expected) {
@@ -206,6 +209,13 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
     const auto groups = static_cast<int>(lights->groups.size());
     expectSize("light groups", lights->coefficients.size(), numbers(vertices, lights->channels, groups, 1));
   }
+}
+
+void checkFullLight(const FullLight& full, const CompiledScene& scene) {
+  checkLightMap(full.indirect, scene);
+  for (const device::Photon& photon : full.photons)
+    if (photon.triangle >= scene.triangleCount())
+      throw Error(ExitCode::RuntimeFailure, "photons of caustics", "they are of another scene");
 }
 
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe) {

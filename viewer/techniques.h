@@ -38,7 +38,11 @@ DrawingRules rulesOf(Shading shading);
 /// Throws Error when something in the bake does not fit the scene or cannot be drawn.
 void checkBake(const Bake& bake, const CompiledScene& scene);
 
-/// Uploads what the shading needs of a bake that carries it; nullptr for Phong.
+/// Throws Error when the light of full shading does not fit the scene.
+void checkFullLight(const FullLight& full, const CompiledScene& scene);
+
+/// Uploads what the shading needs of a bake that carries it; nullptr for Phong and for Full, whose light is
+/// in no bake.
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe);
 
 }  // namespace prelight::viewer

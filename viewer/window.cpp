@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "io/picture.h"
 #include "viewer/controls.h"
+#include "viewer/moved_scene.h"
 #include "viewer/overlay.h"
 #include "viewer/presenter.h"
 #include "viewer/view.h"
@@ -74,6 +75,8 @@ std::optional<Command> commandOf(int key) {
       return Command::NextLight;
     case GLFW_KEY_L:
       return Command::AddLight;
+    case GLFW_KEY_N:
+      return Command::NextNode;
     case GLFW_KEY_G:
       return Command::NextGroup;
     case GLFW_KEY_PAGE_UP:
@@ -88,7 +91,8 @@ std::optional<Command> commandOf(int key) {
 }
 
 Drag dragOf(int button, int modifiers) {
-  if (button == GLFW_MOUSE_BUTTON_RIGHT) return Drag::Light;
+  if (button == GLFW_MOUSE_BUTTON_RIGHT)
+    return (modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL)) != 0 ? Drag::Node : Drag::Light;
   if (button == GLFW_MOUSE_BUTTON_MIDDLE) return Drag::Pan;
   if (button != GLFW_MOUSE_BUTTON_LEFT) return Drag::None;
   if ((modifiers & GLFW_MOD_SHIFT) != 0) return Drag::Sky;
@@ -122,7 +126,8 @@ class EventRouter {
     if (action == GLFW_RELEASE || (overlay_ != nullptr && overlay_->wantsKeys())) return;
     if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
     if (key == GLFW_KEY_H && overlay_ != nullptr) overlay_->toggleHelp();
-    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + shadingCount)
+    if (key == GLFW_KEY_F) controls_.setShading(Shading::Full);
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
       controls_.setShading(shadings()[static_cast<std::size_t>(key - GLFW_KEY_1)].shading);
     if (const auto command = commandOf(key)) controls_.run(*command);
   }
@@ -177,6 +182,9 @@ class LivePicture {
     drawn_ = controls.changes();
   }
 
+  /// The next update() draws, whatever the view.
+  void invalidate() { drawn_ = static_cast<std::size_t>(-1); }
+
   const gl::Framebuffer& target() const { return *target_; }
   int samples() const { return samples_; }
   bool isFinal(const Controls& controls) const {
@@ -194,6 +202,12 @@ class LivePicture {
   double lastSeconds_ = 0.0;
 };
 
+std::vector<DragNode> dragNodes(const MovedScene& scene) {
+  std::vector<DragNode> nodes;
+  for (const MovedScene::Node& node : scene.nodes()) nodes.push_back({node.name, node.center});
+  return nodes;
+}
+
 std::vector<std::string> groupNames(const ViewerInputs& inputs) {
   std::vector<std::string> names;
   if (inputs.bake == nullptr || !inputs.bake->lightGroups) return names;
@@ -201,13 +215,40 @@ std::vector<std::string> groupNames(const ViewerInputs& inputs) {
   return names;
 }
 
-void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Overlay& overlay, int frames) {
+/// What follows the view besides the picture: places of nodes, and light that is computed all the while.
+class Follower {
+ public:
+  Follower(Renderer& renderer, MovedScene& scene, LightFollower* light)
+      : renderer_(renderer), scene_(scene), light_(light) {}
+
+  /// True when the picture is out of date for it.
+  bool update(const View& view) {
+    const bool moved = scene_.move(view.nodeShifts);
+    if (moved) renderer_.sceneMoved();
+    if (light_ == nullptr || view.shading != Shading::Full) return moved;
+    const bool lit = light_->update({view.lights, scene_.shifts(), view.skyRotation});
+    if (lit) {
+      renderer_.updateIndirect(light_->indirect());
+      renderer_.updateCaustics(light_->caustics());
+    }
+    return moved || lit;
+  }
+
+ private:
+  Renderer& renderer_;
+  MovedScene& scene_;
+  LightFollower* light_;
+};
+
+void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Follower& follower,
+             Overlay& overlay, int frames) {
   const Presenter presenter;
   auto lastChange = Clock::now(), lastFrame = lastChange;
   std::size_t seen = controls.changes();
+  bool followed = false;
   for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
        ++frame) {
-    if (frames > 0 || !picture.isFinal(controls) || frame < 3) {
+    if (frames > 0 || !picture.isFinal(controls) || followed || frame < 3) {
       glfwPollEvents();
     } else {
       glfwWaitEventsTimeout(0.25);
@@ -221,6 +262,8 @@ void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Overl
       seen = controls.changes();
       lastChange = Clock::now();
     }
+    followed = follower.update(controls.view());
+    if (followed) picture.invalidate();
     picture.update(controls, std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime);
     presenter.present(picture.target(), picture.samples(), 0);
     overlay.draw(controls, picture.lastSeconds());
@@ -237,15 +280,20 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   View view = makeView(inputs, options.render);
   const GlfwSession session;
   const WindowHandle window = openWindow(options, view.width, view.height);
-  Renderer renderer(inputs, options.render.lobe);
+  MovedScene moved(inputs.scene, inputs.compiled);
+  const ViewerInputs shown = {inputs.scene,  moved.scene(),   inputs.bake, inputs.environment,
+                              inputs.device, inputs.caustics, inputs.full};
+  Renderer renderer(shown, options.render.lobe);
+  Follower follower(renderer, moved, options.follower);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
-      view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs));
+      view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),
+      dragNodes(moved));
   EventRouter router(window.get(), controls);
   Overlay overlay(window.get());
   router.attach(overlay);
   LivePicture picture(renderer, options.render.samplesPerAxis);
-  runLoop(window.get(), controls, picture, overlay, options.frames);
+  runLoop(window.get(), controls, picture, follower, overlay, options.frames);
   if (!options.screenshotPath.empty()) {
     writePicture(options.screenshotPath,
                  renderView(renderer, controls.view(), options.render.samplesPerAxis));

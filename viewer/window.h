@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "viewer/light_follower.h"
 #include "viewer/render.h"
 
 namespace prelight::viewer {
@@ -13,7 +14,8 @@ using ViewerInputs = RenderInputs;
 struct ViewerOptions {
   RenderOptions render;  ///< first view; width and height are the window's, in pixels
   std::string title = "prelight";
-  int frames = 0;  ///< closes after this many frames; 0: when the user closes the window
+  LightFollower* follower = nullptr;  ///< of full shading; nullptr: its light stays as it is
+  int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };
 

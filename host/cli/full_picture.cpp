@@ -18,12 +18,20 @@ nlohmann::ordered_json toJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
 }
 
+}  // namespace
+
+nlohmann::ordered_json toJson(const std::vector<PlannedPass>& plan) {
+  nlohmann::ordered_json passes = nlohmann::ordered_json::array();
+  for (const PlannedPass& pass : plan)
+    passes.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
+  return passes;
+}
+
+namespace {
+
 nlohmann::ordered_json fullReport(const PictureOptions& options, const FullRequest& request,
                                   const FullReport& made, const std::filesystem::path& output,
                                   const DeviceInfo& device, Session& session) {
-  nlohmann::ordered_json plan = nlohmann::ordered_json::array();
-  for (const PlannedPass& pass : made.plan)
-    plan.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [name, seconds] : made.stageSeconds) stages[name] = seconds;
   return {{"command", "render"},
@@ -43,7 +51,7 @@ nlohmann::ordered_json fullReport(const PictureOptions& options, const FullReque
           {"stages", cli::toJson(session.times())},
           {"fullStages", stages},
           {"device", cli::toJson(device)},
-          {"plan", plan},
+          {"plan", cli::toJson(made.plan)},
           {"warnings", session.warnings()}};
 }
 
@@ -67,9 +75,6 @@ void printSummary(const FullRequest& request, const FullReport& made, const std:
 }  // namespace
 
 void addFullOptions(CLI::App& app, FullRequest& request) {
-  addWholeNumber(
-      app, "--spp", {1, 64}, [&](std::uint64_t n) { request.samples = static_cast<std::uint32_t>(n); },
-      fmt::format("full shading: samples a pixel (default {})", request.samples));
   addWholeNumber(
       app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
       fmt::format("full shading: photons that indirect light is gathered from (default {})",

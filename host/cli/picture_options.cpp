@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/full_picture.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
@@ -101,6 +102,7 @@ BakeRun bakeUnderLights(Session& session, const PictureOptions& options, const D
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
   const BakeRequest& asked = options.bake.request;
+  if (shading == viewer::Shading::Full) return;
   if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
     if (options.bake.techniqueGiven() && shading != viewer::Shading::Phong)
       session.warn(fmt::format(
@@ -167,18 +169,13 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   if (shaded.bake.lightGroups) viewer::groupFactors(*shaded.bake.lightGroups, options.groups);
 }
 
-void addShadingOptions(CLI::App& app, PictureOptions& options, bool offersFull) {
+void addShadingOptions(CLI::App& app, PictureOptions& options) {
   std::string shadings;
   for (const viewer::ShadingInfo& info : viewer::shadings())
     shadings += fmt::format("{} ({}), ", info.name, info.summary);
   app.add_option_function<std::string>(
-         "--shading",
-         [&options, offersFull](const std::string& name) {
-           options.full = offersFull && name == "full";
-           if (!options.full) options.shading = viewer::parseShading(name);
-         },
-         shadings + (offersFull ? "full (all light: traced, gathered and of photons), " : "") +
-             "default: the best that the file carries")
+         "--shading", [&options](const std::string& name) { options.shading = viewer::parseShading(name); },
+         shadings + "default: the best that the file carries")
       ->type_name("NAME");
   app.add_option_function<std::vector<std::string>>(
          "--group",
@@ -216,11 +213,11 @@ void addShadingOptions(CLI::App& app, PictureOptions& options, bool offersFull) 
 
 }  // namespace
 
-void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull) {
+void addPictureOptions(CLI::App& app, PictureOptions& options) {
   app.add_option("SCENE", options.scene, "glTF file, baked or not (.gltf or .glb)")
       ->required()
       ->type_name("");
-  addShadingOptions(app, options, offersFull);
+  addShadingOptions(app, options);
   addWholeNumber(
       app, "--camera", {0, maxCameraIndex}, [&](std::uint64_t n) { options.camera = static_cast<int>(n); },
       "camera of the file, counted from 0 (default: the first, or one that frames the scene)");
@@ -246,6 +243,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull) 
   addWholeNumber(
       app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
       "add the light that mirrors and glass focus, by this many photons towards them");
+  addFullOptions(app, options.full);
   addOccluderOptions(app, options.occluders);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
@@ -258,8 +256,36 @@ viewer::RenderInputs ShadedScene::inputs() const {
           &bake,
           environment ? &*environment : nullptr,
           device ? &*device : nullptr,
-          caustics ? &caustics->caustics : nullptr};
+          caustics ? &caustics->caustics : nullptr,
+          full ? &*full : nullptr};
 }
+
+namespace {
+
+/// Indirect light and caustics of full shading, under the picture's lights.
+FullLight fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
+  requireTriangles(shaded.loaded);
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
+  const CompiledScene& compiled = shaded.loaded.compiled;
+  LitScene lit{compiled, shaded.loaded.scene.images, options.lights.value_or(shaded.loaded.scene.lights),
+               shaded.environment ? &*shaded.environment : nullptr, shaded.render.skyRotation};
+  const Environment neutral = constantEnvironment(glm::vec3(1.0f));
+  if (lit.sky == nullptr && makeLightTables(compiled, lit.lights, nullptr, true).groupCount == 0)
+    lit.sky = &neutral;
+  FullLightRequest request;
+  request.texels = options.full.texels;
+  request.indirect = options.full.indirect;
+  request.causticPhotons = options.full.causticPhotons;
+  request.seed = options.bake.request.seed;
+  FullLight full = session.times().measure(
+      "light", [&] { return makeFullLight(shaded.loaded.scene, lit, request, device, session.progress()); });
+  session.progress().clear();
+  return full;
+}
+
+}  // namespace
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
   return session.times()
@@ -294,6 +320,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   bakeMissing(session, options, everyShading, shaded);
   checkShadingOptions(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
+  if (render.shading == viewer::Shading::Full) shaded.full = fullLight(session, options, shaded);
   if (options.causticPhotons > 0) {
     DeviceOptions device = session.deviceOptions();
     options.bake.addTo(device);

@@ -12,6 +12,8 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "device/device.h"
+#include "full/full_light.h"
+#include "full/full_renderer.h"
 #include "io/environment.h"
 #include "viewer/render.h"
 
@@ -23,7 +25,7 @@ struct PictureOptions {
   std::filesystem::path scene;
   std::filesystem::path environment;
   std::optional<viewer::Shading> shading;
-  bool full = false;  ///< all light, traced: a shading of pictures alone
+  FullRequest full;  ///< of full shading
   std::optional<int> camera;
   PictureSize size;
   double skyRotationDegrees = 0.0;
@@ -38,8 +40,7 @@ struct PictureOptions {
   BakeOptions bake;
 };
 
-/// `offersFull`: the command knows full shading.
-void addPictureOptions(CLI::App& app, PictureOptions& options, bool offersFull = false);
+void addPictureOptions(CLI::App& app, PictureOptions& options);
 
 /// A scene ready to be drawn.
 struct ShadedScene {
@@ -51,6 +52,7 @@ struct ShadedScene {
   BakeRequest request;           ///< of `run`
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
+  std::optional<FullLight> full;
 
   viewer::RenderInputs inputs() const;
 };

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "cli/commands.h"
@@ -14,7 +16,7 @@ namespace {
 
 struct RenderCommand {
   PictureOptions picture;
-  FullRequest full;
+  bool rasterised = false;
   std::filesystem::path output;
 };
 
@@ -31,20 +33,31 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedSc
                                    {"stages", toJson(session.times())},
                                    {"notes", notes},
                                    {"warnings", session.warnings()}};
+  if (shaded.full) report["plan"] = toJson(shaded.full->plan);
   if (shaded.run)
     report["bake"] = bakeReport("render", shaded.loaded, {}, shaded.request, *shaded.run, session);
   return report;
 }
 
+/// Of a picture that OpenGL draws: about `samples` a pixel.
+int samplesPerAxis(std::uint32_t samples) {
+  return std::clamp(static_cast<int>(std::lround(std::sqrt(samples))), 1, 8);
+}
+
 void runRender(const RenderCommand& command, Context& context) {
   Session session(context);
-  if (command.picture.full) {
-    renderFullPicture(session, command.picture, command.full, command.output);
+  const bool full = command.picture.shading == viewer::Shading::Full;
+  if (full && !command.rasterised) {
+    renderFullPicture(session, command.picture, command.picture.full, command.output);
     return;
   }
-  const ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
+  if (command.rasterised && !full)
+    throw UsageError("--rasterised", "all other shadings than full are",
+                     "leave it out or add --shading full");
+  ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
     checkOutputFile("-o", command.output, {".exr", ".png"});
   });
+  if (full) shaded.render.samplesPerAxis = samplesPerAxis(command.picture.full.samples);
   session.progress().check();
   Warnings notes;
   const Picture picture = session.times().measure(
@@ -66,8 +79,15 @@ void runRender(const RenderCommand& command, Context& context) {
 void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
-  addPictureOptions(*app, command->picture, true);
-  addFullOptions(*app, command->full);
+  addPictureOptions(*app, command->picture);
+  FullRequest& full = command->picture.full;
+  addWholeNumber(
+      *app, "--spp", {1, 64}, [&](std::uint64_t n) { full.samples = static_cast<std::uint32_t>(n); },
+      fmt::format("full shading: samples a pixel (default {})", full.samples));
+  app->add_flag(
+      "--rasterised", command->rasterised,
+      "full shading as the window draws it, with shadow maps and environment maps: direct light and "
+      "mirrors are traced otherwise");
   addPoseOptions(*app, command->picture.pose);
   app->add_option("-o,--output", command->output,
                   "picture to write: .exr is linear radiance, .png is for the screen")
@@ -80,6 +100,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "  prelight render level.glb -o before.exr --shading phong --size 640x360 --light "
       "point:0,2,0:10,10,10\n"
       "  prelight render room.glb -o room.exr --shading full --spp 32 --size 512\n"
+      "  prelight render room.glb -o room.png --shading full --rasterised --spp 16\n"
       "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "
       "200\n"
       "  prelight render occluders.glb -o sea.png --shading vo --waves 0.4 --effect-time 2.5");

@@ -71,9 +71,20 @@ TEST_F(CliFull, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritten) {
   }
 }
 
-TEST_F(CliFull, View_DoesNotKnowIt) {
+TEST_F(CliFull, Rasterised_IsCloseToTheTracedPictureAndHasTheSamePlan) {
+  prelightDone({"scene", "shapes", "-o", "shapes.glb"});
+  render({"shapes.glb", "-o", "a.exr"});
+  const nlohmann::json drawn = render({"shapes.glb", "-o", "b.exr", "--rasterised"});
+  EXPECT_EQ(drawn["shading"], "full");
+  EXPECT_FALSE(passOf(drawn, "caustic photons")["runs"]);
+  const nlohmann::json picture = compare("a.exr", "b.exr")["picture"];
+  EXPECT_NEAR(picture["meanB"].get<double>() / picture["meanA"].get<double>(), 1.0, 0.02);
+}
+
+TEST_F(CliFull, RasterisedWithAnotherShading_IsRefused) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
-  expectFailure(2, {"view", "cornell.glb", "--shading", "full"}, {"--shading full", "one of: phong"});
+  expectFailure(2, {"render", "cornell.glb", "-o", "a.exr", "--shading", "phong", "--rasterised"},
+                {"--rasterised", "--shading full"});
 }
 
 }  // namespace

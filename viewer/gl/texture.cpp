@@ -42,6 +42,35 @@ void setMipmapped(GLint wrapS, GLint wrapT) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapT);
 }
 
+struct ArrayFormat {
+  GLint stored;
+  GLenum given;
+};
+
+Texture makeArray(int side, int layers, ArrayFormat format, const char* what) {
+  const int mostSide = limit(GL_MAX_TEXTURE_SIZE), mostLayers = limit(GL_MAX_ARRAY_TEXTURE_LAYERS);
+  if (side > mostSide || layers > mostLayers) {
+    throw Error(ExitCode::RuntimeFailure, what,
+                std::to_string(layers) + " layers of " + std::to_string(side) +
+                    " texels a side; OpenGL here takes " + std::to_string(mostLayers) + " of " +
+                    std::to_string(mostSide),
+                "bake fewer texels");
+  }
+  Texture texture;
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, format.stored, side, side, layers, 0, format.given, GL_FLOAT, nullptr);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
+  check(std::string("making ") + what);
+  return texture;
+}
+
+/// Of the array in use.
+void setArrayFilter(GLint filter) {
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, name, filter);
+}
+
 }  // namespace
 
 Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode wrapT) {
@@ -69,22 +98,14 @@ Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texel
 }
 
 Texture makeFloatArray(int side, int layers, const char* what) {
-  const int mostSide = limit(GL_MAX_TEXTURE_SIZE), mostLayers = limit(GL_MAX_ARRAY_TEXTURE_LAYERS);
-  if (side > mostSide || layers > mostLayers) {
-    throw Error(ExitCode::RuntimeFailure, what,
-                std::to_string(layers) + " layers of " + std::to_string(side) +
-                    " texels a side; OpenGL here takes " + std::to_string(mostLayers) + " of " +
-                    std::to_string(mostSide),
-                "bake fewer texels");
-  }
-  Texture texture;
-  glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGB32F, side, side, layers, 0, GL_RGB, GL_FLOAT, nullptr);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, filter, GL_LINEAR);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, wrap, GL_CLAMP_TO_EDGE);
-  check(std::string("making ") + what);
+  Texture texture = makeArray(side, layers, {GL_RGB32F, GL_RGB}, what);
+  setArrayFilter(GL_LINEAR);
+  return texture;
+}
+
+Texture makeDepthArray(int side, int layers, const char* what) {
+  Texture texture = makeArray(side, layers, {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT}, what);
+  setArrayFilter(GL_NEAREST);
   return texture;
 }
 

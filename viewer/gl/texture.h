@@ -23,6 +23,9 @@ Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texel
 /// allow as many or as large ones; `what` names the data.
 Texture makeFloatArray(int side, int layers, const char* what);
 
+/// Layers of 32-bit float depths, looked up without filter. Throws as makeFloatArray.
+Texture makeDepthArray(int side, int layers, const char* what);
+
 /// Sets a rectangle of a layer, from its corner (x, y, layer).
 void fillFloatArray(const Texture& texture, const glm::ivec3& corner, const glm::ivec2& size,
                     std::span<const glm::vec3> texels);

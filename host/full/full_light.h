@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "gather/indirect_light.h"
+#include "lightmap/light_map_layout.h"
+#include "photon/caustic_filter.h"
+#include "plan/plan.h"
+#include "scene/scene.h"
+#include "shared/photon_types.h"
+
+namespace prelight {
+
+struct FullLightRequest {
+  std::uint32_t texels = 1u << 13;  ///< of the map of indirect light, about
+  IndirectRequest indirect;
+  std::uint64_t causticPhotons = 100000;  ///< that leave lights towards what makes caustics
+  std::uint64_t seed = 0;
+};
+
+/// The light that pictures look up in full shading, but for direct light: computed once for a scene and its
+/// lights.
+struct FullLight {
+  LightMap indirect;                    ///< of one coefficient; no values but 0 where nothing shines
+  std::vector<device::Photon> photons;  ///< of caustics
+  CausticFilter filter;                 ///< of `photons`
+  std::vector<PlannedPass> plan;
+  std::vector<std::pair<std::string, double>> stageSeconds;
+  PhotonReport indirectPhotons, causticPhotons;
+  std::uint64_t rays = 0;
+};
+
+/// Throws UsageError when the light map would be too large, Interrupted between blocks.
+FullLight makeFullLight(const Scene& scene, const LitScene& lit, const FullLightRequest& request,
+                        const Device& device, Progress& progress);
+
+}  // namespace prelight

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+
+#include "scene/scene.h"
+#include "viewer/caustic_pass.h"
+
+namespace prelight::viewer {
+
+/// A node that is drawn elsewhere than where the file has it.
+struct NodeShift {
+  int node = 0;        ///< index in the glTF file
+  glm::dvec3 by{0.0};  ///< m, world space
+
+  bool operator==(const NodeShift&) const = default;
+};
+
+/// What a window shows, for light that follows it.
+struct FollowedView {
+  std::span<const Light> lights;  ///< world space, as many and of the same types as when the window opened,
+                                  ///< then those that were added
+  std::span<const NodeShift> shifts;  ///< of all nodes that can be dragged, in one order
+  double skyRotation = 0.0;           ///< radians about +Y
+};
+
+/// Indirect light and caustics of full shading that follow what moves, while a window is open.
+class LightFollower {
+ public:
+  virtual ~LightFollower() = default;
+
+  /// Called before every frame in full shading: does a frame's share of the work. True: there is new light.
+  /// While it returns false nothing is drawn unless the view changes. OpenGL's state stays as it is.
+  virtual bool update(const FollowedView& view) = 0;
+
+  /// W/m2, [y][x][channel 3] of the light map that the window was opened with.
+  virtual std::span<const float> indirect() const = 0;
+
+  /// The photons stay until the next update().
+  virtual Caustics caustics() const = 0;
+};
+
+}  // namespace prelight::viewer

@@ -1,0 +1,90 @@
+#version 410 core
+// A surface under all light: lights with the shadows of their maps, indirect light of a light map, caustics; mirrors and
+// glass show their surroundings.
+#include "frame.glsl"
+#include "lights.glsl"
+#include "material.glsl"
+#include "scattering.glsl"
+#include "sky.glsl"
+#include "triangles.glsl"
+#include "light_map.glsl"
+#include "shadows.glsl"
+
+in vec3 vPosition;
+in vec3 vNormal;
+in vec4 vTexCoords;
+in vec2 vEmissiveTexCoord;
+in vec4 vColor;
+
+uniform sampler2D caustics;   // irradiance of every pixel
+uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: 1 where there are some
+uniform int showsSurroundings;  // 1: the surface reflects as mirrors do what lies around it
+
+layout(location = 0, index = 0) out vec4 outRadiance;
+layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
+
+// A light's share: reflected radiance of its irradiance with its shadow.
+vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool glossy, int reach) {
+  vec3 toLight;
+  vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight);
+  float nl = dot(n, toLight);
+  if (nl <= 0.0 || dot(geometric, toLight) <= 0.0 || largest(irradiance) <= 0.0) return vec3(0.0);
+  vec3 reflected = diffuseOfLight(s, max(dot(n, toEye), 0.0), nl);
+  if (glossy) reflected += glossyOfLight(s, n, toEye, toLight);
+  return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
+}
+
+vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
+  vec3 sum = vec3(0.0);
+  bool reflects = largest(s.metal) + s.layer > 0.0 && s.roughness >= smoothBelow;
+  for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, geometric, n, toEye, reflects, 1);
+  // Pixels take turns with the samples of large lights (Keller and Heidrich 2001, interleaved sampling): those that a
+  // pixel of the picture is the mean of have all of them.
+  ivec2 turn = ivec2(gl_FragCoord.xy) % counts.z;
+  int stride = counts.z * counts.z;
+  vec3 samples = vec3(0.0);
+  // What shows its surroundings shows large lights and the sky among them.
+  for (int k = counts.y + turn.x + counts.z * turn.y; k < counts.x; k += stride)
+    samples += shadeLight(k, s, geometric, n, toEye, reflects && showsSurroundings == 0, 0);
+  return sum + float(stride) * samples;
+}
+
+void main() {
+  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  if (m.alpha < surfaceFactors.w) discard;
+  float alpha = alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
+  outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
+  if (unlit != 0) {
+    outRadiance = vec4(m.base * alpha, 1.0);
+    return;
+  }
+  int triangle = firstTriangle + gl_PrimitiveID;
+  vec4 geometry = texelFetch(triangleNormals, triangle);
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+  vec3 geometric = side * geometry.xyz;
+  bool smoothShaded = geometry.w < 0.5 && dot(vNormal, vNormal) > 1e-12;
+  vec3 n = smoothShaded ? side * normalize(vNormal) : geometric;
+  vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
+  float nv = max(dot(n, toEye), 0.0);
+  Scattering s = scatteringOf(m);
+
+  vec3 indirect = lightMapIrradiance(triangle, gl_FrontFacing, vPosition);
+  vec3 irradiance = indirect;
+  if (causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) + causticCorner.xy, 0).rgb;
+  vec3 radiance = m.emission + diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
+  if (showsSurroundings != 0) {
+    radiance += reflectanceOfSurroundings(s, nv) * skyRadiance(reflect(-toEye, n), levelOfRoughness(s.roughness));
+  } else {
+    // What lies around is not known but for the mean of its radiance.
+    radiance += reflectanceOfSurroundings(s, nv) * indirect / pi;
+  }
+  vec3 through = vec3(0.0);
+  if (s.glass > 0.0) {
+    float reflected = glassIor > 0.0 ? fresnelDielectric(max(nv, 1e-6), glassIor) : 1.0;
+    if (solidGlass == 0) reflected = 2.0 * reflected / (1.0 + reflected);
+    radiance += s.glass * reflected * skyRadiance(reflect(-toEye, n), 0.0);
+    through = s.glass * (1.0 - reflected) * m.base;
+  }
+  outRadiance = vec4(radiance * alpha, 1.0);
+  outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);
+}

@@ -1,0 +1,87 @@
+// Shadows of lights by shadow maps (viewer/shadow_maps.h).
+// A depth is near / z where a light looks from a point and 0.5 - scale z where from a direction, 0 where there is
+// nothing: both are affine in the map's coordinates across a plane, so that the plane of a surface is known exactly at
+// every texel.
+uniform sampler2DArray shadowMaps;
+uniform samplerBuffer shadowLights;  // [light][5]: axes x, y, z and first view, views, near; position and scale; depths
+                                     // a metre
+uniform samplerBuffer shadowViews;   // [view]: corner in texels, layer, side
+
+// Of a texel: what the edges of triangles move by rounding in the rasteriser, and more.
+const float roundedTexels = 0.1;
+// Of a texel's width, how much nearer a neighbouring facet may be and still belong to the same curved surface.
+const float facetTexels = 0.4;
+
+// The view of a cube that a direction falls into, and the direction in its frame.
+int faceOf(inout vec3 way, inout vec3 normal) {
+  vec3 size = abs(way);
+  if (size.z >= max(size.x, size.y)) {
+    float side = way.z >= 0.0 ? 1.0 : -1.0;
+    way.z *= side;
+    normal.z *= side;
+    return side > 0.0 ? 0 : 5;
+  }
+  if (size.x >= size.y) {
+    float side = way.x >= 0.0 ? 1.0 : -1.0;
+    way = vec3(way.yz, side * way.x);
+    normal = vec3(normal.yz, side * normal.x);
+    return side > 0.0 ? 1 : 2;
+  }
+  float side = way.y >= 0.0 ? 1.0 : -1.0;
+  way = vec3(way.zx, side * way.y);
+  normal = vec3(normal.zx, side * normal.y);
+  return side > 0.0 ? 3 : 4;
+}
+
+// Depth of the surface at its place in the map (z), and how it changes a half side along x and y (xy).
+vec3 planeDepth(vec3 way, vec3 normal, float near, float scale, float depthScale) {
+  if (near > 0.0) return vec3(normal.xy * near / (scale * dot(normal, way)), near / way.z);
+  return vec3(depthScale * normal.xy / (scale * normal.z), 0.5 - depthScale * way.z);
+}
+
+float lit(ivec3 texel, float depth) { return texelFetch(shadowMaps, texel, 0).r > depth ? 0.0 : 1.0; }
+
+// Share of a light that reaches a point of a surface, 0 to 1. `normal`: of its triangle, on the light's side.
+// `reach`: texels around the point that count with all their weight, 0 or 1; one more has a share.
+float visibility(int light, vec3 point, vec3 normal, int reach) {
+  vec4 axisX = texelFetch(shadowLights, 5 * light);
+  vec4 axisY = texelFetch(shadowLights, 5 * light + 1);
+  int views = int(axisY.w + 0.5);
+  if (views == 0) return 1.0;
+  vec4 axisZ = texelFetch(shadowLights, 5 * light + 2);
+  vec4 place = texelFetch(shadowLights, 5 * light + 3);
+  float near = axisZ.w;
+  vec3 away = point - place.xyz;
+  vec3 way = vec3(dot(axisX.xyz, away), dot(axisY.xyz, away), dot(axisZ.xyz, away));
+  vec3 n = vec3(dot(axisX.xyz, normal), dot(axisY.xyz, normal), dot(axisZ.xyz, normal));
+  int face = views > 1 ? faceOf(way, n) : 0;
+  if (face >= views || (near > 0.0 && way.z <= near)) return 1.0;
+  float depthScale = near > 0.0 ? 0.0 : texelFetch(shadowLights, 5 * light + 4).x;
+
+  vec4 view = texelFetch(shadowViews, int(axisX.w + 0.5) + face);
+  vec2 at = place.w * way.xy / (near > 0.0 ? way.z : 1.0);
+  if (max(abs(at.x), abs(at.y)) >= 1.0) return 1.0;
+  vec3 plane = planeDepth(way, n, near, place.w, depthScale);
+  float width = 2.0 / view.w;  // of a texel, in half sides
+  vec2 slope = plane.xy * width;
+  // A texel's width on a surface that faces the light, as a depth.
+  float texelDepth = width / place.w * (near > 0.0 ? plane.z : depthScale);
+  float bias = roundedTexels * (abs(slope.x) + abs(slope.y)) + facetTexels * texelDepth +
+               (near > 0.0 ? 1e-5 * plane.z : 1e-6);
+
+  vec2 texel = (0.5 * at + 0.5) * view.w - 0.5;
+  vec2 low = clamp(floor(texel), vec2(float(reach)), vec2(view.w - 2.0 - float(reach)));
+  vec2 share = clamp(texel - low, 0.0, 1.0);
+  float sum = 0.0;
+  for (int y = -reach; y <= reach + 1; ++y) {
+    float weightY = y == -reach ? 1.0 - share.y : y == reach + 1 ? share.y : 1.0;
+    for (int x = -reach; x <= reach + 1; ++x) {
+      float weightX = x == -reach ? 1.0 - share.x : x == reach + 1 ? share.x : 1.0;
+      vec2 there = low + vec2(x, y);
+      float depth = plane.z + dot(slope, there - texel) + bias;
+      sum += weightX * weightY * lit(ivec3(ivec2(view.xy + there), int(view.z + 0.5)), depth);
+    }
+  }
+  float span = float(2 * reach + 1);
+  return sum / (span * span);
+}

@@ -1,0 +1,216 @@
+#include "viewer/shadow_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace prelight::viewer {
+namespace {
+
+constexpr int border = 2;              ///< texels around a cube's side that the filter reaches into
+constexpr int usualSide = 1024;        ///< texels of a view of a light that casts sharp shadows
+constexpr int directionalSide = 2048;  ///< the same of one that sees the whole scene
+constexpr int sampleSide = 256;        ///< of a sample that shines together with many others
+constexpr int leastSide = 64;
+constexpr std::size_t mostTexels = std::size_t{1} << 26;  ///< of all maps: 256 MiB
+constexpr float nearShare = 1e-4f;                        ///< of the scene's radius
+constexpr double widestCone = 1.1;                        ///< radians, half: wider spots take half a cube
+
+bool sees(const ShadedLight& light) {
+  return std::max({light.intensity.r, light.intensity.g, light.intensity.b}) > 0.0f;
+}
+
+/// Rows x, y and z of a right-handed frame that looks along `forward`.
+glm::mat3 frameAlong(const glm::vec3& forward) {
+  const glm::vec3 z = glm::normalize(forward);
+  const glm::vec3 side = std::abs(z.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 x = glm::normalize(glm::cross(side, z));
+  return {x, glm::cross(z, x), z};
+}
+
+/// The frame of a view of a cube: 0 looks along z, then x, -x, y, -y, -z. As faceOf() of shadows.glsl.
+glm::mat3 viewFrame(const glm::mat3& axes, int view) {
+  const glm::vec3 &x = axes[0], &y = axes[1], &z = axes[2];
+  switch (view) {
+    case 1:
+      return {y, z, x};
+    case 2:
+      return {y, z, -x};
+    case 3:
+      return {z, x, y};
+    case 4:
+      return {z, x, -y};
+    case 5:
+      return {x, y, -z};
+    default:
+      return {x, y, z};
+  }
+}
+
+float radiusOf(const CompiledScene& compiled) {
+  const float radius = 0.5f * glm::length(compiled.boundsMax - compiled.boundsMin);
+  return radius > 0.0f ? radius : 1.0f;
+}
+
+int usualSideOf(const ShadedLight& light) {
+  if (light.isSample) return sampleSide;
+  return light.kind == LightKind::Directional ? directionalSide : usualSide;
+}
+
+/// Whether triangles of a surface have holes, and the alpha below which they are: blended ones are taken for
+/// cut out at a half, as rays take them.
+float cutoffOf(const Material& material) {
+  if (material.alphaMode == AlphaMode::Opaque) return -1.0f;
+  return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+}
+
+}  // namespace
+
+ShadowMaps::ShadowMaps() : program_("shadow.vert", "shadow.frag") {
+  program_.use();
+  program_.set("baseColorTexture", static_cast<int>(baseColorUnit));
+}
+
+ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledScene& compiled, int side) {
+  const float radius = radiusOf(compiled);
+  Frame frame;
+  frame.side = side;
+  frame.position = light.position;
+  frame.near = nearShare * radius;
+  frame.scale = static_cast<float>(side - 2 * border) / static_cast<float>(side);
+  switch (light.kind) {
+    case LightKind::Directional:
+      frame.axes = frameAlong(light.direction);
+      frame.position = 0.5f * (compiled.boundsMin + compiled.boundsMax);
+      frame.near = 0.0f;
+      frame.scale /= 1.001f * radius;
+      frame.depthScale = 0.5f / (1.001f * radius);
+      frame.views = 1;
+      break;
+    case LightKind::Point:
+      frame.views = 6;
+      break;
+    case LightKind::Spot: {
+      frame.axes = frameAlong(light.direction);
+      // cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
+      const double outer =
+          std::acos(std::clamp(-double{light.coneOffset} / double{light.coneScale}, -1.0, 1.0));
+      frame.views = outer < widestCone ? 1 : 5;
+      if (outer < widestCone) frame.scale /= static_cast<float>(std::tan(outer));
+      break;
+    }
+    case LightKind::Emitter:
+      frame.axes = frameAlong(light.direction);
+      frame.views = light.twoSided ? 6 : 5;
+      break;
+  }
+  return frame;
+}
+
+std::vector<ShadowMaps::Frame> ShadowMaps::framesOf(std::span<const ShadedLight> lights,
+                                                    const CompiledScene& compiled) {
+  for (int halvings = 0;; ++halvings) {
+    std::vector<Frame> frames;
+    std::size_t texels = 0, views = 0;
+    for (const ShadedLight& light : lights) {
+      const int side = std::max(leastSide, usualSideOf(light) >> halvings);
+      frames.push_back(sees(light) ? frameOf(light, compiled, side) : Frame{});
+      frames.back().firstView = views;
+      views += static_cast<std::size_t>(frames.back().views);
+      texels += static_cast<std::size_t>(frames.back().views * side) * static_cast<std::size_t>(side);
+    }
+    if (texels <= mostTexels || (directionalSide >> halvings) <= leastSide) return frames;
+  }
+}
+
+void ShadowMaps::makeAtlas() {
+  std::vector<glm::ivec2> sizes;
+  for (const Frame& frame : frames_)
+    sizes.insert(sizes.end(), static_cast<std::size_t>(frame.views), glm::ivec2(frame.side));
+  int side = leastSide;
+  for (const glm::ivec2& size : sizes) side = std::max(side, size.x);
+  atlas_ = packCharts(sizes, std::max(side, sizes.size() > 16 ? directionalSide : side));
+  depths_ = gl::makeDepthArray(atlas_.side, std::max(atlas_.layers, 1), "shadow maps");
+  std::vector<glm::vec4> texels;
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+    texels.emplace_back(atlas_.places[v].x, atlas_.places[v].y, atlas_.places[v].layer, sizes[v].x);
+  if (texels.empty()) texels.emplace_back(0.0f);
+  viewTexels_ = gl::makeBufferTexture(texels, "views of lights");
+}
+
+void ShadowMaps::uploadFrames() {
+  std::vector<glm::vec4> texels;
+  for (const Frame& frame : frames_) {
+    texels.emplace_back(frame.axes[0], static_cast<float>(frame.firstView));
+    texels.emplace_back(frame.axes[1], static_cast<float>(frame.views));
+    texels.emplace_back(frame.axes[2], frame.near);
+    texels.emplace_back(frame.position, frame.scale);
+    texels.emplace_back(frame.depthScale, 0.0f, 0.0f, 0.0f);
+  }
+  if (texels.empty()) texels.emplace_back(0.0f);
+  lightTexels_ = gl::makeBufferTexture(texels, "shadows of lights");
+}
+
+void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view) const {
+  const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
+  const glm::mat3 axes = viewFrame(frame.axes, view);
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depths_.name(), 0, place.layer);
+  glViewport(place.x, place.y, frame.side, frame.side);
+  glScissor(place.x, place.y, frame.side, frame.side);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  program_.set("axisX", glm::vec4(axes[0], frame.scale));
+  program_.set("axisY", glm::vec4(axes[1], frame.near));
+  program_.set("axisZ", glm::vec4(axes[2], frame.depthScale));
+  program_.set("lightPosition", frame.position);
+  scene.drawOccluders([&](const Surface& surface) {
+    const float cutoff = cutoffOf(surface.material);
+    program_.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, 0.0f, 0.0f));
+    if (cutoff >= 0.0f)
+      gl::bind(baseColorUnit, GL_TEXTURE_2D,
+               surface.baseColor != nullptr ? *surface.baseColor : scene.white());
+  });
+}
+
+void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
+                        std::span<const ShadedLight> lights, bool sceneMoved) {
+  std::vector<Frame> frames = framesOf(lights, compiled);
+  const auto sameShape = [](const Frame& a, const Frame& b) {
+    return a.views == b.views && a.side == b.side;
+  };
+  const bool kept =
+      frames.size() == frames_.size() && std::equal(frames.begin(), frames.end(), frames_.begin(), sameShape);
+  viewsDrawn_ = 0;
+  if (kept && !sceneMoved && frames == frames_) return;
+  std::vector<bool> changed;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    changed.push_back(!kept || sceneMoved || frames[i] != frames_[i]);
+  frames_ = std::move(frames);
+  if (!kept) makeAtlas();
+  uploadFrames();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_GREATER);
+  glClearDepth(0.0);
+  program_.use();
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    for (int view = 0; changed[i] && view < frames_[i].views; ++view, ++viewsDrawn_)
+      drawView(scene, frames_[i], view);
+  glClearDepth(1.0);
+  glDepthFunc(GL_LEQUAL);
+  glDisable(GL_SCISSOR_TEST);
+  gl::check("drawing shadow maps");
+}
+
+void ShadowMaps::bind() const {
+  gl::bind(shadowMapsUnit, GL_TEXTURE_2D_ARRAY, depths_);
+  gl::bind(shadowLightsUnit, GL_TEXTURE_BUFFER, lightTexels_.texture);
+  gl::bind(shadowViewsUnit, GL_TEXTURE_BUFFER, viewTexels_.texture);
+}
+
+}  // namespace prelight::viewer

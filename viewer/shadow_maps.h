@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "viewer/chart_atlas.h"
+#include "viewer/gl/buffer.h"
+#include "viewer/gl/program.h"
+#include "viewer/gl/texture.h"
+#include "viewer/lighting.h"
+#include "viewer/render_scene.h"
+
+namespace prelight::viewer {
+
+/// What a light sees of the scene, for shadows: depths in squares of an atlas. Points have a cube of six
+/// squares, spots and samples of emitters half a cube of five about their direction, narrow spots one,
+/// directional lights one that holds the bounds of the scene.
+///
+/// Depths are compared with the plane of the surface that is shaded, at the very texel that they stand for:
+/// a flat surface casts no shadow on itself however it is slanted, without an offset that would part shadows
+/// from what casts them. What is left of one, a share of a texel, follows from the map, so that scenes of
+/// all sizes are drawn alike.
+class ShadowMaps {
+ public:
+  ShadowMaps();
+
+  /// Draws the maps of lights whose place or direction is another than before; all of them where `sceneMoved`
+  /// or where other kinds of lights are given. Lights without intensity have none. Changes the framebuffer,
+  /// viewport, program and depth state in use. Throws Error where OpenGL cannot hold the maps.
+  void update(const RenderScene& scene, const CompiledScene& compiled, std::span<const ShadedLight> lights,
+              bool sceneMoved);
+
+  /// For the lights of the last update, in their order (shaders/shadows.glsl).
+  void bind() const;
+
+  std::size_t viewsDrawn() const { return viewsDrawn_; }  ///< squares that the last update drew
+  std::size_t viewCount() const { return atlas_.places.size(); }
+
+ private:
+  /// Where a light looks from and how; rows of `axes` are x, y and z in scene coordinates.
+  struct Frame {
+    glm::mat3 axes{1.0f};
+    glm::vec3 position{0.0f};
+    float scale = 1.0f;       ///< half sides a tangent (perspective) or a metre
+    float near = 0.0f;        ///< m; 0: orthographic
+    float depthScale = 0.0f;  ///< orthographic: depths a metre
+    int views = 0;
+    int side = 0;  ///< texels of a view
+    std::size_t firstView = 0;
+
+    bool operator==(const Frame&) const = default;
+  };
+
+  static Frame frameOf(const ShadedLight& light, const CompiledScene& compiled, int side);
+  static std::vector<Frame> framesOf(std::span<const ShadedLight> lights, const CompiledScene& compiled);
+  void makeAtlas();
+  void uploadFrames();
+  void drawView(const RenderScene& scene, const Frame& frame, int view) const;
+
+  gl::Program program_;
+  gl::Texture depths_;
+  gl::Object<gl::FramebufferTraits> framebuffer_;
+  gl::BufferTexture lightTexels_;
+  gl::BufferTexture viewTexels_;
+  std::vector<Frame> frames_;  ///< [light]
+  ChartAtlas atlas_;           ///< [view]
+  std::size_t viewsDrawn_ = 0;
+};
+
+}  // namespace prelight::viewer
