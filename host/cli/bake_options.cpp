@@ -304,7 +304,7 @@ void addEffortOptions(CLI::App& app, BakeOptions& options) {
 void addKernelOptions(CLI::App& app, BakeOptions& options) {
   app.add_flag_callback(
          "--cache-kernels", [&] { options.cacheKernels = true; },
-         "keep compiled kernels between runs (default, except on PoCL, which does so itself)")
+         "keep compiled kernels between runs (default)")
       ->excludes(app.add_flag_callback(
           "--no-cache-kernels", [&] { options.cacheKernels = false; }, "compile the kernels anew"));
   app.add_option("--dump-kernels", options.dumpKernels,

@@ -16,10 +16,9 @@ namespace prelight {
 
 namespace {
 
-std::filesystem::path cacheFolder(const DeviceInfo& info, const DeviceOptions& options) {
-  // PoCL keeps its own cache, so a second one would only cost disk.
-  return options.cacheKernels.value_or(!info.isPocl) ? ProgramCache::defaultFolder()
-                                                     : std::filesystem::path();
+std::filesystem::path cacheFolder(const DeviceOptions& options) {
+  // On PoCL, too: its own cache knows a program only after the compiler has read it, some 30 ms each.
+  return options.cacheKernels.value_or(true) ? ProgramCache::defaultFolder() : std::filesystem::path();
 }
 
 void dump(const std::filesystem::path& folder, const std::string& file, const std::string& source,
@@ -52,7 +51,7 @@ DeviceContext::DeviceContext(const cl::Device& device, DeviceInfo info, const De
       info_(std::move(info)),
       context_(device_),
       queue_(context_, device_),
-      cache_(cacheFolder(info_, options)),
+      cache_(cacheFolder(options)),
       dumpFolder_(options.dumpKernels),
       portableKernels_(options.portableKernels) {}
 

@@ -31,7 +31,7 @@ struct DeviceInfo {
 struct DeviceOptions {
   std::optional<std::string>
       selector;                      ///< index or part of "platform name"; none: first GPU, else first device
-  std::optional<bool> cacheKernels;  ///< none: on, except on PoCL, which caches itself
+  std::optional<bool> cacheKernels;  ///< none: on
   std::filesystem::path dumpKernels;  ///< folder for the expanded sources; empty: none
   bool portableKernels = false;  ///< nothing but OpenCL C, even where the compiler offers faster instructions
 };

@@ -274,7 +274,7 @@ TEST_F(CliResume, NoState_StartsFromTheBeginningAndSaysSo) {
 TEST_F(CliBake, Interrupt_WhileKernelsCompile_IsAnInterruptToo) {
   std::filesystem::create_directory(path("cache"));  // an empty cache makes PoCL compile
   const ProcessResult result =
-      prelight({"bake", "scene.glb", "-o", "out.glb", "--ao", "--rays", "1048576"},
+      prelight({"bake", "scene.glb", "-o", "out.glb", "--ao", "--rays", "1048576", "--no-cache-kernels"},
                {.environment = {{"POCL_CACHE_DIR", path("cache").string()}}, .signalAfterOutput = SIGINT});
   EXPECT_EQ(result.exitCode, interrupted) << result.errors;
   EXPECT_FALSE(std::filesystem::exists(path("out.glb")));
