@@ -59,7 +59,7 @@ static_assert(isShared<LeafTree, 16>);
 static_assert(isShared<PhotonBlock, 256>);
 static_assert(isShared<AreaNode, 64>);
 static_assert(isShared<AreaTriangle, 48>);
-static_assert(isShared<SurfacePlace, 8>);
+static_assert(isShared<SurfacePlace, 12>);
 static_assert(isShared<DensityParameters, 16>);
 static_assert(isShared<DensityQuery, 32>);
 static_assert(isShared<GatherParameters, 60>);

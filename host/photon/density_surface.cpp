@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "photon/leaf_tree.h"
+#include "photon/plane_clearance.h"
 
 namespace prelight {
 
@@ -196,9 +197,12 @@ DensitySurface makeDensitySurface(const CompiledScene& scene, const SurfaceRegio
   surface.triangles.resize(std::size_t{trees.leafCount} * PRELIGHT_LEAF_TRIANGLES);
   const std::vector<std::uint8_t> planar = findPlanarRegions(scene, regions);
   surface.places.resize(scene.triangleCount());
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+  const std::vector<float> clearance = planeClearance(scene, regions, planar);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     surface.places[t].region =
         regions.regionOf[t] | (planar[regions.regionOf[t]] != 0 ? PRELIGHT_PLANAR_REGION : 0u);
+    surface.places[t].clearance = clearance[t];
+  }
   parallelRanges(ranges.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r)
       AreaTreeFiller(scene, trees.trees[r], std::span(items).subspan(ranges[r].first, ranges[r].count),

@@ -37,6 +37,7 @@ typedef struct DensityPlace {
   uint region;
   uint slot;
   bool planar;
+  float clearance;  // SurfacePlace's
   LeafTree photons;
 } DensityPlace;
 
@@ -48,6 +49,7 @@ DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 si
   result.region = place.region & ~PRELIGHT_PLANAR_REGION;
   result.slot = place.slot;
   result.planar = (place.region & PRELIGHT_PLANAR_REGION) != 0u;
+  result.clearance = place.clearance;
   result.photons = maps.photonTrees[2u * result.region + (dot(side, result.normal) < 0.0f ? 1u : 0u)];
   return result;
 }
@@ -119,7 +121,7 @@ float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
 
 // Of the surface that those photons lie on, m2.
 float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
-  if (place.planar && holdsDisc(maps.areaTriangles + place.slot, place.position, r))
+  if (place.planar && (r <= place.clearance || holdsDisc(maps.areaTriangles + place.slot, place.position, r)))
     return PRELIGHT_DISC_SHARE * M_PI_F * r * r;
   return kernelArea(maps.parameters, maps.areaTrees[place.region], maps.areaNodes, maps.areaTriangles, place.planar,
                     place.position, place.normal, r);

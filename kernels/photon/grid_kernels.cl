@@ -107,6 +107,7 @@ __kernel void estimateFromGrid(__constant const DensityParameters* parameters, _
   place.region = at.region & ~PRELIGHT_PLANAR_REGION;
   place.slot = at.slot;
   place.planar = true;
+  place.clearance = at.clearance;
   const DensityMaps maps = {parameters, 0, 0, 0, places, areaTrees, areaNodes, areaTriangles};
   __global const PhotonGrid* grid = grids + place.region;
   __global const float* members[6] = {x, y, z, red, green, blue};

@@ -9,6 +9,7 @@
 #ifndef PRELIGHT_PHOTON_KERNEL_AREA_FUNCS_CL
 #define PRELIGHT_PHOTON_KERNEL_AREA_FUNCS_CL
 
+#include "core/angle_funcs.cl"
 #include "photon/leaf_tree_funcs.cl"
 
 #ifndef PRELIGHT_DENSITY_KERNEL
@@ -56,7 +57,7 @@ float coneRay(float d, float t, float h) {
   const float q = sqrt(d * d + h * h), whole = sqrt(q * q + t * t);
   const float turn = q > 0.0f ? asinh(t / q) : 0.0f;
   const float line = d * (0.5f * (t * whole + q * q * turn) + h * h * turn);
-  return line + h * h * h * (atan2(h * t, d * whole) - atan2(t, d));
+  return line + h * h * h * (angleOf(h * t, d * whole) - angleOf(t, d));
 }
 #endif
 
@@ -78,7 +79,7 @@ float insideDisc(const KernelDisc disc, float3 from, float3 to, float twice) {
 }
 
 float beyondDisc(const KernelDisc disc, float3 from, float3 to) {
-  return disc.perAngle * atan2(dot(disc.normal, cross(from, to)), dot(from, to));
+  return disc.perAngle * angleOf(dot(disc.normal, cross(from, to)), dot(from, to));
 }
 
 // Of the edge from a to b, relative to the foot.

@@ -54,6 +54,7 @@ typedef struct AreaTriangle {
 typedef struct SurfacePlace {
   uint region;  ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
   uint slot;    ///< among the AreaTriangles
+  float clearance;  ///< m; discs about its points in its plane that are no wider lie within its region
 } SurfacePlace;
 
 typedef struct DensityParameters {
