@@ -47,6 +47,8 @@ enum Unit : GLuint {
   shadowMapsUnit = 17,       ///< shaders/shadows.glsl
   shadowLightsUnit = 18,     ///< the same
   shadowViewsUnit = 19,      ///< the same
+  surroundingsUnit = 20,     ///< shaders/surroundings.glsl
+  insidesUnit = 21,          ///< the same
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

@@ -62,11 +62,13 @@ Picture renderView(Renderer& renderer, const View& view, int samplesPerAxis) {
   return picture;
 }
 
-Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes) {
+Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes,
+                      std::vector<PlannedPass>* plan) {
   const View view = makeView(inputs, options);
   const gl::EglContext context;
   Renderer renderer(inputs, options.lobe);
   renderer.describe(view, notes);
+  if (plan != nullptr && view.shading == Shading::Full) *plan = renderer.plan(view);
   return renderView(renderer, view, options.samplesPerAxis);
 }
 

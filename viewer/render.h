@@ -61,6 +61,8 @@ struct RenderOptions {
 /// Draws a picture of linear radiance, without a display or a window.
 /// `notes` receives, once each, what the picture approximates or what was chosen for want of an input.
 /// Throws UsageError (camera index, size), Error (no OpenGL, shading that the bake does not carry).
-Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes);
+/// `plan` receives what full shading draws beside the picture and what it leaves out; nullptr: not wanted.
+Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes,
+                      std::vector<PlannedPass>* plan = nullptr);
 
 }  // namespace prelight::viewer

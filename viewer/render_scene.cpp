@@ -1,8 +1,11 @@
 #include "viewer/render_scene.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <map>
 
+#include "photon/casters.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -12,12 +15,19 @@ bool sameTexture(const TextureRef& a, const TextureRef& b) {
   return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT;
 }
 
-/// The first triangle of every primitive, in order: blended batches end where a primitive does.
-std::vector<std::uint32_t> primitiveStarts(const CompiledScene& compiled) {
-  std::vector<std::uint32_t> starts;
-  for (const PrimitiveRange& range : compiled.primitives) starts.push_back(range.firstTriangle);
-  std::sort(starts.begin(), starts.end());
+/// The first triangle of every primitive and its node, in order: blended batches and those that show their
+/// surroundings end where a primitive does.
+std::map<std::uint32_t, int> primitiveStarts(const CompiledScene& compiled) {
+  std::map<std::uint32_t, int> starts;
+  for (const PrimitiveRange& range : compiled.primitives)
+    if (range.triangleCount > 0) starts[range.firstTriangle] = range.node;
   return starts;
+}
+
+constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little diffusely
+
+bool mirrors(const CompiledMaterial& material) {
+  return makesCaustics(material) || (!material.unlit && material.metallic >= metallic);
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
@@ -70,6 +80,8 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
   for (std::size_t i = 0; i < inputs.compiled.materials.size(); ++i) {
     Surface surface;
     surface.material = materialAt(inputs.scene, inputs.compiled, i);
+    surface.showsSurroundings = mirrors(inputs.compiled.materials[i]);
+    surface.absorption = inputs.compiled.materials[i].absorption;
     surface.baseColor = texture(inputs.scene, surface.material.baseColorTexture, true);
     surface.metallicRoughness = texture(inputs.scene, surface.material.metallicRoughnessTexture, false);
     surface.emissive = texture(inputs.scene, surface.material.emissiveTexture, true);
@@ -89,16 +101,19 @@ TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bo
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
-  const std::vector<std::uint32_t> starts = primitiveStarts(compiled);
+  const std::map<std::uint32_t, int> starts = primitiveStarts(compiled);
   for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t) {
     const std::uint32_t surface = compiled.triangleMaterials[t];
     const bool goesOn =
         !batches_.empty() && batches_.back().surface == surface &&
-        !(surfaces_[surface].isBlended() && std::binary_search(starts.begin(), starts.end(), t));
+        !((surfaces_[surface].isBlended() || surfaces_[surface].showsSurroundings) && starts.contains(t));
     if (goesOn) {
       ++batches_.back().triangleCount;
     } else {
       batches_.push_back({surface, t, 1, {}});
+      const auto primitive = starts.upper_bound(t);
+      if (surfaces_[surface].showsSurroundings && primitive != starts.begin())
+        batches_.back().node = std::prev(primitive)->second;
     }
   }
   for (Batch& batch : batches_) {

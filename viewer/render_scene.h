@@ -24,6 +24,13 @@ struct Surface {
   TextureHandle metallicRoughness = nullptr;
   TextureHandle emissive = nullptr;
 
+  glm::vec3 absorption{0.0f};  ///< inside a body, 1/m
+  bool showsSurroundings =
+      false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
+
+  /// Glass with an inside.
+  bool isBody() const { return material.transmission > 0.0f && material.thickness > 0.0f; }
+
   /// Drawn over what lies behind, after everything opaque.
   bool isBlended() const { return material.alphaMode == AlphaMode::Blend || material.transmission > 0.0f; }
 };
@@ -34,6 +41,7 @@ struct Batch {
   std::uint32_t firstTriangle = 0;
   std::uint32_t triangleCount = 0;
   glm::vec3 center{0.0f};  ///< of its bounds, to sort what is blended
+  int node = -1;           ///< of a surface that shows its surroundings: the glTF node it belongs to
 };
 
 /// Draws a batch of the scene whose vertex array is in use.

@@ -22,7 +22,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 20> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 22> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -42,7 +42,9 @@ void prepare(const gl::Program& program) {
        {"caustics", causticsUnit},
        {"shadowMaps", shadowMapsUnit},
        {"shadowLights", shadowLightsUnit},
-       {"shadowViews", shadowViewsUnit}}};
+       {"shadowViews", shadowViewsUnit},
+       {"surroundings", surroundingsUnit},
+       {"insides", insidesUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 
@@ -157,16 +159,21 @@ FullLighting& Renderer::full() {
     full_ = std::make_unique<FullLighting>(*inputs_.full, compiled_, scene_);
     fullProgram_ = std::make_unique<gl::Program>("surface.vert", "full.frag");
     prepare(*fullProgram_);
+    surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
     if (caustics_ == nullptr && !inputs_.full->photons.empty())
       makeCaustics({inputs_.full->photons, inputs_.full->filter});
   }
   return *full_;
 }
 
-void Renderer::updateIndirect(std::span<const float> values) { full().updateIndirect(values); }
+void Renderer::updateIndirect(std::span<const float> values) {
+  full().updateIndirect(values);
+  surroundings_->changedSlowly();
+}
 
 void Renderer::updateCaustics(const Caustics& caustics) {
   full();
+  surroundings_->changedSlowly();
   if (caustics_ == nullptr)
     makeCaustics(caustics);
   else
@@ -177,7 +184,21 @@ void Renderer::sceneMoved() {
   scene_.fillPositions(compiled_);
   emitters_ = sampleEmitters(compiled_, emitterSamples);
   if (samples_ != nullptr) samples_->setScene(compiled_);
-  if (full_ != nullptr) full_->sceneMoved();
+  if (full_ == nullptr) return;
+  full_->sceneMoved();
+  surroundings_->changed();
+}
+
+void Renderer::updateSurroundings(const View& view, const Illumination& light) {
+  if (surroundings_->empty()) return;
+  if (surroundedBy_ != light) surroundings_->changed();
+  surroundedBy_ = light;
+  surroundings_->update(compiled_, [&](const Surroundings::Face& face, const gl::Framebuffer& target) {
+    View seen = view;
+    seen.camera = face.camera;
+    seen.width = seen.height = Surroundings::side;
+    drawScene(seen, {0, 0, seen.width, seen.height}, target, light, full_.get(), face.node);
+  });
 }
 
 bool Renderer::showsCaustics(const View& view) const {
@@ -317,6 +338,8 @@ void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
   p.set("unlit", m.unlit ? 1 : 0);
   p.set("glassIor", m.ior);
   p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
+  p.set("absorption", surface.absorption);
+  p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   if (m.doubleSided) {
     glDisable(GL_CULL_FACE);
   } else {
@@ -342,44 +365,54 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::P
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
   program.set("transferForm", static_cast<int>(TransferForm::None));
-  program.set("showsSurroundings", 0);
   if (transfer != nullptr) transfer->bind(program);
   for (const Batch* batch : batches) {
     setSurface(scene_.surfaces()[batch->surface], program);
+    if (surroundings_ != nullptr && &program == fullProgram_.get()) surroundings_->set(program, *batch);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     drawTriangles(*batch);
   }
   glBindVertexArray(0);
 }
 
-/// Filters the caustics of a tile and what lies around it, as large as samples of `target` are.
+/// Filters the caustics of a tile and what lies around it, once a pixel: photons are too few for more.
 void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
                             const std::vector<const Batch*>& opaque, const gl::Program& program) {
   const int samples = target.width() / tile.width;
-  const int around = (CausticPass::margin + samples - 1) / samples;
+  const int around = CausticPass::margin;
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
   uploadFrame(view, whole, {}, samples);
-  const gl::Framebuffer& places = caustics_->places(whole.width * samples, whole.height * samples);
+  const gl::Framebuffer& places = caustics_->places(whole.width, whole.height);
   places.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   drawBatches(opaque, *placesProgram_, nullptr);
   const Camera& camera = view.camera;
   const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
-  caustics_->draw(2.0 * halfHeight / (static_cast<double>(view.height) * samples), scene_.triangleNormals());
+  caustics_->draw(2.0 * halfHeight / view.height, scene_.triangleNormals());
   gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
   program.use();
-  program.set("causticCorner", glm::ivec4(around * samples, around * samples, 0, 1));
+  program.set("causticCorner", glm::ivec4(around, around, 0, samples));
 }
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
+  if (view.shading == Shading::Full) updateSurroundings(view, light);
+  drawScene(view, tile, target, light, transfer, -1);
+}
+
+void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                         const Illumination& light, const DrawnTransfer* transfer, int leftOutNode) {
   const gl::Program& program = view.shading == Shading::Full ? *fullProgram_ : surfaceProgram_;
   std::vector<const Batch*> opaque;
   std::vector<const Batch*> blended;
   for (const Batch& batch : scene_.batches()) {
-    (scene_.surfaces()[batch.surface].isBlended() ? blended : opaque).push_back(&batch);
+    if (leftOutNode >= 0 && batch.node == leftOutNode) continue;
+    const Surface& surface = scene_.surfaces()[batch.surface];
+    // Full shading draws what bodies of glass let through itself.
+    const bool body = view.shading == Shading::Full && surface.isBody();
+    (surface.isBlended() && !body ? blended : opaque).push_back(&batch);
   }
   const glm::dvec3 eye = glm::dvec3(view.camera.world[3]) - compiled_.origin;
   std::stable_sort(blended.begin(), blended.end(), [&](const Batch* a, const Batch* b) {
@@ -396,6 +429,7 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   if (showsCaustics(view)) drawCaustics(view, tile, target, opaque, program);
   uploadFrame(view, tile, light.lights, target.width() / tile.width);
   bindTextures(view);
+  if (view.shading == Shading::Full) surroundings_->bind();
   target.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -408,13 +442,26 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
   glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+  glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
   program.use();
   program.set("causticCorner", glm::ivec4(0));  // those filtered lie on what is opaque
   drawBatches(blended, program, transfer);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
+}
+
+std::vector<PlannedPass> Renderer::plan(const View& view) {
+  const Illumination light = illuminationOf(view);
+  litTransfer(view, light);
+  const std::size_t views = full().shadows().viewCount(), nodes = surroundings_->nodeCount();
+  return {{"shadow maps", views > 0,
+           views > 0 ? std::to_string(light.lights.size()) + " lights and samples of large ones see " +
+                           std::to_string(views) + " views"
+                     : "nothing gives light"},
+          {"environment maps", nodes > 0,
+           nodes > 0 ? std::to_string(nodes) + " nodes mirror what is around them or are glass"
+                     : "no node is a mirror, glass, metal or nearly a mirror"}};
 }
 
 void Renderer::describe(const View& view, Warnings& notes) {
@@ -440,6 +487,10 @@ void Renderer::describe(const View& view, Warnings& notes) {
                     "(--shading lights has their shadows)");
   }
   if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
+  if (view.shading == Shading::Full && surroundings_->nodesLeftOut() > 0)
+    notes.push_back(std::to_string(surroundings_->nodesLeftOut()) +
+                    " of the nodes that mirror or are glass are small and show the sky alone: the largest " +
+                    std::to_string(Surroundings::mostNodes) + " have environment maps");
 }
 
 }  // namespace prelight::viewer

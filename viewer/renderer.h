@@ -14,6 +14,7 @@
 #include "viewer/illumination.h"
 #include "viewer/light_samples.h"
 #include "viewer/render_scene.h"
+#include "viewer/surroundings.h"
 #include "viewer/techniques.h"
 
 namespace prelight::viewer {
@@ -69,11 +70,19 @@ class Renderer {
   /// Baked light stays as it is.
   void sceneMoved();
 
+  /// What full shading draws of a view beside its picture: shadow maps and environment maps.
+  std::vector<PlannedPass> plan(const View& view);
+
   /// What a view approximates or had to choose, for people.
   void describe(const View& view, Warnings& notes);
 
   /// Squares of shadow maps that full shading drew anew for its last picture.
   std::size_t shadowViewsDrawn() const { return full_ == nullptr ? 0 : full_->shadows().viewsDrawn(); }
+
+  /// Faces of environment maps that it drew anew for its last picture.
+  std::size_t surroundingFacesDrawn() const {
+    return surroundings_ == nullptr ? 0 : surroundings_->facesDrawn();
+  }
 
   /// Of the last tile; nullptr where the inputs have no caustics.
   const CausticPass* caustics() const { return caustics_.get(); }
@@ -87,6 +96,9 @@ class Renderer {
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   FullLighting& full();
   bool showsCaustics(const View& view) const;
+  void updateSurroundings(const View& view, const Illumination& light);
+  void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
+                 const DrawnTransfer* transfer, int leftOutNode);
   void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
                    int samplesPerAxis) const;
   void drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
@@ -111,6 +123,8 @@ class Renderer {
   std::vector<ShadedLight> emitters_;
   std::unique_ptr<LightSamples> samples_;
   std::unique_ptr<FullLighting> full_;
+  std::unique_ptr<Surroundings> surroundings_;
+  std::optional<Illumination> surroundedBy_;
   std::unique_ptr<gl::Program> fullProgram_;
   SkyCoefficients sky_;
   Environment neutralMap_;

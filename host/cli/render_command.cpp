@@ -21,7 +21,7 @@ struct RenderCommand {
 };
 
 nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedScene& shaded, Session& session,
-                                    const Warnings& notes) {
+                                    const Warnings& notes, const std::vector<PlannedPass>& plan) {
   nlohmann::ordered_json report = {{"command", "render"},
                                    {"version", PRELIGHT_VERSION},
                                    {"scene", command.picture.scene.string()},
@@ -33,7 +33,7 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedSc
                                    {"stages", toJson(session.times())},
                                    {"notes", notes},
                                    {"warnings", session.warnings()}};
-  if (shaded.full) report["plan"] = toJson(shaded.full->plan);
+  if (shaded.full) report["plan"] = toJson(plan);
   if (shaded.run)
     report["bake"] = bakeReport("render", shaded.loaded, {}, shaded.request, *shaded.run, session);
   return report;
@@ -60,18 +60,25 @@ void runRender(const RenderCommand& command, Context& context) {
   if (full) shaded.render.samplesPerAxis = samplesPerAxis(command.picture.full.samples);
   session.progress().check();
   Warnings notes;
+  std::vector<PlannedPass> plan;
+  if (shaded.full) plan = shaded.full->plan;
+  std::vector<PlannedPass> drawn;
   const Picture picture = session.times().measure(
-      "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes); });
+      "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn); });
+  plan.insert(plan.end(), drawn.begin(), drawn.end());
   session.progress().check();
   session.times().measure("write", [&] { writePicture(command.output, picture); });
 
   for (const std::string& note : notes) session.console().note(note);
   const Console& console = session.console();
+  for (const PlannedPass& pass : plan)
+    if (!pass.runs || console.detailsWanted())
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
   if (shaded.run) printBakeSummary(console, shaded.request, *shaded.run, session.times());
   console.line("wrote", fmt::format("{}: {}x{}, {} shading, in {}", command.output.string(), picture.width,
                                     picture.height, viewer::shadingName(shaded.render.shading),
                                     shortSeconds(session.times().total())));
-  console.json(renderReport(command, shaded, session, notes));
+  console.json(renderReport(command, shaded, session, notes, plan));
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ class Program {
   void set(const char* name, const glm::ivec4& value) const { glUniform4iv(location(name), 1, &value.x); }
   void set(const char* name, const glm::vec3& value) const { glUniform3fv(location(name), 1, &value.x); }
   void set(const char* name, const glm::vec4& value) const { glUniform4fv(location(name), 1, &value.x); }
+  void set(const char* name, const glm::mat4& value) const {
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0].x);
+  }
 
   /// Ties a uniform block to a binding point.
   void bindBlock(const char* name, GLuint binding) const;

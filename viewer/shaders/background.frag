@@ -10,5 +10,5 @@ void main() {
   vec2 picture = viewportPosition * tile.xy + tile.zw;
   vec3 ray = forward.xyz;
   if (eye.w > 0.5) ray += picture.x * pixelRight.xyz + picture.y * pixelUp.xyz;
-  outRadiance = vec4(skyRadiance(normalize(ray), skyLevels.y), 1.0);
+  outRadiance = vec4(skyRadiance(normalize(ray), skyLevels.y), 1e30);  // alpha: distance, of surroundings.glsl
 }

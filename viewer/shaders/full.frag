@@ -9,6 +9,7 @@
 #include "triangles.glsl"
 #include "light_map.glsl"
 #include "shadows.glsl"
+#include "surroundings.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -17,10 +18,11 @@ in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 
 uniform sampler2D caustics;   // irradiance of every pixel
-uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: 1 where there are some
+uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
 uniform int showsSurroundings;  // 1: the surface reflects as mirrors do what lies around it
+uniform vec3 absorption;        // of a body of glass, 1/m
 
-layout(location = 0, index = 0) out vec4 outRadiance;
+layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
 
 // A light's share: reflected radiance of its irradiance with its shadow.
@@ -49,13 +51,27 @@ vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
   return sum + float(stride) * samples;
 }
 
+// What glass reflects; what it lets through where it has an inside, else the factor of what lies behind.
+vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 through) {
+  float reflected = glassIor > 0.0 ? fresnelDielectric(max(nv, 1e-6), glassIor) : 1.0;
+  if (solidGlass == 0) reflected = 2.0 * reflected / (1.0 + reflected);  // all the reflections between two faces
+  vec3 radiance = s.glass * reflected * surroundingRadiance(vPosition, reflect(-toEye, n), 0.0);
+  through = s.glass * (1.0 - reflected) * base;
+  if (solidGlass == 0 || glassIor <= 0.0) return radiance;
+  vec3 passed;
+  vec3 seen = radianceThroughBody(vPosition, refract(-toEye, n, 1.0 / glassIor), glassIor, absorption, passed);
+  radiance += through * passed * base * seen;  // base: where it enters and where it leaves
+  through = vec3(0.0);
+  return radiance;
+}
+
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
   if (m.alpha < surfaceFactors.w) discard;
   float alpha = alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
   if (unlit != 0) {
-    outRadiance = vec4(m.base * alpha, 1.0);
+    outRadiance = vec4(m.base * alpha, distance(eye.xyz, vPosition));
     return;
   }
   int triangle = firstTriangle + gl_PrimitiveID;
@@ -70,21 +86,16 @@ void main() {
 
   vec3 indirect = lightMapIrradiance(triangle, gl_FrontFacing, vPosition);
   vec3 irradiance = indirect;
-  if (causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) + causticCorner.xy, 0).rgb;
+  if (causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   vec3 radiance = m.emission + diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
   if (showsSurroundings != 0) {
-    radiance += reflectanceOfSurroundings(s, nv) * skyRadiance(reflect(-toEye, n), levelOfRoughness(s.roughness));
+    radiance += reflectanceOfSurroundings(s, nv) * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
   } else {
     // What lies around is not known but for the mean of its radiance.
     radiance += reflectanceOfSurroundings(s, nv) * indirect / pi;
   }
   vec3 through = vec3(0.0);
-  if (s.glass > 0.0) {
-    float reflected = glassIor > 0.0 ? fresnelDielectric(max(nv, 1e-6), glassIor) : 1.0;
-    if (solidGlass == 0) reflected = 2.0 * reflected / (1.0 + reflected);
-    radiance += s.glass * reflected * skyRadiance(reflect(-toEye, n), 0.0);
-    through = s.glass * (1.0 - reflected) * m.base;
-  }
-  outRadiance = vec4(radiance * alpha, 1.0);
+  if (s.glass > 0.0) radiance += shadeGlass(s, m.base, n, toEye, nv, through);
+  outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
   outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);
 }

@@ -27,7 +27,7 @@ in vec3 vReflected;
 in float vHighlight;
 
 uniform sampler2D caustics;   // irradiance of every pixel
-uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: 1 where there are some
+uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
 
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
@@ -100,7 +100,7 @@ void main() {
 
   vec3 radiance = m.emission * vGlow + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight) + vReflected;
   if (causticCorner.w != 0) {
-    radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) + causticCorner.xy, 0).rgb;
+    radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
   vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
   if (rules.y == reflectionThroughTransfer) {

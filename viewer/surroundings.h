@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "viewer/camera.h"
+#include "viewer/gl/framebuffer.h"
+#include "viewer/gl/program.h"
+#include "viewer/gl/texture.h"
+#include "viewer/render_scene.h"
+
+namespace prelight::viewer {
+
+/// What lies around nodes that mirror or are glass: a cube map each, seen from the middle of the node's
+/// bounds without the node itself (Larsen 2004, ch. 13). Beside the radiance every texel has its distance, so
+/// that a ray from the surface, not from the middle, finds what it meets (Szirmay-Kalos et al. 2005,
+/// "Approximate Ray-Tracing on the GPU with Distance Impostors"). A body of glass has another one, of its own
+/// surface as seen from within, where rays leave it.
+class Surroundings {
+ public:
+  static constexpr int mostNodes = 16;  ///< those of the largest surface
+  static constexpr int side = 128;      ///< texels of a face
+
+  /// A face to be drawn: a camera, and the node that is left out.
+  struct Face {
+    Camera camera;
+    int node = -1;
+  };
+
+  Surroundings(const RenderScene& scene, const CompiledScene& compiled);
+
+  bool empty() const { return nodes_.empty(); }
+  std::size_t nodeCount() const { return nodes_.size(); }
+  std::size_t nodesLeftOut() const { return leftOut_; }
+  std::size_t facesDrawn() const { return facesDrawn_; }  ///< by the last update
+
+  /// Something has moved, or shines in another way: all faces are drawn with the next update.
+  void changed();
+
+  /// Light that changes slowly is another: an update draws one face, in turns.
+  void changedSlowly();
+
+  /// Draws faces that are out of date with `draw`, which is given a framebuffer of two by two
+  /// samples a texel.
+  void update(const CompiledScene& compiled,
+              const std::function<void(const Face&, const gl::Framebuffer&)>& draw);
+
+  void bind() const;
+
+  /// Sets the uniforms of the program in use for a batch (shaders/surroundings.glsl).
+  void set(const gl::Program& program, const Batch& batch) const;
+
+ private:
+  struct Node {
+    int node = -1;
+    bool glass = false;      ///< has an inside
+    glm::vec3 center{0.0f};  ///< scene coordinates
+    float area = 0.0f;
+    std::vector<const Batch*> batches;
+  };
+
+  void findNodes(const CompiledScene& compiled);
+  void place(const CompiledScene& compiled);
+  void drawFace(std::size_t face, const CompiledScene& compiled,
+                const std::function<void(const Face&, const gl::Framebuffer&)>& draw);
+  void drawInside(std::size_t place, const CompiledScene& compiled);
+
+  const RenderScene& scene_;
+  std::vector<Node> nodes_;
+  std::size_t leftOut_ = 0;
+  std::size_t facesDrawn_ = 0;
+  std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
+  std::size_t next_ = 0;
+  bool insidesDrawn_ = false;
+  std::unique_ptr<gl::Framebuffer> target_;
+  std::unique_ptr<gl::Program> insideProgram_;
+  gl::Object<gl::FramebufferTraits> copyTarget_;
+  gl::Texture cubes_;    ///< [node] radiance, distance in m
+  gl::Texture insides_;  ///< [node] normal, distance in m
+};
+
+}  // namespace prelight::viewer
