@@ -1,0 +1,243 @@
+// Mirrors and glass in full shading, against rays on the host in rooms of known radiance.
+#include "viewer/surroundings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "full/full_light.h"
+#include "lightmap/make_light_map_layout.h"
+#include "support/scenes.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/picture_checks.h"
+#include "viewer/quad_scene.h"
+#include "viewer/view.h"
+
+namespace prelight {
+namespace {
+
+using namespace test;
+using viewer::Shading;
+
+constexpr int size = 96;
+constexpr double ballRadius = 0.6;
+constexpr double roomHalf = 2.0;
+
+/// Radiance of the walls of a room of [-roomHalf, roomHalf]^3: -x, +x, -y, +y, -z, +z.
+constexpr std::array<glm::vec3, 6> walls = {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1),
+                                            glm::vec3(1, 1, 0), glm::vec3(0, 1, 1), glm::vec3(1, 0, 1)};
+
+struct Ball {
+  QuadScene quad;
+  FullLight full;
+
+  /// A ball of `segments` x 2 `segments` quads at `center` that the eye sees from inside the room.
+  explicit Ball(const Material& material, const glm::vec3& center, bool room, int segments = 48) {
+    Primitive& ball = quad.add(material);
+    const CompiledScene sphere = test::sphere(segments, static_cast<float>(ballRadius), center);
+    ball.positions = sphere.positions;
+    ball.normals.clear();
+    for (const glm::vec3& p : sphere.positions) ball.normals.push_back(glm::normalize(p - center));
+    ball.triangles = sphere.triangles;
+    ball.texCoords0.clear();
+    if (room) addRoom();
+    quad.lookFrom(eye(), {0, 0, 0});
+    quad.compile();
+    LightMapRequest request;
+    request.texels = 500;
+    full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
+    full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
+  }
+
+  static glm::dvec3 eye() { return {0.3, 0.5, 1.9}; }
+
+  void addRoom() {
+    for (int i = 0; i < 6; ++i) {
+      Material wall = lambertian(glm::vec3(0.0f));
+      wall.emission = walls[static_cast<std::size_t>(i)];
+      const int axis = i / 2;
+      glm::dvec3 inward(0.0), x(0.0);
+      inward[axis] = i % 2 == 0 ? 1.0 : -1.0;
+      x[(axis + 1) % 3] = 1.0;
+      const glm::dvec3 y = glm::cross(inward, x);
+      quad.add(wall, static_cast<float>(roomHalf),
+               glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(inward, 0),
+                          glm::dvec4(-roomHalf * inward, 1)));
+    }
+  }
+
+  viewer::RenderInputs inputs() const {
+    viewer::RenderInputs inputs = quad.inputs();
+    inputs.full = &full;
+    return inputs;
+  }
+
+  Picture render() const {
+    viewer::RenderOptions options = square(Shading::Full, size);
+    options.samplesPerAxis = 1;
+    options.emitters = false;
+    Warnings notes;
+    return viewer::renderPicture(inputs(), options, notes);
+  }
+
+  /// World ray through a pixel's middle.
+  glm::dvec3 way(int x, int y) const {
+    const viewer::CameraMatrices camera = viewer::cameraMatrices(quad.scene.cameras[0], quad.compiled, 1.0);
+    const glm::dvec4 far = glm::inverse(camera.projection * camera.view) *
+                           glm::dvec4(2.0 * (x + 0.5) / size - 1.0, 1.0 - 2.0 * (y + 0.5) / size, 1.0, 1.0);
+    return glm::normalize(glm::dvec3(far) / far.w - camera.position);
+  }
+};
+
+/// The wall that a ray from within the room meets, and how far from its edges, m.
+glm::dvec3 wallSeen(const glm::dvec3& from, const glm::dvec3& way, double& margin) {
+  double nearest = 1e30;
+  std::size_t wall = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double along = ((way[axis] > 0.0 ? roomHalf : -roomHalf) - from[axis]) / way[axis];
+    if (!(along < nearest)) continue;
+    nearest = along;
+    wall = static_cast<std::size_t>(2 * axis + (way[axis] > 0.0 ? 1 : 0));
+  }
+  const glm::dvec3 place = from + nearest * way;
+  for (int axis = 0; axis < 3; ++axis)
+    if (axis != static_cast<int>(wall / 2)) margin = std::min(margin, roomHalf - std::abs(place[axis]));
+  return walls[wall];
+}
+
+/// First meeting with the ball, negative: none.
+double meetBall(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& center) {
+  const glm::dvec3 o = from - center;
+  const double b = glm::dot(o, way), c = glm::dot(o, o) - ballRadius * ballRadius, d = b * b - c;
+  return d < 0.0 ? -1.0 : -b - std::sqrt(d);
+}
+
+Material mirror() {
+  Material material;
+  material.baseColor = glm::vec4(1.0f);
+  material.metallic = 1.0f;
+  material.roughness = 0.0f;
+  return material;
+}
+
+struct Comparison {
+  int compared = 0, wrong = 0;
+};
+
+/// Pixels on the ball whose rays keep `least` m off the edges of walls.
+template <typename Expected>
+Comparison compare(const Ball& ball, const glm::dvec3& center, double least, const Expected& expected) {
+  const Picture picture = ball.render();
+  Comparison result;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::dvec3 way = ball.way(x, y);
+      const double along = meetBall(Ball::eye(), way, center);
+      if (along <= 0.0) continue;
+      const glm::dvec3 point = Ball::eye() + along * way, n = (point - center) / ballRadius;
+      if (glm::dot(n, -way) < 0.2) continue;  // the silhouette of the mesh
+      double margin = 1e30;
+      const glm::dvec3 radiance = expected(point, n, way, margin);
+      if (margin < least) continue;
+      ++result.compared;
+      const glm::dvec3 drawn(picture.pixels[static_cast<std::size_t>(y * size + x)]);
+      if (glm::length(drawn - radiance) > 0.05) ++result.wrong;
+    }
+  return result;
+}
+
+TEST(Surroundings, MirrorBallUnderASky_ShowsTheSkyItself) {
+  const Environment sky = halvedSky();
+  Ball ball(mirror(), glm::vec3(0.0f), false);
+  ball.quad.setSky(sky);
+  const Comparison result =
+      compare(ball, glm::dvec3(0.0), 0.1, [&](const auto&, const auto& n, const auto& way, double& margin) {
+        const glm::dvec3 w = glm::reflect(way, n);
+        margin = std::min(std::abs(w.x), std::abs(w.y));
+        return glm::dvec3(w.x > 0.0 ? 1.0 : 0.0, w.x < 0.0 ? 1.0 : 0.0, w.y > 0.0 ? 1.0 : 0.0);
+      });
+  EXPECT_GT(result.compared, 500);
+  EXPECT_EQ(result.wrong, 0);
+}
+
+TEST(Surroundings, MirrorBallInARoom_ShowsWhatRaysMeet) {
+  const glm::dvec3 center(-0.4, 0.2, -0.3);
+  const Ball ball(mirror(), glm::vec3(center), true);
+  const Comparison result =
+      compare(ball, center, 0.12, [&](const auto& point, const auto& n, const auto& way, double& margin) {
+        return wallSeen(point, glm::reflect(way, n), margin);
+      });
+  EXPECT_GT(result.compared, 500);
+  EXPECT_LE(result.wrong, 0.005 * result.compared);
+}
+
+TEST(Surroundings, GlassBallInARoom_ReflectsAndRefractsTwice) {
+  const glm::dvec3 center(-0.4, 0.2, -0.3);
+  Material glass;
+  glass.baseColor = glm::vec4(1.0f);
+  glass.metallic = 0.0f;
+  glass.roughness = 0.0f;
+  glass.transmission = 1.0f;
+  glass.thickness = 1.0f;
+  glass.ior = 1.5f;
+  const Ball ball(glass, glm::vec3(center), true);
+  const Comparison result =
+      compare(ball, center, 0.15, [&](const auto& point, const auto& n, const auto& way, double& margin) {
+        const double cosine = glm::dot(n, -way);
+        const double inside = std::sqrt(1.0 - (1.0 - cosine * cosine) / 2.25);
+        const double s = (cosine - 1.5 * inside) / (cosine + 1.5 * inside),
+                     p = (1.5 * cosine - inside) / (1.5 * cosine + inside), reflected = 0.5 * (s * s + p * p);
+        const glm::dvec3 within = glm::refract(way, n, 1.0 / 1.5);
+        const glm::dvec3 leaves = point - 2.0 * glm::dot(point - center, within) * within;
+        const glm::dvec3 out = glm::refract(within, -(leaves - center) / ballRadius, 1.5);
+        const glm::dvec3 mirrored = wallSeen(point, glm::reflect(way, n), margin);
+        return reflected * mirrored + (1.0 - reflected) * wallSeen(leaves, out, margin);
+      });
+  EXPECT_GT(result.compared, 300);
+  EXPECT_LE(result.wrong, 0.01 * result.compared);
+}
+
+TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
+  const Ball ball(mirror(), glm::vec3(0.0f), true);
+  const viewer::RenderInputs inputs = ball.inputs();
+  viewer::RenderOptions options = square(Shading::Full, 32);
+  options.samplesPerAxis = 1;
+  const viewer::View view = viewer::makeView(inputs, options);
+  const viewer::gl::EglContext context;
+  viewer::Renderer renderer(inputs);
+  viewer::renderView(renderer, view, 1);
+  EXPECT_EQ(renderer.surroundingFacesDrawn(), 6u);
+  viewer::renderView(renderer, view, 1);
+  EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
+  renderer.updateIndirect(ball.full.indirect.values);
+  viewer::renderView(renderer, view, 1);
+  EXPECT_EQ(renderer.surroundingFacesDrawn(), 1u);
+  renderer.sceneMoved();
+  viewer::renderView(renderer, view, 1);
+  EXPECT_EQ(renderer.surroundingFacesDrawn(), 6u);
+  EXPECT_TRUE(renderer.plan(view)[1].runs);
+}
+
+TEST(Surroundings, MoreMirrorsThanMaps_ShowTheSkyAndANoteSaysSo) {
+  QuadScene quad;
+  for (int i = 0; i < viewer::Surroundings::mostNodes + 2; ++i)
+    quad.add(mirror(), 0.1f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.3 * i, 0, 0)));
+  quad.lookFrom({0, 0, 3}, {0, 0, 0});
+  quad.compile();
+  FullLight full;
+  full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, {});
+  full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
+  viewer::RenderInputs inputs = quad.inputs();
+  inputs.full = &full;
+  Warnings notes;
+  viewer::renderPicture(inputs, square(Shading::Full, 16), notes);
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.starts_with("2 of the nodes that mirror");
+  }));
+}
+
+}  // namespace
+}  // namespace prelight
