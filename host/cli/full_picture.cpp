@@ -81,11 +81,11 @@ void addFullOptions(CLI::App& app, FullRequest& request) {
                   request.indirect.photons));
   addWholeNumber(
       app, "--caustic-photons", {1, mostPhotons}, [&](std::uint64_t n) { request.causticPhotons = n; },
-      fmt::format("full shading: photons towards mirrors and glass (default {})", request.causticPhotons));
+      "full shading: photons towards mirrors and glass (default: by the picture's size)");
   addWholeNumber(
       app, "--map-texels", {1, mostTexels},
       [&](std::uint64_t n) { request.texels = static_cast<std::uint32_t>(n); },
-      fmt::format("full shading: texels of the map of indirect light, about (default {})", request.texels));
+      "full shading: texels of the map of indirect light, about (default: by the picture's size)");
 }
 
 void renderFullPicture(Session& session, const PictureOptions& options, const FullRequest& asked,

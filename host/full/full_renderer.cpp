@@ -95,7 +95,20 @@ Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera&
   return film.picture();
 }
 
+std::uint64_t pixelsOf(const FullRequest& request) {
+  return static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
+}
+
 }  // namespace
+
+std::uint32_t FullRequest::mapTexels() const {
+  const auto usual = std::clamp<std::uint64_t>(pixelsOf(*this) / 32, 4096, 65536);
+  return texels.value_or(static_cast<std::uint32_t>(usual));
+}
+
+std::uint64_t FullRequest::photonsOfCaustics() const {
+  return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 100'000, 1'000'000));
+}
 
 Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camera, const FullRequest& request,
                    const Device& device, Progress& progress, FullReport& report) {
@@ -105,7 +118,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   report.plan = planOf(scene, !causticCasters(compiled).empty(), emitterShare(compiled) > largeEmitters);
   stages.mark("scene");
   LightMapRequest map;
-  map.texels = request.texels;
+  map.texels = request.mapTexels();
   const LightMapLayout layout = makeLightMapLayout(source, compiled, map);
   const SurfaceRegions regions = makeSurfaceRegions(compiled, map.creaseAngle);
   const DensitySurface surface = makeDensitySurface(compiled, regions);
@@ -124,7 +137,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   stages.mark("gather");
   std::unique_ptr<CausticLight> caustics;
   if (report.plan[1].runs) {
-    caustics = traceCausticLight(compiled, scene, surface, request.causticPhotons, request.seed + 1,
+    caustics = traceCausticLight(compiled, scene, surface, request.photonsOfCaustics(), request.seed + 1,
                                  pixelFootprint(compiled, camera, request.height), device, progress,
                                  report.causticPhotons);
     report.rays += report.causticPhotons.rays;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,18 @@ namespace prelight {
 struct FullRequest {
   int width = 0;
   int height = 0;
-  std::uint32_t samples = 8;        ///< a pixel, 1 to 64
-  std::uint32_t texels = 1u << 13;  ///< of the light map that holds indirect light, about
-  IndirectRequest indirect;
-  std::uint64_t causticPhotons = 100000;  ///< that leave lights towards what makes caustics
-  int depth = 16;                         ///< mirrors and glass before a camera's path ends
+  std::uint32_t samples = 8;  ///< a pixel, 1 to 64
+  std::optional<std::uint32_t>
+      texels;  ///< of the light map that holds indirect light, about; none: by pixels
+  IndirectRequest indirect{.nearestPhotons = 40};
+  std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
+  int depth = 16;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;
+
+  /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
+  /// each, 100,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
+  std::uint32_t mapTexels() const;
+  std::uint64_t photonsOfCaustics() const;
 };
 
 struct FullReport {
