@@ -22,6 +22,7 @@
 #include "lightmap/direct_light_part.h"
 #include "lightmap/inside_part.h"
 #include "lightmap/light_map_bake.h"
+#include "lightmap/light_map_plan.h"
 #include "lightmap/sky_light_part.h"
 #include "lightmap/vertex_irradiance.h"
 #include "occluders/occluder_cut.h"
@@ -339,7 +340,8 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Light
     light.emplace(scene, inputs.images, inputs.layout, request, plan, device, tracer, progress);
   std::vector<LightMapPart*> parts;
   if (plan.runs("direct light of the map"))
-    parts.push_back(&direct.emplace(scene, tracer, raysEach(request), request.seed));
+    parts.push_back(
+        &direct.emplace(scene, tracer, raysEach(request), request.seed, lightMapCoefficients(plan)));
   else
     parts.push_back(&inside.emplace(scene, tracer, request.seed));
   const RadiosityRequest& lights = request.radiosityShape;
@@ -402,7 +404,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (saved && receivers) receivers->load(*saved);
   if (saved && radiosity) radiosity->load(*saved);
   std::optional<LightMapBake> lightMap;
-  if (plan.runs("light map") && lightMapInputs != nullptr) lightMap.emplace(scene, lightMapInputs->layout, 1);
+  if (plan.runs("light map") && lightMapInputs != nullptr)
+    lightMap.emplace(scene, lightMapInputs->layout, lightMapCoefficients(plan));
   if (saved && lightMap) lightMap->load(*saved);
   saved.reset();
   clock.mark("prepare");

@@ -62,7 +62,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
   project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder), "projectHits");
   if (options_.lights != nullptr)
-    lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_);
+    lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_, options_.incident);
   if (options_.texelFaceSize > 0) {
     texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());

@@ -39,10 +39,11 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
 }  // namespace
 
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-                         DeviceContext& device, std::uint32_t blockSize)
+                         DeviceContext& device, std::uint32_t blockSize, bool incident)
     : device_(device),
       groupCount_(static_cast<std::uint32_t>(lights.groups.size())),
       slotCount_(static_cast<std::uint32_t>(lights.slots.size())),
+      valueCount_(incident ? 5 : 1),
       hasEmitters_(!lights.emitters.empty()),
       slots_(device_, spanOf(lights.slots)),
       lights_(device_, spanOf(lights.punctual)),
@@ -54,12 +55,13 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
       rays_(device_, std::size_t{blockSize} * slotCount_),
       hits_(device_, std::size_t{blockSize} * slotCount_),
       rayValues_(device_, std::size_t{blockSize} * slotCount_ * 3),
-      values_(device_, std::size_t{blockSize} * groupCount_ * 3) {
+      values_(device_, std::size_t{blockSize} * groupCount_ * 3 * valueCount_) {
   emitters_.emplace_back(device_, spanOf(lights.emitters));
   if (sets != nullptr)
     for (const auto& set : sets->sets) emitters_.emplace_back(device_, spanOf(emittersOf(lights, set)));
-  const auto& program =
-      device_.program("cast/light_kernels.cl", BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS"));
+  const auto& program = device_.program(
+      "cast/light_kernels.cl",
+      BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS").defineIf(incident, "PRELIGHT_INCIDENT"));
   generate_ = cl::Kernel(program, "generateLightRays");
   project_ = cl::Kernel(program, "projectLights");
 }
@@ -73,10 +75,11 @@ void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, T
   device_.launch(generate_, rayCount, groupSize);
   tracer.traceAny(rays_, hits_, rayCount);
   setArguments(project_, block.parameters.get(), slotCount_, groupCount_, block.receivers.get(), slots_.get(),
-               hits_.get(), rayValues_.get(), block.rays.get(), block.hits.get(), emitterOfTriangle_.get(),
-               emitters_[set].get(), samplesOfGroup_.get(), geometricNormals_.get(), values_.get());
+               rays_.get(), hits_.get(), rayValues_.get(), block.rays.get(), block.hits.get(),
+               emitterOfTriangle_.get(), emitters_[set].get(), samplesOfGroup_.get(), geometricNormals_.get(),
+               values_.get());
   device_.launch(project_, receivers, groupSize);
-  values.resize(std::size_t{receivers} * groupCount_ * 3);
+  values.resize(std::size_t{receivers} * groupCount_ * 3 * valueCount_);
   values_.read(std::span(values));
 }
 

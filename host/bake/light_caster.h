@@ -16,16 +16,17 @@ namespace prelight {
 class LightCaster {
  public:
   /// `blockSize` receivers at most are cast at once. Receivers of a set get nothing from emitters that it
-  /// leaves out.
+  /// leaves out. `incident`: keep the light by direction, too.
   LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-              DeviceContext& device, std::uint32_t blockSize);
+              DeviceContext& device, std::uint32_t blockSize, bool incident);
 
   std::uint32_t groupCount() const { return groupCount_; }
   bool hasEmitters() const { return hasEmitters_; }
   std::uint32_t raysPerReceiver() const { return slotCount_; }
 
-  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour. All receivers
-  /// are of the set, whose triangles the tracer holds. Where the lights have emitters, the block's hits are
+  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][5],
+  /// incident radiance in SH of order 2 as well (kernels/project/incident_funcs.cl). All receivers are of the
+  /// set, whose triangles the tracer holds. Where the lights have emitters, the block's hits are
   /// the closest ones.
   void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer, std::uint32_t set,
             std::vector<float>& values);
@@ -34,6 +35,7 @@ class LightCaster {
   DeviceContext& device_;
   std::uint32_t groupCount_;
   std::uint32_t slotCount_;
+  std::uint32_t valueCount_;  ///< a group and channel
   bool hasEmitters_;
   Buffer<device::LightSlot> slots_;
   Buffer<device::PunctualLight> lights_;

@@ -44,23 +44,50 @@ FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
       device_.program("gather/gather_kernels.cl", scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS"));
   gather_ = cl::Kernel(program, "gatherRadiance");
   sum_ = cl::Kernel(program, "sumRadiance");
+  sumIncident_ = cl::Kernel(program, "sumIncident");
+}
+
+template <typename Summing>
+void FinalGather::gatherBlocks(std::span<const Receiver> receivers, Progress& progress,
+                               std::vector<std::uint32_t>* seen, const Summing& sumBlock) {
+  for (std::size_t first = 0; first < receivers.size(); first += blockSize_) {
+    progress.report("final gathering", static_cast<double>(first) / static_cast<double>(receivers.size()));
+    progress.check();
+    const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - first);
+    traceBlock(receivers.subspan(first, count), seen);
+    sumBlock(first, count);
+  }
 }
 
 std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, Progress& progress,
                                            std::vector<std::uint32_t>* seen) {
   if (seen != nullptr) seen->clear();
   std::vector<glm::vec3> irradiance(receivers.size());
-  for (std::size_t first = 0; first < receivers.size(); first += blockSize_) {
-    progress.report("final gathering", static_cast<double>(first) / static_cast<double>(receivers.size()));
-    progress.check();
-    const std::size_t count = std::min<std::size_t>(blockSize_, receivers.size() - first);
-    gatherBlock(receivers.subspan(first, count), std::span(irradiance).subspan(first, count), seen);
-  }
+  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
+  gatherBlocks(receivers, progress, seen, [&](std::size_t first, std::size_t count) {
+    setArguments(sum_, parameters_.get(), radiances_.get(), sums_.get());
+    device_.launch(sum_, count, groupSize);
+    sums_.read(std::span(&irradiance[first].x, 3 * count));
+  });
   return irradiance;
 }
 
-void FinalGather::gatherBlock(std::span<const Receiver> receivers, std::span<glm::vec3> irradiance,
-                              std::vector<std::uint32_t>* seen) {
+std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receivers, Progress& progress) {
+  constexpr std::size_t length = 15;
+  if (incident_.size() == 0) incident_ = Buffer<float>(device_, length * blockSize_);
+  std::vector<float> incident(length * receivers.size());
+  gatherBlocks(receivers, progress, nullptr, [&](std::size_t first, std::size_t count) {
+    // Those that went on lie where the first ones were.
+    if (follows_) device_.launch(generate_, count * request_.raysPerReceiver / 8, groupSize);
+    setArguments(sumIncident_, parameters_.get(), receivers_.get(), rayBuffers_[0].get(), radiances_.get(),
+                 incident_.get());
+    device_.launch(sumIncident_, count, groupSize);
+    incident_.read(std::span(&incident[length * first], length * count));
+  });
+  return incident;
+}
+
+void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<std::uint32_t>* seen) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   values_.receiverCount = count;
   parameters_.write(std::span<const GatherParameters>(&values_, 1));
@@ -81,10 +108,6 @@ void FinalGather::gatherBlock(std::span<const Receiver> receivers, std::span<glm
     hits_.read(std::span(hits));
     for (const Hit& hit : hits) seen->push_back(hit.triangle);
   }
-  setArguments(sum_, parameters_.get(), radiances_.get(), sums_.get());
-  device_.launch(sum_, count, groupSize);
-  static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
-  sums_.read(std::span(&irradiance[0].x, 3 * irradiance.size()));
 }
 
 /// One surface of the rays that are left; returns how many go on.

@@ -32,11 +32,18 @@ class FinalGather {
   std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress,
                                 std::vector<std::uint32_t>* seen = nullptr);
 
+  /// The same with directions: irradiance, W/m2, and incident radiance in SH of order 2,
+  /// [receiver][channel][5].
+  std::vector<float> gatherIncident(std::span<const device::Receiver> receivers, Progress& progress);
+
   std::uint64_t rays() const { return rays_; }
 
  private:
-  void gatherBlock(std::span<const device::Receiver> receivers, std::span<glm::vec3> irradiance,
-                   std::vector<std::uint32_t>* seen);
+  /// Traces block by block; sumBlock(first, count) then reads what the rays brought.
+  template <typename Summing>
+  void gatherBlocks(std::span<const device::Receiver> receivers, Progress& progress,
+                    std::vector<std::uint32_t>* seen, const Summing& sumBlock);
+  void traceBlock(std::span<const device::Receiver> receivers, std::vector<std::uint32_t>* seen);
   std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
 
   TransportScene& scene_;
@@ -54,9 +61,9 @@ class FinalGather {
   std::array<Buffer<device::GatherPath>, 2> paths_;
   std::size_t current_ = 0;  ///< of the two, the one to trace
   Buffer<device::Hit> hits_;
-  Buffer<float> radiances_, sums_;
+  Buffer<float> radiances_, sums_, incident_;
   Buffer<std::uint32_t> counter_;
-  cl::Kernel generate_, gather_, sum_;
+  cl::Kernel generate_, gather_, sum_, sumIncident_;
 };
 
 }  // namespace prelight

@@ -33,6 +33,9 @@ class IndirectLight {
   /// Irradiance, W/m2, [place].
   std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);
 
+  /// The same with directions: irradiance and incident radiance in SH of order 2, [place][channel][5].
+  std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress);
+
   const PhotonReport& photons() const { return photons_; }
   std::uint64_t rays() const { return photons_.rays + gather_.rays(); }
 

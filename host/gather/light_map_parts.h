@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// Indirect light of a light map: irradiance alone, the coefficients for bump maps stay as they are.
+/// Indirect light of a light map.
 class IndirectLightPart final : public LightMapPart {
  public:
   /// The arguments outlive it.

@@ -16,8 +16,9 @@ namespace prelight {
 class DirectLightPart final : public LightMapPart {
  public:
   /// `rays`: of the hemisphere at each texel, a power of two, 16 and more; with emitters alone they matter.
-  /// The scene, which has a light, and the tracer outlive it.
-  DirectLightPart(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays, std::uint64_t seed);
+  /// `coefficients`: of the map, 1 or 5. The scene, which has a light, and the tracer outlive it.
+  DirectLightPart(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays, std::uint64_t seed,
+                  int coefficients = 1);
 
   void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
            std::span<std::uint8_t> hidden) override;
@@ -25,12 +26,13 @@ class DirectLightPart final : public LightMapPart {
 
  private:
   device::Receiver receiverOf(const LightMapTexel& texel, std::uint32_t index) const;
-  void castBlock(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
+  void castBlock(std::span<const LightMapTexel> texels, std::span<float> values,
                  std::span<std::uint8_t> hidden);
 
   const CompiledScene& scene_;
   GroupedLights lights_;
   Caster caster_;
+  std::size_t coefficients_;
   std::uint32_t receiversPerTexel_;
   std::uint32_t seed_;
   std::uint64_t rays_ = 0;

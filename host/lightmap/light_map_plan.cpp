@@ -13,7 +13,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint64_t bytesPerTexel = 64;  // values, places, bitmaps, and a picture while it is written
+constexpr std::uint64_t bytesPerTexel = 40;     // places, bitmaps
+constexpr std::uint64_t bytesPerValue = 3 * 8;  // of all channels, and of a picture while it is written
 constexpr std::uint64_t bytesPerTriangle = 200;
 
 /// m2, fronts and backs.
@@ -78,13 +79,30 @@ PlannedPass planCaustics(const CompiledScene& scene, const BakeRequest& request)
   return {name, true, "photons towards mirrors, glass and narrow lobes"};
 }
 
+PlannedPass planDirections(const Scene& source, const CompiledScene& scene) {
+  const char* name = "directions of the map";
+  std::vector<std::uint8_t> mapped(scene.materials.size(), 0);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const std::uint32_t m = scene.triangleMaterials[t];
+    if (m < source.materials.size() && source.materials[m].normalTexture.image >= 0 &&
+        (hasLight(scene.materials[m], false) || hasLight(scene.materials[m], true)))
+      mapped[m] = 1;
+  }
+  const auto count = std::count(mapped.begin(), mapped.end(), 1);
+  if (count == 0) return {name, false, "no lit surface has a normal map: irradiance is enough"};
+  return {name, true,
+          fmt::format("incident radiance in SH of order 2 beside irradiance, for the normal maps of {} {}",
+                      count, count == 1 ? "material" : "materials")};
+}
+
 /// All passes of a light map, for one reason not run.
 std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
   return {{"light map", false, map},
           {"direct light of the map", false, parts},
           {"sky light of the map", false, parts},
           {"indirect light of the map", false, parts},
-          {"caustics of the map", false, parts}};
+          {"caustics of the map", false, parts},
+          {"directions of the map", false, parts}};
 }
 
 }  // namespace
@@ -95,7 +113,8 @@ LightMapRequest lightMapRequest(const BakeRequest& request) {
   return layout;
 }
 
-std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request) {
+std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
+                                      const BakeRequest& request) {
   if (!request.lightMap) return noLightMap("not asked for", "no light map is asked for");
   if (!(litArea(scene) > 0.0)) {
     const char* reason = "no surface reflects diffusely, so none needs light";
@@ -106,11 +125,15 @@ std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequ
       planDirect(scene),
       planSky(request),
       planIndirect(scene, request),
-      planCaustics(scene, request)};
+      planCaustics(scene, request),
+      planDirections(source, scene)};
 }
 
-std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request) {
-  return static_cast<std::uint64_t>(1.3 * texelCount(scene, request)) * bytesPerTexel +
+int lightMapCoefficients(const Plan& plan) { return plan.runs("directions of the map") ? 5 : 1; }
+
+std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request, int coefficients) {
+  return static_cast<std::uint64_t>(1.3 * texelCount(scene, request)) *
+             (bytesPerTexel + bytesPerValue * static_cast<std::uint64_t>(coefficients)) +
          scene.triangleCount() * bytesPerTriangle;
 }
 

@@ -12,11 +12,15 @@ namespace prelight {
 /// What the layout is made by.
 LightMapRequest lightMapRequest(const BakeRequest& request);
 
-/// Passes "light map" and "direct", "sky" and "indirect light" and "caustics of the map": whether they run,
-/// and why.
-std::vector<PlannedPass> planLightMap(const CompiledScene& scene, const BakeRequest& request);
+/// Passes "light map" and "direct", "sky" and "indirect light", "caustics" and "directions of the map":
+/// whether they run, and why.
+std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
+                                      const BakeRequest& request);
+
+/// Of LightMap: 5 where the plan keeps directions.
+int lightMapCoefficients(const Plan& plan);
 
 /// That a light map takes while it is baked, about.
-std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request);
+std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request, int coefficients);
 
 }  // namespace prelight

@@ -23,6 +23,9 @@ class SkyLightPart final : public LightMapPart {
   std::uint64_t rays() const override { return light_.rays(); }
 
  private:
+  void addIrradiance(std::span<const device::Receiver> receivers, std::span<float> values);
+  void addIncident(std::span<const device::Receiver> receivers, std::span<float> values);
+
   const CompiledScene& scene_;
   DirectLight light_;
   std::uint32_t repeats_;

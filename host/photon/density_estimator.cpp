@@ -34,7 +34,10 @@ void check(const DensityOptions& options) {
 
 DensityEstimator::DensityEstimator(const DensitySurface& surface, const DensityOptions& options,
                                    const Device& device)
-    : device_(device.context()), parameters_(device_, 1), mapCount_(2 * std::size_t{surface.regionCount()}) {
+    : device_(device.context()),
+      options_(options),
+      parameters_(device_, 1),
+      mapCount_(2 * std::size_t{surface.regionCount()}) {
   check(options);
   values_ = {static_cast<float>(options.minRadius), static_cast<float>(options.leastCosine),
              static_cast<float>(options.flatness), 0};
@@ -77,28 +80,53 @@ void DensityEstimator::setArguments(cl::Kernel& kernel, cl_uint index) const {
   kernel.setArg(index + 7, triangles_.get());
 }
 
-void DensityEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t count,
-                                Buffer<float>& irradiance) {
+void DensityEstimator::launch(cl::Kernel& kernel, const Buffer<DensityQuery>& queries, std::size_t count,
+                              Buffer<float>& values) {
   values_.queryCount = static_cast<std::uint32_t>(count);
   parameters_.write(std::span<const DensityParameters>(&values_, 1));
-  setArguments(estimate_, 0);
-  estimate_.setArg(8, queries.get());
-  estimate_.setArg(9, irradiance.get());
-  device_.launch(estimate_, count, groupSize);
+  setArguments(kernel, 0);
+  kernel.setArg(8, queries.get());
+  kernel.setArg(9, values.get());
+  device_.launch(kernel, count, groupSize);
 }
 
-std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> queries) {
-  std::vector<glm::vec3> irradiance(queries.size());
+void DensityEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t count,
+                                Buffer<float>& irradiance) {
+  launch(estimate_, queries, count, irradiance);
+}
+
+/// [query][length]
+std::vector<float> DensityEstimator::estimateWith(cl::Kernel& kernel, std::size_t length,
+                                                  std::span<const DensityQuery> queries) {
+  std::vector<float> values(length * queries.size());
   const std::size_t most = std::min(queries.size(), queriesPerLaunch);
   Buffer<DensityQuery> in(device_, most);
-  Buffer<float> out(device_, 3 * most);
+  Buffer<float> out(device_, length * most);
   for (std::size_t first = 0; first < queries.size(); first += most) {
     const std::size_t count = std::min(most, queries.size() - first);
     in.write(queries.subspan(first, count));
-    estimate(in, count, out);
-    out.read(std::span(&irradiance[first].x, 3 * count));
+    launch(kernel, in, count, out);
+    out.read(std::span(&values[length * first], length * count));
   }
+  return values;
+}
+
+std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> queries) {
+  const std::vector<float> values = estimateWith(estimate_, 3, queries);
+  std::vector<glm::vec3> irradiance;
+  irradiance.reserve(queries.size());
+  for (std::size_t i = 0; i < values.size(); i += 3)
+    irradiance.emplace_back(values[i], values[i + 1], values[i + 2]);
   return irradiance;
+}
+
+std::vector<float> DensityEstimator::estimateIncident(std::span<const DensityQuery> queries) {
+  if (estimateIncident_() == nullptr) {
+    BuildOptions build;
+    estimateIncident_ = cl::Kernel(device_.program("photon/incident_kernels.cl", addOptions(build, options_)),
+                                   "estimateIncident");
+  }
+  return estimateWith(estimateIncident_, 15, queries);
 }
 
 }  // namespace prelight

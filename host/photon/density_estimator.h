@@ -43,6 +43,10 @@ class DensityEstimator {
   /// Irradiance, W/m2, [query]. Deterministic: sums run in the order of the maps.
   std::vector<glm::vec3> estimate(std::span<const device::DensityQuery> queries);
 
+  /// The same with the directions that photons came from: irradiance, W/m2, and incident radiance in SH of
+  /// order 2, [query][channel][5].
+  std::vector<float> estimateIncident(std::span<const device::DensityQuery> queries);
+
   /// The same on the device: the first `count` queries -> irradiance [query][3].
   void estimate(const Buffer<device::DensityQuery>& queries, std::size_t count, Buffer<float>& irradiance);
 
@@ -53,7 +57,13 @@ class DensityEstimator {
   void setArguments(cl::Kernel& kernel, cl_uint index) const;
 
  private:
+  void launch(cl::Kernel& kernel, const Buffer<device::DensityQuery>& queries, std::size_t count,
+              Buffer<float>& values);
+  std::vector<float> estimateWith(cl::Kernel& kernel, std::size_t length,
+                                  std::span<const device::DensityQuery> queries);
+
   DeviceContext& device_;
+  DensityOptions options_;
   device::DensityParameters values_{};
   Buffer<device::DensityParameters> parameters_;
   Buffer<device::SurfacePlace> places_;
@@ -63,7 +73,7 @@ class DensityEstimator {
   Buffer<float> boxes_;
   Buffer<device::PhotonBlock> blocks_;
   std::size_t mapCount_ = 0;
-  cl::Kernel estimate_;
+  cl::Kernel estimate_, estimateIncident_;  ///< the latter once it is needed
 };
 
 }  // namespace prelight

@@ -247,7 +247,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planTexels(scene, request, bounces.runs));
   add(bounces);
   for (const PlannedPass& pass : planRadiosity(compiled, request)) add(pass);
-  for (const PlannedPass& pass : planLightMap(compiled, request)) add(pass);
+  for (const PlannedPass& pass : planLightMap(scene, compiled, request)) add(pass);
   add({"back faces", bounces.runs,
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
   add(planTranslucent(compiled, bounces.runs));
@@ -273,7 +273,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   const auto side = static_cast<std::uint64_t>(request.volumeSize);
   plan.hostBytes += anything ? side * side * side * (4 * volumeValues(request, bounces.runs) + 1) : 0;
   plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
-  if (plan.runs("light map")) plan.hostBytes += lightMapBytes(compiled, request);
+  if (plan.runs("light map")) plan.hostBytes += lightMapBytes(compiled, request, lightMapCoefficients(plan));
   if (plan.runs("radiosity")) {
     const std::uint64_t bytes = std::min(request.maxMemory, radiosityScale(compiled, request).bytes());
     plan.hostBytes += bytes;

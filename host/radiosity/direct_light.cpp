@@ -66,6 +66,7 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   const auto& program = device_.program("radiosity/direct_kernels.cl", options);
   aim_ = cl::Kernel(program, "aimAtLights");
   sum_ = cl::Kernel(program, "sumLights");
+  sumIncident_ = cl::Kernel(program, "sumIncident");
   if (slots() == before || slots() == 0) return;
   blockPoints_ = std::max(pointsPerElement_, raysPerBlock / slots() / pointsPerElement_ * pointsPerElement_);
   receivers_ = Buffer<Receiver>(device_, blockPoints_);
@@ -103,7 +104,24 @@ std::vector<PointLight> DirectLight::at(std::span<const Receiver> receivers) {
   return values;
 }
 
-void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointLight* values) {
+std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers) {
+  constexpr std::size_t length = 15;
+  std::vector<float> values(length * receivers.size(), 0.0f);
+  if (slots() == 0) return values;
+  if (incident_.size() < length * blockPoints_) incident_ = Buffer<float>(device_, length * blockPoints_);
+  for (std::size_t first = 0; first < receivers.size(); first += blockPoints_) {
+    const std::size_t count = std::min<std::size_t>(blockPoints_, receivers.size() - first);
+    aimBlock(receivers.subspan(first, count));
+    setArguments(sumIncident_, static_cast<cl_uint>(count), static_cast<cl_uint>(punctual_),
+                 static_cast<cl_uint>(emitterSamples_), static_cast<cl_uint>(skySamples_), receivers_.get(),
+                 rayBuffer_.get(), hits_.get(), values_.get(), incident_.get());
+    device_.launch(sumIncident_, count, groupSize);
+    incident_.read(std::span(&values[length * first], length * count));
+  }
+  return values;
+}
+
+void DirectLight::aimBlock(std::span<const Receiver> receivers) {
   receivers_.write(receivers);
   const auto count = static_cast<cl_uint>(receivers.size());
   const std::size_t rayCount = std::size_t{count} * slots();
@@ -118,6 +136,11 @@ void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointLight*
   device_.launch(aim_, rayCount, groupSize);
   tracer_.traceAny(rayBuffer_, hits_, rayCount);
   rays_ += rayCount;
+}
+
+void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointLight* values) {
+  aimBlock(receivers);
+  const auto count = static_cast<cl_uint>(receivers.size());
   setArguments(sum_, count, static_cast<cl_uint>(punctual_), static_cast<cl_uint>(emitterSamples_),
                static_cast<cl_uint>(skySamples_), static_cast<cl_uint>(emitters_), receivers_.get(),
                hits_.get(), values_.get(), emitterBuffer_.get(), tracer_.surfaceTriangles().get(),

@@ -49,6 +49,10 @@ class DirectLight {
   /// At receivers anywhere, of which firstSample counts the points of a sequence.
   std::vector<PointLight> at(std::span<const device::Receiver> receivers);
 
+  /// Of punctual lights and the sky alone, with their directions: irradiance, W/m2, and incident radiance in
+  /// SH of order 2, [receiver][channel][5].
+  std::vector<float> incidentAt(std::span<const device::Receiver> receivers);
+
   /// Emissive triangles are too many to be integrated, so that those nearby are found by few rays.
   bool manyEmitters() const;
 
@@ -57,6 +61,7 @@ class DirectLight {
 
  private:
   std::uint32_t slots() const { return punctual_ + emitterSamples_ + skySamples_; }
+  void aimBlock(std::span<const device::Receiver> receivers);
   void estimateBlock(std::span<const device::Receiver> receivers, PointLight* values);
 
   const CompiledScene& scene_;
@@ -76,7 +81,8 @@ class DirectLight {
   Buffer<device::Hit> hits_;
   Buffer<float> values_;
   Buffer<PointLight> irradiance_;
-  cl::Kernel aim_, sum_;
+  Buffer<float> incident_;
+  cl::Kernel aim_, sum_, sumIncident_;
 };
 
 }  // namespace prelight

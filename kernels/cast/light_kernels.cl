@@ -1,6 +1,8 @@
 // Light of the scene's own emitters at receivers, group by group.
+// Options: PRELIGHT_EMITTERS: some light is an emissive triangle; PRELIGHT_INCIDENT: the light is kept by direction, too.
 #include "core/punctual_funcs.cl"
 #include "core/sampling_funcs.cl"
+#include "project/incident_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/light_group_types.h"
 #include "shared/ray_types.h"
@@ -8,6 +10,12 @@
 
 // Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
 #define PRELIGHT_SHADOW_REACH 0.9999f
+
+#ifdef PRELIGHT_INCIDENT
+#define PRELIGHT_LIGHT_VALUES PRELIGHT_INCIDENT_VALUES
+#else
+#define PRELIGHT_LIGHT_VALUES 1u
+#endif
 
 typedef struct LightTarget {
   float3 way;   // from the receiver; a shadow ray's direction
@@ -99,26 +107,44 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, uin
   vstore3(arrives ? target.value : (float3)(0.0f), i, values);
 }
 
-// A receiver a work-item. shadowHits [receiver][slotCount] of the rays above with their values; rays, hits
+// Adds light that brings `value`, of irradiance, along a ray to a group of a receiver's out [3][group][value].
+void addLight(__global float* out, uint group, uint groupCount, float3 value, float3 way, float3 normal) {
+#ifdef PRELIGHT_INCIDENT
+  float shares[PRELIGHT_LIGHT_VALUES];
+  const float3 direction = normalize(way);
+  incidentValues(direction, inverseCosine(direction, normal), shares);
+#else
+  const float shares[1] = {1.0f};
+#endif
+  const float channels[3] = {value.x, value.y, value.z};
+  for (uint c = 0; c < 3; ++c)
+    for (uint i = 0; i < PRELIGHT_LIGHT_VALUES; ++i)
+      out[(c * groupCount + group) * PRELIGHT_LIGHT_VALUES + i] += shares[i] * channels[c];
+}
+
+// A receiver a work-item. shadowRays, shadowHits [receiver][slotCount] of the kernel above with their values; rays, hits
 // [receiver][raysPerReceiver] of the hemisphere, the closest ones; emitterOfTriangle [triangle], PRELIGHT_NO_EMITTER: none;
-// samplesOfGroup [group] -> out [receiver][3][groupCount], irradiance over pi and the group's colour.
+// samplesOfGroup [group] -> out [receiver][3][groupCount], irradiance over pi and the group's colour; [..][5] with
+// PRELIGHT_INCIDENT, see project/incident_funcs.cl.
 __kernel void projectLights(__constant const CastParameters* parameters, uint slotCount, uint groupCount,
                             __global const Receiver* receivers, __global const LightSlot* slots,
-                            __global const Hit* shadowHits, __global const float* values, __global const Ray* rays,
+                            __global const Ray* shadowRays, __global const Hit* shadowHits,
+                            __global const float* values, __global const Ray* rays,
                             __global const Hit* hits, __global const uint* emitterOfTriangle,
                             __global const GroupEmitter* emitters, __global const uint* samplesOfGroup,
                             __global const float* geometricNormals, __global float* out) {
   const size_t receiver = get_global_id(0);
   if (receiver >= parameters->receiverCount) return;
-  out += receiver * 3 * groupCount;
-  for (uint i = 0; i < 3 * groupCount; ++i) out[i] = 0.0f;
+  const uint length = 3 * groupCount * PRELIGHT_LIGHT_VALUES;
+  out += receiver * length;
+  for (uint i = 0; i < length; ++i) out[i] = 0.0f;
+  const float3 normal = vload3(0, receivers[receiver].normal);
   for (uint s = 0; s < slotCount; ++s) {
     const size_t at = receiver * slotCount + s;
     if (shadowHits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
-    for (uint c = 0; c < 3; ++c) out[c * groupCount + slots[s].group] += values[3 * at + c];
+    addLight(out, slots[s].group, groupCount, vload3(at, values), vload3(0, shadowRays[at].direction), normal);
   }
 #ifdef PRELIGHT_EMITTERS
-  const float3 normal = vload3(0, receivers[receiver].normal);
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const size_t at = receiver * parameters->raysPerReceiver + j;
     const Hit hit = hits[at];
@@ -132,7 +158,7 @@ __kernel void projectLights(__constant const CastParameters* parameters, uint sl
     const float distance = parameters->nearLimit + hit.t;
     const float share = cosine * M_1_PI_F / combinedDensity(parameters->raysPerReceiver, cosine, samplesOfGroup[e.group],
                                                             e.density, distance * distance, emitterCosine);
-    for (uint c = 0; c < 3; ++c) out[c * groupCount + e.group] += share * e.factor[c];
+    addLight(out, e.group, groupCount, share * vload3(0, e.factor), direction, normal);
   }
 #endif
 }

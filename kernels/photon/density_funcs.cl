@@ -131,15 +131,21 @@ float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
 #include "photon/nearest_funcs.cl"
 #endif
 
-// Irradiance, W/m2, at `position` of `triangle` on the side that `side` points to. radius > 0: as DensityQuery's.
-float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, uint triangle, float radius) {
-  const DensityPlace place = findDensityPlace(maps, position, side, triangle);
-  if (place.photons.count == 0u) return (float3)(0.0f);
+// Squared radius whose photons count. radius > 0: as DensityQuery's.
+float densityReach(const DensityMaps maps, const DensityPlace place, float radius) {
   float r2 = radius * radius;
 #if PRELIGHT_DENSITY_NEAREST > 0
   const float least = fmax(fmin(maps.parameters->minRadius, radius), PRELIGHT_LEAST_RADIUS * radius);
   r2 = holdsNearest(maps, place, least * least) ? least * least : nearestReach(maps, place, r2);
 #endif
+  return r2;
+}
+
+// Irradiance, W/m2, at `position` of `triangle` on the side that `side` points to. radius > 0: as DensityQuery's.
+float3 photonIrradiance(const DensityMaps maps, float3 position, float3 side, uint triangle, float radius) {
+  const DensityPlace place = findDensityPlace(maps, position, side, triangle);
+  if (place.photons.count == 0u) return (float3)(0.0f);
+  const float r2 = densityReach(maps, place, radius);
   const float3 power = gatherPower(maps, place, r2);
   if (!(power.x > 0.0f || power.y > 0.0f || power.z > 0.0f)) return (float3)(0.0f);
   const float area = fmax(densityArea(maps, place, sqrt(r2)), PRELIGHT_LEAST_AREA * r2);

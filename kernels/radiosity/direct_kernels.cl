@@ -1,6 +1,7 @@
 // Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (shade/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
+#include "project/incident_funcs.cl"
 #include "shade/light_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
@@ -199,4 +200,25 @@ __kernel void sumLights(uint pointCount, uint punctualCount, uint emitterSamples
 #endif
   irradiance[2 * point] = (float4)(sum, 0.0f);
   irradiance[2 * point + 1] = (float4)(open, 0.0f);
+}
+
+// A point a work-item. rays, hits, values [point][slot] of aimAtLights -> incident [point][3][5], of punctual lights and
+// the sky: irradiance, and incident radiance in SH of order 2.
+__kernel void sumIncident(uint pointCount, uint punctualCount, uint emitterSamples, uint skySamples,
+                          __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
+                          __global const float* values, __global float* incident) {
+  const size_t point = get_global_id(0);
+  if (point >= pointCount) return;
+  const uint slots = punctualCount + emitterSamples + skySamples;
+  const float3 normal = vload3(0, receivers[point].normal);
+  float3 sums[PRELIGHT_INCIDENT_VALUES];
+  for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) sums[i] = (float3)(0.0f);
+  for (uint s = 0; s < slots; ++s) {
+    const size_t at = point * slots + s;
+    if (s >= punctualCount && s < punctualCount + emitterSamples) continue;
+    if (hits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
+    const float3 direction = normalize(vload3(0, rays[at].direction));
+    addIncident(vload3(at, values), direction, inverseCosine(direction, normal), sums);
+  }
+  storeIncident(sums, 1.0f, incident + 3u * PRELIGHT_INCIDENT_VALUES * point);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -26,12 +27,29 @@ struct IndirectScene {
   IndirectRequest request;
 
   std::vector<glm::vec3> gather() {
+    std::vector<glm::vec3> found;
+    light([&](IndirectLight& indirect, Progress& progress) {
+      found = indirect.gather(layout.texels, progress);
+    });
+    return found;
+  }
+
+  std::vector<float> gatherIncident() {
+    std::vector<float> found;
+    light([&](IndirectLight& indirect, Progress& progress) {
+      found = indirect.gatherIncident(layout.texels, progress);
+    });
+    return found;
+  }
+
+  template <typename Use>
+  void light(const Use& use) {
     TransportScene transport({scene, source.images, lights}, sharedDevice());
     const DensitySurface surface =
         makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapRequest{}.creaseAngle));
     Progress progress;
     IndirectLight light(scene, transport, layout, surface, request, sharedDevice(), progress);
-    return light.gather(layout.texels, progress);
+    use(light, progress);
   }
 };
 
@@ -81,9 +99,8 @@ TEST(IndirectLight, Queries_LieAtTheTexelsReceivers) {
   }
 }
 
-/// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi
-/// r2).
-TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
+/// The inside of a ball of albedo 0.5 around a lamp.
+IndirectScene insideOfABall() {
   IndirectScene light;
   light.scene = sphere(24, 1.0f, {0.0f, 0.0f, 0.0f});
   for (glm::uvec3& t : light.scene.triangles) std::swap(t.y, t.z);
@@ -99,6 +116,13 @@ TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
   map.texels = 2048;
   light.layout = makeLightMapLayout(light.source, light.scene, map);
   light.request.photons = 200000;
+  return light;
+}
+
+/// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi
+/// r2).
+TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
+  IndirectScene light = insideOfABall();
   double area = 0.0;
   for (std::uint32_t t = 0; t < light.scene.triangleCount(); ++t)
     area += 0.5 * glm::length(geometricNormal(light.scene, t));
@@ -110,6 +134,28 @@ TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
     EXPECT_NEAR(e.x, expected, 0.06 * expected);
   }
   EXPECT_NEAR(sum / static_cast<double>(found.size()), expected, 0.005 * expected);
+}
+
+/// From a lamp in the middle all of it shines alike: light comes evenly from half a sphere, F = 2 E, V = E n.
+TEST(IndirectLight, InsideOfABallAroundALamp_ComesEvenlyFromHalfASphere) {
+  IndirectScene light = insideOfABall();
+  light.lights[0].position = glm::dvec3(0.0);
+  light.request.rays = 512;
+  const std::vector<float> found = light.gatherIncident();
+  const double constant = std::sqrt(1.0 / (4.0 * pi)), linear = std::sqrt(3.0 / (4.0 * pi));
+  std::array<double, 5> error{};
+  for (std::size_t i = 0; i < light.layout.texels.size(); ++i) {
+    const device::Receiver receiver = receiverAt(light.scene, light.layout.texels[i]);
+    const double e = static_cast<double>(found[15 * i]);
+    const double expected[] = {e, 2.0 * e * constant, linear * e * receiver.normal[1],
+                               linear * e * receiver.normal[2], linear * e * receiver.normal[0]};
+    for (std::size_t k = 1; k < 5; ++k) {
+      const double off = (static_cast<double>(found[15 * i + k]) - expected[k]) / e;
+      EXPECT_NEAR(off, 0.0, 0.15) << k;
+      error[k] += off / static_cast<double>(light.layout.texels.size());
+    }
+  }
+  for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(error[k], 0.0, 0.01) << k;
 }
 
 }  // namespace

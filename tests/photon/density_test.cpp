@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/octahedral.h"
 #include "photon/photon_scenes.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -286,6 +287,35 @@ TEST(Density, UnsoundPhotonsAndOptions_AreErrors) {
   for (const DensityOptions& options : {DensityOptions{.nearest = 1}, DensityOptions{.nearest = 5000},
                                         DensityOptions{.minRadius = -1.0}, DensityOptions{.flatness = 0.0}})
     EXPECT_THROW(DensityEstimator(scene.surface, options, test::sharedDevice()), UsageError);
+}
+
+/// Photons that all come from one side, at a cosine c: E, and E / c of radiance all told, along their way.
+TEST(Density, PhotonsOfOneDirection_TellIt) {
+  const PhotonScene scene(test::ground(4, 1.0f));
+  std::mt19937 random(7);
+  auto photons = test::uniformPhotons(scene, 20000, {1e-3f, 2e-3f, 0.0f}, random);
+  const glm::dvec3 way = glm::normalize(glm::dvec3(0.8, 0.5, -0.3));
+  for (Photon& photon : photons) photon.direction = packDirection(way);
+  const std::vector<DensityQuery> queries = {queryAt(scene, 10, scene.pointOn(10, 0.3, 0.3), 0.3),
+                                             queryAt(scene, 20, scene.pointOn(20, 0.2, 0.5), 0.3)};
+  for (const int nearest : {0, 100}) {
+    DensityOptions options;
+    options.nearest = nearest;
+    DensityEstimator estimator(scene.surface, options, test::sharedDevice());
+    estimator.setPhotons(makePhotonMaps(photons, scene.surface));
+    const auto irradiance = estimator.estimate(queries);
+    const auto incident = estimator.estimateIncident(queries);
+    ASSERT_EQ(incident.size(), 15 * queries.size());
+    const double constant = std::sqrt(1.0 / (4.0 * pi)), linear = std::sqrt(3.0 / (4.0 * pi));
+    const double factors[] = {1.0, constant / way.y, linear, linear * way.z / way.y, linear * way.x / way.y};
+    for (std::size_t q = 0; q < queries.size(); ++q)
+      for (std::size_t k = 0; k < 5; ++k) {
+        const double red = static_cast<double>(irradiance[q].x) * factors[k];
+        EXPECT_NEAR(incident[15 * q + k], red, 1e-3 * irradiance[q].x) << k;
+        EXPECT_NEAR(incident[15 * q + 5 + k], 2.0 * red, 2e-3 * irradiance[q].x) << k;
+        EXPECT_EQ(incident[15 * q + 10 + k], 0.0f);
+      }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,59 @@
+// Irradiance from photon maps with the directions that photons came from. Before: photons sorted into maps
+// (host/photon/photon_maps). After: light maps of surfaces with normal maps.
+#include "core/octahedral_funcs.cl"
+#include "photon/density_funcs.cl"
+#include "project/incident_funcs.cl"
+
+// Photons that land more slantingly count as if they did not: their irradiance says little about the radiance.
+#define PRELIGHT_LEAST_PHOTON_COSINE 0.05f
+
+// As gatherPower, by direction: sums [value], W.
+void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float3* sums) {
+  const uint leaves = 1u << place.photons.levels;
+  const float inverse = 1.0f / r2;
+  uint node = 1u;
+  do {
+    __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
+    if (squaredDistanceToBox(place.position, vload3(0, box), vload3(1, box)) < r2) {
+      if (node < leaves) {
+        node = 2u * node;
+        continue;
+      }
+      __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
+      const float8 squared = squaredDistances(block, place.position);
+      const float8 reaches = place.planar ? squared : squaredReaches(maps, place, block, squared, r2);
+      float weights[8];
+      vstore8(select((float8)(0.0f), kernelWeights(squared * inverse), isless(reaches, (float8)(r2))), 0, weights);
+      for (uint i = 0; i < 8; ++i) {
+        if (!(weights[i] > 0.0f)) continue;
+        const float3 power = (float3)(block->red[i], block->green[i], block->blue[i]);
+        const float3 direction = unpackDirection(block->direction[i]);
+        addIncident(weights[i] * power, direction, 1.0f / fmax(dot(direction, normal), PRELIGHT_LEAST_PHOTON_COSINE), sums);
+      }
+    }
+    node = nodeAfter(node);
+  } while (node > 1u);
+}
+
+// A query a work-item. queries [query] -> incident [query][3][5]: irradiance, W/m2, and incident radiance in SH of order 2.
+__kernel void estimateIncident(__constant const DensityParameters* parameters, __global const LeafTree* photonTrees,
+                               __global const float* photonBoxes, __global const PhotonBlock* photonBlocks,
+                               __global const SurfacePlace* places, __global const LeafTree* areaTrees,
+                               __global const AreaNode* areaNodes, __global const AreaTriangle* areaTriangles,
+                               __global const DensityQuery* queries, __global float* incident) {
+  const size_t i = get_global_id(0);
+  if (i >= parameters->queryCount) return;
+  const DensityMaps maps = {parameters, photonTrees, photonBoxes, photonBlocks, places, areaTrees, areaNodes, areaTriangles};
+  const float3 side = normalize(vload3(0, queries[i].normal));
+  const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), side, queries[i].triangle);
+  float3 sums[PRELIGHT_INCIDENT_VALUES];
+  for (uint k = 0; k < PRELIGHT_INCIDENT_VALUES; ++k) sums[k] = (float3)(0.0f);
+  float area = 1.0f;
+  if (place.photons.count > 0u) {
+    const float r2 = densityReach(maps, place, queries[i].radius);
+    gatherIncident(maps, place, side, r2, sums);
+    if (sums[0].x > 0.0f || sums[0].y > 0.0f || sums[0].z > 0.0f)
+      area = fmax(densityArea(maps, place, sqrt(r2)), PRELIGHT_LEAST_AREA * r2);
+  }
+  storeIncident(sums, 1.0f / area, incident + 3u * PRELIGHT_INCIDENT_VALUES * i);
+}

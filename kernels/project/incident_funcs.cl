@@ -1,0 +1,40 @@
+// What arrives at a place, for surfaces whose normals a texture bumps: irradiance, and incident radiance in SH of order 2.
+#ifndef PRELIGHT_PROJECT_INCIDENT_FUNCS_CL
+#define PRELIGHT_PROJECT_INCIDENT_FUNCS_CL
+
+#define PRELIGHT_INCIDENT_VALUES 5u  // a channel: irradiance, W/m2, then l0m0, l1m-1, l1m0, l1m1
+
+// 1 / cosine has no bound: light nearer the horizon counts as from this high above it.
+#define PRELIGHT_LEAST_COSINE 0.00390625f
+
+float inverseCosine(float3 direction, float3 normal) {
+  return 1.0f / fmax(dot(direction, normal), PRELIGHT_LEAST_COSINE);
+}
+
+// What light of irradiance 1 adds to each value, if it comes from a unit direction; `inverse` of its cosine.
+void incidentValues(float3 direction, float inverse, float* values) {
+  const float linear = 0.488602512f * inverse;  // sqrt(3 / (4 pi))
+  values[0] = 1.0f;
+  values[1] = 0.282094792f * inverse;  // sqrt(1 / (4 pi))
+  values[2] = linear * direction.y;
+  values[3] = linear * direction.z;
+  values[4] = linear * direction.x;
+}
+
+// Adds light that brings `irradiance`, W/m2, to sums [value].
+void addIncident(float3 irradiance, float3 direction, float inverse, float3* sums) {
+  float values[PRELIGHT_INCIDENT_VALUES];
+  incidentValues(direction, inverse, values);
+  for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) sums[i] += values[i] * irradiance;
+}
+
+// out [channel][value]
+void storeIncident(const float3* sums, float scale, __global float* out) {
+  for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) {
+    out[i] = scale * sums[i].x;
+    out[PRELIGHT_INCIDENT_VALUES + i] = scale * sums[i].y;
+    out[2u * PRELIGHT_INCIDENT_VALUES + i] = scale * sums[i].z;
+  }
+}
+
+#endif
