@@ -23,6 +23,8 @@ enum class Attribute : GLuint {
   ChartCoord = 9,        ///< vec4: place and layer in the light maps, 1 where there is one
   Reflected = 10,        ///< vec3, radiance to the eye of what other surfaces mirror
   Highlight = 11,        ///< float, share of the lights' specular reflection that shadows leave
+  NormalCoord = 12,      ///< vec2, of the normal texture
+  Tangent = 13,          ///< vec4 of the file, w +-1; 0 where there is none
 };
 
 /// Texture units of the surface program.
@@ -49,6 +51,7 @@ enum Unit : GLuint {
   shadowViewsUnit = 19,      ///< the same
   surroundingsUnit = 20,     ///< shaders/surroundings.glsl
   insidesUnit = 21,          ///< the same
+  normalTextureUnit = 22,    ///< shaders/normal_map.glsl
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

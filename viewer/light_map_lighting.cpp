@@ -17,16 +17,18 @@ std::vector<glm::vec2> cornersOf(const LightMapLayout& layout) {
   return corners;
 }
 
-/// Of a square of `side` texels; black outside the map, so that look-ups with no weight there stay finite.
-std::vector<glm::vec3> irradianceOf(std::span<const float> values, int width, int coefficients, int side) {
+/// A coefficient, of a square of `side` texels; black outside the map, so that look-ups with no weight there
+/// stay finite.
+std::vector<glm::vec3> layerOf(std::span<const float> values, int width, int coefficients, int side,
+                               int coefficient) {
   const auto length = static_cast<std::size_t>(coefficients), row = static_cast<std::size_t>(side),
              columns = static_cast<std::size_t>(width);
-  std::vector<glm::vec3> irradiance(row * row, glm::vec3(0.0f));
+  std::vector<glm::vec3> layer(row * row, glm::vec3(0.0f));
   for (std::size_t texel = 0; 3 * length * texel < values.size(); ++texel) {
-    const float* value = &values[3 * length * texel];
-    irradiance[texel / columns * row + texel % columns] = {value[0], value[length], value[2 * length]};
+    const float* value = &values[3 * length * texel + static_cast<std::size_t>(coefficient)];
+    layer[texel / columns * row + texel % columns] = {value[0], value[length], value[2 * length]};
   }
-  return irradiance;
+  return layer;
 }
 
 }  // namespace
@@ -38,7 +40,8 @@ LightMapLighting::LightMapLighting(const LightMap& map, const CompiledScene& sce
       coefficients_(map.coefficients),
       corners_(gl::makeBufferTexture(std::span<const glm::vec2>(cornersOf(map.layout)), 1, GL_RG32F,
                                      "light map coordinates")),
-      irradiance_(gl::makeFloatArray(std::max(map.layout.width, map.layout.height), 1, "light map")) {
+      layers_(
+          gl::makeFloatArray(std::max(map.layout.width, map.layout.height), map.coefficients, "light map")) {
   fill(map.values);
 }
 
@@ -49,14 +52,16 @@ void LightMapLighting::fill(std::span<const float> values) {
     throw Error(ExitCode::RuntimeFailure, "light map",
                 std::to_string(values.size()) + " values, its layout needs " + std::to_string(expected));
   const int side = std::max(width_, height_);
-  gl::fillFloatArray(irradiance_, {0, 0, 0}, {side, side}, irradianceOf(values, width_, coefficients_, side));
+  for (int layer = 0; layer < coefficients_; ++layer)
+    gl::fillFloatArray(layers_, {0, 0, layer}, {side, side},
+                       layerOf(values, width_, coefficients_, side, layer));
 }
 
 void LightMapLighting::bind(const gl::Program& program) const {
   program.set("transferForm", static_cast<int>(TransferForm::None));
   program.set("frontFaces", frontFaces_);
   gl::bind(lightMapCornersUnit, GL_TEXTURE_BUFFER, corners_.texture);
-  gl::bind(lightMapsUnit, GL_TEXTURE_2D_ARRAY, irradiance_);
+  gl::bind(lightMapsUnit, GL_TEXTURE_2D_ARRAY, layers_);
 }
 
 void LightMapLighting::describe(const Illumination&, Warnings&) const {}

@@ -8,7 +8,7 @@
 namespace prelight::viewer {
 
 /// The irradiance of a light map, looked up bilinearly in the fragment shader: light that stays as it is
-/// baked.
+/// baked. Where the map holds directions, normal maps (RenderInputs::normalMaps) turn it.
 class LightMapLighting : public DrawnTransfer {
  public:
   LightMapLighting(const LightMap& map, const CompiledScene& scene);
@@ -24,7 +24,7 @@ class LightMapLighting : public DrawnTransfer {
   int frontFaces_;  ///< backs are counted from here
   int width_, height_, coefficients_;
   gl::BufferTexture corners_;
-  gl::Texture irradiance_;
+  gl::Texture layers_;  ///< of coefficients
 };
 
 }  // namespace prelight::viewer

@@ -19,6 +19,7 @@
 namespace prelight {
 class Device;
 struct FullLight;
+struct NormalMaps;
 }  // namespace prelight
 
 namespace prelight::viewer {
@@ -33,6 +34,7 @@ struct RenderInputs {
   const Device* device = nullptr;      ///< relights wavelet and glossy transfer; nullptr: the host does
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
   const FullLight* full = nullptr;     ///< full shading needs it, and adds its caustics; nullptr: not offered
+  const NormalMaps* normalMaps = nullptr;  ///< of light maps that hold directions; nullptr: surfaces are even
 };
 
 /// Light that creases reflect into themselves, in AO shading (Real-Time Rendering, 4th edition, 11.3).

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "photon/casters.h"
+#include "scene/normal_maps.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -85,6 +86,7 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
     surface.baseColor = texture(inputs.scene, surface.material.baseColorTexture, true);
     surface.metallicRoughness = texture(inputs.scene, surface.material.metallicRoughnessTexture, false);
     surface.emissive = texture(inputs.scene, surface.material.emissiveTexture, true);
+    if (inputs.normalMaps != nullptr) surface.normal = normalTexture(*inputs.normalMaps, surface.material, i);
     surfaces_.push_back(std::move(surface));
   }
 }
@@ -98,6 +100,16 @@ TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bo
                        std::make_unique<gl::Texture>(
                            gl::makeImageTexture(scene.images[use.image], srgb, use.wrapS, use.wrapT))});
   return textures_.back().texture.get();
+}
+
+TextureHandle RenderScene::normalTexture(const NormalMaps& maps, const Material& material,
+                                         std::size_t index) {
+  if (index >= maps.imageOf.size() || maps.imageOf[index] < 0) return nullptr;
+  const Image& image = maps.images[static_cast<std::size_t>(maps.imageOf[index])];
+  const TextureRef& use = material.normalTexture;
+  normalTextures_.push_back(
+      std::make_unique<gl::Texture>(gl::makeImageTexture(image, false, use.wrapS, use.wrapT)));
+  return normalTextures_.back().get();
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
@@ -155,6 +167,11 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   addAttribute(Attribute::Normal, std::span(compiled.normals));
   addAttribute(Attribute::TexCoords, std::span(coords.baseColorAndMetallicRoughness));
   addAttribute(Attribute::EmissiveTexCoord, std::span(coords.emissive));
+  if (inputs.normalMaps != nullptr) {
+    const NormalPlaces places = normalPlaces(inputs.scene, compiled);
+    addAttribute(Attribute::NormalCoord, std::span(places.coords));
+    addAttribute(Attribute::Tangent, std::span(places.tangents));
+  }
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
   triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");

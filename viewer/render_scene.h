@@ -23,6 +23,7 @@ struct Surface {
   TextureHandle baseColor = nullptr;
   TextureHandle metallicRoughness = nullptr;
   TextureHandle emissive = nullptr;
+  TextureHandle normal = nullptr;  ///< nullptr: the surface has no bumps
 
   glm::vec3 absorption{0.0f};  ///< inside a body, 1/m
   bool showsSurroundings =
@@ -80,6 +81,7 @@ class RenderScene {
 
   void makeSurfaces(const RenderInputs& inputs);
   TextureHandle texture(const Scene& scene, const TextureRef& use, bool srgb);
+  TextureHandle normalTexture(const NormalMaps& maps, const Material& material, std::size_t index);
   void makeBatches(const CompiledScene& compiled);
   void makeVertices(const RenderInputs& inputs);
   template <typename T>
@@ -93,6 +95,7 @@ class RenderScene {
   gl::Texture cornerPositions_;  ///< of the first stream
   gl::Texture white_;
   std::vector<LoadedTexture> textures_;
+  std::vector<std::unique_ptr<gl::Texture>> normalTextures_;  ///< of the surfaces that have one
   std::vector<Surface> surfaces_;
   std::vector<Batch> batches_;
   std::vector<Batch> occluders_;  ///< batches, those without holes that follow each other joined

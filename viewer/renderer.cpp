@@ -22,7 +22,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 22> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 23> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -44,7 +44,8 @@ void prepare(const gl::Program& program) {
        {"shadowLights", shadowLightsUnit},
        {"shadowViews", shadowViewsUnit},
        {"surroundings", surroundingsUnit},
-       {"insides", insidesUnit}}};
+       {"insides", insidesUnit},
+       {"normalTexture", normalTextureUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 
@@ -326,6 +327,8 @@ void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
   bindOrWhite(baseColorUnit, surface.baseColor);
   bindOrWhite(metallicRoughnessUnit, surface.metallicRoughness);
   bindOrWhite(emissiveUnit, surface.emissive);
+  bindOrWhite(normalTextureUnit, surface.normal);
+  p.set("normalScale", surface.normal != nullptr ? m.normalScale : 0.0f);
   // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
   const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
   const float cutoff = m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f;
@@ -364,6 +367,7 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::P
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
+  glVertexAttrib4f(static_cast<GLuint>(Attribute::Tangent), 0.0f, 0.0f, 0.0f, 0.0f);
   program.set("transferForm", static_cast<int>(TransferForm::None));
   if (transfer != nullptr) transfer->bind(program);
   for (const Batch* batch : batches) {

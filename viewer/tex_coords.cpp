@@ -5,11 +5,17 @@
 namespace prelight::viewer {
 namespace {
 
-const Primitive* findPrimitive(const Scene& scene, const std::map<int, int>& meshOfNode,
+std::map<int, const MeshNode*> nodesByNumber(const Scene& scene) {
+  std::map<int, const MeshNode*> nodes;
+  for (const MeshNode& node : scene.meshNodes) nodes[node.node] = &node;
+  return nodes;
+}
+
+const Primitive* findPrimitive(const Scene& scene, const std::map<int, const MeshNode*>& nodes,
                                const PrimitiveRange& range) {
-  const auto mesh = meshOfNode.find(range.node);
-  if (mesh == meshOfNode.end()) return nullptr;
-  const auto& primitives = scene.meshes[mesh->second].primitives;
+  const auto node = nodes.find(range.node);
+  if (node == nodes.end()) return nullptr;
+  const auto& primitives = scene.meshes[node->second->mesh].primitives;
   if (range.primitive < 0 || static_cast<std::size_t>(range.primitive) >= primitives.size()) return nullptr;
   const Primitive& primitive = primitives[range.primitive];
   return primitive.positions.size() == range.vertexCount ? &primitive : nullptr;
@@ -32,10 +38,9 @@ TexCoords texCoords(const Scene& scene, const CompiledScene& compiled) {
   result.baseColorAndMetallicRoughness.resize(compiled.vertexCount(), glm::vec4(0.0f));
   result.emissive.resize(compiled.vertexCount(), glm::vec2(0.0f));
 
-  std::map<int, int> meshOfNode;
-  for (const MeshNode& node : scene.meshNodes) meshOfNode[node.node] = node.mesh;
+  const std::map<int, const MeshNode*> nodes = nodesByNumber(scene);
   for (const PrimitiveRange& range : compiled.primitives) {
-    const Primitive* primitive = findPrimitive(scene, meshOfNode, range);
+    const Primitive* primitive = findPrimitive(scene, nodes, range);
     if (primitive == nullptr) continue;
     const Material& material = scene.materialOf(*primitive);
     for (std::uint32_t i = 0; i < range.vertexCount; ++i) {
@@ -46,6 +51,30 @@ TexCoords texCoords(const Scene& scene, const CompiledScene& compiled) {
     }
   }
   return result;
+}
+
+NormalPlaces normalPlaces(const Scene& scene, const CompiledScene& compiled) {
+  NormalPlaces places{std::vector<glm::vec2>(compiled.vertexCount(), glm::vec2(0.0f)),
+                      std::vector<glm::vec4>(compiled.vertexCount(), glm::vec4(0.0f))};
+  const std::map<int, const MeshNode*> nodes = nodesByNumber(scene);
+  for (const PrimitiveRange& range : compiled.primitives) {
+    const Primitive* primitive = findPrimitive(scene, nodes, range);
+    if (primitive == nullptr) continue;
+    const TextureRef& use = scene.materialOf(*primitive).normalTexture;
+    const auto& transforms = nodes.at(range.node)->transforms;
+    const auto instance = static_cast<std::size_t>(range.instance);
+    const glm::dmat3 world(instance < transforms.size() ? transforms[instance] : glm::dmat4(1.0));
+    // A mirroring transform turns the bitangent around, which the cross product would not.
+    const float mirror = glm::determinant(world) < 0.0 ? -1.0f : 1.0f;
+    for (std::uint32_t i = 0; i < range.vertexCount; ++i) {
+      places.coords[range.firstVertex + i] = lookUp(*primitive, use, i);
+      if (i >= primitive->tangents.size()) continue;
+      const glm::vec4& tangent = primitive->tangents[i];
+      places.tangents[range.firstVertex + i] =
+          glm::vec4(glm::vec3(world * glm::dvec3(tangent)), mirror * tangent.w);
+    }
+  }
+  return places;
 }
 
 Material materialAt(const Scene& scene, const CompiledScene& compiled, std::size_t index) {

@@ -17,6 +17,14 @@ struct TexCoords {
 /// A primitive that the scene does not hold (a CompiledScene made without one) gets CompiledScene::texCoords.
 TexCoords texCoords(const Scene& scene, const CompiledScene& compiled);
 
+/// Where a normal texture lies on the surface.
+struct NormalPlaces {
+  std::vector<glm::vec2> coords;    ///< [vertex], transformed
+  std::vector<glm::vec4> tangents;  ///< [vertex], world space, w +-1; 0: the file has none
+};
+
+NormalPlaces normalPlaces(const Scene& scene, const CompiledScene& compiled);
+
 /// The material `index` of a CompiledScene: the scene's, or glTF's default. Without a scene behind it, a
 /// Lambertian one of the compiled albedo.
 Material materialAt(const Scene& scene, const CompiledScene& compiled, std::size_t index);

@@ -211,6 +211,15 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
       ->type_name("NAME");
 }
 
+/// Normal maps, for a light map that holds directions.
+void loadBumps(Session& session, ShadedScene& shaded) {
+  if (!shaded.bake.lightMap || shaded.bake.lightMap->coefficients == 1) return;
+  Warnings odd;
+  shaded.normalMaps = session.times().measure(
+      "normal maps", [&] { return loadNormalMaps(shaded.loaded.document, shaded.loaded.scene, odd); });
+  for (const std::string& warning : odd) session.warn(warning);
+}
+
 }  // namespace
 
 void addPictureOptions(CLI::App& app, PictureOptions& options) {
@@ -257,7 +266,8 @@ viewer::RenderInputs ShadedScene::inputs() const {
           environment ? &*environment : nullptr,
           device ? &*device : nullptr,
           caustics ? &caustics->caustics : nullptr,
-          full ? &*full : nullptr};
+          full ? &*full : nullptr,
+          normalMaps ? &*normalMaps : nullptr};
 }
 
 namespace {
@@ -318,6 +328,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.aoCorrection = options.aoCorrection;
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);
+  loadBumps(session, shaded);
   checkShadingOptions(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
   if (render.shading == viewer::Shading::Full) shaded.full = fullLight(session, options, shaded);

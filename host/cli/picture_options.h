@@ -15,6 +15,7 @@
 #include "full/full_light.h"
 #include "full/full_renderer.h"
 #include "io/environment.h"
+#include "scene/normal_maps.h"
 #include "viewer/render.h"
 
 namespace prelight::cli {
@@ -53,6 +54,7 @@ struct ShadedScene {
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<FullLight> full;
+  std::optional<NormalMaps> normalMaps;  ///< where the light map can be turned by them
 
   viewer::RenderInputs inputs() const;
 };

@@ -120,7 +120,7 @@ std::vector<float> IndirectLight::gatherIncident(std::span<const LightMapTexel> 
   constexpr std::size_t length = 15;
   const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
   const std::vector<float> found =
-      gather_.gatherIncident(receiversOf(compiled_, places, count, rays, request_.seed), progress);
+      gather_.gatherIncident(gatherReceivers(compiled_, places, count, rays, request_.seed), progress);
   std::vector<float> incident(length * places.size(), 0.0f);
   for (std::size_t i = 0; i < found.size(); ++i)
     incident[i / (length * count) * length + i % length] += found[i] / static_cast<float>(count);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "scene/normal_maps.h"
 #include "support/scenes.h"
 #include "viewer/camera.h"
 #include "viewer/quad_scene.h"
@@ -111,6 +112,48 @@ TEST(LightMapShading, Lights_AreNotAddedToWhatIsBaked) {
   EXPECT_GT(pixelAt(dim).r, 0.0f);
   scene.scene.lights = {makeLight(LightType::Point, {50, 50, 50}, {0, 0, 3})};
   EXPECT_TRUE(scene.render(square(Shading::LightMap)).pixels == dim.pixels);
+}
+
+/// A normal map of one colour, on a square whose light comes from a lamp aslant and an even sky.
+TEST(LightMapShading, NormalMap_TurnsToTheLight) {
+  for (const bool tangents : {false, true}) {
+    QuadScene scene;
+    Primitive& quad = scene.add(lambertian(albedo));
+    if (tangents) quad.tangents.assign(4, glm::vec4(0.0f, 1.0f, 0.0f, -1.0f));
+    scene.scene.materials[0].normalTexture.image = 5;  // of the file
+    scene.scene.materials[0].normalScale = 0.5f;
+    scene.lookFrom({0, 0, 2}, {0, 0, 0});
+    scene.compile();
+    LightMapRequest request;
+    request.texels = 64;
+    LightMap map;
+    map.layout = makeLightMapLayout(Scene{}, scene.compiled, request);
+    map.coefficients = 5;
+    const glm::dvec3 way = glm::normalize(glm::dvec3(0.7, -0.2, 0.5));
+    const double linear = std::sqrt(3.0 / (4.0 * std::numbers::pi)), lamp = 4.0, sky = 0.3;
+    const glm::dvec3 vector = lamp * way + std::numbers::pi * sky * glm::dvec3(0, 0, 1);
+    const double values[] = {vector.z,
+                             (lamp + 2.0 * std::numbers::pi * sky) / std::sqrt(4.0 * std::numbers::pi),
+                             linear * vector.y, linear * vector.z, linear * vector.x};
+    for (std::size_t i = 0; i < 3 * map.layout.texelCount(); ++i)
+      map.values.insert(map.values.end(), std::begin(values), std::end(values));
+    scene.bake.lightMap = std::move(map);
+    NormalMaps maps{{{"bump", 1, 1, {200, 90, 240, 255}}}, {0}};
+    viewer::RenderInputs inputs = scene.inputs();
+    Warnings notes;
+    const glm::vec3 even = pixelAt(viewer::renderPicture(inputs, square(Shading::LightMap), notes));
+    EXPECT_NEAR(even.y, 0.7 / std::numbers::pi * vector.z, 1e-5);
+    inputs.normalMaps = &maps;
+    const glm::vec3 got = pixelAt(viewer::renderPicture(inputs, square(Shading::LightMap), notes));
+    const glm::dvec3 texel = 2.0 * glm::dvec3(200, 90, 240) / 255.0 - 1.0;
+    const double x = 0.5 * texel.x, y = 0.5 * texel.y;
+    // Along +X and +Y, as the coordinates lie, or along the file's tangent +Y and -(Z x Y) = +X.
+    const glm::dvec3 m = glm::normalize(tangents ? glm::dvec3(y, x, texel.z) : glm::dvec3(x, y, texel.z));
+    const double expected =
+        lamp * std::max(glm::dot(m, way), 0.0) + 0.5 * std::numbers::pi * sky * (1.0 + m.z);
+    EXPECT_NEAR(got.y, 0.7 / std::numbers::pi * expected, 2e-4) << tangents;
+    EXPECT_GT(std::abs(got.y - even.y), 0.02f);
+  }
 }
 
 TEST(LightMapShading, FileWithALightMapAlone_IsShownSo) {

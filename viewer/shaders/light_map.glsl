@@ -1,24 +1,66 @@
 // Light maps whose places belong to the corners of triangles; needs triangles.glsl.
-uniform sampler2DArray lightMaps;       // radiance before albedo, or irradiance
+uniform sampler2DArray lightMaps;       // radiance before albedo, or irradiance and, of 5 layers, SH of order 2
 uniform samplerBuffer lightMapCorners;  // [face][3] texels from the upper left; x < 0: the face has none
 uniform int frontFaces;                 // fronts of triangles, then their backs
 
-// Irradiance at a point of a triangle's side: bilinear by hand, as textures round weights to 1/256.
-vec3 lightMapIrradiance(int triangle, bool front, vec3 point) {
+// Texels that a look-up meets.
+struct LightMapPlace {
+  ivec2 low;
+  ivec2 high;
+  vec2 share;  // of high
+};
+
+// Of a point of a triangle's side; false where that has no place in the map.
+bool findLightMapPlace(int triangle, bool front, vec3 point, out LightMapPlace found) {
   int face = 3 * (front ? triangle : frontFaces + triangle);
   vec2 first = texelFetch(lightMapCorners, face).xy;
-  if (first.x < 0.0) return vec3(0.0);
+  if (first.x < 0.0) return false;
   ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
   vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
   weights /= weights.x + weights.y + weights.z;
   vec2 place = weights.x * first + weights.y * texelFetch(lightMapCorners, face + 1).xy +
                weights.z * texelFetch(lightMapCorners, face + 2).xy - 0.5;
-  ivec2 low = ivec2(floor(place));
-  ivec2 high = min(low + 1, textureSize(lightMaps, 0).xy - 1);
-  vec2 share = place - vec2(low);
-  vec3 upper = mix(texelFetch(lightMaps, ivec3(low, 0), 0).rgb, texelFetch(lightMaps, ivec3(high.x, low.y, 0), 0).rgb,
-                   share.x);
-  vec3 lower = mix(texelFetch(lightMaps, ivec3(low.x, high.y, 0), 0).rgb, texelFetch(lightMaps, ivec3(high, 0), 0).rgb,
-                   share.x);
-  return mix(upper, lower, share.y);
+  found.low = ivec2(floor(place));
+  found.high = min(found.low + 1, textureSize(lightMaps, 0).xy - 1);
+  found.share = place - vec2(found.low);
+  return true;
+}
+
+// Bilinear by hand, as textures round weights to 1/256.
+vec3 lightMapLayer(LightMapPlace p, int layer) {
+  vec3 upper = mix(texelFetch(lightMaps, ivec3(p.low, layer), 0).rgb,
+                   texelFetch(lightMaps, ivec3(p.high.x, p.low.y, layer), 0).rgb, p.share.x);
+  vec3 lower = mix(texelFetch(lightMaps, ivec3(p.low.x, p.high.y, layer), 0).rgb,
+                   texelFetch(lightMaps, ivec3(p.high, layer), 0).rgb, p.share.x);
+  return mix(upper, lower, p.share.y);
+}
+
+vec3 lightMapIrradiance(int triangle, bool front, vec3 point) {
+  LightMapPlace place;
+  return findLightMapPlace(triangle, front, point, place) ? lightMapLayer(place, 0) : vec3(0.0);
+}
+
+// Irradiance where a normal map turns the unit normal n to m: host/lightmap/mapped_irradiance.h, channels side by side.
+vec3 mappedLightMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) {
+  const float constant = 0.282094792;  // sqrt(1 / (4 pi))
+  const float linear = 0.488602512;    // sqrt(3 / (4 pi))
+  LightMapPlace place;
+  if (!findLightMapPlace(triangle, front, point, place)) return vec3(0.0);
+  vec3 irradiance = lightMapLayer(place, 0);
+  if (textureSize(lightMaps, 0).z < 5) return irradiance;
+  vec3 x = lightMapLayer(place, 4) / linear;
+  vec3 y = lightMapLayer(place, 2) / linear;
+  vec3 z = lightMapLayer(place, 3) / linear;
+  vec3 missing = irradiance - (x * n.x + y * n.y + z * n.z);  // between texels the two would differ
+  x += missing * n.x;
+  y += missing * n.y;
+  z += missing * n.z;
+  vec3 squared = x * x + y * y + z * z;
+  vec3 all = max(lightMapLayer(place, 1) / constant, sqrt(squared));
+  vec3 b = 2.0 * all - irradiance;
+  vec3 even = clamp((b - sqrt(max(b * b - 3.0 * (all * all - squared), vec3(0.0)))) / 3.0, vec3(0.0),
+                    max(irradiance, vec3(0.0)));
+  float cosine = dot(m, n);
+  vec3 lamp = x * m.x + y * m.y + z * m.z - even * cosine;
+  return 0.5 * even * (1.0 + cosine) + max(lamp, vec3(0.0));
 }

@@ -12,6 +12,7 @@
 #include "triangles.glsl"
 #include "glossy.glsl"
 #include "light_map.glsl"
+#include "normal_map.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -25,6 +26,8 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
+in vec2 vNormalCoord;
+in vec4 vTangent;
 
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
@@ -68,7 +71,10 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
 
 vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
   if (rules.x == ambientLightMap) {
-    return m.albedo / pi * lightMapIrradiance(firstTriangle + gl_PrimitiveID, gl_FrontFacing, vPosition);
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    vec3 mapped = side * mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
+    int triangle = firstTriangle + gl_PrimitiveID;
+    return m.albedo / pi * mappedLightMapIrradiance(triangle, gl_FrontFacing, vPosition, n, mapped);
   }
   if (rules.x == ambientTransferred) {
     return m.albedo * (vChartCoord.w > 0.5 ? texture(lightMaps, vChartCoord.xyz).rgb : vTransferred);

@@ -16,6 +16,8 @@ layout(location = 8) in vec3 glow;
 layout(location = 9) in vec4 chartCoord;
 layout(location = 10) in vec3 reflected;
 layout(location = 11) in float highlight;
+layout(location = 12) in vec2 normalCoord;
+layout(location = 13) in vec4 tangent;
 
 out vec3 vPosition;
 out vec3 vNormal;
@@ -29,6 +31,8 @@ out vec3 vGlow;
 out vec4 vChartCoord;
 out vec3 vReflected;
 out float vHighlight;
+out vec2 vNormalCoord;
+out vec4 vTangent;
 
 void main() {
   vPosition = position;
@@ -43,5 +47,7 @@ void main() {
   vChartCoord = chartCoord;
   vReflected = reflected;
   vHighlight = highlight;
+  vNormalCoord = normalCoord;
+  vTangent = tangent;
   gl_Position = clipFromScene * vec4(position, 1.0);
 }
