@@ -6,7 +6,7 @@ FullLighting::FullLighting(const FullLight& full, const CompiledScene& compiled,
     : compiled_(compiled), scene_(scene), indirect_(full.indirect, compiled) {}
 
 void FullLighting::light(const Illumination& light) {
-  shadows_.update(scene_, compiled_, light.lights, moved_);
+  shadows_.update(scene_, compiled_, light.lights, moved_, mostSampleViews_);
   moved_ = false;
 }
 

@@ -28,6 +28,9 @@ class FullLighting : public DrawnTransfer {
   /// The scene's vertices are at other places: all shadow maps are drawn anew with the next light().
   void sceneMoved() { moved_ = true; }
 
+  /// Draws at most about so many views of samples with a light().
+  void setMostSampleViews(std::size_t most) { mostSampleViews_ = most; }
+
   const ShadowMaps& shadows() const { return shadows_; }
 
  private:
@@ -36,6 +39,7 @@ class FullLighting : public DrawnTransfer {
   LightMapLighting indirect_;
   ShadowMaps shadows_;
   bool moved_ = false;
+  std::size_t mostSampleViews_ = ShadowMaps::everything;
 };
 
 }  // namespace prelight::viewer

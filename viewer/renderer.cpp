@@ -17,6 +17,9 @@ namespace {
 enum Binding : GLuint { frameBinding = 0, lightBinding = 1 };
 
 constexpr int ambientOrder = 3;
+constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
+constexpr int turnsInSurroundings =
+    4;  ///< of samples of lights: environment maps show them smaller and blurred
 
 void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
@@ -158,6 +161,7 @@ void Renderer::makeCaustics(const Caustics& caustics) {
 FullLighting& Renderer::full() {
   if (full_ == nullptr) {
     full_ = std::make_unique<FullLighting>(*inputs_.full, compiled_, scene_);
+    paceUpdates(paced_);
     fullProgram_ = std::make_unique<gl::Program>("surface.vert", "full.frag");
     prepare(*fullProgram_);
     surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
@@ -181,6 +185,15 @@ void Renderer::updateCaustics(const Caustics& caustics) {
     caustics_->update(caustics, compiled_);
 }
 
+void Renderer::paceUpdates(bool pace) {
+  paced_ = pace;
+  if (full_ != nullptr) full_->setMostSampleViews(pace ? sampleViewsAPicture : ShadowMaps::everything);
+}
+
+bool Renderer::isBehind() const {
+  return full_ != nullptr && (full_->shadows().isBehind() || surroundings_->isBehind());
+}
+
 void Renderer::sceneMoved() {
   scene_.fillPositions(compiled_);
   emitters_ = sampleEmitters(compiled_, emitterSamples);
@@ -194,7 +207,8 @@ void Renderer::updateSurroundings(const View& view, const Illumination& light) {
   if (surroundings_->empty()) return;
   if (surroundedBy_ != light) surroundings_->changed();
   surroundedBy_ = light;
-  surroundings_->update(compiled_, [&](const Surroundings::Face& face, const gl::Framebuffer& target) {
+  const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
+  surroundings_->update(compiled_, most, [&](const Surroundings::Face& face, const gl::Framebuffer& target) {
     View seen = view;
     seen.camera = face.camera;
     seen.width = seen.height = Surroundings::side;
@@ -289,7 +303,7 @@ std::vector<ShadedLight> Renderer::lightsOf(const View& view) {
 }
 
 void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
-                           int samplesPerAxis) const {
+                           int turns) const {
   FrameBlock frame{};
   const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
   DrawingRules rules = rulesOf(view.shading);
@@ -297,7 +311,7 @@ void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector
   setCamera(view, tile, compiled_, frame);
   setSky(view, sky, skyWidth_, frame);
   const auto single = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return !l.isSample; });
-  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), samplesPerAxis, 0};
+  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), turns, 0};
   frame.rules = {static_cast<int>(rules.ambient), static_cast<int>(rules.reflection),
                  static_cast<int>(rules.through), view.aoCorrection == AoCorrection::Interreflection ? 1 : 0};
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
@@ -431,7 +445,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
   if (showsCaustics(view)) drawCaustics(view, tile, target, opaque, program);
-  uploadFrame(view, tile, light.lights, target.width() / tile.width);
+  uploadFrame(view, tile, light.lights, leftOutNode >= 0 ? turnsInSurroundings : target.width() / tile.width);
   bindTextures(view);
   if (view.shading == Shading::Full) surroundings_->bind();
   target.bind();

@@ -70,6 +70,12 @@ class Renderer {
   /// Baked light stays as it is.
   void sceneMoved();
 
+  /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
+  void paceUpdates(bool pace);
+
+  /// Further pictures of the same view would show more of what has moved.
+  bool isBehind() const;
+
   /// What full shading draws of a view beside its picture: shadow maps and environment maps.
   std::vector<PlannedPass> plan(const View& view);
 
@@ -100,7 +106,7 @@ class Renderer {
   void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
                  const DrawnTransfer* transfer, int leftOutNode);
   void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
-                   int samplesPerAxis) const;
+                   int turns) const;
   void drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
                    const DrawnTransfer* transfer) const;
   void drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
@@ -125,6 +131,7 @@ class Renderer {
   std::unique_ptr<FullLighting> full_;
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
+  bool paced_ = false;
   std::unique_ptr<gl::Program> fullProgram_;
   SkyCoefficients sky_;
   Environment neutralMap_;

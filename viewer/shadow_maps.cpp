@@ -172,21 +172,43 @@ void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view
 }
 
 void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
-                        std::span<const ShadedLight> lights, bool sceneMoved) {
-  std::vector<Frame> frames = framesOf(lights, compiled);
+                        std::span<const ShadedLight> lights, bool sceneMoved, std::size_t mostSampleViews) {
+  std::vector<Frame> wanted = framesOf(lights, compiled);
   const auto sameShape = [](const Frame& a, const Frame& b) {
     return a.views == b.views && a.side == b.side;
   };
   const bool kept =
-      frames.size() == frames_.size() && std::equal(frames.begin(), frames.end(), frames_.begin(), sameShape);
+      wanted.size() == frames_.size() && std::equal(wanted.begin(), wanted.end(), frames_.begin(), sameShape);
   viewsDrawn_ = 0;
-  if (kept && !sceneMoved && frames == frames_) return;
-  std::vector<bool> changed;
-  for (std::size_t i = 0; i < frames.size(); ++i)
-    changed.push_back(!kept || sceneMoved || frames[i] != frames_[i]);
-  frames_ = std::move(frames);
-  if (!kept) makeAtlas();
+  if (!kept) {
+    frames_ = wanted;
+    stale_.assign(frames_.size(), true);
+    makeAtlas();
+    uploadFrames();
+    mostSampleViews = everything;
+  }
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    if (sceneMoved || frames_[i] != wanted[i]) stale_[i] = true;
+  if (!isBehind()) return;
+  beginDrawing();
+  std::size_t sampleViews = 0;
+  for (std::size_t k = 0; k < frames_.size(); ++k) {
+    const std::size_t i = (next_ + k) % frames_.size();
+    if (!stale_[i] || (lights[i].isSample && sampleViews >= mostSampleViews)) continue;
+    frames_[i] = wanted[i];
+    stale_[i] = false;
+    for (int view = 0; view < frames_[i].views; ++view, ++viewsDrawn_) drawView(scene, frames_[i], view);
+    if (!lights[i].isSample) continue;
+    sampleViews += static_cast<std::size_t>(frames_[i].views);
+    if (sampleViews >= mostSampleViews) next_ = i + 1;
+  }
+  endDrawing();
   uploadFrames();
+}
+
+bool ShadowMaps::isBehind() const { return std::find(stale_.begin(), stale_.end(), true) != stale_.end(); }
+
+void ShadowMaps::beginDrawing() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glDrawBuffer(GL_NONE);
   glReadBuffer(GL_NONE);
@@ -198,9 +220,9 @@ void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
   glDepthFunc(GL_GREATER);
   glClearDepth(0.0);
   program_.use();
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    for (int view = 0; changed[i] && view < frames_[i].views; ++view, ++viewsDrawn_)
-      drawView(scene, frames_[i], view);
+}
+
+void ShadowMaps::endDrawing() {
   glClearDepth(1.0);
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_SCISSOR_TEST);

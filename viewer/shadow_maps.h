@@ -28,11 +28,17 @@ class ShadowMaps {
  public:
   ShadowMaps();
 
+  static constexpr std::size_t everything = static_cast<std::size_t>(-1);
+
   /// Draws the maps of lights whose place or direction is another than before; all of them where `sceneMoved`
-  /// or where other kinds of lights are given. Lights without intensity have none. Changes the framebuffer,
+  /// or where other kinds of lights are given. Lights without intensity have none. Of samples of large lights
+  /// about `mostSampleViews` views are drawn, the others in later updates, in turns. Changes the framebuffer,
   /// viewport, program and depth state in use. Throws Error where OpenGL cannot hold the maps.
   void update(const RenderScene& scene, const CompiledScene& compiled, std::span<const ShadedLight> lights,
-              bool sceneMoved);
+              bool sceneMoved, std::size_t mostSampleViews = everything);
+
+  /// Some maps show what was there before.
+  bool isBehind() const;
 
   /// For the lights of the last update, in their order (shaders/shadows.glsl).
   void bind() const;
@@ -59,6 +65,8 @@ class ShadowMaps {
   static std::vector<Frame> framesOf(std::span<const ShadedLight> lights, const CompiledScene& compiled);
   void makeAtlas();
   void uploadFrames();
+  void beginDrawing() const;
+  static void endDrawing();
   void drawView(const RenderScene& scene, const Frame& frame, int view) const;
 
   gl::Program program_;
@@ -68,6 +76,8 @@ class ShadowMaps {
   gl::BufferTexture viewTexels_;
   std::vector<Frame> frames_;  ///< [light]
   ChartAtlas atlas_;           ///< [view]
+  std::vector<bool> stale_;    ///< [light]
+  std::size_t next_ = 0;       ///< light that the next update begins with
   std::size_t viewsDrawn_ = 0;
 };
 

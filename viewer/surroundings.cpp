@@ -53,7 +53,6 @@ void copyFace(const gl::Framebuffer& from, const gl::Object<gl::FramebufferTrait
                             static_cast<GLint>(layer));
   glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, Surroundings::side, Surroundings::side,
                     GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  glBindTexture(GL_TEXTURE_CUBE_MAP_ARRAY, to.name());
 }
 
 }  // namespace
@@ -110,29 +109,29 @@ void Surroundings::place(const CompiledScene& compiled) {
 }
 
 void Surroundings::changed() {
-  waiting_ = nodes_.size() > 1 ? 2 * faceCount * nodes_.size() : faceCount * nodes_.size();
-  next_ = 0;
+  // Twice where nodes may show each other: what the first round drew is seen in the second.
+  waiting_ = (nodes_.size() > 1 ? 2 : 1) * faceCount * nodes_.size();
+  placed_ = false;
 }
 
 void Surroundings::changedSlowly() { waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : 1); }
 
-void Surroundings::update(const CompiledScene& compiled,
+void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
                           const std::function<void(const Face&, const gl::Framebuffer&)>& draw) {
   facesDrawn_ = 0;
   if (waiting_ == 0) return;
-  if (waiting_ > 1) {
+  if (!placed_) {
     place(compiled);
-    insidesDrawn_ = false;
-  }
-  if (!insidesDrawn_ && insideProgram_ != nullptr)
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].glass) drawInside(i, compiled);
-  insidesDrawn_ = true;
-  // Twice where nodes may show each other: what the first round drew is seen in the second.
-  for (; waiting_ > 0; --waiting_, ++facesDrawn_) {
+    placed_ = true;
+  }
+  for (; waiting_ > 0 && facesDrawn_ < mostFaces; --waiting_, ++facesDrawn_) {
     drawFace(next_, compiled, draw);
     next_ = (next_ + 1) % (faceCount * nodes_.size());
   }
+  gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
+  glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
 }
 
 void Surroundings::drawFace(std::size_t face, const CompiledScene& compiled,
@@ -140,7 +139,6 @@ void Surroundings::drawFace(std::size_t face, const CompiledScene& compiled,
   const Node& node = nodes_[face / faceCount];
   draw({faceCamera(compiled.origin + glm::dvec3(node.center), face % faceCount), node.node}, *target_);
   copyFace(*target_, copyTarget_, cubes_, face);
-  if (face % faceCount == faceCount - 1 || waiting_ == 1) glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
   gl::check("drawing an environment map");
 }
 

@@ -45,10 +45,13 @@ class Surroundings {
   /// Light that changes slowly is another: an update draws one face, in turns.
   void changedSlowly();
 
-  /// Draws faces that are out of date with `draw`, which is given a framebuffer of two by two
-  /// samples a texel.
-  void update(const CompiledScene& compiled,
+  /// Draws faces that are out of date, at most so many, with `draw`, which is given a framebuffer of two by
+  /// two samples a texel.
+  void update(const CompiledScene& compiled, std::size_t mostFaces,
               const std::function<void(const Face&, const gl::Framebuffer&)>& draw);
+
+  /// Some faces show what was there before.
+  bool isBehind() const { return waiting_ > 0; }
 
   void bind() const;
 
@@ -76,7 +79,7 @@ class Surroundings {
   std::size_t facesDrawn_ = 0;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;
-  bool insidesDrawn_ = false;
+  bool placed_ = false;  ///< centres and insides are those of the scene
   std::unique_ptr<gl::Framebuffer> target_;
   std::unique_ptr<gl::Program> insideProgram_;
   gl::Object<gl::FramebufferTraits> copyTarget_;

@@ -240,8 +240,8 @@ class Follower {
   LightFollower* light_;
 };
 
-void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Follower& follower,
-             Overlay& overlay, int frames) {
+void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePicture& picture,
+             Follower& follower, Overlay& overlay, int frames) {
   const Presenter presenter;
   auto lastChange = Clock::now(), lastFrame = lastChange;
   std::size_t seen = controls.changes();
@@ -262,7 +262,7 @@ void runLoop(GLFWwindow* window, Controls& controls, LivePicture& picture, Follo
       seen = controls.changes();
       lastChange = Clock::now();
     }
-    followed = follower.update(controls.view());
+    followed = follower.update(controls.view()) || renderer.isBehind();
     if (followed) picture.invalidate();
     picture.update(controls, std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime);
     presenter.present(picture.target(), picture.samples(), 0);
@@ -284,6 +284,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   const ViewerInputs shown = {inputs.scene,  moved.scene(),   inputs.bake, inputs.environment,
                               inputs.device, inputs.caustics, inputs.full};
   Renderer renderer(shown, options.render.lobe);
+  renderer.paceUpdates(true);
   Follower follower(renderer, moved, options.follower);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
@@ -293,8 +294,9 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   Overlay overlay(window.get());
   router.attach(overlay);
   LivePicture picture(renderer, options.render.samplesPerAxis);
-  runLoop(window.get(), controls, picture, follower, overlay, options.frames);
+  runLoop(window.get(), controls, renderer, picture, follower, overlay, options.frames);
   if (!options.screenshotPath.empty()) {
+    renderer.paceUpdates(false);
     writePicture(options.screenshotPath,
                  renderView(renderer, controls.view(), options.render.samplesPerAxis));
   }

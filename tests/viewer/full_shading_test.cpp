@@ -293,7 +293,8 @@ TEST(FullShadows, BacksOfSurfaces_CastThem) {
   EXPECT_EQ(pixelAt(scene.render(fullOptions(65))).r, 0.0f);
 }
 
-TEST(FullShading, EmissiveSquareOverAFloor_IsTheClosedForm) {
+/// A floor under a square lamp of 1 m, 1.5 m above it.
+FullScene floorUnderLamp() {
   FullScene scene;
   const glm::dmat4 up({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
   scene.quad.add(lambertian(glm::vec3(1.0f)), 2.0f, up);
@@ -303,6 +304,11 @@ TEST(FullShading, EmissiveSquareOverAFloor_IsTheClosedForm) {
   scene.quad.lookFrom({0, 0.6, 3.0}, {0, 0, 0});
   scene.quad.compile();
   scene.full = darkness(scene.quad);
+  return scene;
+}
+
+TEST(FullShading, EmissiveSquareOverAFloor_IsTheClosedForm) {
+  const FullScene scene = floorUnderLamp();
   // Form factor of a square above a point of a parallel plane: four times that of the quarter (Howell, B-3).
   const double a = 0.5 / 1.5, r = std::sqrt(1.0 + a * a);
   const double factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * (a / r) * std::atan(a / r);
@@ -361,6 +367,28 @@ TEST(FullShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsOwn) {
   EXPECT_EQ(renderer.shadowViewsDrawn(), 1u);
   EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
   EXPECT_FALSE(renderer.plan(view)[1].runs);
+}
+
+TEST(FullShading, PacedUpdates_ComeToThePictureOfAllAtOnce) {
+  FullScene scene = floorUnderLamp();
+  const viewer::RenderInputs inputs = scene.inputs();
+  const viewer::View view = viewer::makeView(inputs, fullOptions(33));
+  const viewer::gl::EglContext context;
+  viewer::Renderer renderer(inputs);
+  viewer::renderView(renderer, view, 1);
+  renderer.paceUpdates(true);
+  for (std::uint32_t v = 4; v < 8; ++v) scene.quad.compiled.positions[v].x += 0.7f;  // the lamp
+  renderer.sceneMoved();
+  viewer::renderView(renderer, view, 1);
+  EXPECT_LT(renderer.shadowViewsDrawn(), 60u);
+  EXPECT_TRUE(renderer.isBehind());
+  int pictures = 1;
+  for (; renderer.isBehind() && pictures < 100; ++pictures) viewer::renderView(renderer, view, 1);
+  EXPECT_LT(pictures, 20);
+  const Picture paced = viewer::renderView(renderer, view, 1);
+  EXPECT_EQ(renderer.shadowViewsDrawn(), 0u);
+  viewer::Renderer afresh(inputs);
+  EXPECT_EQ(viewer::renderView(afresh, view, 1).pixels, paced.pixels);
 }
 
 TEST(FullShading, SceneWithoutLight_DrawsNoShadowMapAndSaysSo) {
