@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <optional>
 #include <utility>
 
+#include "lightmap/light_map_plan.h"
+#include "lightmap/make_light_map_layout.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
 
@@ -57,7 +60,14 @@ TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, con
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
   StopOnly quiet(progress);
   TimedBake result;
-  result.bake = bakeScene(scene.compiled, request, plan, device, quiet, result.report);
+  std::optional<LightMapLayout> layout;
+  std::optional<LightMapInputs> lightMap;
+  if (plan.runs("light map")) {
+    layout = makeLightMapLayout(scene.scene, scene.compiled, lightMapRequest(request));
+    lightMap.emplace(LightMapInputs{*layout, scene.scene.images});
+  }
+  result.bake = bakeScene(scene.compiled, request, plan, device, quiet, result.report, nullptr, nullptr,
+                          lightMap ? &*lightMap : nullptr);
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "benchmarks/probe_lights.h"
 #include "benchmarks/take_turns.h"
 #include "io/baked_file.h"
+#include "io/light_map_file.h"
 #include "reference/reference.h"
 #include "viewer/view.h"
 
@@ -36,7 +37,12 @@ std::vector<glm::vec3> displayed(const Picture& picture) {
 std::size_t fileBytes(const ComparedScene& scene, const Bake& bake) {
   GltfDocument document = scene.document;
   embedBake(document, scene.scene.compiled, bake);
-  return document.bin.size() - scene.document.bin.size();
+  std::size_t picture = 0;  // before it is compressed
+  if (bake.lightMap) {
+    embedLightMap(document, scene.scene.compiled, bake.lightMap->layout, "map.exr");
+    picture = bake.lightMap->values.size() * sizeof(float);
+  }
+  return document.bin.size() - scene.document.bin.size() + picture;
 }
 
 /// The view with its lights and sky turned about the vertical through the middle of the scene.
@@ -115,6 +121,8 @@ void TechniqueTrial::add(const Technique& technique) {
   BakeRequest request = technique.request;
   if (request.anything()) {
     request.rays = rays_;
+    if (scene_.sky && (request.radiosity || request.lightMap))
+      request.radiosityShape.environment = std::make_shared<Environment>(*scene_.sky);
     TimedBake baked = timedBake(scene_.scene, request, device_, progress_);
     for (const auto& [stage, seconds] : baked.report.stageSeconds)
       (stage == "bounce" || stage == "glossy" ? entry->secondPass : entry->firstPass) += seconds;

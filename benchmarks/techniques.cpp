@@ -55,14 +55,12 @@ void addHarmonics(int order, bool specular, const ThesisRow& sh, const ThesisRow
                   ch});
 }
 
-void addRadiosity(std::vector<Technique>& list) {
-  for (const viewer::ShadingInfo& info : viewer::shadings()) {
-    if (info.name != "radiosity") continue;
-    Technique technique{"Radiosity", {}, info.shading, {}, false, std::nullopt};
-    info.addTo(technique.request, {});
-    technique.request.bounces = 1;
-    list.push_back(technique);
-  }
+/// What holds the light of the scene's own lights as it was baked.
+void addStaticLight(const char* name, Shading shading, std::vector<Technique>& list) {
+  Technique technique{name, {}, shading, {}, false, std::nullopt};
+  viewer::infoOf(shading).addTo(technique.request, {});
+  technique.request.bounces = 1;
+  list.push_back(technique);
 }
 
 }  // namespace
@@ -81,7 +79,8 @@ std::vector<Technique> comparedTechniques(int order, int haarSize) {
   if (order >= 3) addHarmonics(3, false, {60, 63, 5100, 2.07}, {56, 61, 5100, 2.07}, list);
   if (order >= 6) addHarmonics(6, false, {62, 68, 2500, 8.26}, {60, 66, 2500, 8.26}, list);
   list.push_back({"Haar/DD", haar, Shading::Haar, {}, false, std::nullopt});
-  addRadiosity(list);
+  addStaticLight("Radiosity", Shading::Radiosity, list);
+  addStaticLight("Light map", Shading::LightMap, list);
   list.push_back(vectorOccluders("VO/DD+DS+SS", OccluderKind::Node, true, ThesisRow{58, 85, 3500, 2.05}));
   if (order >= 3) addHarmonics(3, true, {105, 70, 114, 20.7}, {103, 70, 97, 20.7}, list);
   if (order >= 6) addHarmonics(6, true, {142, 175, 25, 306}, {142, 173, 22, 306}, list);
