@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "lightmap/direct_light_part.h"
 #include "lightmap/make_light_map_layout.h"
+#include "lightmap/mapped_irradiance.h"
 #include "lightmap/texel_receiver.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
@@ -156,6 +158,60 @@ TEST(IndirectLight, InsideOfABallAroundALamp_ComesEvenlyFromHalfASphere) {
     }
   }
   for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(error[k], 0.0, 0.01) << k;
+}
+
+/// A normal map's normal around a surface's own: 30 degrees aside.
+glm::dvec3 aside(const glm::dvec3& n) {
+  const glm::dvec3 helper = std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  return glm::normalize(n + std::tan(pi / 6.0) * glm::normalize(glm::cross(helper, n)));
+}
+
+/// Direct and indirect light, [texel][channel][5].
+std::vector<float> allIncident(IndirectScene& light) {
+  std::vector<float> values = light.gatherIncident();
+  std::vector<std::uint8_t> hidden(light.layout.texels.size(), 0);
+  Tracer tracer(light.scene, sharedDevice());
+  DirectLightPart(light.scene, tracer, 512, 0, 5).add(light.layout.texels, 5, values, hidden);
+  return values;
+}
+
+/// What normal maps make of the directions against the irradiance of surfaces whose normals do lie so.
+TEST(IndirectLight, TurnedNormals_GetWhatSurfacesTurnedSoDo) {
+  for (const std::string name : {"cornell", "rooms"}) {
+    IndirectScene flat = builtinLight(name, 4096), turned = builtinLight(name, 4096);
+    flat.request.rays = turned.request.rays = 512;
+    for (glm::vec3& n : turned.scene.normals) n = glm::vec3(aside(glm::dvec3(n)));
+    const std::vector<float> values = allIncident(flat), expected = allIncident(turned);
+    double error = 0.0, bandError = 0.0, unturned = 0.0, sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < flat.layout.texels.size(); ++i) {
+      const device::Receiver own = receiverAt(flat.scene, flat.layout.texels[i]),
+                             other = receiverAt(turned.scene, flat.layout.texels[i]);
+      const glm::dvec3 n(own.normal[0], own.normal[1], own.normal[2]), m = aside(n);
+      if (glm::distance(m, glm::dvec3(other.normal[0], other.normal[1], other.normal[2])) > 1e-3) continue;
+      MapLight incident;
+      for (std::size_t k = 0; k < 5; ++k)
+        incident[k] = glm::dvec3(static_cast<double>(values[15 * i + 5 + k]));
+      const double e = static_cast<double>(expected[15 * i + 5]), flatE = incident[0].x;
+      // F / 4 + V.m / 2 over F / 4 + V.n / 2
+      const double quarter = 0.25 * std::sqrt(4.0 * pi) * incident[1].x,
+                   half = 0.5 * std::sqrt(4.0 * pi / 3.0);
+      const glm::dvec3 vector(incident[4].x, incident[2].x, incident[3].x);
+      const double bands = quarter + half * glm::dot(vector, m),
+                   ownBands = quarter + half * glm::dot(vector, n);
+      const double byBands = ownBands > 0.0 ? flatE * std::max(bands, 0.0) / ownBands : 0.0;
+      error += std::pow(mappedIrradiance(incident, n, m).x - e, 2.0);
+      bandError += std::pow(byBands - e, 2.0);
+      unturned += std::pow(flatE - e, 2.0);
+      sum += e;
+      ++count;
+    }
+    ASSERT_GT(count, 1000.0);
+    EXPECT_LT(error, 0.15 * unturned) << name;
+    EXPECT_LT(error, 0.7 * bandError) << name;
+    const auto share = [&](double squares) { return std::to_string(std::sqrt(squares * count) / sum); };
+    RecordProperty(
+        name, share(error) + " of the mean, bands " + share(bandError) + ", unturned " + share(unturned));
+  }
 }
 
 }  // namespace

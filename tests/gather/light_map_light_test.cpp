@@ -95,5 +95,15 @@ TEST(LightMapLight, Caustics_AreThereWhereTheyAreAskedForAndMade) {
   EXPECT_GT(more, 1.0);
 }
 
+TEST(LightMapLight, Directions_AreKeptWhereThereAreNormalMaps) {
+  const Baked bumps = bakeBuiltin("bumps", lightMapOf(0.2)),
+              cornell = bakeBuiltin("cornell", lightMapOf(0.2));
+  EXPECT_TRUE(bumps.plan.runs("directions of the map"));
+  EXPECT_EQ(bumps.bake.lightMap->coefficients, 5);
+  EXPECT_EQ(bumps.bake.lightMap->values.size(), 15 * bumps.bake.lightMap->layout.texelCount());
+  EXPECT_FALSE(cornell.plan.runs("directions of the map"));
+  EXPECT_EQ(cornell.bake.lightMap->coefficients, 1);
+}
+
 }  // namespace
 }  // namespace prelight::test
