@@ -14,7 +14,6 @@ namespace {
 using device::PhotonBlock;
 
 constexpr double coveredPhotons = 0.9;
-constexpr double radiusMargin = 1.5;
 constexpr int leastNearest = 12;
 constexpr int mostNearest = 200;
 
@@ -72,7 +71,7 @@ CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint) {
   filter.density.nearest = nearestFor(photons.photonCount);
   const double area = coveringArea(spreadsOf(photons)) * filter.density.nearest;
   filter.density.minRadius = 1.5 * footprint;
-  filter.radius = std::max(radiusMargin * std::sqrt(area / std::numbers::pi), filter.density.minRadius);
+  filter.radius = std::max(std::sqrt(area / std::numbers::pi), filter.density.minRadius);
   if (!(filter.radius > 0.0)) filter.radius = 1e-3;  // photons at one place, or none
   return filter;
 }

@@ -13,7 +13,7 @@ struct CausticFilter {
 };
 
 /// The filter for photons. k follows from their number; the radius is one that nine tenths of the photons
-/// find their k neighbours within, half as much again; none is smaller than 1.5 times `footprint`, the width
+/// find their k neighbours within; none is smaller than 1.5 times `footprint`, the width
 /// in metres that a pixel or texel sees (0: as sharp as the photons allow).
 CausticFilter chooseCausticFilter(const PhotonMaps& photons, double footprint = 0.0);
 
