@@ -35,6 +35,11 @@ struct RenderInputs {
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
   const FullLight* full = nullptr;     ///< full shading needs it, and adds its caustics; nullptr: not offered
   const NormalMaps* normalMaps = nullptr;  ///< of light maps that hold directions; nullptr: surfaces are even
+
+  /// All of them for a scene whose vertices are elsewhere.
+  RenderInputs movedTo(const CompiledScene& moved) const {
+    return {scene, moved, bake, environment, device, caustics, full, normalMaps};
+  }
 };
 
 /// Light that creases reflect into themselves, in AO shading (Real-Time Rendering, 4th edition, 11.3).

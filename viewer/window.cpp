@@ -281,8 +281,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   const GlfwSession session;
   const WindowHandle window = openWindow(options, view.width, view.height);
   MovedScene moved(inputs.scene, inputs.compiled);
-  const ViewerInputs shown = {inputs.scene,  moved.scene(),   inputs.bake, inputs.environment,
-                              inputs.device, inputs.caustics, inputs.full};
+  const ViewerInputs shown = inputs.movedTo(moved.scene());
   Renderer renderer(shown, options.render.lobe);
   renderer.paceUpdates(true);
   Follower follower(renderer, moved, options.follower);

@@ -285,9 +285,12 @@ FullLight fullLight(Session& session, const PictureOptions& options, const Shade
   if (lit.sky == nullptr && makeLightTables(compiled, lit.lights, nullptr, true).groupCount == 0)
     lit.sky = &neutral;
   FullLightRequest request;
-  request.texels = options.full.texels.value_or(request.texels);
+  FullRequest sized = options.full;
+  sized.width = shaded.render.width;
+  sized.height = shaded.render.height;
+  request.texels = sized.mapTexels();
   request.indirect = options.full.indirect;
-  request.causticPhotons = options.full.causticPhotons.value_or(request.causticPhotons);
+  request.causticPhotons = sized.photonsOfCaustics();
   request.seed = options.bake.request.seed;
   FullLight full = session.times().measure(
       "light", [&] { return makeFullLight(shaded.loaded.scene, lit, request, device, session.progress()); });

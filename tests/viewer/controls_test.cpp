@@ -54,6 +54,26 @@ TEST_F(ControlsTest, Zoom_ManySteps_ComesNearWithoutPassing) {
   EXPECT_LT(eyeOf(c).z, 0.01);
 }
 
+TEST_F(ControlsTest, Node_Dragged_FollowsTheMouseAtItsDepth) {
+  Controls c(view_, scene_, [](Shading) { return true; }, {}, {{"first", {5, 0, 0}}, {"second", {5, 0, 2}}});
+  c.run(Command::NextNode);
+  const std::size_t before = c.changes();
+  c.drag(Drag::Node, {0.25, -0.5});
+  EXPECT_GT(c.changes(), before);
+  const double height = 2.0 * std::tan(0.5 * view_.camera.yFov) * 2.0;
+  EXPECT_NEAR(glm::distance(c.view().nodeShifts[1], height * glm::dvec3(0.25, -0.5, 0.0)), 0.0, 1e-12);
+  EXPECT_EQ(c.view().nodeShifts[0], glm::dvec3(0.0));
+  c.drag(Drag::Node, {-0.25, 0.5});
+  EXPECT_NEAR(glm::length(c.view().nodeShifts[1]), 0.0, 1e-12);
+}
+
+TEST_F(ControlsTest, Node_WithoutAny_IsNotDragged) {
+  Controls c = controls();
+  const std::size_t before = c.changes();
+  c.drag(Drag::Node, {0.25, 0.0});
+  EXPECT_EQ(c.changes(), before);
+}
+
 TEST_F(ControlsTest, Pan_Right_MovesThePictureWithTheMouse) {
   Controls c = controls();
   c.drag(Drag::Pan, {0.1, 0.0});
