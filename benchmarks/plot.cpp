@@ -355,6 +355,31 @@ std::string photonsPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+/// Stages of frames, as far as the suite has frames.
+std::string updatePlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"A frame in which light follows what moves", subtitle, "milliseconds", {}, {}};
+  const std::array<const char*, 5> stages = {"scene", "photons", "density", "gather", "caustics"};
+  for (std::size_t i = 0; i < stages.size(); ++i) chart.legend.push_back({stages[i], palette[i]});
+  for (const BenchmarkResult& result : results) {
+    const auto [scene, detection] = splitCase(result.case_);
+    if (result.metric == "frame") {
+      chart.legend.resize(stages.size());
+      chart.legend.push_back({result.peer + ", with drawing", "#a9b0b8"});
+      groupNamed(chart.groups, scene)
+          .bars.push_back({detection,
+                           {},
+                           1e3 * result.value * *result.ratio,
+                           fmt::format("{:.3g} ms", 1e3 * result.value)});
+    }
+    const auto stage = std::find(stages.begin(), stages.end(), result.metric);
+    if (stage != stages.end() && result.unit == "s")
+      groupNamed(chart.groups, scene)
+          .bars.back()
+          .parts.push_back({1e3 * result.value, palette[static_cast<std::size_t>(stage - stages.begin())]});
+  }
+  return drawBarChart(chart);
+}
+
 }  // namespace
 
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
@@ -363,7 +388,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 18> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 19> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -380,6 +405,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"vo", "vo", voPlot},
                                            {"radiosity", "radiosity", radiosityPlot},
                                            {"photons", "photons", photonsPlot},
+                                           {"update", "update", updatePlot},
                                            {"techniques", "techniques", techniquesPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

@@ -41,8 +41,14 @@ std::vector<Ray> generateRays(const CompiledScene& scene, DeviceContext& device,
   std::vector<Ray> rays(receivers.size() * raysPerReceiver);
   for (std::size_t first = 0; first < receivers.size(); first += block) {
     const auto some = receivers.subspan(first, std::min(block, receivers.size() - first));
-    const CastParameters parameters{
-        static_cast<std::uint32_t>(some.size()), raysPerReceiver, 0, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
+    const CastParameters parameters{static_cast<std::uint32_t>(some.size()),
+                                    raysPerReceiver,
+                                    0,
+                                    scene.vertexCount(),
+                                    0,
+                                    0.0f,
+                                    0.0f,
+                                    0.0f};
     parameterBuffer.write(std::span(&parameters, 1));
     Buffer<Receiver> receiverBuffer(device, some);
     setArguments(generate, parameterBuffer.get(), receiverBuffer.get(), rayBuffer.get());

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/progress.h"
@@ -78,6 +79,12 @@ struct BenchmarkOptions {
   std::vector<double> causticRadii = {1.0, 2.0, 4.0};  ///< pixels
   int photonPasses = 1024;
   int photonsPerPass = 1000;
+  std::vector<int> updateCells = {1, 36, 115};  ///< a side of the moving room's walls
+  int updateFrames = 64;                        ///< in which its objects move
+  std::uint64_t updatePhotons = 20000;          ///< of the scenes below
+  /// Built-in scenes and the node of each that is moved once.
+  std::vector<std::pair<std::string, std::string>> updateScenes = {
+      {"cornell", "Short box"}, {"rooms", "Right crate"}, {"shapes", "Cone"}, {"caustics", "Glass sphere"}};
   std::vector<std::string> techniqueScenes = {"shapes", "shiny shapes", "crowd", "crowd under a sky"};
   std::uint64_t techniqueRays = 10000;      ///< a vertex, of the scenes that are as the thesis'
   std::uint64_t techniqueCrowdRays = 1024;  ///< of the others, at most

@@ -75,6 +75,12 @@ std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const Bench
 std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const BenchmarkOptions& options,
                                              Progress& progress);
 
+/// Seconds of frames in which indirect light and caustics follow moving objects, stage by stage and beside
+/// Larsen's thesis (2004, ch. 14); what an object's move touches, what is done again, and how far it stays
+/// from computing all again.
+std::vector<BenchmarkResult> runUpdateSuite(const Device& device, const BenchmarkOptions& options,
+                                            Progress& progress);
+
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
 /// options.folder. Needs OpenGL.

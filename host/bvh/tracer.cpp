@@ -100,16 +100,18 @@ void Tracer::separate(const CompiledScene& scene, std::span<const std::uint32_t>
   treeless_ = still.empty();
   if (!treeless_) uploadTree(scene, BuildQuality::Balanced, still);
   closest_ = any_ = {};  // the stack may have another size
+  separated_.reset();
+  if (moving.empty()) return;
   separatedTriangles_.assign(moving.begin(), moving.end());
-  follow(scene);
+  separated_ = std::make_unique<Tracer>(*this, scene, moving, BuildQuality::Balanced);
+  keepNearer_ = cl::Kernel(context_->program("bvh/nearer_kernels.cl", {}), "keepNearer");
 }
 
 void Tracer::follow(const CompiledScene& scene) {
-  separated_.reset();
-  if (separatedTriangles_.empty()) return;
-  separated_ = std::make_unique<Tracer>(*this, scene, separatedTriangles_, BuildQuality::Balanced);
-  if (keepNearer_() == nullptr)
-    keepNearer_ = cl::Kernel(context_->program("bvh/nearer_kernels.cl", {}), "keepNearer");
+  if (!separated_) return;
+  const std::uint32_t before = stackBucket(separated_->stackSize_);
+  separated_->uploadTree(scene, BuildQuality::Balanced, separatedTriangles_);
+  if (stackBucket(separated_->stackSize_) != before) separated_->closest_ = separated_->any_ = {};
 }
 
 std::vector<Hit> Tracer::traceSeparated(std::span<const Ray> rays) {

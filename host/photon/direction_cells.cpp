@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace prelight {
 
@@ -15,20 +16,30 @@ constexpr std::size_t mostBalls = 256;
 constexpr double slack = 1e-3;
 constexpr double stretch = 1.05;
 
+constexpr int steps = 4;  ///< of a cell's sides, at which its directions are looked at
+
 struct Cone {
   glm::dvec3 axis;
   double angle = 0.0;  ///< half of its opening
+  double cosine = 1.0;
+  double sine = 0.0;
 };
+
+Cone makeCone(const glm::dvec3& axis, double angle) {
+  return {axis, angle, std::cos(angle), std::sin(angle)};
+}
+
+/// In doubt true.
+bool meet(const Cone& a, const Cone& b) {
+  return a.angle + b.angle >= std::numbers::pi ||
+         glm::dot(a.axis, b.axis) >= a.cosine * b.cosine - a.sine * b.sine - 1e-12;
+}
 
 glm::dvec3 centroid(const CompiledScene& scene, std::uint32_t t) {
   const glm::uvec3& v = scene.triangles[t];
   return (glm::dvec3(scene.positions[v.x]) + glm::dvec3(scene.positions[v.y]) +
           glm::dvec3(scene.positions[v.z])) /
          3.0;
-}
-
-double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 void split(const CompiledScene& scene, std::span<std::uint32_t> triangles, std::size_t most,
@@ -54,18 +65,62 @@ void split(const CompiledScene& scene, std::span<std::uint32_t> triangles, std::
   split(scene, triangles.subspan(half), most - most / 2, balls);
 }
 
-Cone coneOfCell(const DirectionFrame& frame, const DirectionMap& map, std::uint32_t cell,
-                std::uint32_t side) {
-  constexpr int steps = 4;
-  const double u = cell % side, v = cell / side;
-  Cone cone{directionOf(frame, map, (u + 0.5) / side, (v + 0.5) / side)};
-  for (int i = 0; i <= steps; ++i)
-    for (int j = 0; j <= steps; ++j)
-      cone.angle =
-          std::max(cone.angle, angleBetween(cone.axis, directionOf(frame, map, (u + double(i) / steps) / side,
-                                                                   (v + double(j) / steps) / side)));
-  cone.angle = stretch * cone.angle + slack;
-  return cone;
+/// The square of directions at `steps` points a cell and side, in a frame whose axis is z and whose tangent
+/// is x.
+class DirectionLattice {
+ public:
+  DirectionLattice(const DirectionMap& map, std::uint32_t side) : side_(side) {
+    const DirectionFrame local{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}};
+    const std::uint32_t count = 2 * steps * side;  // twice as fine: cells have their middles among them
+    for (std::uint32_t i = 0; i <= count; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / count;
+      turns_.emplace_back(std::cos(turn), std::sin(turn));
+      const glm::dvec3 d = directionOf(local, map, 0.0, double(i) / count);
+      heights_.emplace_back(d.x, d.z);
+    }
+  }
+
+  /// Around all directions of a cell.
+  Cone cone(const DirectionFrame& frame, std::uint32_t cell) const {
+    const std::uint32_t u = 2 * steps * (cell % side_), v = 2 * steps * (cell / side_);
+    const glm::dvec3 middle = at(u + steps, v + steps);
+    double least = 1.0;
+    for (std::uint32_t i = 0; i <= steps; ++i)
+      for (std::uint32_t j = 0; j <= steps; ++j)
+        least = std::min(least, glm::dot(middle, at(u + 2 * i, v + 2 * j)));
+    return makeCone(
+        middle.x * frame.tangent + middle.y * glm::cross(frame.axis, frame.tangent) + middle.z * frame.axis,
+        stretch * std::acos(std::clamp(least, -1.0, 1.0)) + slack);
+  }
+
+ private:
+  glm::dvec3 at(std::uint32_t u, std::uint32_t v) const {
+    return {heights_[v].x * turns_[u].x, heights_[v].x * turns_[u].y, heights_[v].y};
+  }
+
+  std::uint32_t side_;
+  std::vector<glm::dvec2> turns_;    ///< cosine, sine
+  std::vector<glm::dvec2> heights_;  ///< sine and cosine of the angle with the axis
+};
+
+/// Directions from a ball's points to another's; none: they overlap, and any direction is.
+std::optional<Cone> coneTowards(const Ball& from, const Ball& target) {
+  const glm::dvec3 way = target.centre - from.centre;
+  const double distance = glm::length(way), radius = target.radius + from.radius;
+  if (distance <= radius) return std::nullopt;
+  return makeCone(way / distance, std::asin(radius / distance));
+}
+
+Ball ballAroundBalls(std::span<const Ball> balls) {
+  glm::dvec3 lower(1e300), upper(-1e300);
+  for (const Ball& ball : balls) {
+    lower = glm::min(lower, ball.centre - ball.radius);
+    upper = glm::max(upper, ball.centre + ball.radius);
+  }
+  Ball around{0.5 * (lower + upper), 0.0};
+  for (const Ball& ball : balls)
+    around.radius = std::max(around.radius, glm::length(ball.centre - around.centre) + ball.radius);
+  return around;
 }
 
 }  // namespace
@@ -106,19 +161,19 @@ std::vector<std::uint32_t> cellsTowards(const Ball& from, std::span<const Direct
   std::vector<Cone> aims;
   bool inside = false;
   for (const Ball& target : targets) {
-    const glm::dvec3 way = target.centre - from.centre;
-    const double distance = glm::length(way), radius = target.radius + from.radius;
-    inside = inside || distance <= radius;
-    if (!inside) aims.push_back({way / distance, std::asin(radius / distance)});
+    const std::optional<Cone> aim = coneTowards(from, target);
+    inside = inside || !aim;
+    if (aim) aims.push_back(*aim);
   }
+  const std::optional<Cone> all = coneTowards(from, ballAroundBalls(targets));
+  const DirectionLattice lattice(map, side);
   std::vector<std::uint32_t> cells;
   for (std::uint32_t cell = 0; cell < side * side; ++cell) {
     bool meets = inside;
     for (std::size_t f = 0; f < frames.size() && !meets; ++f) {
-      const Cone cone = coneOfCell(frames[f], map, cell, side);
-      meets = std::any_of(aims.begin(), aims.end(), [&](const Cone& a) {
-        return angleBetween(cone.axis, a.axis) <= cone.angle + a.angle;
-      });
+      const Cone cone = lattice.cone(frames[f], cell);
+      meets = (!all || meet(cone, *all)) &&
+              std::any_of(aims.begin(), aims.end(), [&](const Cone& aim) { return meet(cone, aim); });
     }
     if (meets) cells.push_back(cell);
   }

@@ -109,6 +109,7 @@ void LiveLight::makeLight(Progress& progress) {
     caustics.request.photons = options_.causticPhotons;
     caustics.request.seed = options_.seed + 1;
     caustics.request.rouletteDepth = causticRouletteDepth;
+    caustics.groupSize = 0;
     caustics.photonsPerFrame =
         static_cast<std::uint32_t>(options_.causticPhotons / std::max(1u, options_.causticFrames));
     caustics_ = std::make_unique<LivePhotons>(scene_, transport_, caustics, progress);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "update/moved_boxes.h"
 
@@ -51,6 +52,8 @@ std::span<const std::uint32_t> cellsOf(const PhotonSources& sources, const Photo
 LivePhotons::LivePhotons(const LiveScene& scene, TransportScene& transport, const LivePhotonOptions& options,
                          Progress& progress)
     : scene_(scene), transport_(transport), options_(options), tracer_(scene.compiled(), transport) {
+  if (options_.detection == ChangeDetection::Probes && options_.groupSize == 0)
+    throw UsageError("groups of photons", "of 0 photons; expected 1 or more, which one of them tells of");
   options_.request.flights = true;
   adoptSources(makeSources());
   const std::uint32_t bound = std::exchange(options_.photonsPerFrame, 0);
@@ -74,10 +77,12 @@ void LivePhotons::adoptSources(PhotonSources sources) {
   for (std::size_t s = 0; s < stored_.size(); ++s) {
     Source& stored = stored_[s];
     const PhotonSource& source = sources_.sources[s];
-    stored.groups = makePhotonGroups(source, sources_.cells, options_.groupSize);
-    stored.groupOf.resize(source.count);
-    for (std::size_t i = 0; i < stored.groups.photons.size(); ++i)
-      stored.groupOf[stored.groups.photons[i]] = static_cast<std::uint32_t>(i / options_.groupSize);
+    if (options_.groupSize > 0) {
+      stored.groups = makePhotonGroups(source, sources_.cells, options_.groupSize);
+      stored.groupOf.resize(source.count);
+      for (std::size_t i = 0; i < stored.groups.photons.size(); ++i)
+        stored.groupOf[stored.groups.photons[i]] = static_cast<std::uint32_t>(i / options_.groupSize);
+    }
     stored.paths.resize(std::max<std::size_t>(stored.paths.size(), source.count));
     stored.waits.resize(stored.paths.size(), 0);
   }

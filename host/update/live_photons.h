@@ -22,7 +22,7 @@ enum class ChangeDetection : std::uint8_t {
 struct LivePhotonOptions {
   PhotonRequest request;
   ChangeDetection detection = ChangeDetection::Flights;
-  std::uint32_t groupSize = 40;       ///< photons of a group, 1 or more
+  std::uint32_t groupSize = 40;       ///< photons of a group; 0: none are made, and there are no probes
   std::uint32_t photonsPerFrame = 0;  ///< sent again at most, besides probes; 0: all that are found
 };
 

@@ -138,6 +138,24 @@ TEST_F(CliBench, Photons_TreesAndGrids_FindTheSame) {
   EXPECT_EQ(compared, 4u);
 }
 
+TEST_F(CliBench, Update_SendsAFewPhotonsAgain_AndSettlesToTheWhole) {
+  prelightDone({"bench", "update", "--quick", "--quiet", "--json", "update.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("update.json"));
+  expectReport(report);
+  std::map<std::string, std::set<std::string>> metrics;
+  for (const auto& entry : report["results"]) {
+    metrics[entry["metric"]].insert(entry["case"]);
+    if (entry["metric"] == "difference") EXPECT_LT(entry["value"], 0.02) << entry;
+    if (entry["metric"] == "gather" || entry["metric"] == "frame")
+      EXPECT_EQ(entry["peer"].is_null(), entry["metric"] == "gather" && entry["case"].get<std::string>().find(
+                                                                            "rays") == std::string::npos)
+          << entry;
+  }
+  EXPECT_EQ(metrics["frame"].size(), 2u);
+  EXPECT_EQ(metrics["ways that change"].size(), 2u);
+  EXPECT_EQ(metrics["difference"].size(), 4u);
+}
+
 #ifdef PRELIGHT_WITH_VIEWER
 TEST_F(CliBench, Techniques_TablesAndPictures_AreWrittenIntoTheFolder) {
   prelightDone({"bench", "techniques", "--quick", "--quiet", "--json", "techniques.json", "--plot", "plots"});
@@ -174,9 +192,9 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   expectReport(report);
   std::set<std::string> measured;
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
-  std::set<std::string> expected = {"animation", "bake",  "build", "cast",    "compress",  "radiosity",
-                                    "error",     "full",  "rays",  "photons", "reference", "relight",
-                                    "scaling",   "trees", "vo",    "wavelets"};
+  std::set<std::string> expected = {"animation", "bake",  "build",  "cast",    "compress",  "radiosity",
+                                    "error",     "full",  "rays",   "photons", "reference", "relight",
+                                    "scaling",   "trees", "update", "vo",      "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
   expected.insert("techniques");
 #endif
