@@ -357,9 +357,11 @@ std::string photonsPlot(const Results& results, const std::string& subtitle) {
 
 /// Stages of frames, as far as the suite has frames.
 std::string updatePlot(const Results& results, const std::string& subtitle) {
+  const std::array<const char*, 6> stageColors = {palette[0], palette[1], palette[2],
+                                                  palette[3], palette[4], "#7a8a99"};
   BarChart chart{"A frame in which light follows what moves", subtitle, "milliseconds", {}, {}};
-  const std::array<const char*, 5> stages = {"scene", "photons", "density", "gather", "caustics"};
-  for (std::size_t i = 0; i < stages.size(); ++i) chart.legend.push_back({stages[i], palette[i]});
+  const std::array<const char*, 6> stages = {"scene", "photons", "density", "gather", "caustics", "drawing"};
+  for (std::size_t i = 0; i < stages.size(); ++i) chart.legend.push_back({stages[i], stageColors[i]});
   for (const BenchmarkResult& result : results) {
     const auto [scene, detection] = splitCase(result.case_);
     if (result.metric == "frame") {
@@ -375,7 +377,8 @@ std::string updatePlot(const Results& results, const std::string& subtitle) {
     if (stage != stages.end() && result.unit == "s")
       groupNamed(chart.groups, scene)
           .bars.back()
-          .parts.push_back({1e3 * result.value, palette[static_cast<std::size_t>(stage - stages.begin())]});
+          .parts.push_back(
+              {1e3 * result.value, stageColors[static_cast<std::size_t>(stage - stages.begin())]});
   }
   return drawBarChart(chart);
 }

@@ -81,6 +81,7 @@ struct BenchmarkOptions {
   int photonsPerPass = 1000;
   std::vector<int> updateCells = {1, 36, 115};  ///< a side of the moving room's walls
   int updateFrames = 64;                        ///< in which its objects move
+  int updateSide = 512;                         ///< pixels of what is drawn
   std::uint64_t updatePhotons = 20000;          ///< of the scenes below
   /// Built-in scenes and the node of each that is moved once.
   std::vector<std::pair<std::string, std::string>> updateScenes = {

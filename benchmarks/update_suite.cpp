@@ -12,6 +12,9 @@
 #include "gather/indirect_light.h"
 #include "lightmap/make_light_map_layout.h"
 #include "update/live_light.h"
+#ifdef PRELIGHT_WITH_VIEWER
+#include "benchmarks/live_drawing.h"
+#endif
 
 namespace prelight::benchmarks {
 
@@ -129,12 +132,19 @@ class UpdateSuite {
                    std::array{cube, ball}, device_, quiet_);
     std::map<std::string, std::vector<double>> seconds;
     std::vector<double> frames, again, groups, rays;
+#ifdef PRELIGHT_WITH_VIEWER
+    LiveDrawing drawing(scene, live, options_.updateSide);
+#endif
     for (int f = 1; f <= options_.updateFrames; ++f) {
       const double turn = 2.0 * std::numbers::pi * f / 64.0;
       live.moveNode(cube, shifted({0.2 * std::sin(turn), 0.1 - 0.1 * std::cos(turn), 0.1 * std::sin(turn)}));
       live.moveNode(ball, shifted({0.1 * std::sin(turn), 0.0, 0.2 * std::sin(2.0 * turn)}));
       LiveFrame frame;
       frames.push_back(secondsOf([&] { frame = live.advance(quiet_); }));
+#ifdef PRELIGHT_WITH_VIEWER
+      seconds["drawing"].push_back(secondsOf([&] { drawing.draw(frame, true); }));
+      frames.back() += seconds["drawing"].back();
+#endif
       for (const auto& [stage, s] : frame.stageSeconds) seconds[stage].push_back(s);
       again.push_back(static_cast<double>(frame.photons.traced) /
                       static_cast<double>(live.photons()->pathCount()));
@@ -143,7 +153,7 @@ class UpdateSuite {
       rays.push_back(static_cast<double>(frame.rays()));
     }
     add(case_, "frame", median(frames), "s", thesisFrame);
-    for (const char* stage : {"scene", "photons", "density", "gather", "caustics"})
+    for (const char* stage : {"scene", "photons", "density", "gather", "caustics", "drawing"})
       if (seconds.count(stage) > 0) add(case_, stage, median(seconds[stage]), "s");
     add(case_, "photons sent again", median(again), "1");
     add(case_, "groups sent again", median(groups), "1");

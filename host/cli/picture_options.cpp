@@ -6,12 +6,14 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/full_light.h"
 #include "cli/full_picture.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
+#include "update/live_full_light.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
 
@@ -270,36 +272,6 @@ viewer::RenderInputs ShadedScene::inputs() const {
           normalMaps ? &*normalMaps : nullptr};
 }
 
-namespace {
-
-/// Indirect light and caustics of full shading, under the picture's lights.
-FullLight fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
-  requireTriangles(shaded.loaded);
-  DeviceOptions deviceOptions = session.deviceOptions();
-  options.bake.addTo(deviceOptions);
-  const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
-  const CompiledScene& compiled = shaded.loaded.compiled;
-  LitScene lit{compiled, shaded.loaded.scene.images, options.lights.value_or(shaded.loaded.scene.lights),
-               shaded.environment ? &*shaded.environment : nullptr, shaded.render.skyRotation};
-  const Environment neutral = constantEnvironment(glm::vec3(1.0f));
-  if (lit.sky == nullptr && makeLightTables(compiled, lit.lights, nullptr, true).groupCount == 0)
-    lit.sky = &neutral;
-  FullLightRequest request;
-  FullRequest sized = options.full;
-  sized.width = shaded.render.width;
-  sized.height = shaded.render.height;
-  request.texels = sized.mapTexels();
-  request.indirect = options.full.indirect;
-  request.causticPhotons = sized.photonsOfCaustics();
-  request.seed = options.bake.request.seed;
-  FullLight full = session.times().measure(
-      "light", [&] { return makeFullLight(shaded.loaded.scene, lit, request, device, session.progress()); });
-  session.progress().clear();
-  return full;
-}
-
-}  // namespace
-
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
   return session.times()
       .measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); })
@@ -334,7 +306,12 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   loadBumps(session, shaded);
   checkShadingOptions(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
-  if (render.shading == viewer::Shading::Full) shaded.full = fullLight(session, options, shaded);
+  if (render.shading == viewer::Shading::Full && everyShading) {
+    shaded.following = followingLight(session, options, shaded);
+    shaded.full = fullLightOf(*shaded.following->light);
+  } else if (render.shading == viewer::Shading::Full) {
+    shaded.full = fullLight(session, options, shaded);
+  }
   if (options.causticPhotons > 0) {
     DeviceOptions device = session.deviceOptions();
     options.bake.addTo(device);

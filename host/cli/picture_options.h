@@ -8,6 +8,7 @@
 
 #include "cli/bake_options.h"
 #include "cli/drawn_caustics.h"
+#include "cli/full_light.h"
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
@@ -55,6 +56,7 @@ struct ShadedScene {
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<FullLight> full;
   std::optional<NormalMaps> normalMaps;  ///< where the light map can be turned by them
+  std::unique_ptr<FollowingLight> following;  ///< of a window in full shading
 
   viewer::RenderInputs inputs() const;
 };

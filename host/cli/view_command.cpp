@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
+#include "viewer/live_follower.h"
 #include "viewer/window.h"
 
 namespace prelight::cli {
@@ -35,6 +37,8 @@ void runView(const ViewCommand& command, Context& context) {
   options.title = "prelight: " + command.picture.scene.filename().string();
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
+  std::optional<viewer::LiveFollower> follower;
+  if (shaded.following) options.follower = &follower.emplace(*shaded.following->light, *shaded.full);
   context.signals.endAtOnce();  // Ctrl-C closes the window
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());

@@ -26,8 +26,9 @@ std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
                     : "nothing gives light"}};
 }
 
-/// Texels that get none at all lie inside an object, or in the dark; they take after their neighbours.
-void setIndirect(std::span<const glm::vec3> irradiance, LightMap& map) {
+}  // namespace
+
+void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map) {
   std::vector<std::uint8_t> hidden(irradiance.size());
   for (std::size_t i = 0; i < irradiance.size(); ++i) {
     hidden[i] = irradiance[i] == glm::vec3(0.0f) ? 1 : 0;
@@ -37,8 +38,6 @@ void setIndirect(std::span<const glm::vec3> irradiance, LightMap& map) {
   }
   fillHidden(hidden, map);
 }
-
-}  // namespace
 
 FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLightRequest& request,
                         const Device& device, Progress& progress) {
@@ -63,7 +62,7 @@ FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLigh
     indirect.seed = request.seed;
     IndirectLight light(compiled, scene, full.indirect.layout, surface, indirect, device, progress);
     mark("photons");
-    setIndirect(light.gather(full.indirect.layout.texels, progress), full.indirect);
+    setIrradiance(light.gather(full.indirect.layout.texels, progress), full.indirect);
     full.indirectPhotons = light.photons();
     full.rays += light.rays();
     mark("gather");

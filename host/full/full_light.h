@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,10 @@ struct FullLight {
   PhotonReport indirectPhotons, causticPhotons;
   std::uint64_t rays = 0;
 };
+
+/// Sets the values of a light map of one coefficient from those of its places. Places that get none at all
+/// lie inside an object, or in the dark; they take after their neighbours on the chart.
+void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map);
 
 /// Throws UsageError when the light map would be too large, Interrupted between blocks.
 FullLight makeFullLight(const Scene& scene, const LitScene& lit, const FullLightRequest& request,

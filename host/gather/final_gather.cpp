@@ -38,7 +38,6 @@ FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
   values_.mapWidth = static_cast<std::uint32_t>(irradiance.width());
   values_.mapHeight = static_cast<std::uint32_t>(irradiance.height());
   values_.triangleCount = compiled.triangleCount();
-  values_.lights = scene.layout();
   generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
   const cl::Program& program =
       device_.program("gather/gather_kernels.cl", scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS"));
@@ -90,6 +89,7 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
 void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<std::uint32_t>* seen) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   values_.receiverCount = count;
+  values_.lights = scene_.layout();
   parameters_.write(std::span<const GatherParameters>(&values_, 1));
   CastParameters cast{};
   cast.receiverCount = count;

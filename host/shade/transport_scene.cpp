@@ -32,6 +32,11 @@ void TransportScene::setLights(const CompiledScene& scene, const std::vector<Lig
   lights_ = LightBuffers(tracer_->context(), tables_);
 }
 
+void TransportScene::setSkyRotation(double angle) {
+  skyRotation_ = angle;
+  layout_ = lightLayout(tables_, angle);
+}
+
 cl_uint TransportScene::setArguments(cl::Kernel& kernel, cl_uint index) const {
   return lights_.setArguments(kernel, surface_.setArguments(kernel, index));
 }

@@ -36,6 +36,9 @@ class TransportScene {
   /// From now on these punctual lights shine, as many and of the same types as before, each in its place.
   void setLights(const CompiledScene& scene, const std::vector<Light>& lights);
 
+  /// Turns the sky: radians, counter-clockwise about +Y seen from above.
+  void setSkyRotation(double angle);
+
   /// Sets surface and lights (ShadedSurface, then LightBuffers) as arguments of a kernel from `index` on;
   /// returns the index after them.
   cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;

@@ -73,6 +73,17 @@ LiveLight::~LiveLight() = default;
 void LiveLight::moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
 void LiveLight::setLight(std::size_t index, const Light& light) { scene_.setLight(index, light); }
 
+void LiveLight::setSkyRotation(double angle) {
+  transport_.setSkyRotation(angle);
+  skyTurned_ = true;
+}
+
+SceneChange LiveLight::takeChanges() {
+  SceneChange change = scene_.takeChanges();
+  change.sky = std::exchange(skyTurned_, false);
+  return change;
+}
+
 /// Gives triangles that move a tree of their own, once.
 void LiveLight::separate(std::span<const std::uint32_t> triangles) {
   const std::size_t before = separated_.size();
@@ -117,7 +128,7 @@ void LiveLight::makeLight(Progress& progress) {
 }
 
 void LiveLight::recompute(Progress& progress) {
-  follow(scene_.takeChanges());
+  follow(takeChanges());
   makeLight(progress);
 }
 
@@ -138,7 +149,7 @@ void LiveLight::follow(const SceneChange& change) {
 LiveFrame LiveLight::advance(Progress& progress) {
   LiveFrame frame;
   Stages stages(frame);
-  const SceneChange change = scene_.takeChanges();
+  const SceneChange change = takeChanges();
   follow(change);
   if (gather_ && !change.triangles.empty()) gather_->moved(change.triangles, progress);
   stages.mark("scene");

@@ -61,6 +61,7 @@ class LiveLight {
   /// Changes that the next frame sees: LiveScene's.
   void moveNode(int node, const RigidMotion& motion);
   void setLight(std::size_t index, const Light& light);
+  void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
 
   LiveFrame advance(Progress& progress);
 
@@ -81,6 +82,7 @@ class LiveLight {
   const std::vector<PlannedPass>& plan() const { return plan_; }
 
  private:
+  SceneChange takeChanges();
   void follow(const SceneChange& change);
   void separate(std::span<const std::uint32_t> triangles);
   void makeLight(Progress& progress);
@@ -93,6 +95,7 @@ class LiveLight {
   SurfaceRegions regions_;
   TransportScene transport_;
   std::vector<std::uint32_t> separated_;  ///< triangles, ascending
+  bool skyTurned_ = false;
   std::vector<PlannedPass> plan_;
   std::unique_ptr<LivePhotons> photons_, caustics_;
   std::unique_ptr<LiveApproximation> approximation_;

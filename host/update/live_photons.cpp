@@ -73,6 +73,9 @@ PhotonSources LivePhotons::makeSources() const {
 /// The sources' photons take the places of those that there are, which stay until they are replaced.
 void LivePhotons::adoptSources(PhotonSources sources) {
   sources_ = std::move(sources);
+  for (std::size_t s = sources_.sources.size(); s < stored_.size(); ++s)
+    for (const Path& path : stored_[s].paths)
+      gone_.insert(gone_.end(), path.photons.begin(), path.photons.end());
   stored_.resize(sources_.sources.size());
   for (std::size_t s = 0; s < stored_.size(); ++s) {
     Source& stored = stored_[s];
@@ -103,7 +106,7 @@ bool LivePhotons::sameSource(const PhotonSources& other, std::size_t index) cons
 }
 
 bool LivePhotons::concerns(const PhotonSource& source, const SceneChange& change) const {
-  if (source.kind != PRELIGHT_SOURCE_PUNCTUAL) return false;
+  if (source.kind != PRELIGHT_SOURCE_PUNCTUAL) return change.sky && source.kind == PRELIGHT_SOURCE_SKY;
   const std::vector<std::uint8_t> lights = tableLights(scene_.compiled().lights, change.lights);
   return source.light < lights.size() && lights[source.light] != 0;
 }
@@ -273,6 +276,8 @@ void LivePhotons::probe(PhotonDelta& delta, PhotonFrame& frame, Progress& progre
 PhotonFrame LivePhotons::advance(PhotonDelta& delta, Progress& progress) {
   PhotonFrame frame;
   if (settled()) return frame;
+  delta.removed.insert(delta.removed.end(), gone_.begin(), gone_.end());
+  gone_.clear();
   if (options_.detection == ChangeDetection::Probes) probe(delta, frame, progress);
   const std::vector<std::uint64_t> shares = shareBudget();
   for (std::size_t s = 0; s < stored_.size(); ++s) {
@@ -293,6 +298,7 @@ PhotonFrame LivePhotons::advance(PhotonDelta& delta, Progress& progress) {
 }
 
 bool LivePhotons::settled() const {
+  if (!gone_.empty()) return false;
   for (const Source& stored : stored_)
     if (std::find(stored.waits.begin(), stored.waits.end(), 1) != stored.waits.end()) return false;
   return options_.detection == ChangeDetection::Flights || quiet_ >= options_.groupSize;

@@ -99,9 +99,10 @@ class LivePhotons {
   LivePhotonOptions options_;
   PhotonTracer tracer_;
   PhotonSources sources_;
-  std::vector<Source> stored_;  ///< [source]
-  std::uint32_t turn_ = 0;      ///< member of each group that probes next
-  std::uint32_t quiet_ = 0;     ///< rounds of probes that found nothing, in frames
+  std::vector<Source> stored_;        ///< [source]
+  std::vector<device::Photon> gone_;  ///< of sources that are no more
+  std::uint32_t turn_ = 0;            ///< member of each group that probes next
+  std::uint32_t quiet_ = 0;           ///< rounds of probes that found nothing, in frames
 };
 
 }  // namespace prelight

@@ -13,7 +13,8 @@ namespace prelight {
 struct SceneChange {
   std::vector<std::uint32_t> triangles;  ///< in ascending order
   std::vector<std::uint32_t> lights;     ///< punctual ones, in ascending order
-  bool empty() const { return triangles.empty() && lights.empty(); }
+  bool sky = false;                      ///< it has turned
+  bool empty() const { return triangles.empty() && lights.empty() && !sky; }
 };
 
 /// A compiled scene whose nodes move as rigid bodies and whose lights are changed, in its own coordinates:

@@ -1,0 +1,60 @@
+#include "benchmarks/live_drawing.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "update/live_full_light.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/renderer.h"
+#include "viewer/view.h"
+
+namespace prelight::benchmarks {
+
+struct LiveDrawing::Parts {
+  Parts(const BenchmarkScene& scene, const LiveLight& followed, int side)
+      : live(followed),
+        full(fullLightOf(followed)),
+        inputs{.scene = scene.scene, .compiled = followed.scene().compiled(), .full = &full},
+        renderer(inputs),
+        target(side, side),
+        photons(full.photons) {
+    viewer::RenderOptions options;
+    options.shading = viewer::Shading::Full;
+    options.width = options.height = side;
+    view = viewer::makeView(inputs, options);
+  }
+
+  const LiveLight& live;
+  viewer::gl::EglContext context;
+  FullLight full;
+  viewer::RenderInputs inputs;
+  viewer::Renderer renderer;
+  viewer::gl::Framebuffer target;
+  viewer::View view;
+  std::vector<device::Photon> photons;
+};
+
+LiveDrawing::LiveDrawing(const BenchmarkScene& scene, const LiveLight& live, int side)
+    : parts_(std::make_unique<Parts>(scene, live, side)) {}
+
+LiveDrawing::~LiveDrawing() = default;
+
+void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
+  Parts& p = *parts_;
+  if (moved) p.renderer.sceneMoved();
+  if (frame.shownChanged) {
+    LightMap& map = p.full.indirect;
+    std::fill(map.values.begin(), map.values.end(), 0.0f);
+    setIrradiance(p.live.indirect(), map);
+    p.renderer.updateIndirect(map.values);
+  }
+  if (frame.causticsChanged) {
+    p.photons = p.live.caustics();
+    p.renderer.updateCaustics({p.photons, p.full.filter});
+  }
+  p.renderer.draw(p.view, {0, 0, p.view.width, p.view.height}, p.target);
+  glFinish();
+}
+
+}  // namespace prelight::benchmarks

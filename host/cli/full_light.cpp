@@ -1,0 +1,81 @@
+#include "cli/full_light.h"
+
+#include <algorithm>
+
+#include "cli/picture_options.h"
+
+namespace prelight::cli {
+
+namespace {
+
+/// A frame's share of the work in a window: a few hundredths of a second on two cores.
+constexpr std::uint32_t followedTexels = 100, followedPhotons = 4000;
+/// All may have to be sent again within a few frames.
+constexpr std::uint64_t followedCausticPhotons = 20000;
+
+/// What lights a picture in full shading: an even sky where nothing else gives light.
+struct FullLights {
+  std::vector<Light> lights;
+  std::optional<Environment> sky;
+};
+
+FullLights fullLights(const PictureOptions& options, const ShadedScene& shaded) {
+  FullLights found{options.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
+  if (!found.sky && makeLightTables(shaded.loaded.compiled, found.lights, nullptr, true).groupCount == 0)
+    found.sky = constantEnvironment(glm::vec3(1.0f));
+  return found;
+}
+
+Device openFullDevice(Session& session, const PictureOptions& options) {
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  return session.times().measure("device", [&] { return Device::open(deviceOptions); });
+}
+
+}  // namespace
+
+FullLight fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
+  requireTriangles(shaded.loaded);
+  const Device device = openFullDevice(session, options);
+  const FullLights lights = fullLights(options, shaded);
+  const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
+                     lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
+  FullLightRequest request;
+  request.texels = options.full.texels.value_or(request.texels);
+  request.indirect = options.full.indirect;
+  request.causticPhotons = options.full.causticPhotons.value_or(request.causticPhotons);
+  request.seed = options.bake.request.seed;
+  FullLight full = session.times().measure(
+      "light", [&] { return makeFullLight(shaded.loaded.scene, lit, request, device, session.progress()); });
+  session.progress().clear();
+  return full;
+}
+
+std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,
+                                               const ShadedScene& shaded) {
+  requireTriangles(shaded.loaded);
+  auto following = std::make_unique<FollowingLight>();
+  following->device.emplace(openFullDevice(session, options));
+  FullLights lights = fullLights(options, shaded);
+  following->sky = std::move(lights.sky);
+  CompiledScene compiled = shaded.loaded.compiled;
+  compiled.lights = std::move(lights.lights);
+  LiveLightOptions live;
+  live.photons = options.full.indirect.photons;
+  live.texels = options.full.texels.value_or(FullLightRequest().texels);
+  live.gather.rays = options.full.indirect.rays;
+  live.gather.texelsPerFrame = followedTexels;
+  live.photonsPerFrame = followedPhotons;
+  live.causticPhotons =
+      std::min(options.full.causticPhotons.value_or(followedCausticPhotons), followedCausticPhotons);
+  live.seed = options.bake.request.seed;
+  session.times().measure("light", [&] {
+    following->light.emplace(shaded.loaded.scene, std::move(compiled),
+                             following->sky ? &*following->sky : nullptr, shaded.render.skyRotation, live,
+                             std::span<const int>(), *following->device, session.progress());
+  });
+  session.progress().clear();
+  return following;
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "device/device.h"
+#include "full/full_light.h"
+#include "io/environment.h"
+#include "update/live_light.h"
+
+namespace prelight::cli {
+
+class Session;
+struct PictureOptions;
+struct ShadedScene;
+
+/// Light that follows what moves in a window, and what it refers to.
+struct FollowingLight {
+  std::optional<Environment> sky;
+  std::optional<Device> device;
+  std::optional<LiveLight> light;
+};
+
+/// Indirect light and caustics of full shading, under the picture's lights.
+FullLight fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded);
+
+/// The same light, able to follow what moves, a little a frame.
+std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,
+                                               const ShadedScene& shaded);
+
+}  // namespace prelight::cli

@@ -1,0 +1,124 @@
+#include "viewer/live_follower.h"
+
+#include <gtest/gtest.h>
+
+#include "support/devices.h"
+#include "update/live_full_light.h"
+#include "update/live_scenes.h"
+
+namespace prelight::viewer {
+namespace {
+
+using test::LoadedScene;
+
+LiveLightOptions smallOptions() {
+  LiveLightOptions options;
+  options.photons = 4000;
+  options.texels = 400;
+  options.gather.rays = 32;
+  options.gather.texelsPerFrame = 0;
+  options.gather.blendFrames = 1;
+  options.causticPhotons = 1000;
+  options.causticFrames = 1;
+  return options;
+}
+
+class LiveFollowerTest : public ::testing::Test {
+ protected:
+  void open(const std::string& name) {
+    loaded_.emplace(name);
+    Progress progress;
+    live_.emplace(loaded_->scene, loaded_->compiled, nullptr, 0.0, smallOptions(), std::span<const int>(),
+                  test::sharedDevice(), progress);
+    start_ = fullLightOf(*live_);
+    follower_.emplace(*live_, start_);
+    lights_ = loaded_->compiled.lights;
+    for (const MeshNode& node : loaded_->scene.meshNodes) shifts_.push_back({node.node, glm::dvec3(0.0)});
+  }
+  bool update(double skyRotation = 0.0) { return follower_->update({lights_, shifts_, skyRotation}); }
+  void shift(const std::string& node, const glm::dvec3& by) {
+    for (NodeShift& s : shifts_)
+      if (s.node == loaded_->node(node)) s.by = by;
+  }
+  int settle() {
+    int frames = 0;
+    while (update() && frames < 200) ++frames;
+    return frames;
+  }
+
+  std::optional<LoadedScene> loaded_;
+  std::optional<LiveLight> live_;
+  FullLight start_;
+  std::optional<LiveFollower> follower_;
+  std::vector<Light> lights_;
+  std::vector<NodeShift> shifts_;
+};
+
+TEST_F(LiveFollowerTest, ViewThatStays_BringsNoNewLight) {
+  open("rooms");
+  EXPECT_FALSE(update());
+  EXPECT_FALSE(update());
+  EXPECT_EQ(follower_->frame().rays(), 0u);
+}
+
+TEST_F(LiveFollowerTest, DraggedNode_BringsTheLightOfItsNewPlace) {
+  open("cornell");
+  update();
+  const std::vector<float> before(follower_->indirect().begin(), follower_->indirect().end());
+  shift("Tall box", {0.3, 0.0, 0.2});
+  EXPECT_TRUE(update());
+  EXPECT_GT(follower_->frame().photons.changed, 0u);
+  settle();
+  EXPECT_NE(before, std::vector<float>(follower_->indirect().begin(), follower_->indirect().end()));
+  shift("Tall box", glm::dvec3(0.0));
+  update();
+  settle();
+  double difference = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    difference += std::abs(follower_->indirect()[i] - before[i]);
+    sum += before[i];
+  }
+  EXPECT_LT(difference, 1e-3 * sum);
+}
+
+TEST_F(LiveFollowerTest, DraggedLight_IsFollowed_AndAddedOnesAreLeftAlone) {
+  open("rooms");
+  update();
+  lights_[0].position.z += 0.4;
+  EXPECT_TRUE(update());
+  EXPECT_GT(follower_->frame().photons.traced, 0u);
+  settle();
+  lights_.push_back(lights_[0]);
+  EXPECT_FALSE(update());
+}
+
+TEST_F(LiveFollowerTest, DraggedCaster_TakesItsCausticsAlong) {
+  open("caustics");
+  update();
+  const Caustics before = follower_->caustics();
+  const std::vector<device::Photon> photons(before.photons.begin(), before.photons.end());
+  ASSERT_FALSE(photons.empty());
+  shift("Glass sphere", {-0.3, 0.0, 0.0});
+  EXPECT_TRUE(update());
+  const Caustics after = follower_->caustics();
+  const auto meanX = [](std::span<const device::Photon> all) {
+    double power = 0.0, sum = 0.0;
+    for (const device::Photon& p : all) {
+      if (p.position[1] > -0.9f) continue;  // on the floor, below the sphere
+      power += p.power[1];
+      sum += p.power[1] * p.position[0];
+    }
+    return sum / power;
+  };
+  EXPECT_NEAR(meanX(after.photons) - meanX(photons), -0.3, 0.12);
+}
+
+TEST_F(LiveFollowerTest, IndirectLight_StartsAsTheWindowsLightMap) {
+  open("cornell");
+  EXPECT_EQ(std::vector<float>(follower_->indirect().begin(), follower_->indirect().end()),
+            start_.indirect.values);
+  EXPECT_EQ(start_.indirect.layout.texels.size(), live_->layout().texels.size());
+}
+
+}  // namespace
+}  // namespace prelight::viewer
