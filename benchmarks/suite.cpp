@@ -106,7 +106,7 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .photonPasses = 4,
           .photonsPerPass = 500,
           .updateCells = {1, 4},
-          .updateFrames = 2,
+          .updateFrames = 16,
           .updateSide = 32,
           .updatePhotons = 500,
           .updateScenes = {{"cornell", "Short box"}},
