@@ -63,6 +63,7 @@ std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOp
   LiveLightOptions live;
   live.photons = options.full.indirect.photons;
   live.texels = options.full.texels.value_or(FullLightRequest().texels);
+  live.nearestPhotons = options.full.indirect.nearestPhotons;
   live.gather.rays = options.full.indirect.rays;
   live.gather.texelsPerFrame = followedTexels;
   live.photonsPerFrame = followedPhotons;
