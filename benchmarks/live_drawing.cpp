@@ -23,6 +23,7 @@ struct LiveDrawing::Parts {
     options.shading = viewer::Shading::Full;
     options.width = options.height = side;
     view = viewer::makeView(inputs, options);
+    renderer.paceUpdates(true);
   }
 
   const LiveLight& live;

@@ -22,7 +22,7 @@ namespace {
 
 const char* const thesis = "Larsen 2004";
 constexpr double thesisFrame = 1.0 / 35.0;  // s, of which drawing is a part there
-constexpr int drawnEvery = 16;              // frames: OpenGL may well be software
+constexpr int drawnEvery = 8;               // frames: OpenGL may well be software
 constexpr int mostFrames = 2000;            // until light has settled
 
 /// The setting of Larsen (2004, ch. 14): 77 groups of 40 photons, 140 texels of which 20 are gathered a frame
