@@ -357,11 +357,10 @@ std::string photonsPlot(const Results& results, const std::string& subtitle) {
 
 /// Stages of frames, as far as the suite has frames.
 std::string updatePlot(const Results& results, const std::string& subtitle) {
-  const std::array<const char*, 6> stageColors = {palette[0], palette[1], palette[2],
-                                                  palette[3], palette[4], "#7a8a99"};
-  BarChart chart{"A frame in which light follows what moves", subtitle, "milliseconds", {}, {}};
-  const std::array<const char*, 6> stages = {"scene", "photons", "density", "gather", "caustics", "drawing"};
-  for (std::size_t i = 0; i < stages.size(); ++i) chart.legend.push_back({stages[i], stageColors[i]});
+  BarChart chart{
+      "A frame in which light follows what moves, without drawing", subtitle, "milliseconds", {}, {}};
+  const std::array<const char*, 5> stages = {"scene", "photons", "density", "gather", "caustics"};
+  for (std::size_t i = 0; i < stages.size(); ++i) chart.legend.push_back({stages[i], palette[i]});
   for (const BenchmarkResult& result : results) {
     const auto [scene, detection] = splitCase(result.case_);
     if (result.metric == "frame") {
@@ -374,12 +373,12 @@ std::string updatePlot(const Results& results, const std::string& subtitle) {
                            fmt::format("{:.3g} ms", 1e3 * result.value)});
     }
     const auto stage = std::find(stages.begin(), stages.end(), result.metric);
-    if (stage != stages.end() && result.unit == "s")
-      groupNamed(chart.groups, scene)
-          .bars.back()
-          .parts.push_back(
-              {1e3 * result.value, stageColors[static_cast<std::size_t>(stage - stages.begin())]});
+    std::vector<Bar>& bars = groupNamed(chart.groups, scene).bars;
+    if (stage == stages.end() || bars.empty() || bars.back().label != detection) continue;
+    const std::string color = palette[static_cast<std::size_t>(stage - stages.begin())];
+    bars.back().parts.push_back({1e3 * result.value, color});
   }
+  std::erase_if(chart.groups, [](const BarGroup& group) { return group.bars.empty(); });
   return drawBarChart(chart);
 }
 

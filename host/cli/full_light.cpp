@@ -26,6 +26,14 @@ FullLights fullLights(const PictureOptions& options, const ShadedScene& shaded) 
   return found;
 }
 
+/// What was asked for, or what the size of the picture tells.
+FullRequest sizedRequest(const PictureOptions& options, const ShadedScene& shaded) {
+  FullRequest request = options.full;
+  request.width = shaded.render.width;
+  request.height = shaded.render.height;
+  return request;
+}
+
 Device openFullDevice(Session& session, const PictureOptions& options) {
   DeviceOptions deviceOptions = session.deviceOptions();
   options.bake.addTo(deviceOptions);
@@ -40,10 +48,11 @@ FullLight fullLight(Session& session, const PictureOptions& options, const Shade
   const FullLights lights = fullLights(options, shaded);
   const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
                      lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
+  const FullRequest sized = sizedRequest(options, shaded);
   FullLightRequest request;
-  request.texels = options.full.texels.value_or(request.texels);
+  request.texels = sized.mapTexels();
   request.indirect = options.full.indirect;
-  request.causticPhotons = options.full.causticPhotons.value_or(request.causticPhotons);
+  request.causticPhotons = sized.photonsOfCaustics();
   request.seed = options.bake.request.seed;
   FullLight full = session.times().measure(
       "light", [&] { return makeFullLight(shaded.loaded.scene, lit, request, device, session.progress()); });
@@ -60,15 +69,15 @@ std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOp
   following->sky = std::move(lights.sky);
   CompiledScene compiled = shaded.loaded.compiled;
   compiled.lights = std::move(lights.lights);
+  const FullRequest sized = sizedRequest(options, shaded);
   LiveLightOptions live;
   live.photons = options.full.indirect.photons;
-  live.texels = options.full.texels.value_or(FullLightRequest().texels);
+  live.texels = sized.mapTexels();
   live.nearestPhotons = options.full.indirect.nearestPhotons;
   live.gather.rays = options.full.indirect.rays;
   live.gather.texelsPerFrame = followedTexels;
   live.photonsPerFrame = followedPhotons;
-  live.causticPhotons =
-      std::min(options.full.causticPhotons.value_or(followedCausticPhotons), followedCausticPhotons);
+  live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);
   live.seed = options.bake.request.seed;
   session.times().measure("light", [&] {
     following->light.emplace(shaded.loaded.scene, std::move(compiled),
