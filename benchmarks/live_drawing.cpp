@@ -47,7 +47,7 @@ void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
   if (frame.shownChanged) {
     LightMap& map = p.full.indirect;
     std::fill(map.values.begin(), map.values.end(), 0.0f);
-    setIrradiance(p.live.indirect(), map);
+    if (!p.live.indirect().empty()) setIrradiance(p.live.indirect(), map);
     p.renderer.updateIndirect(map.values);
   }
   if (frame.causticsChanged) {

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 
+#include "base/error.h"
 #include "base/luminance.h"
 #include "benchmarks/moving_room.h"
 #include "benchmarks/suites.h"
@@ -125,6 +127,17 @@ class UpdateSuite {
     }
   }
 
+#ifdef PRELIGHT_WITH_VIEWER
+  /// Nothing where there is no OpenGL.
+  std::unique_ptr<LiveDrawing> openDrawing(const BenchmarkScene& scene, const LiveLight& live) const {
+    try {
+      return std::make_unique<LiveDrawing>(scene, live, options_.updateSide);
+    } catch (const Error&) {
+      return nullptr;
+    }
+  }
+#endif
+
   /// The cube and the ball go round for a while, then stand still.
   void move(const BenchmarkScene& scene, const std::string& name, ChangeDetection detection) {
     const std::string case_ = name + (detection == ChangeDetection::Flights ? "/flights" : "/probes");
@@ -134,7 +147,7 @@ class UpdateSuite {
     std::map<std::string, std::vector<double>> seconds;
     std::vector<double> frames, again, groups, rays;
 #ifdef PRELIGHT_WITH_VIEWER
-    LiveDrawing drawing(scene, live, options_.updateSide);
+    const std::unique_ptr<LiveDrawing> drawing = openDrawing(scene, live);
 #endif
     for (int f = 1; f <= options_.updateFrames; ++f) {
       const double turn = 2.0 * std::numbers::pi * f / 64.0;
@@ -143,7 +156,8 @@ class UpdateSuite {
       LiveFrame frame;
       frames.push_back(secondsOf([&] { frame = live.advance(quiet_); }));
 #ifdef PRELIGHT_WITH_VIEWER
-      if (f % drawnEvery == 0) seconds["drawing"].push_back(secondsOf([&] { drawing.draw(frame, true); }));
+      if (drawing && f % drawnEvery == 0)
+        seconds["drawing"].push_back(secondsOf([&] { drawing->draw(frame, true); }));
 #endif
       for (const auto& [stage, s] : frame.stageSeconds) seconds[stage].push_back(s);
       again.push_back(static_cast<double>(frame.photons.traced) /

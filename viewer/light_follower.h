@@ -33,6 +33,9 @@ class LightFollower {
   /// While it returns false nothing is drawn unless the view changes. OpenGL's state stays as it is.
   virtual bool update(const FollowedView& view) = 0;
 
+  /// False: further calls of update() would bring more, though nothing changes.
+  virtual bool settled() const { return true; }
+
   /// W/m2, [y][x][channel 3] of the light map that the window was opened with.
   virtual std::span<const float> indirect() const = 0;
 

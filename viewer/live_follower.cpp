@@ -19,21 +19,17 @@ LiveFollower::LiveFollower(LiveLight& live, const FullLight& start)
 
 /// Lights that the window has added are not the scene's: they shine directly alone.
 void LiveFollower::tell(const FollowedView& view) {
-  const std::size_t known = std::min(view.lights.size(), live_.scene().compiled().lights.size());
-  if (told_) {
-    for (std::size_t i = 0; i < std::min(known, lights_.size()); ++i)
-      if (!same(view.lights[i], lights_[i])) live_.setLight(i, view.lights[i]);
-    for (std::size_t i = 0; i < view.shifts.size(); ++i) {
-      const bool moved =
-          i < shifts_.size() ? view.shifts[i] != shifts_[i] : view.shifts[i].by != glm::dvec3(0.0);
-      if (moved) live_.moveNode(view.shifts[i].node, {glm::dmat3(1.0), view.shifts[i].by});
-    }
-    if (view.skyRotation != skyRotation_) live_.setSkyRotation(view.skyRotation);
+  for (std::size_t i = 0; i < view.shifts.size(); ++i) {
+    const glm::dvec3 before = i < shifts_.size() ? shifts_[i].by : glm::dvec3(0.0);
+    if (view.shifts[i].by != before)
+      live_.moveNode(view.shifts[i].node, {glm::dmat3(1.0), view.shifts[i].by});
   }
-  lights_.assign(view.lights.begin(), view.lights.begin() + static_cast<std::ptrdiff_t>(known));
   shifts_.assign(view.shifts.begin(), view.shifts.end());
-  skyRotation_ = view.skyRotation;
-  told_ = true;
+  // Where the window has them, also those that hang on nodes that have moved.
+  const std::size_t known = live_.scene().compiled().lights.size();
+  for (std::size_t i = 0; i < std::min(view.lights.size(), known); ++i)
+    if (!same(view.lights[i], live_.scene().compiled().lights[i])) live_.setLight(i, view.lights[i]);
+  if (view.skyRotation != live_.skyRotation()) live_.setSkyRotation(view.skyRotation);
 }
 
 bool LiveFollower::update(const FollowedView& view) {
@@ -42,7 +38,7 @@ bool LiveFollower::update(const FollowedView& view) {
   frame_ = live_.advance(quiet);
   if (frame_.shownChanged) {
     std::fill(map_.values.begin(), map_.values.end(), 0.0f);
-    setIrradiance(live_.indirect(), map_);
+    if (!live_.indirect().empty()) setIrradiance(live_.indirect(), map_);
   }
   if (frame_.causticsChanged) photons_ = live_.caustics();
   return frame_.shownChanged || frame_.causticsChanged;

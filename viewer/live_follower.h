@@ -15,6 +15,7 @@ class LiveFollower final : public LightFollower {
   LiveFollower(LiveLight& live, const FullLight& start);
 
   bool update(const FollowedView& view) override;
+  bool settled() const override { return live_.settled(); }
   std::span<const float> indirect() const override { return map_.values; }
   Caustics caustics() const override { return {photons_, filter_}; }
 
@@ -28,10 +29,7 @@ class LiveFollower final : public LightFollower {
   LightMap map_;
   std::vector<device::Photon> photons_;
   CausticFilter filter_;
-  std::vector<Light> lights_;
-  std::vector<NodeShift> shifts_;
-  double skyRotation_ = 0.0;
-  bool told_ = false;  ///< of the view that the window opened with
+  std::vector<NodeShift> shifts_;  ///< that live light knows of
   LiveFrame frame_;
 };
 

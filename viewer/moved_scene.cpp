@@ -42,8 +42,10 @@ bool MovedScene::move(std::span<const glm::dvec3> ways) {
     scene_.moveNode(shifts_[i].node, {glm::dmat3(1.0), ways[i]});
     moved = true;
   }
-  if (moved) scene_.growBounds();
-  return moved;
+  if (!moved) return false;
+  scene_.growBounds();
+  scene_.takeChanges();  // who follows is told of shifts
+  return true;
 }
 
 }  // namespace prelight::viewer

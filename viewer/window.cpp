@@ -234,6 +234,11 @@ class Follower {
     return moved || lit;
   }
 
+  /// Light of the view would change further by itself.
+  bool isBusy(const View& view) const {
+    return light_ != nullptr && view.shading == Shading::Full && !light_->settled();
+  }
+
  private:
   Renderer& renderer_;
   MovedScene& scene_;
@@ -248,7 +253,8 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
   bool followed = false;
   for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
        ++frame) {
-    if (frames > 0 || !picture.isFinal(controls) || followed || frame < 3) {
+    if (frames > 0 || !picture.isFinal(controls) || followed || follower.isBusy(controls.view()) ||
+        frame < 3) {
       glfwPollEvents();
     } else {
       glfwWaitEventsTimeout(0.25);

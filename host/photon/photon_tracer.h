@@ -53,7 +53,7 @@ struct PhotonReport {
 
 /// A photon on its way from one surface to the next, as it was traced.
 struct PhotonFlight {
-  device::Ray ray;             ///< tMax: t of the hit; infinite where the photon left the scene
+  device::Ray ray;             ///< tMax: t of the hit; unbounded where the photon left the scene
   std::uint32_t triangle = 0;  ///< that it met, or PRELIGHT_NO_TRIANGLE
 };
 

@@ -26,10 +26,13 @@ void TransportScene::follow(const CompiledScene& scene) {
   surface_.follow(scene);
 }
 
-void TransportScene::setLights(const CompiledScene& scene, const std::vector<Light>& lights) {
+bool TransportScene::setLights(const CompiledScene& scene, const std::vector<Light>& lights) {
   tables_ = makeLightTables(scene, lights, sky_, choosePunctual_);
   layout_ = lightLayout(tables_, skyRotation_);
   lights_ = LightBuffers(tracer_->context(), tables_);
+  const std::string before = options().text();
+  features_ = findShadeFeatures(scene, tables_);
+  return options().text() != before;
 }
 
 void TransportScene::setSkyRotation(double angle) {

@@ -34,7 +34,9 @@ class TransportScene {
   void follow(const CompiledScene& scene);
 
   /// From now on these punctual lights shine, as many and of the same types as before, each in its place.
-  void setLights(const CompiledScene& scene, const std::vector<Light>& lights);
+  /// True: options() are others now, and programs have to be built anew, as lights that were dark shine or
+  /// all are dark.
+  bool setLights(const CompiledScene& scene, const std::vector<Light>& lights);
 
   /// Turns the sky: radians, counter-clockwise about +Y seen from above.
   void setSkyRotation(double angle);

@@ -1,7 +1,6 @@
 #include "update/live_approximation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/luminance.h"
 #include "gather/indirect_light.h"
@@ -31,13 +30,12 @@ LiveApproximation::LiveApproximation(const CompiledScene& scene, const LightMapL
                                      const SurfaceRegions& regions, int nearest, const Device& device)
     : scene_(scene),
       places_(layout.texels),
-      gridSize_(layout.texelCount()),
       radius_(widestEstimate * 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin))),
       surface_(makeDensitySurface(scene, regions)),
       estimator_(surface_, optionsOf(nearest), device),
       surfaces_(2 * std::size_t{regions.count()}),
       values_(layout.texels.size(), glm::vec3(0.0f)),
-      grid_(gridSize_, glm::vec3(0.0f)),
+      grid_(layout.texelCount(), glm::vec3(0.0f)),
       map_(device.context(), layout) {
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
     const bool back = places_[i].face >= scene.triangleCount();
@@ -54,6 +52,8 @@ void LiveApproximation::follow(std::span<const std::uint32_t> triangles) {
     regions.push_back(surface_.places[t].region & ~PRELIGHT_PLANAR_REGION);
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  for (const std::uint32_t r : regions)  // photons that lie there may count for the other side now
+    for (Surface* side : {&surfaces_[2 * r], &surfaces_[2 * r + 1]}) side->remaining = side->places.size();
   followDensitySurface(surface_, scene_, regions);
   estimator_.follow(surface_);
 }

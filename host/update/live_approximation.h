@@ -43,7 +43,6 @@ class LiveApproximation {
 
   bool settled() const;
   const IrradianceMap& map() const { return map_; }
-  std::span<const glm::vec3> irradiance() const { return values_; }  ///< [place of the layout's texels]
 
  private:
   /// A side of a region.
@@ -61,7 +60,6 @@ class LiveApproximation {
 
   const CompiledScene& scene_;
   std::vector<LightMapTexel> places_;
-  std::size_t gridSize_;
   double radius_;  ///< of estimates at most, m
   DensitySurface surface_;
   DensityEstimator estimator_;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "base/luminance.h"
 #include "gather/indirect_light.h"
-#include "update/moved_boxes.h"
 
 namespace prelight {
 
@@ -70,11 +70,13 @@ LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, co
       seenExpected_(places_.size(), 0.0),
       near_(places_.size(), 0.0),
       first_(places_.size(), 0),
+      boxes_(regions.count()),
       gathered_(places_.size(), glm::vec3(0.0f)),
       shown_(places_.size(), glm::vec3(0.0f)),
       blendLeft_(places_.size(), 0) {
   for (const LightMapTexel& place : places_)
     regionOf_.push_back(regions.regionOf[triangleOf(scene, place.face)]);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) growBy(t);
 }
 
 double LiveGather::meanIrradiance() const {
@@ -84,15 +86,22 @@ double LiveGather::meanIrradiance() const {
 }
 
 void LiveGather::moved(std::span<const std::uint32_t> triangles, Progress& progress) {
-  std::vector<Box> boxes = boxesAround(scene_, triangles);
-  std::swap(boxes, lastBoxes_);
-  boxes.insert(boxes.end(), lastBoxes_.begin(), lastBoxes_.end());
-  std::vector<std::uint8_t> hasMoved(scene_.triangleCount(), 0);
-  for (const std::uint32_t t : triangles) hasMoved[t] = 1;
   std::vector<std::uint8_t> regions(expected_.size(), 0);
+  for (const std::uint32_t t : triangles) regions[triangleRegions_[t]] = 1;
+  std::vector<Box> boxes;  // where the regions were, and where they are
+  for (std::uint32_t r = 0; r < regions.size(); ++r) {
+    if (regions[r] == 0) continue;
+    boxes.push_back(boxes_[r]);
+    boxes_[r] = Box();
+    if (std::find(movedRegions_.begin(), movedRegions_.end(), r) == movedRegions_.end())
+      movedRegions_.push_back(r);
+  }
+  for (const std::uint32_t t : triangles) growBy(t);
+  for (std::uint32_t r = 0; r < regions.size(); ++r)
+    if (regions[r] != 0) boxes.push_back(boxes_[r]);
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (hasMoved[triangleOf(scene_, places_[i].face)] != 0) {
-      first_[i] = regions[regionOf_[i]] = 1;
+    if (regions[regionOf_[i]] != 0) {
+      first_[i] = 1;
       continue;
     }
     const glm::dvec3 point = pointOf(scene_, places_[i]);
@@ -100,12 +109,14 @@ void LiveGather::moved(std::span<const std::uint32_t> triangles, Progress& progr
     for (const Box& box : boxes) share += ballShare(box, point);
     near_[i] += std::min(share, 1.0) * luminance(glm::dvec3(gathered_[i]));
   }
-  for (const std::uint32_t t : triangles)
-    if (relays_[triangleRegions_[t]] != 0) regions[triangleRegions_[t]] = 1;
-  for (std::uint32_t r = 0; r < regions.size(); ++r)
-    if (regions[r] != 0) movedRegions_.push_back(r);
   lookAround(triangles, progress);
   announceMoved();
+}
+
+/// Widens the box of a triangle's region to where it is now.
+void LiveGather::growBy(std::uint32_t triangle) {
+  for (int k = 0; k < 3; ++k)
+    boxes_[triangleRegions_[triangle]].grow(scene_.positions[scene_.triangles[triangle][k]]);
 }
 
 /// Mirrors and glass have no texels whose rays would tell what sees them: a few places on them look instead.
@@ -127,8 +138,9 @@ void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& 
 
 /// What moves takes light away and brings other light, of the scene's mean each.
 void LiveGather::announceMoved() {
+  const double mean = meanIrradiance();
   std::vector<RegionChange> changes;
-  for (const std::uint32_t r : movedRegions_) changes.push_back({r, meanIrradiance()});
+  for (const std::uint32_t r : movedRegions_) changes.push_back({r, mean});
   links_.spread(changes, expected_);
 }
 
@@ -158,8 +170,7 @@ std::vector<std::uint32_t> LiveGather::choose() const {
   return places;
 }
 
-std::uint64_t LiveGather::gather(std::span<const std::uint32_t> places, Progress& progress) {
-  const std::uint64_t before = gather_.rays();
+void LiveGather::gather(std::span<const std::uint32_t> places, Progress& progress) {
   std::vector<LightMapTexel> texels;
   for (const std::uint32_t place : places) texels.push_back(places_[place]);
   std::vector<std::uint32_t> seen;
@@ -177,7 +188,6 @@ std::uint64_t LiveGather::gather(std::span<const std::uint32_t> places, Progress
     first_[place] = 0;
     blendLeft_[place] = options_.blendFrames;
   }
-  return gather_.rays() - before;
 }
 
 void LiveGather::gatherAll(Progress& progress) {
@@ -185,6 +195,8 @@ void LiveGather::gatherAll(Progress& progress) {
   std::iota(all.begin(), all.end(), 0u);
   gather(all, progress);
   shown_ = gathered_;
+  links_.endPass();
+  countedRays_ = gather_.rays();
   std::fill(blendLeft_.begin(), blendLeft_.end(), 0u);
   movedRegions_.clear();
 }
@@ -192,8 +204,8 @@ void LiveGather::gatherAll(Progress& progress) {
 void LiveGather::blend(GatherFrame& frame) {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (blendLeft_[i] == 0) continue;
-    shown_[i] += (gathered_[i] - shown_[i]) / static_cast<float>(blendLeft_[i]);
-    if (--blendLeft_[i] > 0) ++frame.blending;
+    shown_[i] += (gathered_[i] - shown_[i]) / static_cast<float>(blendLeft_[i]--);
+    ++frame.blending;
   }
 }
 
@@ -203,13 +215,12 @@ GatherFrame LiveGather::advance(Progress& progress) {
   const std::size_t waiting = places.size();
   if (options_.texelsPerFrame > 0 && waiting > options_.texelsPerFrame)
     places.resize(options_.texelsPerFrame);
-  if (!places.empty()) {
-    frame.rays = gather(places, progress);
-    if (!movedRegions_.empty() && std::find(first_.begin(), first_.end(), 1) == first_.end()) {
-      announceMoved();  // now that their texels have told who sees them
-      movedRegions_.clear();
-    }
+  if (!places.empty()) gather(places, progress);
+  if (!movedRegions_.empty() && std::find(first_.begin(), first_.end(), 1) == first_.end()) {
+    announceMoved();  // now that their texels have told who sees them
+    movedRegions_.clear();
   }
+  frame.rays = gather_.rays() - std::exchange(countedRays_, gather_.rays());
   frame.texels = static_cast<std::uint32_t>(places.size());
   frame.waiting = static_cast<std::uint32_t>(waiting - places.size());
   blend(frame);

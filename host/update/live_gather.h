@@ -36,8 +36,8 @@ class LiveGather {
              const SurfaceRegions& regions, const IrradianceMap& approximation,
              const LiveGatherOptions& options);
 
-  /// Triangles are where the scene has them now: texels on them come first, and those that see where they
-  /// were or are now are expected to change. `triangles` ascend.
+  /// Regions of triangles, whole ones, are where the scene has them now: their texels come first, and those
+  /// that see where they were or are now are expected to change.
   void moved(std::span<const std::uint32_t> triangles, Progress& progress);
 
   void approximationChanged(std::span<const RegionChange> changes);
@@ -57,7 +57,8 @@ class LiveGather {
   double priority(std::size_t place) const;
   double meanIrradiance() const;
   std::vector<std::uint32_t> choose() const;
-  std::uint64_t gather(std::span<const std::uint32_t> places, Progress& progress);
+  void gather(std::span<const std::uint32_t> places, Progress& progress);
+  void growBy(std::uint32_t triangle);
   void blend(GatherFrame& frame);
   void announceMoved();
   void lookAround(std::span<const std::uint32_t> triangles, Progress& progress);
@@ -75,7 +76,8 @@ class LiveGather {
   std::vector<double> seenExpected_;         ///< [place] of its region's, when it was gathered
   std::vector<double> near_;                 ///< [place] that what moved nearby may bring about, W/m2
   std::vector<std::uint8_t> first_;          ///< [place], 1: it has moved
-  std::vector<Box> lastBoxes_;               ///< of what moved last
+  std::vector<Box> boxes_;                   ///< [region] that it was in when it last moved
+  std::uint64_t countedRays_ = 0;            ///< that frames have told of
   std::vector<std::uint32_t> movedRegions_;  ///< whose new view is not yet known
   std::vector<glm::vec3> gathered_, shown_;
   std::vector<std::uint32_t> blendLeft_;  ///< [place] frames

@@ -5,16 +5,13 @@
 
 #include "lightmap/make_light_map_layout.h"
 #include "photon/casters.h"
-#include "update/moved_boxes.h"
+#include "photon/caustic_light.h"
 
 namespace prelight {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Surfaces that photons of caustics meet before they may end by chance, see photon/caustic_light.cpp.
-constexpr int causticRouletteDepth = 8;
 
 class Stages {
  public:
@@ -58,7 +55,7 @@ LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environme
       layout_(layoutOf(scene, scene_.compiled(), options.texels)),
       regions_(splitByPrimitive(makeSurfaceRegions(scene_.compiled(), usualCreaseAngle), scene_.compiled())),
       transport_({scene_.compiled(), scene.images, scene_.compiled().lights, sky, skyRotation}, device),
-      plan_(planOf(transport_, !causticCasters(scene_.compiled()).empty())) {
+      skyRotation_(skyRotation) {
   std::vector<std::uint32_t> triangles;
   for (const int node : movable) {
     const std::vector<std::uint32_t> own = scene_.trianglesOf(node);
@@ -75,6 +72,7 @@ void LiveLight::setLight(std::size_t index, const Light& light) { scene_.setLigh
 
 void LiveLight::setSkyRotation(double angle) {
   transport_.setSkyRotation(angle);
+  skyRotation_ = angle;
   skyTurned_ = true;
 }
 
@@ -94,6 +92,11 @@ void LiveLight::separate(std::span<const std::uint32_t> triangles) {
 }
 
 void LiveLight::makeLight(Progress& progress) {
+  plan_ = planOf(transport_, !causticCasters(scene_.compiled()).empty());
+  gather_.reset();  // refers to the approximation
+  approximation_.reset();
+  photons_.reset();
+  caustics_.reset();
   if (plan_[0].runs) {
     LivePhotonOptions photons;
     photons.request.kind = PhotonKind::All;
@@ -116,10 +119,7 @@ void LiveLight::makeLight(Progress& progress) {
   }
   if (plan_[1].runs) {
     LivePhotonOptions caustics;
-    caustics.request.kind = PhotonKind::Caustic;
-    caustics.request.photons = options_.causticPhotons;
-    caustics.request.seed = options_.seed + 1;
-    caustics.request.rouletteDepth = causticRouletteDepth;
+    caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
     caustics.groupSize = 0;
     caustics.photonsPerFrame =
         static_cast<std::uint32_t>(options_.causticPhotons / std::max(1u, options_.causticFrames));
@@ -133,24 +133,32 @@ void LiveLight::recompute(Progress& progress) {
 }
 
 /// Takes everything that knows where things are to where they are now, and has it look for what has changed.
-void LiveLight::follow(const SceneChange& change) {
-  if (change.empty()) return;
+/// True: what was kept is of no use, as lights of a kind that the programs do not know shine now.
+bool LiveLight::follow(const SceneChange& change) {
+  if (change.empty()) return false;
   const bool grown = scene_.growBounds();
   if (!change.triangles.empty()) {
     separate(change.triangles);
     transport_.follow(scene_.compiled());
   }
-  if (!change.lights.empty() || grown) transport_.setLights(scene_.compiled(), scene_.compiled().lights);
+  if ((!change.lights.empty() || grown) && transport_.setLights(scene_.compiled(), scene_.compiled().lights))
+    return true;
   if (photons_) photons_->changed(change);
   if (caustics_) caustics_->changed(change);
   if (approximation_ && !change.triangles.empty()) approximation_->follow(change.triangles);
+  return false;
 }
 
 LiveFrame LiveLight::advance(Progress& progress) {
   LiveFrame frame;
   Stages stages(frame);
   const SceneChange change = takeChanges();
-  follow(change);
+  if (follow(change)) {
+    makeLight(progress);
+    frame.shownChanged = frame.causticsChanged = true;
+    stages.mark("everything anew");
+    return frame;
+  }
   if (gather_ && !change.triangles.empty()) gather_->moved(change.triangles, progress);
   stages.mark("scene");
   if (photons_) {

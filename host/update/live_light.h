@@ -28,7 +28,7 @@ struct LiveLightOptions {
   std::uint32_t estimatesPerFrame = 1024;  ///< texels of the approximation, about; 0: all that change
   LiveGatherOptions gather;
   std::uint64_t causticPhotons = 10000;
-  std::uint32_t causticFrames = 8;  ///< in which all of them are sent again
+  std::uint32_t causticFrames = 8;  ///< in which about all of them are sent again
   std::uint64_t seed = 0;
 };
 
@@ -51,8 +51,9 @@ struct LiveFrame {
 /// costs nothing.
 class LiveLight {
  public:
-  /// Computes everything. `movable`: nodes that will move, for which room is made in the tree at once; others
-  /// may move, too. The sky may be null; all but the scene's copies outlive it. Throws Interrupted.
+  /// Computes everything. The scene must have a triangle. `movable`: nodes that will move, for which room is
+  /// made in the tree at once; others may move, too. The sky may be null; all but the scene's copies outlive
+  /// it. Throws Interrupted.
   LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
             const LiveLightOptions& options, std::span<const int> movable, const Device& device,
             Progress& progress);
@@ -62,6 +63,7 @@ class LiveLight {
   void moveNode(int node, const RigidMotion& motion);
   void setLight(std::size_t index, const Light& light);
   void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
+  double skyRotation() const { return skyRotation_; }
 
   LiveFrame advance(Progress& progress);
 
@@ -73,7 +75,8 @@ class LiveLight {
 
   const LiveScene& scene() const { return scene_; }
   const LightMapLayout& layout() const { return layout_; }
-  std::span<const glm::vec3> indirect() const;  ///< shown, W/m2, [place of the layout's texels]
+  /// Shown, W/m2, [place of the layout's texels]; empty where the plan has none.
+  std::span<const glm::vec3> indirect() const;
   std::vector<device::Photon> caustics() const;
   const LivePhotons* photons() const { return photons_.get(); }
   const LivePhotons* causticPhotons() const { return caustics_.get(); }
@@ -83,18 +86,18 @@ class LiveLight {
 
  private:
   SceneChange takeChanges();
-  void follow(const SceneChange& change);
+  bool follow(const SceneChange& change);
   void separate(std::span<const std::uint32_t> triangles);
   void makeLight(Progress& progress);
 
   LiveScene scene_;
-  std::vector<Image> images_;
   LiveLightOptions options_;
   const Device& device_;
   LightMapLayout layout_;
   SurfaceRegions regions_;
   TransportScene transport_;
   std::vector<std::uint32_t> separated_;  ///< triangles, ascending
+  double skyRotation_;
   bool skyTurned_ = false;
   std::vector<PlannedPass> plan_;
   std::unique_ptr<LivePhotons> photons_, caustics_;

@@ -1,12 +1,11 @@
 #include "update/live_photons.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <cstring>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "scene/light_sources.h"
 #include "update/moved_boxes.h"
 
 namespace prelight {
@@ -19,16 +18,11 @@ using device::PhotonSource;
 constexpr std::uint32_t strides = 8;  // photons that wait are sent in this many sweeps through their numbers
 constexpr std::size_t grain = 1u << 10;  // paths
 
-bool shines(const Light& light) {
-  return light.intensity.x > 0.0f || light.intensity.y > 0.0f || light.intensity.z > 0.0f;
-}
-
-/// Punctual lights of the light tables that are among those of the scene.
-std::vector<std::uint8_t> tableLights(const std::vector<Light>& lights,
-                                      const std::vector<std::uint32_t>& among) {
-  std::vector<std::uint8_t> found;
+/// Lights that shine, which are those of the light tables.
+std::vector<std::uint32_t> shiningLights(const std::vector<Light>& lights) {
+  std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
-    if (shines(lights[i])) found.push_back(std::binary_search(among.begin(), among.end(), i));
+    if (shines(lights[i].intensity)) found.push_back(i);
   return found;
 }
 
@@ -73,6 +67,7 @@ PhotonSources LivePhotons::makeSources() const {
 /// The sources' photons take the places of those that there are, which stay until they are replaced.
 void LivePhotons::adoptSources(PhotonSources sources) {
   sources_ = std::move(sources);
+  shining_ = shiningLights(scene_.compiled().lights);
   for (std::size_t s = sources_.sources.size(); s < stored_.size(); ++s)
     for (const Path& path : stored_[s].paths)
       gone_.insert(gone_.end(), path.photons.begin(), path.photons.end());
@@ -107,8 +102,7 @@ bool LivePhotons::sameSource(const PhotonSources& other, std::size_t index) cons
 
 bool LivePhotons::concerns(const PhotonSource& source, const SceneChange& change) const {
   if (source.kind != PRELIGHT_SOURCE_PUNCTUAL) return change.sky && source.kind == PRELIGHT_SOURCE_SKY;
-  const std::vector<std::uint8_t> lights = tableLights(scene_.compiled().lights, change.lights);
-  return source.light < lights.size() && lights[source.light] != 0;
+  return std::binary_search(change.lights.begin(), change.lights.end(), shining_[source.light]);
 }
 
 void LivePhotons::restart() {
@@ -118,7 +112,8 @@ void LivePhotons::restart() {
 void LivePhotons::changed(const SceneChange& change) {
   quiet_ = 0;
   PhotonSources sources = makeSources();
-  if (sources.sources.size() != sources_.sources.size()) {
+  if (sources.sources.size() != sources_.sources.size() ||
+      shiningLights(scene_.compiled().lights) != shining_) {
     adoptSources(std::move(sources));
     return restart();
   }
@@ -129,7 +124,11 @@ void LivePhotons::changed(const SceneChange& change) {
     otherwise = otherwise || !same;
     anew.push_back(!same || concerns(sources_.sources[s], change) ? 1 : 0);
   }
-  if (otherwise) adoptSources(std::move(sources));
+  if (otherwise) {
+    for (std::size_t s = 0; s < stored_.size(); ++s)
+      if (sources.sources[s].count != sources_.sources[s].count) anew[s] = 1;
+    adoptSources(std::move(sources));
+  }
   for (std::size_t s = 0; s < stored_.size(); ++s)
     if (anew[s] != 0) std::fill(stored_[s].waits.begin(), stored_[s].waits.end(), std::uint8_t{1});
   if (options_.detection == ChangeDetection::Flights) markFlights(change);
@@ -171,7 +170,7 @@ void LivePhotons::markFlights(const SceneChange& change) {
     if (rays.empty()) continue;
     const std::vector<device::Hit> hits = transport_.tracer().traceSeparated(rays);
     for (std::size_t i = 0; i < hits.size(); ++i)
-      if (hits[i].triangle != PRELIGHT_NO_TRIANGLE) stored.waits[paths[i]] = 1;
+      if (hasMoved(hits[i].triangle)) stored.waits[paths[i]] = 1;
   }
 }
 
@@ -321,13 +320,6 @@ std::uint64_t LivePhotons::groupCount() const {
   std::uint64_t count = 0;
   for (const Source& stored : stored_) count += stored.groups.count();
   return count;
-}
-
-double LivePhotons::meanFlights() const {
-  std::uint64_t flights = 0;
-  for (const Source& stored : stored_)
-    for (const Path& path : stored.paths) flights += path.flights.size();
-  return static_cast<double>(flights) / static_cast<double>(std::max<std::uint64_t>(1, pathCount()));
 }
 
 }  // namespace prelight

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "base/progress.h"
@@ -52,9 +51,6 @@ class LivePhotons {
   /// next frames.
   void changed(const SceneChange& change);
 
-  /// Sends all photons again over the next frames, as after a change that nothing survives.
-  void restart();
-
   PhotonFrame advance(PhotonDelta& delta, Progress& progress);
 
   /// No photon waits, and no change is looked for.
@@ -64,7 +60,6 @@ class LivePhotons {
   std::vector<device::Photon> photons() const;
   std::uint64_t pathCount() const;
   std::uint64_t groupCount() const;
-  double meanFlights() const;  ///< of a photon
 
  private:
   struct Path {
@@ -78,11 +73,9 @@ class LivePhotons {
     std::vector<std::uint8_t> waits;     ///< [path]
     std::size_t next = 0;                ///< of the sweeps in which paths that wait are sent again
   };
-  struct Todo {
-    std::vector<std::uint32_t> probes, others;  ///< photons of one source
-  };
 
   PhotonSources makeSources() const;
+  void restart();
   void adoptSources(PhotonSources sources);
   bool sameSource(const PhotonSources& other, std::size_t index) const;
   bool concerns(const device::PhotonSource& source, const SceneChange& change) const;
@@ -99,10 +92,11 @@ class LivePhotons {
   LivePhotonOptions options_;
   PhotonTracer tracer_;
   PhotonSources sources_;
-  std::vector<Source> stored_;        ///< [source]
-  std::vector<device::Photon> gone_;  ///< of sources that are no more
-  std::uint32_t turn_ = 0;            ///< member of each group that probes next
-  std::uint32_t quiet_ = 0;           ///< rounds of probes that found nothing, in frames
+  std::vector<std::uint32_t> shining_;  ///< lights of the scene, by their places in the light tables
+  std::vector<Source> stored_;          ///< [source]
+  std::vector<device::Photon> gone_;    ///< of sources that are no more
+  std::uint32_t turn_ = 0;              ///< member of each group that probes next
+  std::uint32_t quiet_ = 0;             ///< rounds of probes that found nothing, in frames
 };
 
 }  // namespace prelight

@@ -25,6 +25,16 @@ std::vector<std::size_t> nodesOfPrimitives(const Scene& scene, const CompiledSce
   return found;
 }
 
+/// Lights that are not the file's hang on no node.
+std::vector<std::size_t> nodesOfLights(const Scene& scene, const CompiledScene& compiled) {
+  std::vector<std::size_t> found(compiled.lights.size(), scene.nodes.size());
+  for (std::size_t i = 0; i < std::min(found.size(), scene.lights.size()); ++i)
+    if (compiled.lights[i].position == scene.lights[i].position &&
+        compiled.lights[i].direction == scene.lights[i].direction)
+      found[i] = scene.lights[i].sceneNode;
+  return found;
+}
+
 }  // namespace
 
 LiveScene::LiveScene(const Scene& scene, CompiledScene compiled)
@@ -33,7 +43,9 @@ LiveScene::LiveScene(const Scene& scene, CompiledScene compiled)
       compiled_(std::move(compiled)),
       restPositions_(compiled_.positions),
       restNormals_(compiled_.normals),
-      restLights_(compiled_.lights) {}
+      restLights_(compiled_.lights),
+      lightNodes_(nodesOfLights(scene, compiled_)),
+      lightMotions_(compiled_.lights.size()) {}
 
 /// [node of the scene], 1: it is the one, or hangs on it.
 std::vector<std::uint8_t> LiveScene::hangsOn(int node) const {
@@ -72,8 +84,9 @@ void LiveScene::moveNode(int node, const RigidMotion& motion) {
       changes_.triangles.push_back(range.firstTriangle + i);
   }
   for (std::size_t i = 0; i < restLights_.size(); ++i) {
-    if (restLights_[i].sceneNode >= nodes_.size() || hangs[restLights_[i].sceneNode] == 0) continue;
+    if (hangs[lightNodes_[i]] == 0) continue;
     found = true;
+    lightMotions_[i] = motion;
     compiled_.lights[i].position = motion.point(restLights_[i].position);
     compiled_.lights[i].direction = motion.direction(restLights_[i].direction);
     changes_.lights.push_back(static_cast<std::uint32_t>(i));
@@ -88,7 +101,9 @@ void LiveScene::setLight(std::size_t index, const Light& light) {
     throw UsageError(
         fmt::format("light {}", index),
         fmt::format("there are {} lights; expected one of them, of the same type", compiled_.lights.size()));
-  compiled_.lights[index] = light;
+  compiled_.lights[index] = restLights_[index] = light;
+  restLights_[index].position = lightMotions_[index].pointBefore(light.position);
+  restLights_[index].direction = glm::transpose(lightMotions_[index].rotation) * light.direction;
   changes_.lights.push_back(static_cast<std::uint32_t>(index));
 }
 
@@ -103,14 +118,15 @@ SceneChange LiveScene::takeChanges() {
 bool LiveScene::growBounds() {
   const glm::vec3 centre = 0.5f * (compiled_.boundsMin + compiled_.boundsMax);
   const float radius = 0.5f * glm::length(compiled_.boundsMax - compiled_.boundsMin);
-  bool grown = false;
-  for (const glm::vec3& p : compiled_.positions) {
-    if (glm::length(p - centre) <= radius * 1.000001f) continue;
-    grown = true;
+  const std::vector<glm::vec3>& all = compiled_.positions;
+  if (std::all_of(all.begin(), all.end(),
+                  [&](const glm::vec3& p) { return glm::length(p - centre) <= radius * 1.000001f; }))
+    return false;
+  for (const glm::vec3& p : all) {
     compiled_.boundsMin = glm::min(compiled_.boundsMin, p);
     compiled_.boundsMax = glm::max(compiled_.boundsMax, p);
   }
-  return grown;
+  return true;
 }
 
 }  // namespace prelight

@@ -18,8 +18,8 @@ struct SceneChange {
 };
 
 /// A compiled scene whose nodes move as rigid bodies and whose lights are changed, in its own coordinates:
-/// origin, bounds, vertex order and triangles stay what they were, so that all that does not move keeps its
-/// numbers to the last bit.
+/// origin, vertex order and triangles stay what they were, so that all that does not move keeps its numbers
+/// to the last bit.
 class LiveScene {
  public:
   LiveScene(const Scene& scene, CompiledScene compiled);
@@ -52,6 +52,8 @@ class LiveScene {
   CompiledScene compiled_;
   std::vector<glm::vec3> restPositions_, restNormals_;
   std::vector<Light> restLights_;
+  std::vector<std::size_t> lightNodes_;    ///< [light], into nodes_, or their number: none
+  std::vector<RigidMotion> lightMotions_;  ///< [light] that its node has made
   SceneChange changes_;
 };
 

@@ -1,6 +1,7 @@
 #include "update/region_links.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace prelight {
 
@@ -8,11 +9,16 @@ RegionLinks::RegionLinks(const SurfaceRegions& regions, std::vector<std::uint8_t
     : regionOf_(regions.regionOf),
       areas_(regions.areas),
       relays_(std::move(relays)),
+      most_(regions.count(), std::numeric_limits<double>::infinity()),
       rays_(regions.count(), 0.0),
       hits_(regions.count()),
       neighbours_(regions.count()) {}
 
 void RegionLinks::add(std::uint32_t region, std::span<const std::uint32_t> triangles) {
+  if (rays_[region] > most_[region]) {
+    rays_[region] *= 0.5;
+    for (auto& [seen, hits] : hits_[region]) hits *= 0.5;
+  }
   rays_[region] += static_cast<double>(triangles.size());
   for (const std::uint32_t t : triangles) {
     if (t >= regionOf_.size()) continue;
@@ -24,6 +30,10 @@ void RegionLinks::add(std::uint32_t region, std::span<const std::uint32_t> trian
       if (std::find(neighbours_[a].begin(), neighbours_[a].end(), b) == neighbours_[a].end())
         neighbours_[a].push_back(b);
   }
+}
+
+void RegionLinks::endPass() {
+  for (std::size_t r = 0; r < rays_.size(); ++r) most_[r] = 2.0 * rays_[r];
 }
 
 /// By its own rays or, turned round, by those of the other.

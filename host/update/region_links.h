@@ -20,6 +20,9 @@ class RegionLinks {
   /// Rays from a region met these triangles, or none.
   void add(std::uint32_t region, std::span<const std::uint32_t> triangles);
 
+  /// Every region has told once what it sees: what it tells beyond twice that displaces what it told before.
+  void endPass();
+
   /// Adds to `expected`, [region], what changes of irradiance elsewhere bring about there, W/m2, as if all
   /// surfaces were white.
   void spread(std::span<const RegionChange> changes, std::span<double> expected) const;
@@ -31,7 +34,8 @@ class RegionLinks {
   std::vector<std::uint32_t> regionOf_;  ///< [triangle]
   std::vector<double> areas_;
   std::vector<std::uint8_t> relays_;
-  std::vector<double> rays_;                                     ///< [region]
+  std::vector<double> most_;  ///< [region] rays before older ones count half
+  std::vector<double> rays_;  ///< [region]
   std::vector<std::unordered_map<std::uint32_t, double>> hits_;  ///< [region], by region
   std::vector<std::vector<std::uint32_t>> neighbours_;  ///< [region], those that see it or that it sees
 };

@@ -101,6 +101,60 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LiveLightMove,
                                            Move{"caustics", "Mirror box", shifted(0.2, 0.0, 0.1)}),
                          [](const auto& test) { return test.param.scene; });
 
+TEST(LiveLight, TurnedObject_SettlesToComputingAllAgain) {
+  const LoadedScene loaded("cornell");
+  LiveLight live = makeLive(loaded, smallOptions());
+  const std::vector<glm::vec3> before = copyOf(live.indirect());
+  Progress progress;
+  // Upside down about an axis through its middle: every face looks the other way.
+  const glm::dmat3 turn(glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1));
+  const glm::dvec3 middle(-0.34, 0.6, -0.3);
+  live.moveNode(loaded.node("Tall box"), {turn, middle - turn * middle});
+  live.advance(progress);
+  settle(live);
+  const std::vector<glm::vec3> settled = copyOf(live.indirect());
+  live.recompute(progress);
+  const double moved = difference(before, live.indirect());
+  EXPECT_GT(moved, 0.03);
+  EXPECT_LT(difference(settled, live.indirect()), std::min(0.02, 0.3 * moved));
+}
+
+TEST(LiveLight, LampSwitchedOffAndOn_TakesItsLightAlong) {
+  const LoadedScene loaded("rooms");
+  LiveLight live = makeLive(loaded, smallOptions());
+  const std::vector<glm::vec3> before = copyOf(live.indirect());
+  Progress progress;
+  const Light lit = loaded.compiled.lights.at(0);
+  Light dark = lit;
+  dark.intensity = glm::vec3(0.0f);
+  live.setLight(0, dark);
+  live.advance(progress);
+  settle(live);
+  EXPECT_TRUE(live.indirect().empty());
+  EXPECT_FALSE(live.plan()[0].runs);
+  live.setLight(0, lit);
+  live.advance(progress);
+  settle(live);
+  EXPECT_EQ(copyOf(live.indirect()), before);
+}
+
+TEST(LiveLight, OneOfTwoLampsSwitchedOff_LeavesTheLightOfTheOther) {
+  LoadedScene loaded = LoadedScene("rooms");
+  Light second = loaded.compiled.lights.at(0);
+  second.position.z += 0.5;
+  loaded.compiled.lights.push_back(second);
+  LiveLight live = makeLive(loaded, smallOptions());
+  Progress progress;
+  Light dark = loaded.compiled.lights[0];
+  dark.intensity = glm::vec3(0.0f);
+  live.setLight(0, dark);
+  live.advance(progress);
+  settle(live);
+  const std::vector<glm::vec3> settled = copyOf(live.indirect());
+  live.recompute(progress);
+  EXPECT_LT(difference(settled, live.indirect()), 0.02);
+}
+
 TEST(LiveLight, NothingChanges_CostsNothing) {
   const LoadedScene loaded("cornell");
   LiveLight live = makeLive(loaded, smallOptions());

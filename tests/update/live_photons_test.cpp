@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "support/devices.h"
@@ -29,6 +30,10 @@ class Live {
 
   void move(const std::string& node, const RigidMotion& motion) {
     scene_.moveNode(loaded_.node(node), motion);
+    const std::vector<std::uint32_t> triangles = scene_.trianglesOf(loaded_.node(node));
+    separated_.insert(separated_.end(), triangles.begin(), triangles.end());
+    std::sort(separated_.begin(), separated_.end());
+    separated_.erase(std::unique(separated_.begin(), separated_.end()), separated_.end());
     follow();
   }
   void setLight(std::size_t index, const Light& light) {
@@ -43,9 +48,8 @@ class Live {
  private:
   void follow() {
     const SceneChange change = scene_.takeChanges();
-    const std::vector<std::uint32_t>& moved = change.triangles;
-    if (!moved.empty()) {
-      transport_.tracer().separate(scene_.compiled(), moved);
+    if (!change.triangles.empty()) {
+      transport_.tracer().separate(scene_.compiled(), separated_);
       transport_.follow(scene_.compiled());
     }
     if (!change.lights.empty()) transport_.setLights(scene_.compiled(), scene_.compiled().lights);
@@ -58,6 +62,7 @@ class Live {
   TransportScene transport_;
   LivePhotons photons_;
   PhotonDelta delta_;
+  std::vector<std::uint32_t> separated_;
 };
 
 /// All photons of the scene as it is, by a tracing of its own; sorted, as orders differ.
@@ -138,6 +143,17 @@ TEST(LivePhotons, MovedObject_SendsOnlyPhotonsThatChange) {
     // Rays end on edges of what has moved at times, or in its way within rounding.
     EXPECT_GE(static_cast<double>(frame.changed), 0.99 * static_cast<double>(frame.traced));
   }
+}
+
+TEST(LivePhotons, ObjectThatMovedBefore_HasNothingSentWhenAnotherMoves) {
+  const LoadedScene loaded("shapes");
+  Live live(loaded, optionsOf(PhotonKind::All, 20000));
+  live.move("Cone", shifted(0.0, 0.1, 0.0));
+  live.advance();
+  live.move("Box", shifted(0.1, 0.1, 0.0));
+  const PhotonFrame frame = live.advance();
+  EXPECT_GT(frame.changed, 0u);
+  EXPECT_GE(static_cast<double>(frame.changed), 0.99 * static_cast<double>(frame.traced));
 }
 
 TEST(LivePhotons, NothingMoved_SendsNothing) {

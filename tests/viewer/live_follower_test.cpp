@@ -17,7 +17,7 @@ LiveLightOptions smallOptions() {
   options.texels = 400;
   options.gather.rays = 32;
   options.gather.texelsPerFrame = 0;
-  options.gather.blendFrames = 1;
+  options.gather.blendFrames = 4;
   options.causticPhotons = 1000;
   options.causticFrames = 1;
   return options;
@@ -40,10 +40,9 @@ class LiveFollowerTest : public ::testing::Test {
     for (NodeShift& s : shifts_)
       if (s.node == loaded_->node(node)) s.by = by;
   }
-  int settle() {
-    int frames = 0;
-    while (update() && frames < 200) ++frames;
-    return frames;
+  void settle() {
+    for (int frames = 0; !follower_->settled() && frames < 200; ++frames) update();
+    EXPECT_TRUE(follower_->settled());
   }
 
   std::optional<LoadedScene> loaded_;
@@ -69,6 +68,9 @@ TEST_F(LiveFollowerTest, DraggedNode_BringsTheLightOfItsNewPlace) {
   EXPECT_TRUE(update());
   EXPECT_GT(follower_->frame().photons.changed, 0u);
   settle();
+  LightMap expected = start_.indirect;
+  setIrradiance(live_->indirect(), expected);
+  EXPECT_EQ(expected.values, std::vector<float>(follower_->indirect().begin(), follower_->indirect().end()));
   EXPECT_NE(before, std::vector<float>(follower_->indirect().begin(), follower_->indirect().end()));
   shift("Tall box", glm::dvec3(0.0));
   update();
