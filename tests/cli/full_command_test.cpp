@@ -81,6 +81,24 @@ TEST_F(CliFull, Rasterised_IsCloseToTheTracedPictureAndHasTheSamePlan) {
   EXPECT_NEAR(picture["meanB"].get<double>() / picture["meanA"].get<double>(), 1.0, 0.02);
 }
 
+TEST_F(CliFull, Window_ShowsWhatIsDrawnWithoutOne) {
+  prelightDone({"scene", "shapes", "-o", "shapes.glb"});
+  const std::vector<std::string> same = {"--shading", "full", "--size",       "48x48",
+                                         "--photons", "2000", "--map-texels", "512"};
+  std::vector<std::string> drawn = {"render", "shapes.glb", "-o", "a.exr", "--rasterised", "--spp", "4"};
+  drawn.insert(drawn.end(), same.begin(), same.end());
+  prelightDone(drawn);
+  std::vector<std::string> window = {
+      "xvfb-run",   "-a",       "-s", "-screen 0 640x480x24", PRELIGHT_PROGRAM, "view",
+      "shapes.glb", "--frames", "3",  "--screenshot",         "b.exr"};
+  window.insert(window.end(), same.begin(), same.end());
+  const ProcessResult view = runProcess(window, {.directory = path("")});
+  ASSERT_EQ(view.exitCode, 0) << view.errors;
+  const nlohmann::json picture = compare("a.exr", "b.exr")["picture"];
+  EXPECT_GT(picture["meanA"].get<double>(), 0.05);
+  EXPECT_LT(picture["rmse"].get<double>(), 1e-5);
+}
+
 TEST_F(CliFull, RasterisedWithAnotherShading_IsRefused) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   expectFailure(2, {"render", "cornell.glb", "-o", "a.exr", "--shading", "phong", "--rasterised"},
