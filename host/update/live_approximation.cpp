@@ -147,6 +147,12 @@ std::vector<double> LiveApproximation::estimate(std::span<const std::uint32_t> p
   return changes;
 }
 
+double LiveApproximation::meanIrradiance() const {
+  double sum = 0.0;
+  for (const glm::vec3& e : values_) sum += luminance(glm::dvec3(e));
+  return sum / static_cast<double>(std::max<std::size_t>(1, values_.size()));
+}
+
 bool LiveApproximation::settled() const {
   return std::none_of(surfaces_.begin(), surfaces_.end(), [](const Surface& s) { return s.remaining > 0; });
 }

@@ -42,6 +42,7 @@ class LiveApproximation {
   ApproximationFrame advance(std::span<const device::Photon> photons, std::uint32_t texels);
 
   bool settled() const;
+  double meanIrradiance() const;  ///< over the texels, luminance, W/m2
   const IrradianceMap& map() const { return map_; }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "base/luminance.h"
 #include "gather/indirect_light.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -14,8 +15,11 @@ namespace {
 
 constexpr std::uint32_t mostRaysOfReceiver = 256;
 
-/// Places on a moved mirror, or the like, that look for what sees it.
-constexpr std::size_t mostLooks = 8;
+/// Of a moved mirror, or the like, that looks for what sees it.
+constexpr std::size_t raysOfLooks = 8192;
+
+/// Of the least change that a texel is gathered again for: less is not passed on by mirrors.
+constexpr double relayedShare = 0.1;
 
 GatherRequest requestOf(const LiveGatherOptions& options) {
   GatherRequest request;
@@ -44,6 +48,16 @@ std::vector<std::uint8_t> regionsWithoutTexels(const CompiledScene& scene, const
   return without;
 }
 
+/// Those without texels, and those that show other surfaces in some lobe.
+std::vector<std::uint8_t> reflectingRegions(const CompiledScene& scene, const SurfaceRegions& regions,
+                                            std::vector<std::uint8_t> reflecting) {
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
+    if (isGlass(material) || reflectsSpecularly(material)) reflecting[regions.regionOf[t]] = 1;
+  }
+  return reflecting;
+}
+
 /// Largest form factor of the ball around a box from a point.
 double ballShare(const Box& box, const glm::dvec3& point) {
   const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
@@ -64,8 +78,8 @@ LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, co
       gather_(scene, transport, approximation, requestOf(options)),
       places_(layout.texels),
       triangleRegions_(regions.regionOf),
-      relays_(regionsWithoutTexels(scene, layout, regions)),
-      links_(regions, relays_),
+      bare_(regionsWithoutTexels(scene, layout, regions)),
+      links_(regions, reflectingRegions(scene, regions, bare_)),
       expected_(regions.count(), 0.0),
       seenExpected_(places_.size(), 0.0),
       near_(places_.size(), 0.0),
@@ -85,7 +99,8 @@ double LiveGather::meanIrradiance() const {
   return sum / static_cast<double>(std::max<std::size_t>(1, gathered_.size()));
 }
 
-void LiveGather::moved(std::span<const std::uint32_t> triangles, Progress& progress) {
+void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradiance, Progress& progress) {
+  movedIrradiance_ = irradiance;
   std::vector<std::uint8_t> regions(expected_.size(), 0);
   for (const std::uint32_t t : triangles) regions[triangleRegions_[t]] = 1;
   std::vector<Box> boxes;  // where the regions were, and where they are
@@ -123,9 +138,9 @@ void LiveGather::growBy(std::uint32_t triangle) {
 void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& progress) {
   std::vector<std::uint32_t> relays;
   for (const std::uint32_t t : triangles)
-    if (relays_[triangleRegions_[t]] != 0) relays.push_back(t);
+    if (bare_[triangleRegions_[t]] != 0) relays.push_back(t);
   std::vector<LightMapTexel> looks;
-  const std::size_t count = std::min(mostLooks, relays.size());
+  const std::size_t count = std::min(std::max<std::size_t>(1, raysOfLooks / rays_), relays.size());
   for (std::size_t i = 0; i < count; ++i)
     looks.push_back(
         {static_cast<std::uint32_t>(i), relays[i * relays.size() / count], 1.0f / 3.0f, 1.0f / 3.0f});
@@ -136,16 +151,16 @@ void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& 
     links_.add(triangleRegions_[looks[i].face], std::span(seen).subspan(i * rays_, rays_));
 }
 
-/// What moves takes light away and brings other light, of the scene's mean each.
+/// What moves takes light away and brings other light, of the scene's mean each: also of lights that glossy
+/// surfaces show.
 void LiveGather::announceMoved() {
-  const double mean = meanIrradiance();
   std::vector<RegionChange> changes;
-  for (const std::uint32_t r : movedRegions_) changes.push_back({r, mean});
-  links_.spread(changes, expected_);
+  for (const std::uint32_t r : movedRegions_) changes.push_back({r, movedIrradiance_});
+  links_.spread(changes, relayedShare * options_.leastChange * meanIrradiance(), expected_);
 }
 
 void LiveGather::approximationChanged(std::span<const RegionChange> changes) {
-  links_.spread(changes, expected_);
+  links_.spread(changes, relayedShare * options_.leastChange * meanIrradiance(), expected_);
 }
 
 /// Change that is expected at a texel, W/m2; nothing is near what no changed surface sees.

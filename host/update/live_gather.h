@@ -37,8 +37,9 @@ class LiveGather {
              const LiveGatherOptions& options);
 
   /// Regions of triangles, whole ones, are where the scene has them now: their texels come first, and those
-  /// that see where they were or are now are expected to change.
-  void moved(std::span<const std::uint32_t> triangles, Progress& progress);
+  /// that see where they were or are now are expected to change. `irradiance`: the scene's mean of all light,
+  /// W/m2.
+  void moved(std::span<const std::uint32_t> triangles, double irradiance, Progress& progress);
 
   void approximationChanged(std::span<const RegionChange> changes);
 
@@ -70,13 +71,14 @@ class LiveGather {
   std::vector<LightMapTexel> places_;
   std::vector<std::uint32_t> regionOf_;         ///< [place]
   std::vector<std::uint32_t> triangleRegions_;  ///< [triangle]
-  std::vector<std::uint8_t> relays_;            ///< [region], 1: it has no texels
+  std::vector<std::uint8_t> bare_;              ///< [region], 1: it has no texels
   RegionLinks links_;
   std::vector<double> expected_;             ///< [region] change since the start, W/m2
   std::vector<double> seenExpected_;         ///< [place] of its region's, when it was gathered
   std::vector<double> near_;                 ///< [place] that what moved nearby may bring about, W/m2
   std::vector<std::uint8_t> first_;          ///< [place], 1: it has moved
   std::vector<Box> boxes_;                   ///< [region] that it was in when it last moved
+  double movedIrradiance_ = 0.0;             ///< W/m2, that what has moved may have shown or hidden
   std::uint64_t countedRays_ = 0;            ///< that frames have told of
   std::vector<std::uint32_t> movedRegions_;  ///< whose new view is not yet known
   std::vector<glm::vec3> gathered_, shown_;

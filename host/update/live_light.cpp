@@ -159,7 +159,8 @@ LiveFrame LiveLight::advance(Progress& progress) {
     stages.mark("everything anew");
     return frame;
   }
-  if (gather_ && !change.triangles.empty()) gather_->moved(change.triangles, progress);
+  if (gather_ && !change.triangles.empty())
+    gather_->moved(change.triangles, approximation_->meanIrradiance(), progress);
   stages.mark("scene");
   if (photons_) {
     PhotonDelta delta;

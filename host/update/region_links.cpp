@@ -46,16 +46,19 @@ double RegionLinks::formFactor(std::uint32_t from, std::uint32_t to) const {
   return std::max(share(from, to), std::min(turned, 1.0));
 }
 
-void RegionLinks::spread(std::span<const RegionChange> changes, std::span<double> expected) const {
+void RegionLinks::spread(std::span<const RegionChange> changes, double least,
+                         std::span<double> expected) const {
   for (const RegionChange& change : changes)
-    if (change.irradiance > 0.0) spreadFrom(change, true, expected);
+    if (change.irradiance > 0.0) spreadFrom(change, least, expected);
 }
 
-void RegionLinks::spreadFrom(const RegionChange& change, bool relay, std::span<double> expected) const {
+/// `least`: of what relays pass on; none: they do not.
+void RegionLinks::spreadFrom(const RegionChange& change, std::optional<double> least,
+                             std::span<double> expected) const {
   for (const std::uint32_t r : neighbours_[change.region]) {
     const double arrives = formFactor(r, change.region) * change.irradiance;
     expected[r] += arrives;
-    if (relay && relays_[r] != 0) spreadFrom({r, arrives}, false, expected);
+    if (least && arrives >= *least && relays_[r] != 0) spreadFrom({r, arrives}, std::nullopt, expected);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -14,7 +15,7 @@ namespace prelight {
 /// of gathered texels have told so far. They say where light that has changed on one region changes others.
 class RegionLinks {
  public:
-  /// `relays`, [region], 1: mirrors and the like, which have no texels and pass on what they see.
+  /// `relays`, [region], 1: mirrors, glass and glossy surfaces, which pass on what they see.
   RegionLinks(const SurfaceRegions& regions, std::vector<std::uint8_t> relays);
 
   /// Rays from a region met these triangles, or none.
@@ -25,10 +26,10 @@ class RegionLinks {
 
   /// Adds to `expected`, [region], what changes of irradiance elsewhere bring about there, W/m2, as if all
   /// surfaces were white.
-  void spread(std::span<const RegionChange> changes, std::span<double> expected) const;
+  void spread(std::span<const RegionChange> changes, double least, std::span<double> expected) const;
 
  private:
-  void spreadFrom(const RegionChange& change, bool relay, std::span<double> expected) const;
+  void spreadFrom(const RegionChange& change, std::optional<double> least, std::span<double> expected) const;
   double formFactor(std::uint32_t from, std::uint32_t to) const;
 
   std::vector<std::uint32_t> regionOf_;  ///< [triangle]
