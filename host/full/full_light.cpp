@@ -1,32 +1,12 @@
 #include "full/full_light.h"
 
-#include <chrono>
-
+#include "base/stage_clock.h"
+#include "full/light_passes.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/make_light_map_layout.h"
-#include "photon/casters.h"
 #include "photon/photon_tracer.h"
 
 namespace prelight {
-
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
-  const bool lit = scene.lights().groupCount > 0;
-  const bool scatters = scene.features().scatters;
-  return {{"indirect light", lit && scatters,
-           !lit       ? "nothing gives light"
-           : scatters ? "photons, density estimation and final gathering"
-                      : "no surface scatters light"},
-          {"caustic photons", lit && casters,
-           !casters ? "no surface is a mirror, glass or nearly a mirror"
-           : lit    ? "some surface is a mirror, glass or nearly a mirror"
-                    : "nothing gives light"}};
-}
-
-}  // namespace
 
 void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map) {
   std::vector<std::uint8_t> hidden(irradiance.size());
@@ -42,30 +22,25 @@ void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map) {
 FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLightRequest& request,
                         const Device& device, Progress& progress) {
   FullLight full;
-  Clock::time_point last = Clock::now();
-  const auto mark = [&](const char* stage) {
-    const Clock::time_point now = Clock::now();
-    full.stageSeconds.emplace_back(stage, std::chrono::duration<double>(now - last).count());
-    last = now;
-  };
+  StageClock stages(full.stageSeconds);
   const CompiledScene& compiled = lit.scene;
   TransportScene scene(lit, device);
-  full.plan = planOf(scene, !causticCasters(compiled).empty());
+  full.plan = lightPasses(compiled, scene);
   LightMapRequest map;
   map.texels = request.texels;
   full.indirect.layout = makeLightMapLayout(source, compiled, map);
   full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
   const DensitySurface surface = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
-  mark("layout");
+  stages.mark("layout");
   if (full.plan[0].runs) {
     IndirectRequest indirect = request.indirect;
     indirect.seed = request.seed;
     IndirectLight light(compiled, scene, full.indirect.layout, surface, indirect, device, progress);
-    mark("photons");
+    stages.mark("photons");
     setIrradiance(light.gather(full.indirect.layout.texels, progress), full.indirect);
     full.indirectPhotons = light.photons();
     full.rays += light.rays();
-    mark("gather");
+    stages.mark("gather");
   }
   if (full.plan[1].runs) {
     PhotonHits hits;
@@ -76,7 +51,7 @@ FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLigh
     full.rays += full.causticPhotons.rays;
     full.photons = std::move(hits.photons);
     if (!full.photons.empty()) full.filter = chooseCausticFilter(makePhotonMaps(full.photons, surface));
-    mark("caustics");
+    stages.mark("caustics");
   }
   return full;
 }

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "base/stage_clock.h"
-#include "lightmap/light_map_bake.h"
+#include "full/full_light.h"
+#include "full/light_passes.h"
 #include "lightmap/make_light_map_layout.h"
-#include "photon/casters.h"
 #include "photon/caustic_light.h"
 #include "reference/film.h"
 #include "reference/path_tracer.h"
@@ -40,33 +40,22 @@ double emitterShare(const CompiledScene& scene) {
   return all > 0.0 ? emitting / all : 0.0;
 }
 
-std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters, bool meetsLights) {
-  const bool lit = scene.lights().groupCount > 0;
-  const bool scatters = scene.features().scatters;
-  return {{"indirect light", lit && scatters,
-           lit ? scatters ? "photons, density estimation and final gathering" : "no surface scatters light"
-               : "nothing gives light"},
-          {"caustic photons", lit && casters,
-           casters ? lit ? "some surface is a mirror, glass or nearly a mirror" : "nothing gives light"
-                   : "no surface is a mirror, glass or nearly a mirror"},
-          {"rays to large emitters", meetsLights,
-           meetsLights ? "emitters take more than a fiftieth of the surface: diffuse rays look for them, too"
-                       : "emitters take less than a fiftieth of the surface: samples of them suffice"}};
+std::vector<PlannedPass> planOf(const CompiledScene& compiled, const TransportScene& scene) {
+  const bool meetsLights = emitterShare(compiled) > largeEmitters;
+  std::vector<PlannedPass> plan = lightPasses(compiled, scene);
+  plan.push_back({"rays to large emitters", meetsLights,
+                  meetsLights
+                      ? "emitters take more than a fiftieth of the surface: diffuse rays look for them, too"
+                      : "emitters take less than a fiftieth of the surface: samples of them suffice"});
+  return plan;
 }
 
-/// Indirect light of a layout's texels on its grid. What gets none at all in a lit scene lies inside an
-/// object, or in the dark; it takes after its neighbours on the chart, so as not to darken what is beside it.
+/// Indirect light of a layout's texels on its grid, see setIrradiance().
 std::vector<glm::vec3> filledGrid(const LightMapLayout& layout, std::span<const glm::vec3> irradiance) {
   LightMap map;
   map.layout = layout;
   map.values.assign(3 * layout.texelCount(), 0.0f);
-  std::vector<std::uint8_t> hidden(irradiance.size());
-  for (std::size_t i = 0; i < irradiance.size(); ++i) {
-    hidden[i] = irradiance[i] == glm::vec3(0.0f) ? 1 : 0;
-    for (int c = 0; c < 3; ++c)
-      map.values[3 * std::size_t{layout.texels[i].texel} + static_cast<std::size_t>(c)] = irradiance[i][c];
-  }
-  fillHidden(hidden, map);
+  setIrradiance(irradiance, map);
   std::vector<glm::vec3> grid;
   for (std::size_t t = 0; t < layout.texelCount(); ++t)
     grid.emplace_back(map.values[3 * t], map.values[3 * t + 1], map.values[3 * t + 2]);
@@ -115,7 +104,7 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   StageClock stages(report.stageSeconds);
   const CompiledScene& compiled = lit.scene;
   TransportScene scene(lit, device);
-  report.plan = planOf(scene, !causticCasters(compiled).empty(), emitterShare(compiled) > largeEmitters);
+  report.plan = planOf(compiled, scene);
   stages.mark("scene");
   LightMapRequest map;
   map.texels = request.mapTexels();

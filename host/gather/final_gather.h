@@ -13,7 +13,9 @@
 namespace prelight {
 
 struct GatherRequest {
-  std::uint32_t raysPerReceiver = 128;  ///< a power of two, 8 to 256
+  static constexpr std::uint32_t mostRaysPerReceiver = 256;
+
+  std::uint32_t raysPerReceiver = 128;  ///< a power of two, 8 to mostRaysPerReceiver
   std::uint64_t seed = 0;
   int depth = 32;  ///< surfaces that a ray meets at most, mirrors and glass before the last one
 };

@@ -11,17 +11,11 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t mostRaysPerReceiver = 256;
-
-/// Of half the scene's diagonal: photons farther than that tell nothing of a texel.
-constexpr double widestEstimate = 0.25;
-
-double sceneRadius(const CompiledScene& scene) {
-  return 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
-}
+/// Of half the scene's diagonal.
+constexpr double widestShare = 0.25;
 
 std::uint32_t raysPerReceiver(const IndirectRequest& request) {
-  return std::min(request.rays, mostRaysPerReceiver);
+  return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
 }
 
 GatherRequest gatherRequest(const IndirectRequest& request) {
@@ -41,7 +35,7 @@ std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
   options.nearest = nearestPhotons;
   DensityEstimator estimator(surface, options, device);
   estimator.setPhotons(makePhotonMaps(hits.photons, surface));
-  return estimator.estimate(densityQueries(compiled, places, widestEstimate * sceneRadius(compiled)));
+  return estimator.estimate(densityQueries(compiled, places, widestEstimate(compiled)));
 }
 
 /// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
@@ -69,6 +63,10 @@ std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
     }
   }
   return receivers;
+}
+
+double widestEstimate(const CompiledScene& scene) {
+  return widestShare * 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
 }
 
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,

@@ -52,6 +52,9 @@ std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
                                               std::span<const LightMapTexel> places, std::uint32_t count,
                                               std::uint32_t rays, std::uint64_t seed);
 
+/// Radius of a density estimate at most, m: photons farther away tell nothing of a texel.
+double widestEstimate(const CompiledScene& scene);
+
 /// Queries of a density estimate at places of the surface, with a largest radius in metres.
 std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
                                                  std::span<const LightMapTexel> places, double radius);

@@ -4,15 +4,13 @@
 
 #include "base/luminance.h"
 #include "gather/indirect_light.h"
+#include "lightmap/texel_receiver.h"
 
 namespace prelight {
 
 namespace {
 
 using device::Photon;
-
-/// Of half the scene's diagonal: photons farther than that tell nothing of a texel.
-constexpr double widestEstimate = 0.25;
 
 DensityOptions optionsOf(int nearest) {
   DensityOptions options;
@@ -30,7 +28,7 @@ LiveApproximation::LiveApproximation(const CompiledScene& scene, const LightMapL
                                      const SurfaceRegions& regions, int nearest, const Device& device)
     : scene_(scene),
       places_(layout.texels),
-      radius_(widestEstimate * 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin))),
+      radius_(widestEstimate(scene)),
       surface_(makeDensitySurface(scene, regions)),
       estimator_(surface_, optionsOf(nearest), device),
       surfaces_(2 * std::size_t{regions.count()}),
@@ -38,9 +36,8 @@ LiveApproximation::LiveApproximation(const CompiledScene& scene, const LightMapL
       grid_(layout.texelCount(), glm::vec3(0.0f)),
       map_(device.context(), layout) {
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
-    const bool back = places_[i].face >= scene.triangleCount();
-    const std::uint32_t triangle = back ? places_[i].face - scene.triangleCount() : places_[i].face;
-    surfaces_[2 * regions.regionOf[triangle] + (back ? 1 : 0)].places.push_back(i);
+    const std::uint32_t triangle = triangleOf(scene, places_[i]);
+    surfaces_[2 * regions.regionOf[triangle] + (triangle == places_[i].face ? 0 : 1)].places.push_back(i);
   }
   for (std::size_t s = 0; s < surfaces_.size(); ++s) surfaces_[s].area = regions.areas[s / 2];
   map_.set(grid_);

@@ -7,13 +7,12 @@
 
 #include "base/luminance.h"
 #include "gather/indirect_light.h"
+#include "lightmap/texel_receiver.h"
 #include "scene/lobes.h"
 
 namespace prelight {
 
 namespace {
-
-constexpr std::uint32_t mostRaysOfReceiver = 256;
 
 /// Of a moved mirror, or the like, that looks for what sees it.
 constexpr std::size_t raysOfLooks = 8192;
@@ -23,17 +22,13 @@ constexpr double relayedShare = 0.1;
 
 GatherRequest requestOf(const LiveGatherOptions& options) {
   GatherRequest request;
-  request.raysPerReceiver = std::min(options.rays, mostRaysOfReceiver);
+  request.raysPerReceiver = std::min(options.rays, GatherRequest::mostRaysPerReceiver);
   request.seed = options.seed;
   return request;
 }
 
-std::uint32_t triangleOf(const CompiledScene& scene, std::uint32_t face) {
-  return face >= scene.triangleCount() ? face - scene.triangleCount() : face;
-}
-
 glm::dvec3 pointOf(const CompiledScene& scene, const LightMapTexel& place) {
-  const glm::uvec3 t = scene.triangles[triangleOf(scene, place.face)];
+  const glm::uvec3 t = scene.triangles[triangleOf(scene, place)];
   return (1.0 - double(place.b1) - double(place.b2)) * glm::dvec3(scene.positions[t.x]) +
          double(place.b1) * glm::dvec3(scene.positions[t.y]) +
          double(place.b2) * glm::dvec3(scene.positions[t.z]);
@@ -43,8 +38,7 @@ glm::dvec3 pointOf(const CompiledScene& scene, const LightMapTexel& place) {
 std::vector<std::uint8_t> regionsWithoutTexels(const CompiledScene& scene, const LightMapLayout& layout,
                                                const SurfaceRegions& regions) {
   std::vector<std::uint8_t> without(regions.count(), 1);
-  for (const LightMapTexel& place : layout.texels)
-    without[regions.regionOf[triangleOf(scene, place.face)]] = 0;
+  for (const LightMapTexel& place : layout.texels) without[regions.regionOf[triangleOf(scene, place)]] = 0;
   return without;
 }
 
@@ -88,8 +82,7 @@ LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, co
       gathered_(places_.size(), glm::vec3(0.0f)),
       shown_(places_.size(), glm::vec3(0.0f)),
       blendLeft_(places_.size(), 0) {
-  for (const LightMapTexel& place : places_)
-    regionOf_.push_back(regions.regionOf[triangleOf(scene, place.face)]);
+  for (const LightMapTexel& place : places_) regionOf_.push_back(regions.regionOf[triangleOf(scene, place)]);
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) growBy(t);
 }
 
@@ -156,7 +149,7 @@ void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& 
 void LiveGather::announceMoved() {
   std::vector<RegionChange> changes;
   for (const std::uint32_t r : movedRegions_) changes.push_back({r, movedIrradiance_});
-  links_.spread(changes, relayedShare * options_.leastChange * meanIrradiance(), expected_);
+  approximationChanged(changes);
 }
 
 void LiveGather::approximationChanged(std::span<const RegionChange> changes) {
@@ -170,15 +163,17 @@ double LiveGather::priority(std::size_t place) const {
   return base > 0.0 ? base + near_[place] : 0.0;
 }
 
+/// Whether so much has changed at a texel that it is gathered again; `mean`: meanIrradiance().
+bool LiveGather::waits(std::size_t place, double mean) const {
+  return priority(place) > options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
+}
+
 /// Texels that wait, greatest change first.
 std::vector<std::uint32_t> LiveGather::choose() const {
   const double mean = meanIrradiance();
   std::vector<std::pair<double, std::uint32_t>> waiting;
-  for (std::uint32_t i = 0; i < places_.size(); ++i) {
-    const double change = priority(i);
-    if (change > options_.leastChange * (luminance(glm::dvec3(gathered_[i])) + 0.01 * mean))
-      waiting.emplace_back(-change, i);
-  }
+  for (std::uint32_t i = 0; i < places_.size(); ++i)
+    if (waits(i, mean)) waiting.emplace_back(-priority(i), i);
   std::sort(waiting.begin(), waiting.end());
   std::vector<std::uint32_t> places;
   for (const auto& entry : waiting) places.push_back(entry.second);
@@ -243,8 +238,10 @@ GatherFrame LiveGather::advance(Progress& progress) {
 }
 
 bool LiveGather::settled() const {
-  return std::all_of(blendLeft_.begin(), blendLeft_.end(), [](std::uint32_t left) { return left == 0; }) &&
-         choose().empty();
+  const double mean = meanIrradiance();
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (blendLeft_[i] > 0 || waits(i, mean)) return false;
+  return true;
 }
 
 }  // namespace prelight

@@ -56,6 +56,7 @@ class LiveGather {
 
  private:
   double priority(std::size_t place) const;
+  bool waits(std::size_t place, double mean) const;
   double meanIrradiance() const;
   std::vector<std::uint32_t> choose() const;
   void gather(std::span<const std::uint32_t> places, Progress& progress);

@@ -1,47 +1,20 @@
 #include "update/live_light.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "base/stage_clock.h"
+#include "full/light_passes.h"
 #include "lightmap/make_light_map_layout.h"
-#include "photon/casters.h"
 #include "photon/caustic_light.h"
 
 namespace prelight {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-class Stages {
- public:
-  explicit Stages(LiveFrame& frame) : frame_(frame) {}
-  void mark(const char* name) {
-    const Clock::time_point now = Clock::now();
-    frame_.stageSeconds.emplace_back(name, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
-  }
-
- private:
-  LiveFrame& frame_;
-  Clock::time_point last_ = Clock::now();
-};
-
 LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::uint32_t texels) {
   LightMapRequest request;
   request.texels = texels;
   return makeLightMapLayout(scene, compiled, request);
-}
-
-std::vector<PlannedPass> planOf(const TransportScene& scene, bool casters) {
-  const bool lit = scene.lights().groupCount > 0, scatters = scene.features().scatters;
-  return {{"indirect light", lit && scatters,
-           lit ? scatters ? "photons whose ways change, density estimation and final gathering"
-                          : "no surface scatters light"
-               : "nothing gives light"},
-          {"caustic photons", lit && casters,
-           casters ? lit ? "some surface is a mirror, glass or nearly a mirror" : "nothing gives light"
-                   : "no surface is a mirror, glass or nearly a mirror"}};
 }
 
 }  // namespace
@@ -92,7 +65,7 @@ void LiveLight::separate(std::span<const std::uint32_t> triangles) {
 }
 
 void LiveLight::makeLight(Progress& progress) {
-  plan_ = planOf(transport_, !causticCasters(scene_.compiled()).empty());
+  plan_ = lightPasses(scene_.compiled(), transport_);
   gather_.reset();  // refers to the approximation
   approximation_.reset();
   photons_.reset();
@@ -151,7 +124,7 @@ bool LiveLight::follow(const SceneChange& change) {
 
 LiveFrame LiveLight::advance(Progress& progress) {
   LiveFrame frame;
-  Stages stages(frame);
+  StageClock stages(frame.stageSeconds);
   const SceneChange change = takeChanges();
   if (follow(change)) {
     makeLight(progress);

@@ -93,10 +93,16 @@ float sumOf(float8 x) {
   return two.x + two.y;
 }
 
+// K of a block's photons, 0 for those that do not count within the squared radius r2.
+float8 photonWeights(const DensityMaps maps, const DensityPlace place, __global const PhotonBlock* block, float r2) {
+  const float8 squared = squaredDistances(block, place.position);
+  const float8 reaches = place.planar ? squared : squaredReaches(maps, place, block, squared, r2);
+  return select((float8)(0.0f), kernelWeights(squared * (1.0f / r2)), isless(reaches, (float8)(r2)));
+}
+
 // Power within a radius, weighted, W. r2: it squared
 float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
   const uint leaves = 1u << place.photons.levels;
-  const float inverse = 1.0f / r2;
   float8 red = 0.0f, green = 0.0f, blue = 0.0f;
   uint node = 1u;
   do {
@@ -107,9 +113,7 @@ float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
         continue;
       }
       __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
-      const float8 squared = squaredDistances(block, place.position);
-      const float8 reaches = place.planar ? squared : squaredReaches(maps, place, block, squared, r2);
-      const float8 weights = select((float8)(0.0f), kernelWeights(squared * inverse), isless(reaches, (float8)(r2)));
+      const float8 weights = photonWeights(maps, place, block, r2);
       red += weights * vload8(0, block->red);
       green += weights * vload8(0, block->green);
       blue += weights * vload8(0, block->blue);

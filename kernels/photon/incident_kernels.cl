@@ -10,7 +10,6 @@
 // As gatherPower, by direction: sums [value], W.
 void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float3* sums) {
   const uint leaves = 1u << place.photons.levels;
-  const float inverse = 1.0f / r2;
   uint node = 1u;
   do {
     __global const float* box = maps.photonBoxes + (place.photons.firstNode + node - 1u) * 6u;
@@ -20,10 +19,8 @@ void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 nor
         continue;
       }
       __global const PhotonBlock* block = maps.photonBlocks + place.photons.firstLeaf + node - leaves;
-      const float8 squared = squaredDistances(block, place.position);
-      const float8 reaches = place.planar ? squared : squaredReaches(maps, place, block, squared, r2);
       float weights[8];
-      vstore8(select((float8)(0.0f), kernelWeights(squared * inverse), isless(reaches, (float8)(r2))), 0, weights);
+      vstore8(photonWeights(maps, place, block, r2), 0, weights);
       for (uint i = 0; i < 8; ++i) {
         if (!(weights[i] > 0.0f)) continue;
         const float3 power = (float3)(block->red[i], block->green[i], block->blue[i]);

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "lightmap/direct_light_part.h"
-#include "lightmap/make_light_map_layout.h"
+#include "lightmap/layout_places.h"
 #include "lightmap/mapped_irradiance.h"
 #include "lightmap/sky_light_part.h"
 #include "support/devices.h"
@@ -106,18 +106,8 @@ TEST(MappedIrradiance, WallsAndWideLamps_AreNearerThanByTheBandsAlone) {
   }
 }
 
-LightMapLayout layoutOf(const CompiledScene& scene, double texelSize) {
-  LightMapRequest request;
-  request.texelSize = texelSize;
-  return makeLightMapLayout(Scene{}, scene, request);
-}
-
-glm::dvec3 positionOf(const CompiledScene& scene, const LightMapTexel& texel) {
-  const auto& t = scene.triangles[texel.face % scene.triangleCount()];
-  return (1.0 - double(texel.b1) - double(texel.b2)) * glm::dvec3(scene.positions[t.x]) +
-         double(texel.b1) * glm::dvec3(scene.positions[t.y]) +
-         double(texel.b2) * glm::dvec3(scene.positions[t.z]);
-}
+using test::layoutOf;
+using test::positionOf;
 
 /// Values of a layout's texels under one part, [texel][channel][5].
 std::vector<float> valuesOf(LightMapPart& part, const LightMapLayout& layout) {

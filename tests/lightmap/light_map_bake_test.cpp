@@ -7,8 +7,8 @@
 
 #include "lightmap/direct_light_part.h"
 #include "lightmap/inside_part.h"
+#include "lightmap/layout_places.h"
 #include "lightmap/light_map_lookup.h"
-#include "lightmap/make_light_map_layout.h"
 #include "lightmap/sky_light_part.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -16,18 +16,8 @@
 namespace prelight {
 namespace {
 
-LightMapLayout layoutOf(const CompiledScene& scene, double texelSize) {
-  LightMapRequest request;
-  request.texelSize = texelSize;
-  return makeLightMapLayout(Scene{}, scene, request);
-}
-
-glm::dvec3 positionOf(const CompiledScene& scene, const LightMapTexel& texel) {
-  const auto& t = scene.triangles[texel.face % scene.triangleCount()];
-  return (1.0 - double(texel.b1) - double(texel.b2)) * glm::dvec3(scene.positions[t.x]) +
-         double(texel.b1) * glm::dvec3(scene.positions[t.y]) +
-         double(texel.b2) * glm::dvec3(scene.positions[t.z]);
-}
+using test::layoutOf;
+using test::positionOf;
 
 LightMap bake(const CompiledScene& scene, double texelSize, std::uint32_t rays = 64, std::uint64_t seed = 0) {
   Tracer tracer(scene, test::sharedDevice());

@@ -1,0 +1,21 @@
+#include "full/light_passes.h"
+
+#include "photon/casters.h"
+
+namespace prelight {
+
+std::vector<PlannedPass> lightPasses(const CompiledScene& compiled, const TransportScene& scene) {
+  const bool lit = scene.lights().groupCount > 0;
+  const bool scatters = scene.features().scatters;
+  const bool casters = !causticCasters(compiled).empty();
+  return {{"indirect light", lit && scatters,
+           !lit       ? "nothing gives light"
+           : scatters ? "photons, density estimation and final gathering"
+                      : "no surface scatters light"},
+          {"caustic photons", lit && casters,
+           !casters ? "no surface is a mirror, glass or nearly a mirror"
+           : lit    ? "some surface is a mirror, glass or nearly a mirror"
+                    : "nothing gives light"}};
+}
+
+}  // namespace prelight
