@@ -4,6 +4,7 @@
 #include "full/light_passes.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/make_light_map_layout.h"
+#include "photon/caustic_light.h"
 #include "photon/photon_tracer.h"
 
 namespace prelight {
@@ -46,8 +47,7 @@ FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLigh
     PhotonHits hits;
     full.causticPhotons =
         PhotonTracer(compiled, scene)
-            .trace({.kind = PhotonKind::Caustic, .photons = request.causticPhotons, .seed = request.seed + 1},
-                   hits, progress);
+            .trace(causticRequest(request.causticPhotons, request.seed + 1), hits, progress);
     full.rays += full.causticPhotons.rays;
     full.photons = std::move(hits.photons);
     if (!full.photons.empty()) full.filter = chooseCausticFilter(makePhotonMaps(full.photons, surface));
