@@ -66,7 +66,7 @@ static_assert(isShared<GatherParameters, 60>);
 static_assert(isShared<GatherPath, 28>);
 static_assert(isShared<PhotonSource, 40>);
 static_assert(isShared<PhotonParameters, 116>);
-static_assert(isShared<PhotonPath, 24>);
+static_assert(isShared<PhotonPath, 28>);
 static_assert(isShared<PhotonGrid, 32>);
 
 template <typename T>
@@ -111,7 +111,7 @@ std::vector<StructLayout> hostLayouts() {
           layoutOf<DensityQuery>("DensityQuery", offsetof(DensityQuery, radius)),
           layoutOf<PhotonSource>("PhotonSource", offsetof(PhotonSource, tangent)),
           layoutOf<PhotonParameters>("PhotonParameters", offsetof(PhotonParameters, lights)),
-          layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, photon)),
+          layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, mirrored)),
           layoutOf<GatherParameters>("GatherParameters", offsetof(GatherParameters, lights)),
           layoutOf<GatherPath>("GatherPath", offsetof(GatherPath, widened)),
           layoutOf<PhotonGrid>("PhotonGrid", offsetof(PhotonGrid, firstCell))};

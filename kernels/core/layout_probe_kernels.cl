@@ -54,7 +54,7 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(31, DensityQuery, radius);
   PROBE(32, PhotonSource, tangent);
   PROBE(33, PhotonParameters, lights);
-  PROBE(34, PhotonPath, photon);
+  PROBE(34, PhotonPath, mirrored);
   PROBE(35, GatherParameters, lights);
   PROBE(36, GatherPath, widened);
   PROBE(37, PhotonGrid, firstCell);

@@ -141,6 +141,7 @@ __kernel void emitPhotons(__constant const PhotonParameters* p, __global const D
   path.medium = PRELIGHT_NO_MEDIUM;
   path.scattered = 0u;
   path.photon = photon;
+  path.mirrored = 0u;
   paths[i] = path;
   queue[i] = (uint)i;
   Ray ray;

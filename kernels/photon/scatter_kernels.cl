@@ -9,6 +9,11 @@
 #include "shade/vertex_funcs.cl"
 #include "shared/photon_types.h"
 
+// Light that is caught between mirrors or in glass loses nothing and would not end. From so many times in a row on, roulette
+// ends it, too.
+#define PRELIGHT_CAUGHT_AFTER 48u
+#define PRELIGHT_CAUGHT_SURVIVAL 0.75f
+
 // Where a photon is, and what its surface makes of it.
 typedef struct Arrived {
   PathVertex vertex;
@@ -149,7 +154,9 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
     Departure d = {(float3)(0.0f), (float3)(0.0f), 0u, path.medium};
     if (goesOnFrom(path, a.bsdf) && leave(a, s, chance.x, photonPoint(p, photon, pair + PRELIGHT_PAIR_DIRECTION), &d)) {
       float3 leaving = power * d.weight;
-      const float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
+      path.mirrored = d.scattered == PRELIGHT_SCATTERED_SPECULAR ? path.mirrored + 1u : 0u;
+      float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
+      if (path.mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
       if (largest(leaving) > 0.0f && chance.y < survival) {
         vstore3(leaving / survival, 0, path.power);
         path.medium = d.medium;

@@ -47,6 +47,7 @@ typedef struct PhotonPath {
   uint medium;     ///< material that it runs through, or PRELIGHT_NO_MEDIUM
   uint scattered;  ///< PRELIGHT_SCATTERED_* | ...
   uint photon;     ///< of its source
+  uint mirrored;   ///< times in a row that mirrors, glass and narrow lobes have scattered it
 } PhotonPath;
 
 // What became of a photon at a surface.

@@ -285,6 +285,35 @@ TEST(CausticPhotons, AimedOrNot_CarryTheSamePower) {
   }
 }
 
+/// Light that nothing absorbs.
+TEST(PhotonTracer, RoomOfPerfectMirrors_IsLeftByAllPhotons) {
+  CompiledScene scene = room(0.0f);
+  scene.materials[0] = metal(1.0f, 0.0f);
+  const Flight flight =
+      fly(scene, {pointLight({0.1, 0.2, 0.3}, glm::vec3(1.0f))}, requestOf(PhotonKind::All, 1 << 14));
+  EXPECT_EQ(flight.report.power.cut[0], 0);
+  EXPECT_LT(flight.report.rays, 60u * flight.report.emitted);
+  expectBalanced(flight.report.power);
+}
+
+/// A narrow beam from the top of a shaft of perfect mirrors meets about fifty of them on its way to the
+/// floor.
+TEST(PhotonTracer, ManyMirrorsInARow_BringAllThePowerToTheFloor) {
+  CompiledScene scene = floorOf(0.1f, 0.001f);
+  append(scene, box(1, {-0.1f, 0.0f, -0.1f}, {0.1f, 1.05f, 0.1f}, true));
+  paintLast(scene, 12, metal(1.0f, 0.0f));
+  scene.triangleFlat.assign(scene.triangles.size(), 1);
+  Light beam = pointLight({0, 1, 0}, glm::vec3(1.0f));
+  beam.type = LightType::Spot;
+  beam.direction = glm::normalize(glm::dvec3(10.6, -1, 0));
+  beam.outerConeAngle = 0.006f;
+  PhotonRequest request = requestOf(PhotonKind::Caustic, 1 << 16);
+  request.aimed = false;
+  const Flight flight = fly(scene, {beam}, request);
+  EXPECT_GT(flight.report.rays, 50u * flight.report.stored);
+  EXPECT_NEAR(flight.storedPower().x / flight.emitted().x, 1.0, 0.02);
+}
+
 TEST(CausticPhotons, SceneWithoutCasters_SendsNone) {
   const Flight flight =
       fly(room(0.5f), {pointLight({0, 0, 0}, glm::vec3(1.0f))}, requestOf(PhotonKind::Caustic, 1000));
