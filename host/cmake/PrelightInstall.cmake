@@ -5,8 +5,10 @@ set(PRELIGHT_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/prelight)
 
 file(RELATIVE_PATH library_from_program /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
 set_target_properties(prelight_cli PROPERTIES INSTALL_RPATH $ORIGIN/${library_from_program})
+set_target_properties(prelight PROPERTIES INSTALL_RPATH $ORIGIN)  # where it is a shared library
 install(TARGETS prelight_cli RUNTIME)
 install(TARGETS prelight EXPORT prelight-targets)
+install(TARGETS prelight_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
 # The public headers are those that the umbrella header names, and those that these include in turn.
 set(pending prelight.h)

@@ -1,7 +1,5 @@
 #include "io/picture.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,8 +7,10 @@
 #include <string>
 
 #include "base/error.h"
+#include "images/image_library.h"
 #include "io/atomic_file.h"
 #include "io/pixels.h"
+#include "io/plain_exr.h"
 
 namespace prelight {
 namespace {
@@ -46,34 +46,6 @@ double decodeSrgb(double value) {
 /// Largest radiance that the display transform tells apart from infinity; keeps inf / inf out of it.
 constexpr float brightest = 1e6f;
 
-/// One image of a file.
-struct Part {
-  OIIO::ImageSpec spec;
-  OIIO::TypeDesc type;
-  const void* pixels;
-};
-
-void writeParts(const std::filesystem::path& shown, const std::filesystem::path& path,
-                const std::vector<Part>& parts) {
-  const auto fail = [&](const std::string& reason) {
-    throw Error(ExitCode::RuntimeFailure, shown.string(), "cannot be written: " + reason);
-  };
-  const auto output = OIIO::ImageOutput::create(path.string());
-  if (!output) fail(OIIO::geterror());
-  std::vector<OIIO::ImageSpec> specs;
-  for (const Part& part : parts) specs.push_back(part.spec);
-  const bool one = parts.size() == 1;
-  if (!(one ? output->open(path.string(), specs[0])
-            : output->open(path.string(), static_cast<int>(specs.size()), specs.data())))
-    fail(output->geterror());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0 && !output->open(path.string(), specs[i], OIIO::ImageOutput::AppendSubimage))
-      fail(output->geterror());
-    if (!output->write_image(parts[i].type, parts[i].pixels)) fail(output->geterror());
-  }
-  if (!output->close()) fail(output->geterror());
-}
-
 std::vector<std::uint8_t> encode(const Picture& picture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.pixels.size() * 3);
@@ -82,14 +54,6 @@ std::vector<std::uint8_t> encode(const Picture& picture) {
     for (int c = 0; c < 3; ++c) bytes.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
   }
   return bytes;
-}
-
-OIIO::ImageSpec exrSpec(const Picture& picture, int channels) {
-  OIIO::ImageSpec spec(picture.width, picture.height, channels, OIIO::TypeDesc::FLOAT);
-  spec.attribute("compression", "zip");
-  // Else OpenImageIO notes the time, and equal pictures would be unequal files.
-  spec.attribute("DateTime", "");
-  return spec;
 }
 
 std::string layerOf(const PictureChannel& channel) { return channel.name.substr(0, channel.name.rfind('.')); }
@@ -105,24 +69,24 @@ std::vector<float> interleaved(std::span<const PictureChannel> channels) {
 
 /// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
 /// part of its own, of its name.
-void writeExr(const std::filesystem::path& path, const Picture& picture,
-              std::span<const PictureChannel> channels) {
-  std::vector<Part> parts{{exrSpec(picture, 3), OIIO::TypeDesc::FLOAT, picture.pixels.data()}};
-  if (!channels.empty()) parts[0].spec.attribute("oiio:subimagename", "rgb");
+void writeLayers(const std::filesystem::path& path, const Picture& picture,
+                 std::span<const PictureChannel> channels) {
+  const std::span<const float> rgb(&picture.pixels.data()->x, 3 * picture.pixels.size());
+  std::vector<ExrPart> parts{{"rgb", {"R", "G", "B"}, rgb}};
   std::vector<std::vector<float>> values;
   values.reserve(channels.size());
   for (std::size_t first = 0, end = 0; first < channels.size(); first = end) {
     const std::string layer = layerOf(channels[first]);
     for (end = first + 1; end < channels.size() && layerOf(channels[end]) == layer;) ++end;
     const auto part = channels.subspan(first, end - first);
-    OIIO::ImageSpec spec = exrSpec(picture, static_cast<int>(part.size()));
-    for (std::size_t c = 0; c < part.size(); ++c) spec.channelnames[c] = part[c].name;
-    spec.attribute("oiio:subimagename", layer);
+    std::vector<std::string> names;
+    for (const PictureChannel& channel : part) names.push_back(channel.name);
     values.push_back(interleaved(part));
-    parts.push_back({std::move(spec), OIIO::TypeDesc::FLOAT, values.back().data()});
+    parts.push_back({layer, std::move(names), values.back()});
   }
-  writeFileAtomically(path,
-                      [&](const std::filesystem::path& temporary) { writeParts(path, temporary, parts); });
+  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
+    imageLibrary().writeExr(path, temporary, picture.width, picture.height, parts);
+  });
 }
 
 }  // namespace
@@ -132,12 +96,9 @@ void writePicture(const std::filesystem::path& path, const Picture& picture) {
   if (extension != ".exr" && extension != ".png") {
     throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
   }
-  if (extension == ".exr") return writeExr(path, picture, {});
+  if (extension == ".exr") return writePlainExr(path, picture);
   writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    const std::vector<std::uint8_t> pixels = encode(picture);
-    writeParts(path, temporary, {{spec, OIIO::TypeDesc::UINT8, pixels.data()}});
+    imageLibrary().writePng(path, temporary, picture.width, picture.height, encode(picture));
   });
 }
 
@@ -147,7 +108,8 @@ void writePicture(const std::filesystem::path& path, const Picture& picture,
   if (extension != ".exr")
     throw UsageError(path.string(),
                      "a picture of several layers is written as .exr, got '" + extension + "'");
-  writeExr(path, picture, channels);
+  if (channels.empty()) return writePlainExr(path, picture);
+  writeLayers(path, picture, channels);
 }
 
 Picture readPicture(const std::filesystem::path& path) {

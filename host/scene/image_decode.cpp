@@ -1,13 +1,9 @@
 #include "scene/image_decode.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <memory>
-
 #include "base/error.h"
+#include "images/image_library.h"
 
 namespace prelight {
 
@@ -16,20 +12,6 @@ namespace {
 bool startsWith(std::span<const std::uint8_t> bytes, std::string_view magic, std::size_t offset = 0) {
   if (bytes.size() < offset + magic.size()) return false;
   return std::string_view(reinterpret_cast<const char*>(bytes.data()) + offset, magic.size()) == magic;
-}
-
-/// A grey, grey-alpha, RGB or RGBA texel as RGBA.
-void spreadChannels(const std::vector<std::uint8_t>& from, int channels, std::vector<std::uint8_t>& rgba) {
-  const std::size_t texels = rgba.size() / 4;
-  for (std::size_t i = 0; i < texels; ++i) {
-    const std::uint8_t* in = &from[i * static_cast<std::size_t>(channels)];
-    std::uint8_t* out = &rgba[i * 4];
-    const bool grey = channels < 3;
-    out[0] = in[0];
-    out[1] = grey ? in[0] : in[1];
-    out[2] = grey ? in[0] : in[2];
-    out[3] = channels == 2 ? in[1] : channels >= 4 ? in[3] : std::uint8_t{255};
-  }
 }
 
 }  // namespace
@@ -45,36 +27,10 @@ std::string imageMimeType(std::span<const std::uint8_t> bytes) {
 }
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where) {
-  constexpr std::int64_t maxTexels = std::int64_t{1} << 28;
   const std::string mime = imageMimeType(bytes);
   if (mime.empty()) throw InputError(where, "not a PNG, JPEG or other known picture");
-  OIIO::Filesystem::IOMemReader memory(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
-  OIIO::Filesystem::IOProxy* proxy = &memory;
-  OIIO::ImageSpec wishes;
-  // The readers look for the proxy among the wishes and forget the one that open() was given.
-  wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  // The name only chooses the format; nothing of that name is opened.
-  const std::string name = mime == "image/vnd-ms.dds" ? "x.dds" : "x." + mime.substr(mime.find('/') + 1);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(name, &wishes, &memory);
-  if (!input) throw InputError(where, "cannot decode the picture: " + OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  const std::int64_t texels = std::int64_t{spec.width} * spec.height;
-  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || texels > maxTexels) {
-    throw InputError(where,
-                     fmt::format("a picture of {} x {} texels is not usable", spec.width, spec.height));
-  }
-  const int channels = std::min(spec.nchannels, 4);
-  std::vector<std::uint8_t> stored(static_cast<std::size_t>(texels) * static_cast<std::size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, stored.data())) {
-    throw InputError(where, "cannot decode the picture: " + input->geterror());
-  }
-  Image image;
-  image.width = spec.width;
-  image.height = spec.height;
-  image.rgba.resize(static_cast<std::size_t>(texels) * 4);
-  spreadChannels(stored, channels, image.rgba);
-  return image;
+  const std::string format = mime == "image/vnd-ms.dds" ? "dds" : mime.substr(mime.find('/') + 1);
+  return imageLibrary().decodeImage(bytes, "x." + format, where);
 }
 
 Image whiteImage(const std::string& name) { return {name, 1, 1, {255, 255, 255, 255}}; }

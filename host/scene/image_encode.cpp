@@ -1,25 +1,9 @@
 #include "scene/image_encode.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
-#include "base/error.h"
+#include "images/image_library.h"
 
 namespace prelight {
 
-std::vector<std::uint8_t> encodePng(const Image& image) {
-  std::vector<std::uint8_t> rgb;
-  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
-    rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create("image.png", &memory);
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  if (!output || !output->open("image.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, rgb.data()) || !output->close())
-    throw Error(ExitCode::RuntimeFailure, "image \"" + image.name + "\"",
-                "cannot be written as PNG: " + (output ? output->geterror() : OIIO::geterror()));
-  return bytes;
-}
+std::vector<std::uint8_t> encodePng(const Image& image) { return imageLibrary().encodePng(image); }
 
 }  // namespace prelight

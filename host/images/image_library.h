@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/picture_layers.h"
+#include "io/pixels.h"
+#include "scene/scene.h"
+
+namespace prelight {
+
+/// One part of an .exr file.
+struct ExrPart {
+  std::string name;                   ///< empty: of a file of one part
+  std::vector<std::string> channels;  ///< their names
+  std::span<const float> values;      ///< [row][column][channel]
+};
+
+/// All that OpenImageIO does here. Debian's brings some 250 libraries with it, which take 0.2 s to load, so
+/// it is linked to a module that is loaded when first asked for: most commands read and write no picture that
+/// needs it.
+struct ImageLibrary {
+  /// See the functions of the same names, which check what they are given.
+  Pixels (*readPixels)(const std::filesystem::path& path);
+  PictureLayers (*readPictureLayers)(const std::filesystem::path& path);
+  std::vector<std::uint8_t> (*encodePng)(const Image& image);
+
+  /// `name` is "x." and the format's extension; errors are about `where`.
+  Image (*decodeImage)(std::span<const std::uint8_t> bytes, const std::string& name,
+                       const std::string& where);
+
+  /// Both write to `path` and throw Error about `shown`. RGB, 8 bits, [row][column].
+  void (*writePng)(const std::filesystem::path& shown, const std::filesystem::path& path, int width,
+                   int height, std::span<const std::uint8_t> rgb);
+  void (*writeExr)(const std::filesystem::path& shown, const std::filesystem::path& path, int width,
+                   int height, std::span<const ExrPart> parts);
+};
+
+/// Loads the module, if it is not there yet, from where the program's or the library's run path tells. Throws
+/// Error naming it when it cannot be found.
+const ImageLibrary& imageLibrary();
+
+}  // namespace prelight
+
+/// What the module gives away.
+extern "C" const prelight::ImageLibrary* prelightImageLibrary();
