@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <future>
 #include <numbers>
 
 #include "cli/output_file.h"
@@ -90,6 +91,11 @@ void addFullOptions(CLI::App& app, FullRequest& request) {
 
 void renderFullPicture(Session& session, const PictureOptions& options, const FullRequest& asked,
                        const std::filesystem::path& output) {
+  // Opening a device and laying out the light map are work of one thread.
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  std::future<Device> opening =
+      std::async(std::launch::async, [&deviceOptions] { return Device::open(deviceOptions); });
   const LoadedScene loaded = session.load(options.scene);
   requireTriangles(loaded);
   std::optional<Environment> sky;
@@ -101,9 +107,9 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
   request.height = options.size.height;
   request.width = options.size.width.value_or(viewer::pictureWidth(camera, options.size.height));
   request.seed = request.indirect.seed = options.bake.request.seed;
-  DeviceOptions deviceOptions = session.deviceOptions();
-  options.bake.addTo(deviceOptions);
-  const Device device = session.times().measure("device", [&] { return Device::open(deviceOptions); });
+  std::future<FullSurface> surface =
+      std::async(std::launch::async, [&] { return makeFullSurface(loaded.scene, loaded.compiled, request); });
+  const Device device = session.times().measure("device", [&] { return opening.get(); });
   std::vector<Light> lights = options.lights.value_or(loaded.scene.lights);
   if (!sky && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
     sky = constantEnvironment(glm::vec3(1.0f));
@@ -114,7 +120,7 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
                      options.skyRotationDegrees * std::numbers::pi / 180.0};
   FullReport made;
   const Picture picture = session.times().measure("render", [&] {
-    return renderFull(loaded.scene, lit, camera, request, device, session.progress(), made);
+    return renderFull(lit, camera, request, std::move(surface), device, session.progress(), made);
   });
   session.progress().clear();
   session.times().measure("write", [&] { writePicture(output, picture); });

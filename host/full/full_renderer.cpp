@@ -99,38 +99,48 @@ std::uint64_t FullRequest::photonsOfCaustics() const {
   return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 100'000, 1'000'000));
 }
 
-Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   const Device& device, Progress& progress, FullReport& report) {
+FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, const FullRequest& request) {
+  LightMapRequest map;
+  map.texels = request.mapTexels();
+  FullSurface surface;
+  surface.density = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
+  surface.layout = makeLightMapLayout(scene, compiled, map);
+  return surface;
+}
+
+Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
+                   std::future<FullSurface> comingSurface, const Device& device, Progress& progress,
+                   FullReport& report) {
   StageClock stages(report.stageSeconds);
   const CompiledScene& compiled = lit.scene;
   TransportScene scene(lit, device);
   report.plan = planOf(compiled, scene);
   stages.mark("scene");
-  LightMapRequest map;
-  map.texels = request.mapTexels();
-  const LightMapLayout layout = makeLightMapLayout(source, compiled, map);
-  const SurfaceRegions regions = makeSurfaceRegions(compiled, map.creaseAngle);
-  const DensitySurface surface = makeDensitySurface(compiled, regions);
-  report.texels = layout.texels.size();
+  const bool indirectRuns = report.plan[0].runs, causticsRun = report.plan[1].runs;
+  SentPhotons photons, causticPhotons;
+  if (indirectRuns) photons = sendIndirectPhotons(compiled, scene, request.indirect, progress);
+  if (causticsRun)
+    causticPhotons.report = PhotonTracer(compiled, scene)
+                                .trace(causticRequest(request.photonsOfCaustics(), request.seed + 1),
+                                       causticPhotons.hits, progress);
+  report.photons = photons.report;
+  report.causticPhotons = causticPhotons.report;
+  stages.mark("photons");
+  const FullSurface surface = comingSurface.get();
+  report.texels = surface.layout.texels.size();
   stages.mark("layout");
-  IrradianceMap indirect(scene.context(), layout);
-  if (report.plan[0].runs) {
-    IndirectLight light(compiled, scene, layout, surface, request.indirect, device, progress);
-    stages.mark("photons");
-    indirect.set(filledGrid(layout, light.gather(layout.texels, progress)));
-    report.photons = light.photons();
+  IrradianceMap indirect(scene.context(), surface.layout);
+  std::vector<glm::vec3> irradiance(surface.layout.texelCount(), glm::vec3(0.0f));
+  report.rays += causticPhotons.report.rays;
+  if (indirectRuns) {
+    IndirectLight light(compiled, scene, surface.layout, surface.density, request.indirect, device, photons);
+    irradiance = filledGrid(surface.layout, light.gather(surface.layout.texels, progress));
     report.rays += light.rays();
-  } else {
-    indirect.set(std::vector<glm::vec3>(layout.texelCount(), glm::vec3(0.0f)));
   }
+  indirect.set(irradiance);
   stages.mark("gather");
-  std::unique_ptr<CausticLight> caustics;
-  if (report.plan[1].runs) {
-    caustics = traceCausticLight(compiled, scene, surface, request.photonsOfCaustics(), request.seed + 1,
-                                 pixelFootprint(compiled, camera, request.height), device, progress,
-                                 report.causticPhotons);
-    report.rays += report.causticPhotons.rays;
-  }
+  const std::unique_ptr<CausticLight> caustics = makeCausticLight(
+      causticPhotons.hits.photons, surface.density, pixelFootprint(compiled, camera, request.height), device);
   stages.mark("caustics");
   reference::CachedLight cached;
   cached.indirect = &indirect;
@@ -139,6 +149,14 @@ Picture renderFull(const Scene& source, const LitScene& lit, const Camera& camer
   Picture picture = draw(compiled, scene, camera, cached, request, progress, report);
   stages.mark("picture");
   return picture;
+}
+
+Picture renderFull(const Scene& scene, const LitScene& lit, const Camera& camera, const FullRequest& request,
+                   const Device& device, Progress& progress, FullReport& report) {
+  return renderFull(
+      lit, camera, request,
+      std::async(std::launch::async, [&] { return makeFullSurface(scene, lit.scene, request); }), device,
+      progress, report);
 }
 
 }  // namespace prelight

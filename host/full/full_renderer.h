@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "base/progress.h"
 #include "gather/indirect_light.h"
 #include "io/picture.h"
+#include "lightmap/light_map_layout.h"
+#include "photon/density_surface.h"
 #include "plan/plan.h"
 #include "scene/scene.h"
 
@@ -41,7 +44,23 @@ struct FullReport {
   std::size_t texels = 0;
 };
 
-/// Throws UsageError when the light map would be too large, Interrupted between blocks.
+/// What the light of a picture lies on.
+struct FullSurface {
+  LightMapLayout layout;
+  DensitySurface density;
+};
+
+/// Of the scene and FullRequest::mapTexels() alone: it may be made while a device is opened. Throws
+/// UsageError when the light map would be too large.
+FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, const FullRequest& request);
+
+/// `surface`: may still be in the making, when photons fly meanwhile. Throws what making it does, and
+/// Interrupted between blocks.
+Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
+                   std::future<FullSurface> surface, const Device& device, Progress& progress,
+                   FullReport& report);
+
+/// With a surface of its own.
 Picture renderFull(const Scene& scene, const LitScene& lit, const Camera& camera, const FullRequest& request,
                    const Device& device, Progress& progress, FullReport& report);
 

@@ -86,21 +86,33 @@ std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
   return queries;
 }
 
-IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,
-                             const LightMapLayout& layout, const DensitySurface& surface,
-                             const IndirectRequest& request, const Device& device, Progress& progress)
-    : compiled_(compiled),
-      request_(request),
-      approximation_(scene.context(), layout),
-      gather_(compiled, scene, approximation_, gatherRequest(request)) {
+SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& scene,
+                                const IndirectRequest& request, Progress& progress) {
   PhotonRequest photons;
   photons.kind = PhotonKind::All;
   photons.photons = request.photons;
   photons.seed = request.seed;
-  PhotonHits hits;
-  photons_ = PhotonTracer(compiled, scene).trace(photons, hits, progress);
-  approximation_.set(onGrid(
-      layout, approximateIrradiance(compiled, layout.texels, surface, hits, request.nearestPhotons, device)));
+  SentPhotons sent;
+  sent.report = PhotonTracer(compiled, scene).trace(photons, sent.hits, progress);
+  return sent;
+}
+
+IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,
+                             const LightMapLayout& layout, const DensitySurface& surface,
+                             const IndirectRequest& request, const Device& device, Progress& progress)
+    : IndirectLight(compiled, scene, layout, surface, request, device,
+                    sendIndirectPhotons(compiled, scene, request, progress)) {}
+
+IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,
+                             const LightMapLayout& layout, const DensitySurface& surface,
+                             const IndirectRequest& request, const Device& device, const SentPhotons& photons)
+    : compiled_(compiled),
+      request_(request),
+      photons_(photons.report),
+      approximation_(scene.context(), layout),
+      gather_(compiled, scene, approximation_, gatherRequest(request)) {
+  approximation_.set(onGrid(layout, approximateIrradiance(compiled, layout.texels, surface, photons.hits,
+                                                          request.nearestPhotons, device)));
 }
 
 std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> places, Progress& progress) {

@@ -21,6 +21,16 @@ struct IndirectRequest {
   std::uint64_t seed = 0;
 };
 
+/// Photons where they landed, and how many there were.
+struct SentPhotons {
+  PhotonHits hits;
+  PhotonReport report;
+};
+
+/// Sends the photons of a request. Throws Interrupted.
+SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& scene,
+                                const IndirectRequest& request, Progress& progress);
+
 /// Indirect light at places of the surface: everything but direct light and caustics. A final gathering from
 /// what photons left in the texels of a light map (Larsen 2004, ch. 11, over the whole hemisphere).
 class IndirectLight {
@@ -29,6 +39,11 @@ class IndirectLight {
   IndirectLight(const CompiledScene& compiled, TransportScene& scene, const LightMapLayout& layout,
                 const DensitySurface& surface, const IndirectRequest& request, const Device& device,
                 Progress& progress);
+
+  /// From photons that sendIndirectPhotons() has sent for the same request.
+  IndirectLight(const CompiledScene& compiled, TransportScene& scene, const LightMapLayout& layout,
+                const DensitySurface& surface, const IndirectRequest& request, const Device& device,
+                const SentPhotons& photons);
 
   /// Irradiance, W/m2, [place].
   std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);

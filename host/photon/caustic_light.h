@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "photon/caustic_filter.h"
 #include "photon/photon_tracer.h"
@@ -15,6 +16,12 @@ struct CausticLight {
 
 /// `photons` towards what makes caustics, which mirrors and glass weaken before any may end by chance.
 PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed = 0);
+
+/// The light of caustic photons that have landed, with the filter for a `footprint` in metres
+/// (chooseCausticFilter). nullptr: there are none. `surface` and `device` outlive the result.
+std::unique_ptr<CausticLight> makeCausticLight(const std::vector<device::Photon>& photons,
+                                               const DensitySurface& surface, double footprint,
+                                               const Device& device);
 
 /// Sends `photons` towards what makes caustics and chooses the filter for a `footprint` in metres
 /// (chooseCausticFilter). nullptr: none landed. Throws Interrupted. `surface` and `device` outlive the

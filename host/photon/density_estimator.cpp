@@ -46,9 +46,6 @@ DensityEstimator::DensityEstimator(const DensitySurface& surface, const DensityO
   areaTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(surface.areaTrees));
   areaNodes_ = Buffer<AreaNode>(device_, std::span<const AreaNode>(surface.areaNodes));
   triangles_ = Buffer<AreaTriangle>(device_, std::span<const AreaTriangle>(surface.triangles));
-  BuildOptions build;
-  estimate_ = cl::Kernel(device_.program("photon/density_kernels.cl", addOptions(build, options)),
-                         "estimateIrradiance");
   setPhotons({.trees = std::vector<LeafTree>(mapCount_), .boxes = {}, .blocks = {}, .photonCount = 0});
 }
 
@@ -90,9 +87,18 @@ void DensityEstimator::launch(cl::Kernel& kernel, const Buffer<DensityQuery>& qu
   device_.launch(kernel, count, groupSize);
 }
 
+cl::Kernel& DensityEstimator::estimateKernel() {
+  if (estimate_() == nullptr) {
+    BuildOptions build;
+    estimate_ = cl::Kernel(device_.program("photon/density_kernels.cl", addOptions(build, options_)),
+                           "estimateIrradiance");
+  }
+  return estimate_;
+}
+
 void DensityEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t count,
                                 Buffer<float>& irradiance) {
-  launch(estimate_, queries, count, irradiance);
+  launch(estimateKernel(), queries, count, irradiance);
 }
 
 /// [query][length]
@@ -112,7 +118,7 @@ std::vector<float> DensityEstimator::estimateWith(cl::Kernel& kernel, std::size_
 }
 
 std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> queries) {
-  const std::vector<float> values = estimateWith(estimate_, 3, queries);
+  const std::vector<float> values = estimateWith(estimateKernel(), 3, queries);
   std::vector<glm::vec3> irradiance;
   irradiance.reserve(queries.size());
   for (std::size_t i = 0; i < values.size(); i += 3)

@@ -59,6 +59,7 @@ class DensityEstimator {
  private:
   void launch(cl::Kernel& kernel, const Buffer<device::DensityQuery>& queries, std::size_t count,
               Buffer<float>& values);
+  cl::Kernel& estimateKernel();
   std::vector<float> estimateWith(cl::Kernel& kernel, std::size_t length,
                                   std::span<const device::DensityQuery> queries);
 
@@ -73,7 +74,7 @@ class DensityEstimator {
   Buffer<float> boxes_;
   Buffer<device::PhotonBlock> blocks_;
   std::size_t mapCount_ = 0;
-  cl::Kernel estimate_, estimateIncident_;  ///< the latter once it is needed
+  cl::Kernel estimate_, estimateIncident_;  ///< once they are needed
 };
 
 }  // namespace prelight
