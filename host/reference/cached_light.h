@@ -15,19 +15,13 @@ struct CachedLight {
                              ///< alone have no bound
 };
 
-/// Adds cached light to the paths of a block.
-class CachedLightAdder {
- public:
-  /// `samples`: paths a pixel.
-  CachedLightAdder(TransportScene& scene, const CompiledScene& compiled, const CachedLight& light,
-                   std::uint32_t samples);
+/// Options of a program of reference/cached_path_kernels.cl, added to those of its paths.
+BuildOptions cachedLightOptions(const CachedLight& light, BuildOptions options);
 
-  void add(std::uint32_t count, const Buffer<device::Ray>& rays, const Buffer<device::Hit>& hits,
-           const Buffer<std::uint32_t>& queue, const cl::Buffer& paths);
-
- private:
-  TransportScene& scene_;
-  cl::Kernel add_;
-};
+/// The kernel that takes paths on by a surface, which lacks its first `firstOfScene` arguments: what changes
+/// from surface to surface. `samples`: paths a pixel.
+cl::Kernel followPathsKernel(const cl::Program& program, const TransportScene& scene,
+                             const CompiledScene& compiled, const CachedLight& light, std::uint32_t samples);
+constexpr cl_uint firstOfScene = 14;
 
 }  // namespace prelight::reference

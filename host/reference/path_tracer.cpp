@@ -48,16 +48,18 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   shadowRays_ = Buffer<Ray>(device_, paths);
   items_ = Buffer<ShadowItem>(device_, paths);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
-  if (cached != nullptr) cached_.emplace(scene, compiled, *cached, samples);
-  meetsLights_ = cached != nullptr && cached->meetsLights;
-  buildKernels(request);
+  cached_ = cached != nullptr;
+  meetsLights_ = cached_ && cached->meetsLights;
+  if (cached_)
+    buildCachedKernels(request, compiled, *cached);
+  else
+    buildKernels(request);
   if (request.integrator == Integrator::Instant) virtual_.emplace(scene, compiled, request);
 }
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
-  const cl::Program& program = device_.program(
-      "reference/path_kernels.cl",
-      buildOptions(request, cached_ ? std::optional(meetsLights_) : std::nullopt, scene_.options()));
+  const cl::Program& program =
+      device_.program("reference/path_kernels.cl", buildOptions(request, std::nullopt, scene_.options()));
   generate_ = cl::Kernel(program, "generatePaths");
   collect_ = cl::Kernel(program, "collectRadiance");
   sample_ = cl::Kernel(program, "sampleLights");
@@ -67,6 +69,17 @@ void PathTracer::buildKernels(const ReferenceRequest& request) {
                                 "sampleVirtualLight");
   add_ = cl::Kernel(program, "addArrivals");
   scatter_ = cl::Kernel(program, "scatterPaths");
+  average_ = cl::Kernel(program, "averageSamples");
+}
+
+void PathTracer::buildCachedKernels(const ReferenceRequest& request, const CompiledScene& compiled,
+                                    const CachedLight& cached) {
+  const cl::Program& program =
+      device_.program("reference/cached_path_kernels.cl",
+                      cachedLightOptions(cached, buildOptions(request, meetsLights_, scene_.options())));
+  generate_ = cl::Kernel(program, "generatePaths");
+  follow_ = followPathsKernel(program, scene_, compiled, cached, values_.samplesPerPass);
+  add_ = cl::Kernel(program, "addArrivals");
   average_ = cl::Kernel(program, "averageSamples");
 }
 
@@ -94,21 +107,40 @@ const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_
 void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   scene_.tracer().traceClosest(rayBuffers_[current_], hits_, count);
   rays_ += count;
+  if (cached_) {
+    count = followToCachedLight(count, depth);
+    return;
+  }
   collect(count, depth);
   const bool last = depth + 1 >= static_cast<std::uint32_t>(request_.depth);
   if (last || !scene_.features().scatters) {
     count = 0;
     return;
   }
-  if (cached_) cached_->add(count, rayBuffers_[current_], hits_, queues_[current_], paths_.get());
   if (request_.integrator == Integrator::Whitted)
     for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
   if (virtual_) addVirtualLights(count);
-  const bool goesOn = !cached_ || meetsLights_ || scene_.features().specularLobes();
-  count = goesOn ? scatter(count, depth) : 0;
+  count = scatter(count, depth);
   current_ = 1 - current_;
+}
+
+/// All of a vertex at once; returns how many paths go on.
+std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t depth) {
+  const bool last = depth + 1 >= static_cast<std::uint32_t>(request_.depth);
+  const cl_uint meets = last || !scene_.features().scatters ? 0 : 1;
+  const cl_uint goesOn = meetsLights_ || scene_.features().specularLobes() ? 1 : 0;
+  const std::size_t next = 1 - current_;
+  counters_.fill(0);
+  setArguments(follow_, parameters_.get(), count, depth, meets, goesOn, rayBuffers_[current_].get(),
+               hits_.get(), queues_[current_].get(), paths_.get(), shadowRays_.get(), items_.get(),
+               rayBuffers_[next].get(), queues_[next].get(), counters_.get());
+  device_.launch(follow_, count, groupSize);
+  const auto [shadows, left] = readCounters();
+  castShadows(shadows);
+  current_ = next;
+  return left;
 }
 
 void PathTracer::collect(std::uint32_t count, std::uint32_t depth) {
@@ -128,7 +160,7 @@ void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::u
   sample_.setArg(index + 2, items_.get());
   sample_.setArg(index + 3, counters_.get());
   device_.launch(sample_, count, groupSize);
-  castShadows();
+  castShadows(readCounters()[0]);
 }
 
 /// Of all virtual lights, one after the other.
@@ -145,13 +177,12 @@ void PathTracer::addVirtualLights(std::uint32_t count) {
     sampleVirtual_.setArg(index + 4, items_.get());
     sampleVirtual_.setArg(index + 5, counters_.get());
     device_.launch(sampleVirtual_, count, groupSize);
-    castShadows();
+    castShadows(readCounters()[0]);
   }
 }
 
-/// Adds what the shadow rays that were made bring.
-void PathTracer::castShadows() {
-  const std::uint32_t shadows = readCounters()[0];
+/// Adds what so many shadow rays that were made bring.
+void PathTracer::castShadows(std::uint32_t shadows) {
   if (shadows == 0) return;
   // The hits of the paths' own rays are needed once more, so shadow rays have theirs.
   scene_.tracer().traceAny(shadowRays_, shadowHits_, shadows);

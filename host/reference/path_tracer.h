@@ -33,11 +33,14 @@ class PathTracer {
 
  private:
   void buildKernels(const ReferenceRequest& request);
+  void buildCachedKernels(const ReferenceRequest& request, const CompiledScene& compiled,
+                          const CachedLight& cached);
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
+  std::uint32_t followToCachedLight(std::uint32_t count, std::uint32_t depth);
   void collect(std::uint32_t count, std::uint32_t depth);
   void addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light);
   void addVirtualLights(std::uint32_t count);
-  void castShadows();
+  void castShadows(std::uint32_t shadows);
   std::uint32_t scatter(std::uint32_t count, std::uint32_t depth);
   std::array<std::uint32_t, 2> readCounters() const;
 
@@ -62,9 +65,9 @@ class PathTracer {
   Buffer<device::ShadowItem> items_;
   Buffer<std::uint32_t> counters_;
   Buffer<glm::vec4> meanBuffer_;
-  std::optional<CachedLightAdder> cached_;
+  bool cached_ = false;       ///< paths end at cached light
   bool meetsLights_ = false;  ///< CachedLight::meetsLights
-  cl::Kernel generate_, collect_, sample_, sampleVirtual_, add_, scatter_, average_;
+  cl::Kernel generate_, collect_, sample_, sampleVirtual_, follow_, add_, scatter_, average_;
 };
 
 }  // namespace prelight::reference
