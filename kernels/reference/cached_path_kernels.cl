@@ -10,8 +10,8 @@
 #include "photon/density_funcs.cl"
 #endif
 
-// A ray a work-item. Caustics are smooth over a pixel, as their filter is wider, and cost most: of a pixel's samples, paths of
-// causticSamples look them up for all.
+// A ray a work-item. Caustics are smooth over a pixel, as their filter is wider, and cost most: of a pixel's samples that meet
+// a surface straight, causticSamples look them up for all. Glass and mirrors send a pixel's samples to places far apart.
 // corners, irradiances: of an IrradianceMap of indirect light; the density arguments are the members of DensityMaps,
 // causticRadius the largest radius of their estimate. meets: 0: emission alone counts at this vertex; goesOn: 0: no ray
 // leaves it. -> shadowRays, items [counters[0]]; nextRays, nextQueue [counters[1]].
@@ -58,9 +58,10 @@ __kernel void followPaths(__constant const ReferenceParameters* p, const uint co
 #ifdef PRELIGHT_CACHED_CAUSTICS
       const DensityMaps maps = {densityParameters, photonTrees, photonBoxes, photonBlocks,
                                 places, areaTrees, areaNodes, areaTriangles};
-      if (number % samples < causticSamples)
+      const bool shared = depth == 0u;
+      if (!shared || number % samples < causticSamples)
         irradiance += photonIrradiance(maps, vertex.position, vertex.geometric, hit.triangle, causticRadius) *
-                      ((float)samples / (float)causticSamples);
+                      (shared ? (float)samples / (float)causticSamples : 1.0f);
 #endif
       const float3 radiance = reflectIrradiance(at.bsdf, dot(vertex.wo, vertex.shading), irradiance);
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
