@@ -62,7 +62,7 @@ static_assert(isShared<AreaTriangle, 48>);
 static_assert(isShared<SurfacePlace, 12>);
 static_assert(isShared<DensityParameters, 16>);
 static_assert(isShared<DensityQuery, 32>);
-static_assert(isShared<GatherParameters, 60>);
+static_assert(isShared<GatherParameters, 64>);
 static_assert(isShared<GatherPath, 28>);
 static_assert(isShared<PhotonSource, 40>);
 static_assert(isShared<PhotonParameters, 116>);

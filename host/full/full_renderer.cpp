@@ -96,7 +96,7 @@ std::uint32_t FullRequest::mapTexels() const {
 }
 
 std::uint64_t FullRequest::photonsOfCaustics() const {
-  return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 100'000, 1'000'000));
+  return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 160'000, 1'000'000));
 }
 
 FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, const FullRequest& request) {
@@ -113,7 +113,9 @@ Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest&
                    FullReport& report) {
   StageClock stages(report.stageSeconds);
   const CompiledScene& compiled = lit.scene;
-  TransportScene scene(lit, device);
+  // A picture sends few rays: a better tree takes longer to build than it saves.
+  Tracer tracer(compiled, device, BvhLayout::Automatic, BuildQuality::Balanced);
+  TransportScene scene(lit, tracer);
   report.plan = planOf(compiled, scene);
   stages.mark("scene");
   const bool indirectRuns = report.plan[0].runs, causticsRun = report.plan[1].runs;

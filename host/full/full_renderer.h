@@ -24,13 +24,13 @@ struct FullRequest {
   std::uint32_t samples = 8;  ///< a pixel, 1 to 64
   std::optional<std::uint32_t>
       texels;  ///< of the light map that holds indirect light, about; none: by pixels
-  IndirectRequest indirect{.nearestPhotons = 40};
+  IndirectRequest indirect{.nearestPhotons = 40, .longWay = 4};
   std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
   int depth = 16;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;
 
   /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
-  /// each, 100,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
+  /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
   std::uint32_t mapTexels() const;
   std::uint64_t photonsOfCaustics() const;
 };

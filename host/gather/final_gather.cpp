@@ -11,6 +11,8 @@ namespace {
 using namespace device;
 
 constexpr std::size_t groupSize = 64;
+/// Of a caster's: the last rays that mirrors and glass pass on are few, and each round of them waits.
+constexpr std::uint32_t blocksAtOnce = 4;
 
 }  // namespace
 
@@ -20,7 +22,7 @@ FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
       device_(scene.context()),
       irradiance_(irradiance),
       request_(request),
-      blockSize_(receiversPerBlock(device_.info(), request.raysPerReceiver)),
+      blockSize_(blocksAtOnce * receiversPerBlock(device_.info(), request.raysPerReceiver)),
       follows_(scene.features().specularLobes()),
       castParameters_(device_, 1),
       parameters_(device_, 1),
@@ -38,6 +40,7 @@ FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
   values_.mapWidth = static_cast<std::uint32_t>(irradiance.width());
   values_.mapHeight = static_cast<std::uint32_t>(irradiance.height());
   values_.triangleCount = compiled.triangleCount();
+  values_.longWay = request.longWay;
   generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
   const cl::Program& program =
       device_.program("gather/gather_kernels.cl", scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS"));

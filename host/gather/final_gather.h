@@ -18,6 +18,8 @@ struct GatherRequest {
   std::uint32_t raysPerReceiver = 128;  ///< a power of two, 8 to mostRaysPerReceiver
   std::uint64_t seed = 0;
   int depth = 32;  ///< surfaces that a ray meets at most, mirrors and glass before the last one
+  std::uint32_t longWay =
+      1u << 20;  ///< mirrors and glass after which half of the rays pass one more: few bring much from there
 };
 
 /// Final gathering (Jensen 2001, ch. 8): indirect irradiance of receivers from an approximation of the full

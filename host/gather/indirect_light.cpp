@@ -22,6 +22,7 @@ GatherRequest gatherRequest(const IndirectRequest& request) {
   GatherRequest gather;
   gather.raysPerReceiver = raysPerReceiver(request);
   gather.seed = request.seed;
+  gather.longWay = request.longWay;
   return gather;
 }
 

@@ -19,6 +19,7 @@ struct IndirectRequest {
   int nearestPhotons = 60;        ///< of an estimate
   std::uint32_t rays = 128;       ///< a place, a power of two from 8 on
   std::uint64_t seed = 0;
+  std::uint32_t longWay = GatherRequest{}.longWay;
 };
 
 /// Photons where they landed, and how many there were.

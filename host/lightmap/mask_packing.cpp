@@ -99,7 +99,9 @@ std::size_t classOf(const BitMask& mask) {
   return log(mask.width) * 32 + log(mask.height);
 }
 
-MaskPacking packInto(std::span<const BitMask> masks, std::span<const std::uint32_t> order, int width) {
+/// none: it takes more than `mostRows`.
+std::optional<MaskPacking> packInto(std::span<const BitMask> masks, std::span<const std::uint32_t> order,
+                                    int width, std::int64_t mostRows) {
   Bitmap bitmap(width);
   MaskPacking packing{width, 0, std::vector<glm::ivec2>(masks.size())};
   std::array<int, 32 * 32> startRow{};
@@ -108,6 +110,7 @@ MaskPacking packInto(std::span<const BitMask> masks, std::span<const std::uint32
     const glm::ivec2 at = bitmap.find(masks[i], start);
     start = at.y;
     bitmap.take(masks[i], at);
+    if (bitmap.usedRows() > mostRows) return std::nullopt;
     packing.origins[i] = at;
   }
   packing.height = bitmap.usedRows();
@@ -157,12 +160,13 @@ std::optional<MaskPacking> packMasks(std::span<const ChartMask> masks, int mostS
       if (byHeight && tries == 1) continue;
       const int width = std::clamp(static_cast<int>(std::ceil(std::sqrt(cells) * widths[i])), least,
                                    std::max(least, limit));
-      MaskPacking packing = packInto(bits, orderBy(bits, byHeight), width);
-      const auto area = [](const MaskPacking& p) { return std::int64_t{p.width} * p.height; };
-      if (packing.height > limit || (best && area(packing) >= area(*best))) continue;
-      best = std::move(packing);
+      // Better than the best so far: any with as many texels or more is given up.
+      const std::int64_t better = best ? (std::int64_t{best->width} * best->height - 1) / width : limit;
+      std::optional<MaskPacking> packing =
+          packInto(bits, orderBy(bits, byHeight), width, std::min<std::int64_t>(better, limit));
+      if (packing) best = std::move(packing);
     }
-  if (!best && tries == 1) best = packInto(bits, orderBy(bits, true), limit);
+  if (!best && tries == 1) best = packInto(bits, orderBy(bits, true), limit, limit);
   if (!best || best->height > limit) return std::nullopt;
   best->width *= grain;
   best->height *= grain;

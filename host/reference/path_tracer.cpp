@@ -12,9 +12,11 @@ using namespace device;
 
 constexpr std::size_t groupSize = 64;
 
-/// Enough to keep a device busy, few enough that a launch stays far below a second.
-std::uint32_t pathsPerBlock(const DeviceInfo& info) {
-  return info.kind == DeviceKind::Gpu ? 1u << 20 : 1u << 16;
+/// Enough to keep a device busy, few enough that a launch stays far below a second. Paths to cached light are
+/// short, but for a few through mirrors and glass, which take as many launches for many paths as for few.
+std::uint32_t pathsPerBlock(const DeviceInfo& info, bool cachedLight) {
+  if (info.kind == DeviceKind::Gpu) return 1u << 20;
+  return cachedLight ? 1u << 17 : 1u << 16;
 }
 
 std::uint32_t foldSeed(std::uint64_t seed) {
@@ -32,7 +34,7 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
       counters_(device_, 2) {
   const std::uint32_t samples = samplesPerPass(request);
   const auto pixels = static_cast<std::uint32_t>(request.width) * static_cast<std::uint32_t>(request.height);
-  blockPixels_ = std::clamp(pathsPerBlock(device_.info()) / samples, 1u, pixels);
+  blockPixels_ = std::clamp(pathsPerBlock(device_.info(), cached != nullptr) / samples, 1u, pixels);
   values_.samplesPerPass = samples;
   values_.seed = foldSeed(request.seed);
   values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);

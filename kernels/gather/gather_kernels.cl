@@ -38,11 +38,13 @@ float3 findLamp(__constant const GatherParameters* p, PathScene s, Lights l, Ray
 
 #ifdef PRELIGHT_FOLLOWS
 // Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
-bool follow(PathScene s, PathVertex v, Bsdf b, float2 chance, float2 u, GatherPath* path, float3* direction) {
+bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s, PathVertex v, Bsdf b,
+            uint depth, GatherPath* path, float3* direction) {
   const Frame frame = frameAround(v.shading);
   const float3 wo = toFrame(frame, v.wo);
   const LobeChoice lobes = chooseLobes(b, wo.z, false, true);
   if (!(lobes.specular + lobes.glass > 0.0f)) return false;
+  const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u);
   float3 weight;
   float relativeIor2 = 1.0f;
 #ifdef PRELIGHT_GLASS
@@ -57,7 +59,7 @@ bool follow(PathScene s, PathVertex v, Bsdf b, float2 chance, float2 u, GatherPa
     if (b.smooth) {
       weight = (b.metal + b.layer * schlick(b, wo.z)) / lobes.specular;
     } else {
-      wi = sampleLobe(b, true, u, wo);
+      wi = sampleLobe(b, true, gatherPoint(p, receivers, path->ray, depth, 1u), wo);
       if (wi.z <= 0.0f) return false;
       const LobeChoice one = {0.0f, 1.0f, 0.0f};
       weight = evaluateBsdf(b, wo, wi).glossy / (scatterDensity(b, one, wo, wi) * lobes.specular);
@@ -68,7 +70,8 @@ bool follow(PathScene s, PathVertex v, Bsdf b, float2 chance, float2 u, GatherPa
   }
   const float3 throughput = vload3(0, path->throughput) * weight / relativeIor2;
   path->relativeIor2 *= relativeIor2;
-  const float survival = fmin(largest(throughput) * path->relativeIor2, 1.0f);
+  float survival = fmin(largest(throughput) * path->relativeIor2, 1.0f);
+  if (depth >= p->longWay) survival *= 0.5f;
   if (!(survival > 0.0f) || chance.y >= survival) return false;
   vstore3(throughput / survival, 0, path->throughput);
   return true;
@@ -117,8 +120,7 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     float3 direction;
-    const float2 chance = gatherPoint(p, receivers, path.ray, depth, 0u), u = gatherPoint(p, receivers, path.ray, depth, 1u);
-    if (follow(s, vertex, bsdf, chance, u, &path, &direction)) {
+    if (follow(p, receivers, s, vertex, bsdf, depth, &path, &direction)) {
       const uint slot = atomic_inc(counter);
       nextRays[slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
       nextPaths[slot] = path;

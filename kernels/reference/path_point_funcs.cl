@@ -148,8 +148,6 @@ bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
 #ifdef PRELIGHT_CACHED_LIGHT
   if (path->diffuseBounces > 0u) return false;
 #endif
-  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
-  const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
 #ifdef PRELIGHT_DIFFUSE_BOUNCES
   const bool diffuse = path->diffuseBounces < PRELIGHT_DIFFUSE_BOUNCES;
 #else
@@ -162,6 +160,8 @@ bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
 #endif
   const LobeChoice lobes = chooseLobes(at.bsdf, at.wo.z, diffuse, glossy);
   if (!(lobes.diffuse + lobes.specular + lobes.glass > 0.0f)) return false;
+  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
+  const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
 
   float3 direction, weight;
   float density = 0.0f;

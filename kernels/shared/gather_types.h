@@ -14,6 +14,7 @@ typedef struct GatherParameters {
   uint mapWidth;  ///< of the irradiance map, texels
   uint mapHeight;
   uint triangleCount;  ///< of the scene
+  uint longWay;  ///< mirrors and glass in a row after which one more is passed by half of the rays, of twice the weight
   LightLayout lights;
 } GatherParameters;
 

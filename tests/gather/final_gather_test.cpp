@@ -92,6 +92,26 @@ TEST(FinalGather, Glass_LetsLightThrough) {
   expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.5f), 1e-4);
 }
 
+TEST(FinalGather, ShortenedWays_LetAsMuchLightThroughInTheMean) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.5f);
+  append(room.scene, sphere(8, 0.4f, {0.0f, 0.0f, 0.0f}));
+  room.scene.triangleFlat.assign(room.scene.triangles.size(), 1);
+  room.scene.materials[1] = glass(1.5f, true);
+  room.scene.materials[1].baseColor = glm::vec3(1.0f);
+  room.request.depth = 200;
+  room.request.longWay = 2;
+  glm::dvec3 sum(0.0);
+  double apart = 0.0;
+  const std::vector<glm::vec3> found = room.gather(glm::vec3(1.0f));
+  for (const glm::vec3& e : found) {
+    sum += glm::dvec3(e);
+    apart = std::max(apart, std::abs(static_cast<double>(e.x) - 0.5));
+  }
+  EXPECT_GT(apart, 1e-4);  // else none was shortened
+  EXPECT_NEAR(sum.x / double(found.size()), 0.5, 4.0 * apart / std::sqrt(double(found.size())));
+}
+
 TEST(FinalGather, LampsSeenStraightOrInMirrors_DoNotCount) {
   GatherRoom room;
   room.scene.materials[0] = lambert(0.0f);
