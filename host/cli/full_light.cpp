@@ -51,7 +51,8 @@ FullLight fullLight(Session& session, const PictureOptions& options, const Shade
   const FullRequest sized = sizedRequest(options, shaded);
   FullLightRequest request;
   request.texels = sized.mapTexels();
-  request.indirect = options.full.indirect;
+  request.indirect.photons = options.full.indirect.photons;
+  request.indirect.rays = options.full.indirect.rays;
   request.causticPhotons = sized.photonsOfCaustics();
   request.seed = options.bake.request.seed;
   FullLight full = session.times().measure(
@@ -73,7 +74,6 @@ std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOp
   LiveLightOptions live;
   live.photons = options.full.indirect.photons;
   live.texels = sized.mapTexels();
-  live.nearestPhotons = options.full.indirect.nearestPhotons;
   live.gather.rays = options.full.indirect.rays;
   live.gather.texelsPerFrame = followedTexels;
   live.photonsPerFrame = followedPhotons;

@@ -36,7 +36,7 @@ FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLigh
   if (full.plan[0].runs) {
     IndirectRequest indirect = request.indirect;
     indirect.seed = request.seed;
-    IndirectLight light(compiled, scene, full.indirect.layout, surface, indirect, device, progress);
+    IndirectLight light(lit, scene, full.indirect.layout, surface, indirect, device, progress);
     stages.mark("photons");
     setIrradiance(light.gather(full.indirect.layout.texels, progress), full.indirect);
     full.indirectPhotons = light.photons();

@@ -17,9 +17,9 @@
 namespace prelight {
 
 struct FullLightRequest {
-  std::uint32_t texels = 1u << 13;  ///< of the map of indirect light, about
-  IndirectRequest indirect;
-  std::uint64_t causticPhotons = 100000;  ///< that leave lights towards what makes caustics
+  std::uint32_t texels = 1u << 13;                    ///< of the map of indirect light, about
+  IndirectRequest indirect{.directByPhotons = true};  ///< as frames of LiveLight, which go on from here
+  std::uint64_t causticPhotons = 100000;              ///< that leave lights towards what makes caustics
   std::uint64_t seed = 0;
 };
 

@@ -135,7 +135,7 @@ Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest&
   std::vector<glm::vec3> irradiance(surface.layout.texelCount(), glm::vec3(0.0f));
   report.rays += causticPhotons.report.rays;
   if (indirectRuns) {
-    IndirectLight light(compiled, scene, surface.layout, surface.density, request.indirect, device, photons);
+    IndirectLight light(lit, scene, surface.layout, surface.density, request.indirect, device, photons);
     irradiance = filledGrid(surface.layout, light.gather(surface.layout.texels, progress));
     report.rays += light.rays();
   }

@@ -24,7 +24,7 @@ struct FullRequest {
   std::uint32_t samples = 8;  ///< a pixel, 1 to 64
   std::optional<std::uint32_t>
       texels;  ///< of the light map that holds indirect light, about; none: by pixels
-  IndirectRequest indirect{.nearestPhotons = 40, .longWay = 4};
+  IndirectRequest indirect{.longWay = 4};
   std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
   int depth = 16;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;

@@ -6,6 +6,7 @@
 #include "bake/sampling.h"
 #include "lightmap/texel_receiver.h"
 #include "photon/density_estimator.h"
+#include "radiosity/direct_light.h"
 
 namespace prelight {
 
@@ -26,17 +27,23 @@ GatherRequest gatherRequest(const IndirectRequest& request) {
   return gather;
 }
 
-/// Irradiance that photons tell by themselves, W/m2, at places of the surface: of all light, noisy (Larsen
-/// 2004, ch. 10).
-std::vector<glm::vec3> approximateIrradiance(const CompiledScene& compiled,
-                                             std::span<const LightMapTexel> places,
-                                             const DensitySurface& surface, const PhotonHits& hits,
-                                             int nearestPhotons, const Device& device) {
+/// Irradiance that photons tell by themselves, W/m2, at places of the surface (Larsen 2004, ch. 10).
+std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled,
+                                           std::span<const LightMapTexel> places,
+                                           const DensitySurface& surface, const PhotonHits& hits,
+                                           int nearestPhotons, const Device& device) {
   DensityOptions options;
   options.nearest = nearestPhotons;
   DensityEstimator estimator(surface, options, device);
   estimator.setPhotons(makePhotonMaps(hits.photons, surface));
   return estimator.estimate(densityQueries(compiled, places, widestEstimate(compiled)));
+}
+
+void addDirect(DirectLight& light, const CompiledScene& compiled, std::span<const LightMapTexel> places,
+               std::uint64_t seed, std::vector<glm::vec3>& irradiance) {
+  const std::vector<PointLight> found = light.at(gatherReceivers(compiled, places, 1, 1, seed));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    irradiance[i] += glm::vec3(found[i].far + found[i].emitters);
 }
 
 /// Values of a layout's texels on its grid, [y][x]; 0 where there is none.
@@ -87,10 +94,19 @@ std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
   return queries;
 }
 
+namespace {
+
+bool directByPhotons(const TransportScene& scene, const IndirectRequest& request) {
+  // Few rays to many emitters would be noisier near them than photons.
+  return request.directByPhotons || scene.lights().emitters.size() > DirectLight::mostIntegratedEmitters;
+}
+
+}  // namespace
+
 SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& scene,
                                 const IndirectRequest& request, Progress& progress) {
   PhotonRequest photons;
-  photons.kind = PhotonKind::All;
+  photons.kind = directByPhotons(scene, request) ? PhotonKind::All : PhotonKind::Indirect;
   photons.photons = request.photons;
   photons.seed = request.seed;
   SentPhotons sent;
@@ -98,22 +114,31 @@ SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& s
   return sent;
 }
 
-IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,
-                             const LightMapLayout& layout, const DensitySurface& surface,
-                             const IndirectRequest& request, const Device& device, Progress& progress)
-    : IndirectLight(compiled, scene, layout, surface, request, device,
-                    sendIndirectPhotons(compiled, scene, request, progress)) {}
+IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
+                             const DensitySurface& surface, const IndirectRequest& request,
+                             const Device& device, Progress& progress)
+    : IndirectLight(lit, scene, layout, surface, request, device,
+                    sendIndirectPhotons(lit.scene, scene, request, progress)) {}
 
-IndirectLight::IndirectLight(const CompiledScene& compiled, TransportScene& scene,
-                             const LightMapLayout& layout, const DensitySurface& surface,
-                             const IndirectRequest& request, const Device& device, const SentPhotons& photons)
-    : compiled_(compiled),
+IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
+                             const DensitySurface& surface, const IndirectRequest& request,
+                             const Device& device, const SentPhotons& photons)
+    : compiled_(lit.scene),
       request_(request),
       photons_(photons.report),
       approximation_(scene.context(), layout),
-      gather_(compiled, scene, approximation_, gatherRequest(request)) {
-  approximation_.set(onGrid(layout, approximateIrradiance(compiled, layout.texels, surface, photons.hits,
-                                                          request.nearestPhotons, device)));
+      gather_(compiled_, scene, approximation_, gatherRequest(request)) {
+  const bool all = directByPhotons(scene, request);
+  const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
+  std::vector<glm::vec3> irradiance =
+      irradianceOfPhotons(compiled_, layout.texels, surface, photons.hits, nearest, device);
+  if (!all) {
+    DirectLight direct(compiled_, scene.tracer());
+    direct.setLights({lit.lights, lit.sky, lit.skyRotation});
+    addDirect(direct, compiled_, layout.texels, request.seed, irradiance);
+    directRays_ = direct.rays();
+  }
+  approximation_.set(onGrid(layout, irradiance));
 }
 
 std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> places, Progress& progress) {

@@ -16,11 +16,17 @@ namespace prelight {
 
 struct IndirectRequest {
   std::uint64_t photons = 50000;  ///< that leave lights, for the approximation that is gathered from
-  int nearestPhotons = 60;        ///< of an estimate
+  int nearestPhotons = 15;        ///< of an estimate, at least leastNearestOfAll where photons tell all light
   std::uint32_t rays = 128;       ///< a place, a power of two from 8 on
   std::uint64_t seed = 0;
-  std::uint32_t longWay = GatherRequest{}.longWay;
+  std::uint32_t longWay = GatherRequest{}.longWay;  ///< as GatherRequest
+  /// Light that reaches the texels that are gathered from straight from its source is found by shadow rays,
+  /// so that shadows stay dark; true: by photons like the rest, which blur them (Larsen 2004, ch. 10).
+  bool directByPhotons = false;
 };
+
+/// Photons of an estimate of all light. Those straight from a light lie so evenly that fewer tell too little.
+constexpr int leastNearestOfAll = 40;
 
 /// Photons where they landed, and how many there were.
 struct SentPhotons {
@@ -36,13 +42,13 @@ SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& s
 /// what photons left in the texels of a light map (Larsen 2004, ch. 11, over the whole hemisphere).
 class IndirectLight {
  public:
-  /// Sends the photons. Scene and device outlive it.
-  IndirectLight(const CompiledScene& compiled, TransportScene& scene, const LightMapLayout& layout,
+  /// Sends the photons. `lit` is what `scene` is made of. Scene and device outlive it.
+  IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
                 const DensitySurface& surface, const IndirectRequest& request, const Device& device,
                 Progress& progress);
 
   /// From photons that sendIndirectPhotons() has sent for the same request.
-  IndirectLight(const CompiledScene& compiled, TransportScene& scene, const LightMapLayout& layout,
+  IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
                 const DensitySurface& surface, const IndirectRequest& request, const Device& device,
                 const SentPhotons& photons);
 
@@ -53,12 +59,13 @@ class IndirectLight {
   std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress);
 
   const PhotonReport& photons() const { return photons_; }
-  std::uint64_t rays() const { return photons_.rays + gather_.rays(); }
+  std::uint64_t rays() const { return photons_.rays + directRays_ + gather_.rays(); }
 
  private:
   const CompiledScene& compiled_;
   IndirectRequest request_;
   PhotonReport photons_;
+  std::uint64_t directRays_ = 0;
   IrradianceMap approximation_;
   FinalGather gather_;
 };

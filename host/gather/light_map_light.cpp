@@ -32,16 +32,16 @@ std::uint64_t usualPhotons(std::size_t texels) {
 LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image>& images,
                              const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
                              const Device& device, Tracer& tracer, Progress& progress)
-    : transport_({scene, images, scene.lights, request.radiosityShape.environment.get(),
-                  request.radiosityShape.skyRotation},
-                 tracer),
+    : lit_{scene, images, scene.lights, request.radiosityShape.environment.get(),
+           request.radiosityShape.skyRotation},
+      transport_(lit_, tracer),
       surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))) {
   if (plan.runs("indirect light of the map")) {
     IndirectRequest indirect;
     indirect.photons = request.photons > 0 ? request.photons : usualPhotons(layout.texels.size());
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
-    indirect_.emplace(scene, transport_, layout, surface_, indirect, device, progress);
+    indirect_.emplace(lit_, transport_, layout, surface_, indirect, device, progress);
     indirectPart_.emplace(*indirect_, progress);
   }
   if (plan.runs("caustics of the map")) traceCaustics(scene, layout, request, device, progress);

@@ -25,6 +25,7 @@ class LightMapLight {
   void traceCaustics(const CompiledScene& scene, const LightMapLayout& layout, const BakeRequest& request,
                      const Device& device, Progress& progress);
 
+  LitScene lit_;
   TransportScene transport_;
   DensitySurface surface_;
   std::optional<IndirectLight> indirect_;

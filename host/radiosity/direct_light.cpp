@@ -13,7 +13,6 @@ using namespace device;
 constexpr std::size_t groupSize = 64;
 constexpr std::uint32_t emitterSamples = 8;  ///< a point
 constexpr std::uint32_t skySamples = 16;
-constexpr std::size_t fewEmitters = 32;
 constexpr std::uint32_t raysPerBlock = 1u << 18;
 
 std::vector<RadiosityEmitter> emittersOf(const CompiledScene& scene, const LightTables& tables) {
@@ -62,7 +61,7 @@ void DirectLight::setLights(const RadiosityLights& lights) {
                            .defineIf(punctual_ > 0, "PRELIGHT_PUNCTUAL")
                            .defineIf(skySamples_ > 0, "PRELIGHT_SKY")
                            .defineIf(emitters_ > 0, "PRELIGHT_RADIOSITY_EMITTERS")
-                           .defineIf(emitters_ > 0 && emitters_ <= fewEmitters, "PRELIGHT_FEW_EMITTERS");
+                           .defineIf(emitters_ > 0 && emitters_ <= mostIntegratedEmitters, "PRELIGHT_FEW_EMITTERS");
   const auto& program = device_.program("radiosity/direct_kernels.cl", options);
   aim_ = cl::Kernel(program, "aimAtLights");
   sum_ = cl::Kernel(program, "sumLights");
@@ -76,7 +75,7 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   values_ = Buffer<float>(device_, std::size_t{blockPoints_} * slots() * 3);
 }
 
-bool DirectLight::manyEmitters() const { return emitters_ > fewEmitters; }
+bool DirectLight::manyEmitters() const { return emitters_ > mostIntegratedEmitters; }
 
 std::vector<PointLight> DirectLight::estimate(const std::vector<std::uint32_t>& elements,
                                               Progress& progress) {

@@ -34,6 +34,8 @@ struct PointLight {
 /// the rays tell which share of that arrives.
 class DirectLight {
  public:
+  static constexpr std::size_t mostIntegratedEmitters = 32;
+
   /// All outlive it. `pointsPerElement`: as many of the first ones of `points`.
   DirectLight(const CompiledScene& scene, const ElementPoints& points, Tracer& tracer,
               std::uint32_t pointsPerElement);

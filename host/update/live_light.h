@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "gather/indirect_light.h"
 #include "io/environment.h"
 #include "lightmap/light_map_layout.h"
 #include "plan/plan.h"
@@ -23,7 +24,7 @@ struct LiveLightOptions {
   std::uint32_t groupSize = 40;   ///< photons
   ChangeDetection detection = ChangeDetection::Flights;
   std::uint32_t photonsPerFrame = 0;  ///< sent again at most; 0: all that change
-  int nearestPhotons = 60;
+  int nearestPhotons = leastNearestOfAll;
   std::uint32_t texels = 4096;             ///< of the light map, about
   std::uint32_t estimatesPerFrame = 1024;  ///< texels of the approximation, about; 0: all that change
   LiveGatherOptions gather;

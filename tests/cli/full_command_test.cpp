@@ -33,7 +33,7 @@ TEST_F(CliFull, DiffuseScene_SkipsCausticsAndSaysWhy) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   const nlohmann::json report = render({"cornell.glb", "-o", "a.exr"});
   EXPECT_EQ(report["shading"], "full");
-  EXPECT_GT(report["photons"]["stored"], 2000);
+  EXPECT_GT(report["photons"]["stored"], 1000);
   EXPECT_EQ(report["causticPhotons"]["rays"], 0);
   EXPECT_FALSE(passOf(report, "caustic photons")["runs"]);
   EXPECT_THAT(passOf(report, "caustic photons")["reason"].get<std::string>(),

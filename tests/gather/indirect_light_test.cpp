@@ -46,11 +46,12 @@ struct IndirectScene {
 
   template <typename Use>
   void light(const Use& use) {
-    TransportScene transport({scene, source.images, lights}, sharedDevice());
+    const LitScene lit{scene, source.images, lights};
+    TransportScene transport(lit, sharedDevice());
     const DensitySurface surface =
         makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapRequest{}.creaseAngle));
     Progress progress;
-    IndirectLight light(scene, transport, layout, surface, request, sharedDevice(), progress);
+    IndirectLight light(lit, transport, layout, surface, request, sharedDevice(), progress);
     use(light, progress);
   }
 };
@@ -119,6 +120,74 @@ IndirectScene insideOfABall() {
   light.layout = makeLightMapLayout(light.source, light.scene, map);
   light.request.photons = 200000;
   return light;
+}
+
+/// A lamp over a table over a floor, of which the table's black underside sees the lit part.
+struct Table {
+  static constexpr double height = 0.5, half = 0.5, lampHeight = 3.0, floorHalf = 4.0, albedo = 0.5;
+  static constexpr float thickness = 1e-3f;
+
+  static IndirectScene light() {
+    IndirectScene light;
+    light.scene = ground(1, static_cast<float>(floorHalf));
+    const auto h = static_cast<float>(height), s = static_cast<float>(half);
+    append(light.scene, box(1, {-s, h, -s}, {s, h + thickness, s}, false));
+    light.scene.materials[0] = lambert(static_cast<float>(albedo));
+    // Reflects next to nothing: what it sees is what the lamp alone makes of the floor.
+    light.scene.materials.push_back(lambert(1e-4f));
+    for (std::size_t t = 2; t < light.scene.triangles.size(); ++t) light.scene.triangleMaterials[t] = 1;
+    Light lamp;
+    lamp.type = LightType::Point;
+    lamp.position = {0.0, lampHeight, 0.0};
+    lamp.intensity = glm::vec3(10.0f);
+    light.lights = {lamp};
+    LightMapRequest map;
+    map.texels = 1u << 16;
+    light.layout = makeLightMapLayout(light.source, light.scene, map);
+    light.request.rays = 512;
+    return light;
+  }
+
+  /// Irradiance at a place of the underside, by quadrature over the floor outside the shadow.
+  static double expected(double x, double z) {
+    constexpr int cells = 160;
+    const double shadow = half * lampHeight / (lampHeight - height - double(thickness));
+    const double side = 2.0 * floorHalf / cells;
+    double sum = 0.0;
+    for (int i = 0; i < cells; ++i)
+      for (int k = 0; k < cells; ++k) {
+        const double u = (i + 0.5) * side - floorHalf, v = (k + 0.5) * side - floorHalf;
+        if (std::max(std::abs(u), std::abs(v)) < shadow) continue;
+        const double toLamp = u * u + v * v + lampHeight * lampHeight;
+        const double floor = 10.0 * lampHeight / (toLamp * std::sqrt(toLamp));
+        const double squared = (u - x) * (u - x) + (v - z) * (v - z) + height * height;
+        sum += albedo / pi * floor * height * height / (squared * squared) * side * side;
+      }
+    return sum;
+  }
+};
+
+/// Root of the mean squared relative error over the table's underside.
+double errorUnderTheTable(IndirectScene& table) {
+  std::vector<LightMapTexel> places;
+  for (const LightMapTexel& texel : table.layout.texels)
+    if (receiverAt(table.scene, texel).normal[1] < -0.9f) places.push_back(texel);
+  std::vector<glm::vec3> found;
+  table.light([&](IndirectLight& light, Progress& progress) { found = light.gather(places, progress); });
+  double squares = 0.0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const device::Receiver place = receiverAt(table.scene, places[i]);
+    const double expected = Table::expected(double(place.position[0]), double(place.position[2]));
+    squares += std::pow(double(found[i].x) / expected - 1.0, 2) / double(places.size());
+  }
+  return std::sqrt(squares);
+}
+
+TEST(IndirectLight, UndersideOfATable_SeesNoLightInTheTablesShadow) {
+  IndirectScene table = Table::light();
+  EXPECT_LT(errorUnderTheTable(table), 0.05);
+  table.request.directByPhotons = true;
+  EXPECT_GT(errorUnderTheTable(table), 0.1);
 }
 
 /// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi

@@ -54,7 +54,8 @@ int settle(LiveLight& live) {
 std::vector<glm::vec3> gatheredAnew(const LiveLight& live, const std::vector<Image>& images,
                                     const LiveLightOptions& options) {
   const CompiledScene& compiled = live.scene().compiled();
-  TransportScene transport({compiled, images, compiled.lights}, sharedDevice());
+  const LitScene lit{compiled, images, compiled.lights};
+  TransportScene transport(lit, sharedDevice());
   const DensitySurface surface = makeDensitySurface(
       compiled, splitByPrimitive(makeSurfaceRegions(compiled, usualCreaseAngle), compiled));
   IndirectRequest request;
@@ -62,8 +63,9 @@ std::vector<glm::vec3> gatheredAnew(const LiveLight& live, const std::vector<Ima
   request.nearestPhotons = options.nearestPhotons;
   request.rays = options.gather.rays;
   request.seed = options.seed;
+  request.directByPhotons = true;
   Progress progress;
-  IndirectLight light(compiled, transport, live.layout(), surface, request, sharedDevice(), progress);
+  IndirectLight light(lit, transport, live.layout(), surface, request, sharedDevice(), progress);
   return light.gather(live.layout().texels, progress);
 }
 
