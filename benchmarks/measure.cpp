@@ -60,14 +60,8 @@ TimedBake timedBake(const BenchmarkScene& scene, const BakeRequest& request, con
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
   StopOnly quiet(progress);
   TimedBake result;
-  std::optional<LightMapLayout> layout;
-  std::optional<LightMapInputs> lightMap;
-  if (plan.runs("light map")) {
-    layout = makeLightMapLayout(scene.scene, scene.compiled, lightMapRequest(request));
-    lightMap.emplace(LightMapInputs{*layout, scene.scene.images});
-  }
-  result.bake = bakeScene(scene.compiled, request, plan, device, quiet, result.report, nullptr, nullptr,
-                          lightMap ? &*lightMap : nullptr);
+  result.bake =
+      bakeScene(scene.compiled, request, plan, device, quiet, result.report, nullptr, nullptr, &scene.scene);
   return result;
 }
 

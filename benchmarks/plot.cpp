@@ -355,6 +355,32 @@ std::string photonsPlot(const Results& results, const std::string& subtitle) {
   return drawCurveChart(chart);
 }
 
+/// Cases are "scene/by error/0.02"; texels of one size are dashed.
+std::string lightMapsPlot(const Results& results, const std::string& subtitle) {
+  CurveChart chart{
+      "Error of light maps against their texels", subtitle, "texels", "error over mean light", {}};
+  std::vector<std::string> scenes;
+  double texels = 0.0;
+  for (const BenchmarkResult& result : results) {
+    if (result.metric == "texels") texels = result.value;
+    if (result.metric != "error") continue;
+    const auto [scene, rest] = splitCase(result.case_);
+    const auto [kind, value] = splitCase(rest);
+    if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
+    const std::string name = fmt::format("{}, {}", scene, kind);
+    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
+                              [&](const Curve& c) { return c.name == name; });
+    if (curve == chart.curves.end())
+      curve = chart.curves.insert(chart.curves.end(),
+                                  {name,
+                                   palette[(scenes.size() - 1) % palette.size()],
+                                   kind == "by error" ? CurveStyle::Strong : CurveStyle::Dashed,
+                                   {}});
+    curve->points.push_back({texels, result.value});
+  }
+  return drawCurveChart(chart);
+}
+
 /// Stages of frames, as far as the suite has frames.
 std::string updatePlot(const Results& results, const std::string& subtitle) {
   BarChart chart{
@@ -390,7 +416,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 19> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 20> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -407,6 +433,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"vo", "vo", voPlot},
                                            {"radiosity", "radiosity", radiosityPlot},
                                            {"photons", "photons", photonsPlot},
+                                           {"lightmaps", "lightmaps", lightMapsPlot},
                                            {"update", "update", updatePlot},
                                            {"techniques", "techniques", techniquesPlot}}};
   std::vector<Plot> plots;

@@ -70,6 +70,13 @@ struct BenchmarkOptions {
   std::uint32_t radiosityRays = 512;  ///< an element, a power of two
   double radiosityTolerance = 1e-5;   ///< that each solver is timed to; its curve goes on to a tenth of it
   int radiositySeeds = 8;             ///< over which errors of form factors are averaged
+  std::vector<std::string> lightMapScenes = {"cornell", "rooms", "shapes"};
+  std::uint64_t lightMapRays = 1024;  ///< a texel
+  std::uint64_t lightMapPhotons = 1u << 18;
+  std::vector<std::uint32_t> lightMapTexels = {1u << 12, 1u << 14, 1u << 16, 1u << 18};  ///< of one size
+  std::vector<double> lightMapErrors = {0.1, 0.05, 0.02};  ///< that sizes of texels are chosen by
+  std::size_t lightMapPlaces = 20000;                      ///< of the surface, at which maps are compared
+  std::uint64_t lightMapTruthRays = 4096;                  ///< a place, twice
   std::vector<std::uint64_t> photonCounts = {10000, 100000, 1000000};  ///< ascending, of trees against grids
   std::uint64_t photonCount = 1000000;                                 ///< of maps as the thesis'
   std::uint64_t photonLookups = 1u << 15;

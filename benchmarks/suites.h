@@ -70,6 +70,11 @@ std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOpt
 std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const BenchmarkOptions& options,
                                                Progress& progress);
 
+/// What light maps are off by, how many texels and bytes they have and how long they take, by the size of
+/// their texels and by the error that sizes are chosen by.
+std::vector<BenchmarkResult> runLightMapsSuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 /// Seconds to sort photons into maps and to look irradiance up, of trees against grids and beside the numbers
 /// of Larsen's thesis (2004, Tables 8.1, 8.2, 14.1); error against the number of photons.
 std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const BenchmarkOptions& options,

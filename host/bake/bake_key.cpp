@@ -46,7 +46,7 @@ std::uint64_t hashOf(const BakeRequest& request) {
   }
   hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
   hash.value(request.radiosity);
-  hash.value(request.lightMap).value(request.lightMapTexel);
+  hash.value(request.lightMap).value(request.lightMapTexel).value(request.lightMapError);
   hash.value(request.caustics).value(request.photons);
   if (request.radiosity || request.lightMap) {
     const RadiosityRequest& shape = request.radiosityShape;

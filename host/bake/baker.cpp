@@ -18,12 +18,9 @@
 #include "bake/volume_caster.h"
 #include "base/stage_clock.h"
 #include "bvh/tracer.h"
-#include "gather/light_map_light.h"
-#include "lightmap/direct_light_part.h"
-#include "lightmap/inside_part.h"
+#include "gather/light_map_sizing.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/light_map_plan.h"
-#include "lightmap/sky_light_part.h"
 #include "lightmap/vertex_irradiance.h"
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_threshold.h"
@@ -329,38 +326,15 @@ class ReceiverBake {
 };
 
 /// A light map's texels under all that lights them.
-LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const LightMapInputs& inputs,
+LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Scene& source,
                      const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
                      Progress& progress, BakeReport& report) {
-  std::optional<DirectLightPart> direct;
-  std::optional<InsidePart> inside;
-  std::optional<SkyLightPart> sky;
-  std::optional<LightMapLight> light;
-  if (plan.runs("indirect light of the map") || plan.runs("caustics of the map"))
-    light.emplace(scene, inputs.images, inputs.layout, request, plan, device, tracer, progress);
-  std::vector<LightMapPart*> parts;
-  if (plan.runs("direct light of the map"))
-    parts.push_back(
-        &direct.emplace(scene, tracer, raysEach(request), request.seed, lightMapCoefficients(plan)));
-  else
-    parts.push_back(&inside.emplace(scene, tracer, request.seed));
-  const RadiosityRequest& lights = request.radiosityShape;
-  if (lights.environment)
-    parts.push_back(&sky.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
-                                 request.seed));
-  if (light) light->addTo(parts);
-  bake.run(parts, progress);
-  report.lightMap.emplace();
+  const LightMapSources sources(scene, source.images, bake.layout(), request, plan,
+                                lightMapCoefficients(plan), device, tracer, progress);
+  bake.run(sources.parts(), progress);
   LightMap map = bake.finish(usualCreaseAngle, *report.lightMap);
   report.rays += report.lightMap->rays;
-  const LightMapLayout& layout = map.layout;
-  report.notes.push_back(fmt::format(
-      "light map: {} x {} texels, {:.0f} % of them used by {} charts; {} inside objects; seams differ by "
-      "{:.3g} "
-      "W/m2 rms, {:.3g} before they were stitched",
-      layout.width, layout.height,
-      100.0 * double(layout.texels.size()) / double(std::max<std::size_t>(1, layout.texelCount())),
-      layout.chartCount, report.lightMap->hidden, report.lightMap->jumpAfter, report.lightMap->jumpBefore));
+  report.notes.push_back(noteOf(map.layout, *report.lightMap));
   return map;
 }
 
@@ -381,7 +355,7 @@ void saveTo(BakeCheckpoint& checkpoint, const std::optional<ReceiverBake>& recei
 
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint, const Charts* charts,
-               const LightMapInputs* lightMapInputs) {
+               const Scene* source) {
   if (scene.triangleCount() == 0)
     throw InputError("scene", "there is no triangle to bake",
                      "bake needs a mesh with at least one triangle of non-zero area");
@@ -403,12 +377,17 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (plan.runs("radiosity")) radiosity.emplace(scene, request, tracer);
   if (saved && receivers) receivers->load(*saved);
   if (saved && radiosity) radiosity->load(*saved);
+  clock.mark("prepare");
   std::optional<LightMapBake> lightMap;
-  if (plan.runs("light map") && lightMapInputs != nullptr)
-    lightMap.emplace(scene, lightMapInputs->layout, lightMapCoefficients(plan));
+  if (plan.runs("light map") && source != nullptr) {
+    lightMap.emplace(scene,
+                     makeLightMapLayout(*source, scene, request, plan, device, tracer, progress,
+                                        report.lightMap.emplace(), report.rays),
+                     lightMapCoefficients(plan));
+    clock.mark("layout");
+  }
   if (saved && lightMap) lightMap->load(*saved);
   saved.reset();
-  clock.mark("prepare");
 
   Bake bake;
   try {
@@ -416,8 +395,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
     if (radiosity) bake.irradiance = radiosity->run(mesh, progress, report);
     if (lightMap) {
       clock.restart();
-      bake.lightMap =
-          runLightMap(*lightMap, scene, *lightMapInputs, request, plan, device, tracer, progress, report);
+      bake.lightMap = runLightMap(*lightMap, scene, *source, request, plan, device, tracer, progress, report);
       if (!bake.irradiance) bake.irradiance = irradianceOfVertices(scene, mesh, *bake.lightMap);
       clock.mark("light map");
     }

@@ -46,20 +46,14 @@ class BakeCheckpoint {
 /// What a bake's state depends on: scene, options, seed and device.
 StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const DeviceInfo& device);
 
-/// What a light map is made of besides the scene.
-struct LightMapInputs {
-  const LightMapLayout& layout;
-  const std::vector<Image>& images;  ///< Scene::images
-};
-
 /// Bakes what the plan says. Values are finite for every vertex, also for those that no triangle uses.
 /// Same scene, request and seed give the same bytes on the same device, whatever the thread count.
 /// However often it was interrupted and continued in between, too, unless it bakes against time.
-/// Transfer of texels is made of `charts`, and a light map of `lightMap`, which must outlive the call;
-/// without any, none are. Throws Error (a scene without triangles, device failure, out of memory) and
+/// Transfer of texels is made of `charts`, and a light map of `source`, whose scene it is; without any, none
+/// are. Throws Error (a scene without triangles, device failure, out of memory) and
 /// Interrupted.
 Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Plan& plan, const Device& device,
                Progress& progress, BakeReport& report, BakeCheckpoint* checkpoint = nullptr,
-               const Charts* charts = nullptr, const LightMapInputs* lightMap = nullptr);
+               const Charts* charts = nullptr, const Scene* source = nullptr);
 
 }  // namespace prelight

@@ -184,7 +184,8 @@ void addLightMap(const std::filesystem::path& output, const LightMap& map, Loade
 void checkMapOptions(const BakeRequest& request) {
   if (request.lightMap) return;
   for (const auto& [given, option] :
-       {std::pair{request.photons > 0, "--photons"}, std::pair{request.lightMapTexel > 0.0, "--texel-size"}})
+       {std::pair{request.photons > 0, "--photons"}, std::pair{request.lightMapTexel > 0.0, "--texel-size"},
+        std::pair{request.lightMapError > 0.0, "--texel-error"}})
     if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
 }
 
@@ -287,6 +288,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
       "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"
+      "  prelight bake house.glb -o baked.glb --lightmap --texel-error 0.02\n"
       "  prelight bake glass.glb -o baked.glb --lightmap --caustics --photons 1000000\n"
       "  prelight bake swing.glb -o baked.glb --sh 4 --animation 0 --key-error 0.05\n"
       "  prelight bake room.glb -o baked.glb --light-groups --light-group lamps=Lamp* --bounces 3");

@@ -190,8 +190,14 @@ void addLightMapOptions(CLI::App& app, BakeRequest& request) {
                "meshes");
   addRealNumber(
       app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMapTexel = value; },
-      "light map: side of a texel, metres (default: about 65 thousand texels)")
+      "light map: side of a texel, metres (default: about 65 thousand texels); with --texel-error of the "
+      "smallest")
       ->type_name("M");
+  addRealNumber(
+      app, "--texel-error", {1e-4, 1.0}, [&](double value) { request.lightMapError = value; },
+      "light map: a texel size for each chart, such that light between texels is off by about this much of "
+      "the chart's mean light (rms); the smallest texels are a quarter of the usual")
+      ->type_name("E");
 }
 
 void addRadiosityOptions(CLI::App& app, BakeRequest& request) {

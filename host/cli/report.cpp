@@ -48,8 +48,17 @@ std::string radiosityText(const RadiosityReport& report) {
                      radiosityMethodNames[static_cast<std::size_t>(report.method)], report.solve.residual());
 }
 
-std::string lightMapText(const LightMap& map) {
-  return fmt::format("{} x {} texels, {} charts", map.layout.width, map.layout.height, map.layout.chartCount);
+std::string lightMapText(const LightMap& map, const LightMapReport& report) {
+  std::string text =
+      fmt::format("{} x {} texels, {} charts", map.layout.width, map.layout.height, map.layout.chartCount);
+  if (!report.sizes) return text;
+  const TexelSizeReport& sizes = *report.sizes;
+  text += fmt::format(", texels of {:.2g} to {:.2g} m, light between them {:.2g} % off as expected",
+                      sizes.smallest, sizes.largest, 100.0 * sizes.error);
+  if (sizes.limited > 0)
+    text += fmt::format("; {} charts need smaller ones than {:.2g} m (--texel-size)", sizes.limited,
+                        sizes.smallest);
+  return text;
 }
 
 void printDetails(const Console& console, const BakeRun& run, const StageTimes& times) {
@@ -76,11 +85,21 @@ Json toJson(const DeviceInfo& device) {
           {"maxAllocation", device.maxAllocation}};
 }
 
+Json toJson(const TexelSizeReport& sizes) {
+  return {{"smallest", sizes.smallest},
+          {"largest", sizes.largest},
+          {"expectedError", sizes.error},
+          {"specks", sizes.specks},
+          {"limited", sizes.limited}};
+}
+
 Json toJson(const LightMap& map, const LightMapReport& report) {
-  return {{"width", map.layout.width},       {"height", map.layout.height},
-          {"charts", map.layout.chartCount}, {"texels", map.layout.texels.size()},
-          {"hiddenTexels", report.hidden},   {"rays", report.rays},
-          {"seamJump", report.jumpAfter},    {"seamJumpBefore", report.jumpBefore}};
+  Json json = {{"width", map.layout.width},       {"height", map.layout.height},
+               {"charts", map.layout.chartCount}, {"texels", map.layout.texels.size()},
+               {"hiddenTexels", report.hidden},   {"rays", report.rays},
+               {"seamJump", report.jumpAfter},    {"seamJumpBefore", report.jumpBefore}};
+  if (report.sizes) json["texelSizes"] = toJson(*report.sizes);
+  return json;
 }
 
 Json toJson(const RadiosityRequest& shape) {
@@ -120,6 +139,7 @@ Json toJson(const BakeRequest& request) {
                         {"photons", request.photons},
                         {"caustics", request.caustics},
                         {"sky", request.radiosityShape.environment != nullptr}};
+  if (request.lightMap && request.lightMapError > 0.0) json["lightMap"]["texelError"] = request.lightMapError;
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
@@ -186,7 +206,7 @@ void printBakeSummary(const Console& console, const BakeRequest& request, const 
     rays += fmt::format(", {:.0f} % of those allowed were not needed", 100.0 * report.skippedRayFraction);
   console.line("rays", rays);
   if (report.radiosity) console.line("radiosity", radiosityText(*report.radiosity));
-  if (run.bake.lightMap) console.line("light map", lightMapText(*run.bake.lightMap));
+  if (run.bake.lightMap) console.line("light map", lightMapText(*run.bake.lightMap, *report.lightMap));
   if (!request.castsReceivers()) return printDetails(console, run, times);
   console.line("error", fmt::format("AO {:.4f} rms, {:.4f} at the worst vertex (estimated standard error)",
                                     report.aoErrorRms, report.aoErrorMax));

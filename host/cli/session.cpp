@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "lightmap/light_map_plan.h"
-#include "lightmap/make_light_map_layout.h"
 #include "scene/loader.h"
 
 namespace prelight::cli {
@@ -36,30 +34,20 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   requireTriangles(loaded);
   BakeRun run;
   run.plan = times_.measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
+  if (request.lightMap && !run.plan.runs("light map"))
+    throw InputError(loaded.path.string(), "no surface reflects diffusely, so none needs a light map",
+                     "leave out --lightmap");
   const Device device = times_.measure("device", [&] { return Device::open(deviceOptions); });
   run.device = device.info();
   const Charts charts = chartsOf(loaded, request.texelSize);
   if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
-  const std::optional<LightMapLayout> lightMap = lightMapOf(loaded, request, run.plan);
-  std::optional<LightMapInputs> inputs;
-  if (lightMap) inputs.emplace(LightMapInputs{*lightMap, loaded.scene.images});
   run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts,
-                       inputs ? &*inputs : nullptr);
+                       &loaded.scene);
   progress_.clear();
   if (!charts.leftOut.empty())
     run.report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
   return run;
-}
-
-std::optional<LightMapLayout> Session::lightMapOf(const LoadedScene& loaded, const BakeRequest& request,
-                                                  const Plan& plan) {
-  if (request.lightMap && !plan.runs("light map"))
-    throw InputError(loaded.path.string(), "no surface reflects diffusely, so none needs a light map",
-                     "leave out --lightmap");
-  if (!request.lightMap) return std::nullopt;
-  return times_.measure(
-      "layout", [&] { return makeLightMapLayout(loaded.scene, loaded.compiled, lightMapRequest(request)); });
 }
 
 Charts Session::chartsOf(const LoadedScene& loaded, int size) {

@@ -63,8 +63,6 @@ class Session {
 
  private:
   Charts chartsOf(const LoadedScene& loaded, int size);
-  std::optional<LightMapLayout> lightMapOf(const LoadedScene& loaded, const BakeRequest& request,
-                                           const Plan& plan);
 
   Context& context_;
   Console console_;

@@ -16,11 +16,32 @@ constexpr std::uint64_t photonsPerTexel = 4;
 /// Gathering rays a texel: indirect light is smoother than what receivers see of it.
 std::uint32_t gatherRays(const BakeRequest& request) { return std::max(16u, raysEach(request) / 4); }
 
-double meanTexel(const CompiledScene& scene, const LightMapLayout& layout) {
-  double area = 0.0;
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
-    if (layout.chartOf[t] != LightMapLayout::noChart) area += 0.5 * glm::length(geometricNormal(scene, t));
-  return std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, layout.texels.size())));
+/// Where errors are asked for, few texels are no reason for few photons.
+std::uint64_t photonsOf(const BakeRequest& request, const LightMapLayout& layout) {
+  if (request.photons > 0) return request.photons;
+  const std::size_t texels = layout.texels.size();
+  return usualPhotons(request.lightMapError > 0.0 ? std::max<std::size_t>(texels, LightMapRequest{}.texels)
+                                                  : texels);
+}
+
+/// Of the chart that has the smallest texels, m. Charts of a few texels are rounded too far to tell.
+double finestTexel(const CompiledScene& scene, const LightMapLayout& layout) {
+  constexpr double leastTexels = 4.0;
+  std::vector<double> areas(layout.chartCount, 0.0), texels(layout.chartCount, 0.0);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    if (layout.chartOf[t] == LightMapLayout::noChart) continue;
+    const glm::vec2* c = &layout.corners[3 * std::size_t{t}];
+    const glm::dvec2 e(c[1] - c[0]), f(c[2] - c[0]);
+    areas[layout.chartOf[t]] += 0.5 * glm::length(geometricNormal(scene, t));
+    texels[layout.chartOf[t]] += 0.5 * std::abs(e.x * f.y - e.y * f.x);
+  }
+  double least = 0.0;
+  for (std::size_t c = 0; c < areas.size(); ++c) {
+    if (texels[c] < leastTexels) continue;
+    const double size = std::sqrt(areas[c] / texels[c]);
+    if (least == 0.0 || size < least) least = size;
+  }
+  return least;
 }
 
 }  // namespace
@@ -38,7 +59,7 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
       surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))) {
   if (plan.runs("indirect light of the map")) {
     IndirectRequest indirect;
-    indirect.photons = request.photons > 0 ? request.photons : usualPhotons(layout.texels.size());
+    indirect.photons = photonsOf(request, layout);
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
     indirect_.emplace(lit_, transport_, layout, surface_, indirect, device, progress);
@@ -49,10 +70,10 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
 
 void LightMapLight::traceCaustics(const CompiledScene& scene, const LightMapLayout& layout,
                                   const BakeRequest& request, const Device& device, Progress& progress) {
-  const std::uint64_t photons = request.photons > 0 ? request.photons : usualPhotons(layout.texels.size());
+  const std::uint64_t photons = photonsOf(request, layout);
   PhotonReport report;
   causticLight_ = traceCausticLight(scene, transport_, surface_, photons, request.seed + 1,
-                                    meanTexel(scene, layout), device, progress, report);
+                                    finestTexel(scene, layout), device, progress, report);
   if (!causticLight_) return;
   causticPart_.emplace(scene, causticLight_->estimator, causticLight_->filter.radius, report.rays);
 }

@@ -1,5 +1,7 @@
 #include "lightmap/light_map_bake.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bake/texel_fill.h"
@@ -12,6 +14,15 @@ namespace {
 constexpr std::size_t blockSize = 4096;  // texels between two looks at whether to stop
 
 }  // namespace
+
+std::string noteOf(const LightMapLayout& layout, const LightMapReport& report) {
+  return fmt::format(
+      "light map: {} x {} texels, {:.0f} % of them used by {} charts; {} inside objects; seams differ by "
+      "{:.3g} W/m2 rms, {:.3g} before they were stitched",
+      layout.width, layout.height,
+      100.0 * double(layout.texels.size()) / double(std::max<std::size_t>(1, layout.texelCount())),
+      layout.chartCount, report.hidden, report.jumpAfter, report.jumpBefore);
+}
 
 LightMapBake::LightMapBake(const CompiledScene& scene, LightMapLayout layout, int coefficients)
     : scene_(scene) {

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/progress.h"
 #include "io/state_file.h"
 #include "lightmap/light_map_layout.h"
+#include "lightmap/texel_sizes.h"
 #include "scene/compiled_scene.h"
 
 namespace prelight {
@@ -27,10 +30,14 @@ class LightMapPart {
 
 struct LightMapReport {
   std::uint64_t rays = 0;
-  std::size_t hidden = 0;   ///< texels inside objects
-  double jumpBefore = 0.0;  ///< seamJump() before stitching, W/m2
+  std::optional<TexelSizeReport> sizes;  ///< where they were chosen by error
+  std::size_t hidden = 0;                ///< texels inside objects
+  double jumpBefore = 0.0;               ///< seamJump() before stitching, W/m2
   double jumpAfter = 0.0;
 };
+
+/// For people.
+std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
 
 /// The values of a light map's texels, block by block; then texels inside objects take after their
 /// neighbours on the chart, and seams are stitched.
@@ -38,6 +45,8 @@ class LightMapBake {
  public:
   /// `coefficients`: 1 or 5, see LightMap. The scene outlives it.
   LightMapBake(const CompiledScene& scene, LightMapLayout layout, int coefficients);
+
+  const LightMapLayout& layout() const { return map_.layout; }
 
   /// Goes on where it was interrupted. Throws Interrupted.
   void run(std::span<LightMapPart* const> parts, Progress& progress);

@@ -32,15 +32,6 @@ std::array<glm::dvec3, 2> planeOf(const glm::dvec3& normal) {
   return {u, glm::cross(normal, u)};
 }
 
-double flatArea(const LightMapChart& chart) {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < chart.corners.size(); c += 3) {
-    const glm::dvec2 e(chart.corners[c + 1] - chart.corners[c]), f(chart.corners[c + 2] - chart.corners[c]);
-    sum += 0.5 * std::abs(e.x * f.y - e.y * f.x);
-  }
-  return sum;
-}
-
 /// A texel size at which charts take about as many texels as asked for: those of small charts and along edges
 /// come on top of the surface's area. At most twice the size that the area alone gives, or many small charts
 /// would take all from the large ones; but no chart longer than half the largest map.
@@ -314,6 +305,15 @@ class ChartsMaker {
 bool isBlack(const glm::vec3& color) { return color == glm::vec3(0.0f); }
 
 }  // namespace
+
+double flatArea(const LightMapChart& chart) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < chart.corners.size(); c += 3) {
+    const glm::dvec2 e(chart.corners[c + 1] - chart.corners[c]), f(chart.corners[c + 2] - chart.corners[c]);
+    sum += 0.5 * std::abs(e.x * f.y - e.y * f.x);
+  }
+  return sum;
+}
 
 bool hasLight(const CompiledMaterial& material, bool back) {
   const bool translucent = !isBlack(material.diffuseTransmission);

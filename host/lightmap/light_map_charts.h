@@ -44,6 +44,9 @@ struct LightMapRequest {
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
                                   const LightMapRequest& request);
 
+/// Of a chart laid flat, m2.
+double flatArea(const LightMapChart& chart);
+
 /// Whether light on a side of a triangle is ever asked for.
 bool hasLight(const CompiledMaterial& material, bool back);
 

@@ -16,6 +16,9 @@ namespace {
 constexpr std::uint64_t bytesPerTexel = 40;     // places, bitmaps
 constexpr std::uint64_t bytesPerValue = 3 * 8;  // of all channels, and of a picture while it is written
 constexpr std::uint64_t bytesPerTriangle = 200;
+/// The smallest texels of sizes by error, of the size that is chosen without: sixteen times as many are the
+/// most.
+constexpr double finestShare = 0.25;
 
 /// m2, fronts and backs.
 double litArea(const CompiledScene& scene) {
@@ -29,16 +32,29 @@ double litArea(const CompiledScene& scene) {
   return sum;
 }
 
+/// At most, with sizes by error.
 double texelCount(const CompiledScene& scene, const BakeRequest& request) {
-  if (request.lightMapTexel <= 0.0) return lightMapRequest(request).texels;
+  if (request.lightMapTexel <= 0.0)
+    return LightMapRequest{}.texels / (request.lightMapError > 0.0 ? finestShare * finestShare : 1.0);
   return litArea(scene) / (request.lightMapTexel * request.lightMapTexel);
 }
 
 std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
+  const double texels = texelCount(scene, request);
+  if (request.lightMapError > 0.0) return fmt::format("{:.0f} texels at most", texels);
   return request.lightMapTexel > 0.0
-             ? fmt::format("texels of {:g} m, about {:.0f}", request.lightMapTexel,
-                           texelCount(scene, request))
-             : fmt::format("about {} texels, because no size is asked for", lightMapRequest(request).texels);
+             ? fmt::format("texels of {:g} m, about {:.0f}", request.lightMapTexel, texels)
+             : fmt::format("about {:.0f} texels, because no size is asked for", texels);
+}
+
+PlannedPass planSizes(const BakeRequest& request) {
+  const char* name = "texel sizes";
+  if (!(request.lightMapError > 0.0))
+    return {name, false, "texels of one size are asked for (--texel-error)"};
+  return {name, true,
+          fmt::format("for each chart the largest whose interpolation is {:g} % off, told by pilots with a "
+                      "quarter of the rays",
+                      100.0 * request.lightMapError)};
 }
 
 PlannedPass planDirect(const CompiledScene& scene) {
@@ -98,6 +114,7 @@ PlannedPass planDirections(const Scene& source, const CompiledScene& scene) {
 /// All passes of a light map, for one reason not run.
 std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
   return {{"light map", false, map},
+          {"texel sizes", false, parts},
           {"direct light of the map", false, parts},
           {"sky light of the map", false, parts},
           {"indirect light of the map", false, parts},
@@ -109,8 +126,12 @@ std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
 
 LightMapRequest lightMapRequest(const BakeRequest& request) {
   LightMapRequest layout;
-  layout.texelSize = request.lightMapTexel;
+  if (!(request.lightMapError > 0.0)) layout.texelSize = request.lightMapTexel;
   return layout;
+}
+
+double finestTexel(const BakeRequest& request, const LightMapCharts& charts) {
+  return request.lightMapTexel > 0.0 ? request.lightMapTexel : finestShare * charts.texelSize;
 }
 
 std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
@@ -122,6 +143,7 @@ std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& 
   }
   return {
       {"light map", true, texelText(scene, request) + "; charts of surfaces without creases, seams stitched"},
+      planSizes(request),
       planDirect(scene),
       planSky(request),
       planIndirect(scene, request),

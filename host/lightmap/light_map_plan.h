@@ -9,11 +9,14 @@
 
 namespace prelight {
 
-/// What the layout is made by.
+/// What charts are made by, and texels where all have one size.
 LightMapRequest lightMapRequest(const BakeRequest& request);
 
-/// Passes "light map" and "direct", "sky" and "indirect light", "caustics" and "directions of the map":
-/// whether they run, and why.
+/// The smallest that texels of sizes by error may be, m.
+double finestTexel(const BakeRequest& request, const LightMapCharts& charts);
+
+/// Passes "light map", "texel sizes", and "direct", "sky" and "indirect light", "caustics" and "directions of
+/// the map": whether they run, and why.
 std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
                                       const BakeRequest& request);
 

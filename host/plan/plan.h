@@ -47,13 +47,14 @@ struct BakeRequest {
   bool radiosity = false;           ///< irradiance of the scene's static lights at every vertex
   RadiosityRequest radiosityShape;  ///< what it is solved with
   bool lightMap = false;            ///< irradiance of the scene's static lights, texel by texel
-  double lightMapTexel = 0.0;       ///< side of its texels, m; 0: chosen
-  bool caustics = false;            ///< in the light map, which it needs
-  std::uint64_t photons = 0;        ///< of the light map; 0: chosen by its texels
-  int bounces = 0;                  ///< diffuse interreflections, 0..16
-  double nearLimit = 0.0;           ///< m, >= 0; what is nearer to a receiver occludes nothing
-  double farLimit = 0.0;            ///< m; what is farther occludes nothing; 0: no limit
-  double obscurance = 0.0;          ///< m; occlusion fades out linearly up to this distance; 0: it does not
+  double lightMapTexel = 0.0;       ///< side of its texels, m, with an error of the smallest; 0: chosen
+  double lightMapError = 0.0;  ///< that interpolation may make, see TexelSizeRequest; 0: texels of one size
+  bool caustics = false;       ///< in the light map, which it needs
+  std::uint64_t photons = 0;   ///< of the light map; 0: chosen by its texels
+  int bounces = 0;             ///< diffuse interreflections, 0..16
+  double nearLimit = 0.0;      ///< m, >= 0; what is nearer to a receiver occludes nothing
+  double farLimit = 0.0;       ///< m; what is farther occludes nothing; 0: no limit
+  double obscurance = 0.0;     ///< m; occlusion fades out linearly up to this distance; 0: it does not
   std::vector<ShadowSetRequest> shadowSets;  ///< nodes that none of these name see everything
   std::uint64_t rays = 1024;                 ///< rays a vertex, on average; ignored with error or seconds
   std::optional<double> error;    ///< stop when AO's estimated standard error is below this at every vertex

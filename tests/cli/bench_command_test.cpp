@@ -195,7 +195,7 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
   std::set<std::string> expected = {"animation", "bake",  "build",  "cast",    "compress",  "radiosity",
                                     "error",     "full",  "rays",   "photons", "reference", "relight",
-                                    "scaling",   "trees", "update", "vo",      "wavelets"};
+                                    "scaling",   "trees", "update", "vo",      "wavelets",  "lightmaps"};
 #ifdef PRELIGHT_WITH_VIEWER
   expected.insert("techniques");
 #endif

@@ -54,6 +54,30 @@ TEST_F(CliLightMap, Report_RepeatsTheMapsOptions) {
   EXPECT_EQ(report.at("options").at("lightMap"), asked);
 }
 
+TEST_F(CliLightMap, TexelError_ChoosesSizesAndSaysSo) {
+  const auto reportOf = [&](const std::string& error) {
+    const ProcessResult result = bake("out.glb", {"--texel-error", error, "--report", "report.json"});
+    EXPECT_THAT(result.output, HasSubstr("off as expected"));
+    return nlohmann::ordered_json::parse(readFile("report.json"));
+  };
+  const auto coarse = reportOf("0.2"), fine = reportOf("0.05");
+  EXPECT_EQ(fine.at("options").at("lightMap").at("texelError"), 0.05);
+  EXPECT_LT(coarse.at("lightMap").at("texels"), fine.at("lightMap").at("texels"));
+  const auto& sizes = fine.at("lightMap").at("texelSizes");
+  EXPECT_LT(sizes.at("smallest"), sizes.at("largest"));
+  EXPECT_LT(sizes.at("expectedError"), 0.07);
+  for (const auto& pass : fine.at("plan").at("passes"))
+    if (pass.at("name") == "texel sizes") {
+      EXPECT_TRUE(pass.at("runs"));
+    }
+  // With an error, the size is that of the smallest.
+  const auto limited = [&] {
+    bake("out.glb", {"--texel-error", "0.01", "--texel-size", "0.2", "--report", "report.json"});
+    return nlohmann::ordered_json::parse(readFile("report.json"));
+  }();
+  EXPECT_GE(limited.at("lightMap").at("texelSizes").at("smallest"), 0.2);
+}
+
 TEST_F(CliLightMap, SameSeed_SameBytes) {
   bake("a.glb", {"--texel-size", "0.1"});
   bake("b.glb", {"--texel-size", "0.1"});

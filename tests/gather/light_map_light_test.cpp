@@ -34,14 +34,10 @@ Baked bakeBuiltin(const std::string& name, const BakeRequest& request) {
   baked.source = loadScene(makeBuiltinScene(name), warnings);
   baked.scene = compileScene(baked.source, warnings);
   baked.plan = makePlan(baked.source, baked.scene, request);
-  const LightMapLayout layout = request.lightMap
-                                    ? makeLightMapLayout(baked.source, baked.scene, lightMapRequest(request))
-                                    : LightMapLayout{};
-  const LightMapInputs inputs{layout, baked.source.images};
   Progress progress;
   BakeReport report;
   baked.bake = bakeScene(baked.scene, request, baked.plan, sharedDevice(), progress, report, nullptr, nullptr,
-                         request.lightMap ? &inputs : nullptr);
+                         &baked.source);
   return baked;
 }
 

@@ -1,0 +1,99 @@
+#include "benchmarks/light_map_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "bake/sampling.h"
+#include "gather/light_map_sources.h"
+#include "lightmap/light_map_lookup.h"
+#include "lightmap/make_light_map_layout.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+constexpr double darkestMean = 0.05;  // of the scene's mean light
+constexpr std::size_t blockSize = 4096;
+
+/// Sums over a chart's places.
+struct ChartSums {
+  double weight = 0.0, light = 0.0, squares = 0.0;
+};
+
+void addPlaces(const BenchmarkScene& scene, const LightMapLayout& layout, double placesPerSquareMetre,
+               SurfaceLight& light) {
+  const CompiledScene& compiled = scene.compiled;
+  for (std::uint32_t face = 0; face < layout.chartOf.size(); ++face) {
+    if (layout.chartOf[face] == LightMapLayout::noChart) continue;
+    const double area = 0.5 * glm::length(geometricNormal(compiled, face % compiled.triangleCount()));
+    const auto count = static_cast<std::uint32_t>(std::ceil(area * placesPerSquareMetre));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const glm::dvec2 b = sampling::uniformTriangle(sampling::sobol(i, sampling::hashInteger(face + 17)));
+      light.places.push_back({static_cast<std::uint32_t>(light.places.size()), face, static_cast<float>(b.x),
+                              static_cast<float>(b.y)});
+      light.weights.push_back(area / count);
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceLight lightOfSurface(const BenchmarkScene& scene, std::size_t places, BakeRequest request,
+                            const Device& device, Progress& progress) {
+  const Plan plan = makePlan(scene.scene, scene.compiled, request);
+  const LightMapLayout layout = makeLightMapLayout(scene.scene, scene.compiled, LightMapRequest{});
+  const LightMapCharts charts = makeLightMapCharts(scene.scene, scene.compiled, LightMapRequest{});
+  SurfaceLight light;
+  addPlaces(scene, layout, static_cast<double>(places) / charts.area, light);
+  Tracer tracer(scene.compiled, device);
+  std::vector<std::uint8_t> hidden(light.places.size(), 0);
+  for (std::size_t i = 0; i < 2; ++i) {
+    request.seed += 1000;
+    const LightMapSources sources(scene.compiled, scene.scene.images, layout, request, plan, 1, device,
+                                  tracer, progress);
+    light.light[i].assign(3 * light.places.size(), 0.0f);
+    for (std::size_t first = 0; first < light.places.size(); first += blockSize) {
+      progress.check();
+      const std::size_t count = std::min(blockSize, light.places.size() - first);
+      for (LightMapPart* part : sources.parts())
+        part->add(std::span(light.places).subspan(first, count), 1,
+                  std::span(light.light[i]).subspan(3 * first, 3 * count),
+                  std::span(hidden).subspan(first, count));
+    }
+  }
+  for (std::size_t i = 0; i < hidden.size(); ++i)
+    if (hidden[i] != 0) light.weights[i] = 0.0;
+  return light;
+}
+
+double errorOfLightMap(const LightMap& map, const LightMap& again, const SurfaceLight& light) {
+  std::map<std::uint32_t, ChartSums> charts;
+  ChartSums all;
+  for (std::size_t i = 0; i < light.places.size(); ++i) {
+    const LightMapTexel& place = light.places[i];
+    const glm::dvec3 value = lightMapIrradiance(map, place.face, double(place.b1), double(place.b2));
+    const glm::dvec3 other = lightMapIrradiance(again, place.face, double(place.b1), double(place.b2));
+    double product = 0.0, sum = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t at = 3 * i + static_cast<std::size_t>(c);
+      const double one = light.light[0][at], two = light.light[1][at];
+      product += (value[c] - one) * (other[c] - two) / 3.0;
+      sum += (one + two) / 6.0;
+    }
+    for (ChartSums* sums : {&charts[map.layout.chartOf[place.face]], &all}) {
+      sums->weight += light.weights[i];
+      sums->light += light.weights[i] * sum;
+      sums->squares += light.weights[i] * product;
+    }
+  }
+  double squares = 0.0;
+  for (const auto& [index, chart] : charts) {
+    if (!(chart.weight > 0.0)) continue;
+    const double mean = std::max(chart.light / chart.weight, darkestMean * all.light / all.weight);
+    if (mean > 0.0) squares += chart.squares / (mean * mean);
+  }
+  return all.weight > 0.0 ? std::sqrt(std::max(0.0, squares / all.weight)) : 0.0;
+}
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,82 @@
+#include "gather/light_map_sizing.h"
+
+#include <algorithm>
+
+#include "lightmap/light_map_plan.h"
+#include "lightmap/make_light_map_layout.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t texelsGatheredFrom = 1u << 14;
+constexpr std::uint64_t shareOfRays = 4;
+
+BakeRequest pilotRequest(const BakeRequest& request, std::uint64_t index) {
+  BakeRequest pilot = request;
+  pilot.rays = std::max<std::uint64_t>(1, request.rays / shareOfRays);
+  pilot.seed = request.seed ^ (0x9e3779b97f4a7c15u * (index + 1));
+  return pilot;
+}
+
+LightMapLayout gatheredFrom(const Scene& source, const CompiledScene& scene) {
+  LightMapRequest request;
+  request.texels = texelsGatheredFrom;
+  return makeLightMapLayout(source, scene, request);
+}
+
+std::uint64_t raysOf(const LightMapSources& sources) {
+  std::uint64_t sum = 0;
+  for (const LightMapPart* part : sources.parts()) sum += part->rays();
+  return sum;
+}
+
+/// Irradiance alone, also where the map will keep directions.
+std::vector<float> irradianceOf(const LightMapSources& sources, std::span<const LightMapTexel> texels,
+                                std::span<std::uint8_t> hidden, const Progress& progress) {
+  constexpr std::size_t blockSize = 4096;  // texels between two looks at whether to stop
+  std::vector<float> values(3 * texels.size(), 0.0f);
+  for (std::size_t first = 0; first < texels.size(); first += blockSize) {
+    progress.check();
+    const std::size_t count = std::min(blockSize, texels.size() - first);
+    for (LightMapPart* part : sources.parts())
+      part->add(texels.subspan(first, count), 1, std::span(values).subspan(3 * first, 3 * count),
+                hidden.subspan(first, count));
+  }
+  return values;
+}
+
+TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const LightMapCharts& charts,
+                      const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
+                      Progress& progress, std::uint64_t& rays) {
+  const LightMapLayout layout = gatheredFrom(source, scene);
+  std::array<std::optional<LightMapSources>, 2> sources;
+  for (std::size_t i = 0; i < 2; ++i)
+    sources[i].emplace(scene, source.images, layout, pilotRequest(request, i), plan, 1, device, tracer,
+                       progress);
+  const PilotSource light = [&](std::span<const LightMapTexel> texels) {
+    PilotLight pilot;
+    pilot.hidden.assign(texels.size(), 0);
+    for (std::size_t i = 0; i < 2; ++i)
+      pilot.irradiance[i] = irradianceOf(*sources[i], texels, pilot.hidden, progress);
+    return pilot;
+  };
+  TexelSizes sizes =
+      chooseTexelSizes(scene, charts, {request.lightMapError, finestTexel(request, charts)}, light, progress);
+  for (const auto& each : sources) rays += raysOf(*each);
+  return sizes;
+}
+
+}  // namespace
+
+LightMapLayout makeLightMapLayout(const Scene& source, const CompiledScene& scene, const BakeRequest& request,
+                                  const Plan& plan, const Device& device, Tracer& tracer, Progress& progress,
+                                  LightMapReport& report, std::uint64_t& rays) {
+  const LightMapCharts charts = makeLightMapCharts(source, scene, lightMapRequest(request));
+  if (!plan.runs("texel sizes")) return layOutLightMap(scene, charts);
+  const TexelSizes sizes = sizeTexels(source, scene, charts, request, plan, device, tracer, progress, rays);
+  report.sizes = reportOf(sizes, charts);
+  return layOutLightMap(scene, charts, sizes.sizes);
+}
+
+}  // namespace prelight

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gather/light_map_light.h"
+#include "lightmap/direct_light_part.h"
+#include "lightmap/inside_part.h"
+#include "lightmap/sky_light_part.h"
+#include "plan/plan.h"
+
+namespace prelight {
+
+/// Every share of the light in a light map that the plan runs.
+class LightMapSources {
+ public:
+  /// Sends photons, where some are needed, for a map of this layout (see LightMapLight). `coefficients`: see
+  /// LightMap. Everything outlives it.
+  LightMapSources(const CompiledScene& scene, const std::vector<Image>& images, const LightMapLayout& layout,
+                  const BakeRequest& request, const Plan& plan, int coefficients, const Device& device,
+                  Tracer& tracer, Progress& progress);
+
+  std::span<LightMapPart* const> parts() const { return parts_; }
+
+ private:
+  std::optional<LightMapLight> light_;
+  std::optional<DirectLightPart> direct_;
+  std::optional<InsidePart> inside_;
+  std::optional<SkyLightPart> sky_;
+  std::vector<LightMapPart*> parts_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "lightmap/light_map_charts.h"
+#include "lightmap/light_map_layout.h"
+
+namespace prelight {
+
+/// Light at places of the surface, found twice, each time with noise of its own.
+struct PilotLight {
+  std::array<std::vector<float>, 2> irradiance;  ///< W/m2, [texel][channel]
+  std::vector<std::uint8_t> hidden;              ///< [texel]: 1 inside an object
+};
+
+using PilotSource = std::function<PilotLight(std::span<const LightMapTexel>)>;
+
+struct TexelSizeRequest {
+  double error = 0.02;  ///< between light that is looked up and light itself: rms over a chart, in shares of
+                        ///< the chart's mean light, or of a twentieth of the scene's where that is more
+  double finest = 0.0;  ///< m, > 0: no texel is smaller
+};
+
+struct TexelSizes {
+  std::vector<double> sizes;   ///< [chart], m
+  std::vector<double> errors;  ///< [chart], as expected; 0 of charts that are not judged
+  std::uint32_t specks = 0;    ///< charts too small to be judged: they have LightMapCharts::texelSize
+  std::uint32_t limited = 0;   ///< charts that would need smaller texels than the finest
+};
+
+/// What people are told of texel sizes.
+struct TexelSizeReport {
+  double smallest = 0.0;      ///< m
+  double largest = 0.0;       ///< m
+  double error = 0.0;         ///< as expected, rms over the area of the charts that were judged
+  std::uint32_t specks = 0;   ///< see TexelSizes
+  std::uint32_t limited = 0;  ///< see TexelSizes
+};
+
+TexelSizeReport reportOf(const TexelSizes& sizes, const LightMapCharts& charts);
+
+/// For each chart the largest texels that keep its error, by halves of an octave. A pilot map of the chart is
+/// compared with coarser ones that are made of it; the error of one is the mean product of what two pilots
+/// tell of it, to which their noise adds nothing. Charts whose texels must be smaller have a pilot of half
+/// the size, and so on. Throws UsageError as layOutLightMap() and Interrupted.
+TexelSizes chooseTexelSizes(const CompiledScene& scene, const LightMapCharts& charts,
+                            const TexelSizeRequest& request, const PilotSource& light, Progress& progress);
+
+}  // namespace prelight
