@@ -19,7 +19,8 @@ constexpr std::array<const char*, 3> names = {"R", "G", "B"};
 
 void write(const std::filesystem::path& path, const Picture& picture) {
   Imf::Header header(picture.width, picture.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  // Zip takes 25 ms for 256 x 256 noisy pixels and saves 6 % of the bytes.
+  header.compression() = Imf::NO_COMPRESSION;
   Imf::FrameBuffer pixels;
   constexpr std::size_t pixel = sizeof(glm::vec3);
   for (int c = 0; c < 3; ++c) {
