@@ -13,9 +13,6 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double darkestMean = 0.05;  // of the scene's mean light
-constexpr std::size_t blockSize = 4096;
-
 /// Sums over a chart's places.
 struct ChartSums {
   double weight = 0.0, light = 0.0, squares = 0.0;
@@ -42,8 +39,8 @@ void addPlaces(const BenchmarkScene& scene, const LightMapLayout& layout, double
 SurfaceLight lightOfSurface(const BenchmarkScene& scene, std::size_t places, BakeRequest request,
                             const Device& device, Progress& progress) {
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
-  const LightMapLayout layout = makeLightMapLayout(scene.scene, scene.compiled, LightMapRequest{});
   const LightMapCharts charts = makeLightMapCharts(scene.scene, scene.compiled, LightMapRequest{});
+  const LightMapLayout layout = layOutLightMap(scene.compiled, charts);
   SurfaceLight light;
   addPlaces(scene, layout, static_cast<double>(places) / charts.area, light);
   Tracer tracer(scene.compiled, device);
@@ -52,15 +49,7 @@ SurfaceLight lightOfSurface(const BenchmarkScene& scene, std::size_t places, Bak
     request.seed += 1000;
     const LightMapSources sources(scene.compiled, scene.scene.images, layout, request, plan, 1, device,
                                   tracer, progress);
-    light.light[i].assign(3 * light.places.size(), 0.0f);
-    for (std::size_t first = 0; first < light.places.size(); first += blockSize) {
-      progress.check();
-      const std::size_t count = std::min(blockSize, light.places.size() - first);
-      for (LightMapPart* part : sources.parts())
-        part->add(std::span(light.places).subspan(first, count), 1,
-                  std::span(light.light[i]).subspan(3 * first, 3 * count),
-                  std::span(hidden).subspan(first, count));
-    }
+    light.light[i] = sources.irradiance(light.places, hidden, progress);
   }
   for (std::size_t i = 0; i < hidden.size(); ++i)
     if (hidden[i] != 0) light.weights[i] = 0.0;
@@ -90,7 +79,8 @@ double errorOfLightMap(const LightMap& map, const LightMap& again, const Surface
   double squares = 0.0;
   for (const auto& [index, chart] : charts) {
     if (!(chart.weight > 0.0)) continue;
-    const double mean = std::max(chart.light / chart.weight, darkestMean * all.light / all.weight);
+    const double mean =
+        std::max(chart.light / chart.weight, TexelSizeRequest::darkestMean * all.light / all.weight);
     if (mean > 0.0) squares += chart.squares / (mean * mean);
   }
   return all.weight > 0.0 ? std::sqrt(std::max(0.0, squares / all.weight)) : 0.0;

@@ -32,6 +32,14 @@ Group& groupNamed(std::vector<Group>& groups, const std::string& name) {
   return found != groups.end() ? *found : groups.emplace_back(Group{name, {}});
 }
 
+/// The curve of a name, which is of this colour and style where it is new.
+Curve& curveNamed(std::vector<Curve>& curves, const std::string& name, const std::string& color,
+                  CurveStyle style) {
+  const auto found =
+      std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.name == name; });
+  return found != curves.end() ? *found : curves.emplace_back(Curve{name, color, style, {}});
+}
+
 std::string castPlot(const Results& results, const std::string& subtitle) {
   BarChart chart{"Rays a second through each tree", subtitle, "million rays a second", {}, {}};
   for (const BenchmarkResult& result : results) {
@@ -278,15 +286,13 @@ std::string compressPlot(const Results& results, const std::string& subtitle) {
       const std::string family = methodFamily(method), name = fmt::format("{}, {}", scene, family);
       const CurveStyle style = placeOf(scenes, scene) == 0 ? CurveStyle::Strong : CurveStyle::Dashed;
       const std::size_t color = placeOf(families, family);
-      auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
-                                [&](const Curve& c) { return c.name == name; });
-      if (curve == chart.curves.end())
-        curve = chart.curves.insert(
-            chart.curves.end(),
-            {name, color == 0 ? "#6b7178" : palette[(color - 1) % palette.size()], style, {}});
-      const auto place = std::find_if(curve->points.begin(), curve->points.end(),
-                                      [&](const Point& p) { return p.x > size.value; });
-      curve->points.insert(place, {size.value, error.value});
+      std::vector<Point>& points =
+          curveNamed(chart.curves, name, color == 0 ? "#6b7178" : palette[(color - 1) % palette.size()],
+                     style)
+              .points;
+      const auto place =
+          std::find_if(points.begin(), points.end(), [&](const Point& p) { return p.x > size.value; });
+      points.insert(place, {size.value, error.value});
     }
   return drawCurveChart(chart);
 }
@@ -305,19 +311,13 @@ std::string radiosityPlot(const Results& results, const std::string& subtitle) {
     const auto [method, sweeps] = splitCase(rest);
     if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
     const std::string name = fmt::format("{}, {}", scene, method);
-    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
-                              [&](const Curve& c) { return c.name == name; });
-    if (curve == chart.curves.end()) {
-      const auto color = static_cast<std::size_t>(
-          std::count_if(chart.curves.begin(), chart.curves.end(),
-                        [&](const Curve& c) { return c.name.starts_with(scene + ","); }));
-      curve = chart.curves.insert(chart.curves.end(),
-                                  {name,
-                                   palette[color % palette.size()],
-                                   scene == scenes.front() ? CurveStyle::Strong : CurveStyle::Dashed,
-                                   {}});
-    }
-    curve->points.push_back({std::stod(sweeps), result.value});
+    const auto color =
+        static_cast<std::size_t>(std::count_if(chart.curves.begin(), chart.curves.end(), [&](const Curve& c) {
+          return c.name.starts_with(scene + ",");
+        }));
+    Curve& curve = curveNamed(chart.curves, name, palette[color % palette.size()],
+                              scene == scenes.front() ? CurveStyle::Strong : CurveStyle::Dashed);
+    curve.points.push_back({std::stod(sweeps), result.value});
   }
   return drawCurveChart(chart);
 }
@@ -344,12 +344,8 @@ std::string photonsPlot(const Results& results, const std::string& subtitle) {
   for (const BenchmarkResult& result : results) {
     if (result.metric != "relative MSE") continue;
     const auto [kind, count] = splitCase(result.case_);
-    const auto found = std::find_if(chart.curves.begin(), chart.curves.end(),
-                                    [&](const Curve& curve) { return curve.name == kind; });
     Curve& curve =
-        found != chart.curves.end()
-            ? *found
-            : chart.curves.emplace_back(Curve{kind, palette[chart.curves.size()], CurveStyle::Strong, {}});
+        curveNamed(chart.curves, kind, palette[chart.curves.size() % palette.size()], CurveStyle::Strong);
     curve.points.push_back({std::stod(count), result.value});
   }
   return drawCurveChart(chart);
@@ -368,15 +364,9 @@ std::string lightMapsPlot(const Results& results, const std::string& subtitle) {
     const auto [kind, value] = splitCase(rest);
     if (std::find(scenes.begin(), scenes.end(), scene) == scenes.end()) scenes.push_back(scene);
     const std::string name = fmt::format("{}, {}", scene, kind);
-    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
-                              [&](const Curve& c) { return c.name == name; });
-    if (curve == chart.curves.end())
-      curve = chart.curves.insert(chart.curves.end(),
-                                  {name,
-                                   palette[(scenes.size() - 1) % palette.size()],
-                                   kind == "by error" ? CurveStyle::Strong : CurveStyle::Dashed,
-                                   {}});
-    curve->points.push_back({texels, result.value});
+    Curve& curve = curveNamed(chart.curves, name, palette[(scenes.size() - 1) % palette.size()],
+                              kind == "by error" ? CurveStyle::Strong : CurveStyle::Dashed);
+    curve.points.push_back({texels, result.value});
   }
   return drawCurveChart(chart);
 }

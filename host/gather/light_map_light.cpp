@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bake/schedule.h"
+#include "lightmap/light_map_lookup.h"
 
 namespace prelight {
 
@@ -25,15 +26,13 @@ std::uint64_t photonsOf(const BakeRequest& request, const LightMapLayout& layout
 }
 
 /// Of the chart that has the smallest texels, m. Charts of a few texels are rounded too far to tell.
-double finestTexel(const CompiledScene& scene, const LightMapLayout& layout) {
+double smallestTexel(const CompiledScene& scene, const LightMapLayout& layout) {
   constexpr double leastTexels = 4.0;
   std::vector<double> areas(layout.chartCount, 0.0), texels(layout.chartCount, 0.0);
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     if (layout.chartOf[t] == LightMapLayout::noChart) continue;
-    const glm::vec2* c = &layout.corners[3 * std::size_t{t}];
-    const glm::dvec2 e(c[1] - c[0]), f(c[2] - c[0]);
     areas[layout.chartOf[t]] += 0.5 * glm::length(geometricNormal(scene, t));
-    texels[layout.chartOf[t]] += 0.5 * std::abs(e.x * f.y - e.y * f.x);
+    texels[layout.chartOf[t]] += texelsOf(layout, t);
   }
   double least = 0.0;
   for (std::size_t c = 0; c < areas.size(); ++c) {
@@ -73,7 +72,7 @@ void LightMapLight::traceCaustics(const CompiledScene& scene, const LightMapLayo
   const std::uint64_t photons = photonsOf(request, layout);
   PhotonReport report;
   causticLight_ = traceCausticLight(scene, transport_, surface_, photons, request.seed + 1,
-                                    finestTexel(scene, layout), device, progress, report);
+                                    smallestTexel(scene, layout), device, progress, report);
   if (!causticLight_) return;
   causticPart_.emplace(scene, causticLight_->estimator, causticLight_->filter.radius, report.rays);
 }

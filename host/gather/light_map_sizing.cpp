@@ -25,27 +25,6 @@ LightMapLayout gatheredFrom(const Scene& source, const CompiledScene& scene) {
   return makeLightMapLayout(source, scene, request);
 }
 
-std::uint64_t raysOf(const LightMapSources& sources) {
-  std::uint64_t sum = 0;
-  for (const LightMapPart* part : sources.parts()) sum += part->rays();
-  return sum;
-}
-
-/// Irradiance alone, also where the map will keep directions.
-std::vector<float> irradianceOf(const LightMapSources& sources, std::span<const LightMapTexel> texels,
-                                std::span<std::uint8_t> hidden, const Progress& progress) {
-  constexpr std::size_t blockSize = 4096;  // texels between two looks at whether to stop
-  std::vector<float> values(3 * texels.size(), 0.0f);
-  for (std::size_t first = 0; first < texels.size(); first += blockSize) {
-    progress.check();
-    const std::size_t count = std::min(blockSize, texels.size() - first);
-    for (LightMapPart* part : sources.parts())
-      part->add(texels.subspan(first, count), 1, std::span(values).subspan(3 * first, 3 * count),
-                hidden.subspan(first, count));
-  }
-  return values;
-}
-
 TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const LightMapCharts& charts,
                       const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
                       Progress& progress, std::uint64_t& rays) {
@@ -58,12 +37,12 @@ TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const Lig
     PilotLight pilot;
     pilot.hidden.assign(texels.size(), 0);
     for (std::size_t i = 0; i < 2; ++i)
-      pilot.irradiance[i] = irradianceOf(*sources[i], texels, pilot.hidden, progress);
+      pilot.irradiance[i] = sources[i]->irradiance(texels, pilot.hidden, progress);
     return pilot;
   };
   TexelSizes sizes =
       chooseTexelSizes(scene, charts, {request.lightMapError, finestTexel(request, charts)}, light, progress);
-  for (const auto& each : sources) rays += raysOf(*each);
+  for (const auto& each : sources) rays += each->rays();
   return sizes;
 }
 

@@ -1,5 +1,7 @@
 #include "gather/light_map_sources.h"
 
+#include <algorithm>
+
 #include "bake/schedule.h"
 
 namespace prelight {
@@ -18,6 +20,27 @@ LightMapSources::LightMapSources(const CompiledScene& scene, const std::vector<I
     parts_.push_back(&sky_.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
                                    request.seed));
   if (light_) light_->addTo(parts_);
+}
+
+std::vector<float> LightMapSources::irradiance(std::span<const LightMapTexel> places,
+                                               std::span<std::uint8_t> hidden,
+                                               const Progress& progress) const {
+  constexpr std::size_t blockSize = 4096;  // places between two looks at whether to stop
+  std::vector<float> values(3 * places.size(), 0.0f);
+  for (std::size_t first = 0; first < places.size(); first += blockSize) {
+    progress.check();
+    const std::size_t count = std::min(blockSize, places.size() - first);
+    for (LightMapPart* part : parts_)
+      part->add(places.subspan(first, count), 1, std::span(values).subspan(3 * first, 3 * count),
+                hidden.subspan(first, count));
+  }
+  return values;
+}
+
+std::uint64_t LightMapSources::rays() const {
+  std::uint64_t sum = 0;
+  for (const LightMapPart* part : parts_) sum += part->rays();
+  return sum;
 }
 
 }  // namespace prelight

@@ -10,6 +10,12 @@ glm::dvec2 lightMapPlace(const LightMapLayout& layout, std::uint32_t face, doubl
   return (1.0 - b1 - b2) * glm::dvec2(c[0]) + b1 * glm::dvec2(c[1]) + b2 * glm::dvec2(c[2]);
 }
 
+double texelsOf(const LightMapLayout& layout, std::uint32_t face) {
+  const glm::vec2* c = &layout.corners[3 * std::size_t{face}];
+  const glm::dvec2 e = glm::dvec2(c[1]) - glm::dvec2(c[0]), f = glm::dvec2(c[2]) - glm::dvec2(c[0]);
+  return 0.5 * std::abs(e.x * f.y - e.y * f.x);
+}
+
 LightMapLookUp lookUp(const LightMapLayout& layout, const glm::dvec2& place) {
   const glm::dvec2 low = glm::floor(place - 0.5), share = place - 0.5 - low;
   LightMapLookUp result;

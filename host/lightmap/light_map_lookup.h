@@ -18,6 +18,9 @@ struct LightMapLookUp {
 /// Where a point of a face lies in the map, texels; barycentric weights of vertices 1 and 2.
 glm::dvec2 lightMapPlace(const LightMapLayout& layout, std::uint32_t face, double b1, double b2);
 
+/// Texels that a face covers.
+double texelsOf(const LightMapLayout& layout, std::uint32_t face);
+
 /// At a place in texels.
 LightMapLookUp lookUp(const LightMapLayout& layout, const glm::dvec2& place);
 

@@ -17,7 +17,6 @@ constexpr double leastAcross = 2.0;  // texels; smaller charts are not judged
 constexpr double firstPilot =
     4.0;  // texel size of the first pilots, of the size that is chosen without errors
 constexpr double texelsAcrossPilot = 6;  // of the first at least, along the chart
-constexpr double darkestMean = 0.05;     // of the scene's mean light
 constexpr int coarsestStep = 8;  // of half an octave from the first pilots up to the coarsest size tried
 constexpr int leastSteps = 4;    // tells how errors fall over an octave
 constexpr double steepest = 1.0 / 16.0,
@@ -59,7 +58,8 @@ struct Sums {
 /// Two light maps of the same texels.
 struct Pilot {
   std::array<LightMap, 2> maps;
-  std::vector<std::uint8_t> hidden;  ///< [place of layout.texels]
+  std::array<std::vector<glm::dvec3>, 2> light;  ///< what a look-up shows, [place of layout.texels]
+  std::vector<std::uint8_t> hidden;              ///< [place of layout.texels]
 
   const LightMapLayout& layout() const { return maps[0].layout; }
 };
@@ -78,6 +78,7 @@ Pilot makePilot(LightMapLayout layout, PilotLight light) {
     for (std::size_t t = 0; t < layout.texels.size(); ++t)
       std::copy_n(&light.irradiance[i][3 * t], 3, &map.values[3 * std::size_t{layout.texels[t].texel}]);
     fillHidden(pilot.hidden, map);
+    for (const LightMapTexel& texel : layout.texels) pilot.light[i].push_back(valueAt(map, texel));
   }
   return pilot;
 }
@@ -142,26 +143,27 @@ class TexelSizer {
     return std::max(leastSteps, static_cast<int>(std::lround(2.0 * std::log2(most))) - 1);
   }
 
-  /// Active charts at `factor` times their pilots' texel sizes.
-  LightMapLayout layoutAt(double factor) const {
+  LightMapCharts activeCharts() const {
     LightMapCharts some{{}, charts_.area, charts_.texelSize};
+    for (const std::uint32_t c : active_) some.charts.push_back(charts_.charts[c]);
+    return some;
+  }
+
+  /// Active charts at `factor` times their pilots' texel sizes.
+  LightMapLayout layoutAt(double factor, const LightMapCharts& active) const {
     std::vector<double> sizes;
-    for (const std::uint32_t c : active_) {
-      some.charts.push_back(charts_.charts[c]);
-      sizes.push_back(factor * pilotSizes_[c]);
-    }
-    return layOutLightMap(scene_, some, sizes);
+    for (const std::uint32_t c : active_) sizes.push_back(factor * pilotSizes_[c]);
+    return layOutLightMap(scene_, active, sizes);
   }
 
   /// [active chart]
-  std::vector<Sums> compare(const Pilot& pilot, double factor) const {
-    const LightMapLayout layout = layoutAt(factor);
+  std::vector<Sums> compare(const Pilot& pilot, const LightMapLayout& layout) const {
     const std::array<LightMap, 2> coarse{sampled(pilot.maps[0], layout), sampled(pilot.maps[1], layout)};
     const std::vector<LightMapTexel>& texels = pilot.layout().texels;
     std::vector<std::array<double, 2>> found(texels.size());  // product of the differences, light
     parallelRanges(texels.size(), 4096, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
-        const glm::dvec3 one = valueAt(pilot.maps[0], texels[t]), other = valueAt(pilot.maps[1], texels[t]);
+        const glm::dvec3 &one = pilot.light[0][t], &other = pilot.light[1][t];
         const glm::dvec3 off = valueAt(coarse[0], texels[t]) - one,
                          alsoOff = valueAt(coarse[1], texels[t]) - other;
         const glm::dvec3 both = one + other;
@@ -175,16 +177,19 @@ class TexelSizer {
   }
 
   void judge() {
-    const LightMapLayout layout = layoutAt(1.0);
+    const LightMapCharts active = activeCharts();
+    const LightMapLayout layout = layoutAt(1.0, active);
     const Pilot pilot = makePilot(layout, light_(layout.texels));
     const int steps = stepsToTry();
     std::vector<std::vector<Sums>> sums;  // [step from an octave on][active chart]
-    for (int step = 2; step <= steps; ++step) sums.push_back(compare(pilot, std::exp2(0.5 * step)));
+    for (int step = 2; step <= steps; ++step)
+      sums.push_back(compare(pilot, layoutAt(std::exp2(0.5 * step), active)));
     if (!sceneMean_) sceneMean_ = meanOf(sums.front());
     std::vector<std::uint32_t> rest;
     for (std::size_t a = 0; a < active_.size(); ++a) {
       const Sums& sum = sums.front()[a];
-      const double mean = std::max(sum.count > 0.0 ? sum.light / sum.count : 0.0, darkestMean * *sceneMean_);
+      const double mean = std::max(sum.count > 0.0 ? sum.light / sum.count : 0.0,
+                                   TexelSizeRequest::darkestMean * *sceneMean_);
       std::vector<Estimate> estimates;
       for (const std::vector<Sums>& step : sums) estimates.push_back(step[a].relativeTo(mean));
       if (!choose(active_[a], estimates)) rest.push_back(active_[a]);

@@ -21,6 +21,9 @@ struct PilotLight {
 using PilotSource = std::function<PilotLight(std::span<const LightMapTexel>)>;
 
 struct TexelSizeRequest {
+  static constexpr double darkestMean =
+      0.05;  ///< that a chart's error is relative to, of the scene's mean light
+
   double error = 0.02;  ///< between light that is looked up and light itself: rms over a chart, in shares of
                         ///< the chart's mean light, or of a twentieth of the scene's where that is more
   double finest = 0.0;  ///< m, > 0: no texel is smaller

@@ -15,14 +15,6 @@ namespace {
 constexpr double samplesPerTexel = 1.0;
 constexpr std::uint32_t leastSamples = 4, mostSamples = 256;  // of a triangle
 
-/// Texels that a face covers.
-double texelsOf(const LightMapLayout& layout, std::uint32_t face) {
-  const glm::dvec2 a(layout.corners[3 * face]), b(layout.corners[3 * face + 1]),
-      c(layout.corners[3 * face + 2]);
-  const glm::dvec2 e = b - a, f = c - a;
-  return 0.5 * std::abs(e.x * f.y - e.y * f.x);
-}
-
 }  // namespace
 
 std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,

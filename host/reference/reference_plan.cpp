@@ -32,7 +32,7 @@ BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> c
                           BuildOptions options) {
   const bool whitted = request.integrator == Integrator::Whitted;
   if (cachedLight)
-    options.define("PRELIGHT_DIFFUSE_BOUNCES", *cachedLight ? 1 : 0).define("PRELIGHT_CACHED_LIGHT");
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", *cachedLight ? 1 : 0);
   else if (request.integrator != Integrator::Path)
     options.define("PRELIGHT_DIFFUSE_BOUNCES", request.integrator == Integrator::Distributed ? 1 : 0);
   return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")

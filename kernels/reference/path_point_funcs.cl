@@ -1,7 +1,6 @@
 // What a path does where it meets the surface: gather light, ask for light that may arrive, go on.
 // Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
-// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_CACHED_LIGHT (diffuse rays look for
-// lights alone: cached_path_kernels.cl brings the rest).
+// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs).
 #ifndef PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 
@@ -76,9 +75,6 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
   if (largest(at.bsdf.diffuse) <= 0.0f && !isGlossy(at.bsdf)) return false;
   if (at.wo.z <= 0.0f) return false;
 
-#ifdef PRELIGHT_CACHED_LIGHT
-  if (path.diffuseBounces > 0u) return false;
-#endif
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const uint2 choice = pathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT);
   const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
@@ -145,9 +141,6 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
 
 // Draws the direction in which a path goes on. False: it ends.
 bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s, PathPoint at, PathState* path, Ray* next) {
-#ifdef PRELIGHT_CACHED_LIGHT
-  if (path->diffuseBounces > 0u) return false;
-#endif
 #ifdef PRELIGHT_DIFFUSE_BOUNCES
   const bool diffuse = path->diffuseBounces < PRELIGHT_DIFFUSE_BOUNCES;
 #else

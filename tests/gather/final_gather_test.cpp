@@ -81,7 +81,8 @@ TEST(FinalGather, Mirrors_AreFollowedToWhatTheyShow) {
   expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.5f), 1e-4);
 }
 
-TEST(FinalGather, Glass_LetsLightThrough) {
+/// A ball of clear glass in a grey room.
+GatherRoom roomAroundGlass() {
   GatherRoom room;
   room.scene.materials[0] = lambert(0.5f);
   append(room.scene, sphere(8, 0.4f, {0.0f, 0.0f, 0.0f}));
@@ -89,17 +90,16 @@ TEST(FinalGather, Glass_LetsLightThrough) {
   room.scene.materials[1] = glass(1.5f, true);
   room.scene.materials[1].baseColor = glm::vec3(1.0f);
   room.request.depth = 200;
+  return room;
+}
+
+TEST(FinalGather, Glass_LetsLightThrough) {
+  GatherRoom room = roomAroundGlass();
   expectAll(room.gather(glm::vec3(1.0f)), glm::vec3(0.5f), 1e-4);
 }
 
 TEST(FinalGather, ShortenedWays_LetAsMuchLightThroughInTheMean) {
-  GatherRoom room;
-  room.scene.materials[0] = lambert(0.5f);
-  append(room.scene, sphere(8, 0.4f, {0.0f, 0.0f, 0.0f}));
-  room.scene.triangleFlat.assign(room.scene.triangles.size(), 1);
-  room.scene.materials[1] = glass(1.5f, true);
-  room.scene.materials[1].baseColor = glm::vec3(1.0f);
-  room.request.depth = 200;
+  GatherRoom room = roomAroundGlass();
   room.request.longWay = 2;
   glm::dvec3 sum(0.0);
   double apart = 0.0;
