@@ -8,27 +8,11 @@
 #include <numbers>
 #include <string>
 
+#include "viewer/key_help.h"
 #include "viewer/occluder_parameters.h"
 
 namespace prelight::viewer {
 namespace {
-
-constexpr const char* help =
-    "left drag          orbit\n"
-    "middle drag        pan (also Ctrl + left drag)\n"
-    "wheel              zoom\n"
-    "right drag         move the selected light around the scene\n"
-    "right + wheel      its distance\n"
-    "Tab, L             next light, add a light\n"
-    "Shift + left drag  turn the sky (also Q and E)\n"
-    "N                  next node\n"
-    "Shift + right drag move the selected node (full shading)\n"
-    "1 to 9             phong, ao, sh, ch, haar, glossy, lights, vo, radiosity\n"
-    "F                  full shading\n"
-    "G, PgUp, PgDn      next light group, brighter, dimmer\n"
-    "R                  first view\n"
-    "H                  this help\n"
-    "Esc                quit";
 
 void drawShadings(Controls& controls) {
   for (const ShadingInfo& info : shadings()) {
@@ -38,6 +22,12 @@ void drawShadings(Controls& controls) {
     if (ImGui::RadioButton(name.c_str(), controls.view().shading == info.shading))
       controls.setShading(info.shading);
   }
+}
+
+void drawSky(Controls& controls) {
+  auto degrees = static_cast<float>(controls.view().skyRotation * 180.0 / std::numbers::pi);
+  if (ImGui::SliderFloat("sky", &degrees, -180.0f, 180.0f, "%.0f deg"))
+    controls.setSkyRotation(degrees * std::numbers::pi / 180.0);
 }
 
 void drawLights(Controls& controls) {
@@ -110,7 +100,7 @@ void drawOccluders(Controls& controls) {
 
 }  // namespace
 
-Overlay::Overlay(GLFWwindow* window) {
+Overlay::Overlay(GLFWwindow* window, bool hasSky) : hasSky_(hasSky) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
@@ -134,17 +124,14 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
   ImGui::Begin("prelight", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar);
   ImGui::Text("%.1f ms a frame   H: help", 1e3 * frameSeconds);
   drawShadings(controls);
-  auto degrees = static_cast<float>(controls.view().skyRotation * 180.0 / std::numbers::pi);
-  if (ImGui::SliderFloat("sky", &degrees, -180.0f, 180.0f, "%.0f deg")) {
-    controls.setSkyRotation(degrees * std::numbers::pi / 180.0);
-  }
+  if (hasSky_) drawSky(controls);
   drawLights(controls);
   drawNodes(controls);
   drawGroups(controls);
   drawOccluders(controls);
   if (showHelp_) {
     ImGui::Separator();
-    ImGui::TextUnformatted(help);
+    for (const std::string& line : keyHelp(controls, hasSky_)) ImGui::TextUnformatted(line.c_str());
   }
   ImGui::End();
   ImGui::Render();

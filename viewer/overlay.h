@@ -9,8 +9,9 @@ namespace prelight::viewer {
 /// The panel over the picture: frame time, shading, sky, lights, help. Owns Dear ImGui's state.
 class Overlay {
  public:
-  /// Installs its callbacks on the window, after those that are there, which still run.
-  explicit Overlay(GLFWwindow* window);
+  /// Installs its callbacks on the window, after those that are there, which still run. `hasSky`: a sky is
+  /// drawn that can be turned.
+  Overlay(GLFWwindow* window, bool hasSky);
   ~Overlay();
   Overlay(const Overlay&) = delete;
   Overlay& operator=(const Overlay&) = delete;
@@ -23,6 +24,7 @@ class Overlay {
   void toggleHelp() { showHelp_ = !showHelp_; }
 
  private:
+  bool hasSky_;
   bool showHelp_ = false;
 };
 

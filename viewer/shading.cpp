@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/suggestion.h"
 
 namespace prelight::viewer {
 namespace {
@@ -93,10 +94,13 @@ std::string shadingNames() {
 }
 
 Shading parseShading(std::string_view name) {
+  std::vector<std::string> names;
   for (const ShadingInfo& info : table) {
     if (info.name == name) return info.shading;
+    names.emplace_back(info.name);
   }
-  throw UsageError("--shading " + std::string(name), "unknown shading", "one of: " + shadingNames());
+  throw UsageError("--shading " + std::string(name), "unknown shading",
+                   didYouMean(name, names) + "one of: " + shadingNames());
 }
 
 std::string_view shadingName(Shading shading) { return infoOf(shading).name; }

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "io/picture.h"
 #include "viewer/controls.h"
+#include "viewer/key_help.h"
 #include "viewer/moved_scene.h"
 #include "viewer/overlay.h"
 #include "viewer/presenter.h"
@@ -127,8 +128,7 @@ class EventRouter {
     if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
     if (key == GLFW_KEY_H && overlay_ != nullptr) overlay_->toggleHelp();
     if (key == GLFW_KEY_F) controls_.setShading(Shading::Full);
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
-      controls_.setShading(shadings()[static_cast<std::size_t>(key - GLFW_KEY_1)].shading);
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) controls_.setShading(shadingOfKey(key - GLFW_KEY_0));
     if (const auto command = commandOf(key)) controls_.run(*command);
   }
 
@@ -296,7 +296,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),
       dragNodes(moved));
   EventRouter router(window.get(), controls);
-  Overlay overlay(window.get());
+  Overlay overlay(window.get(), inputs.environment != nullptr);
   router.attach(overlay);
   LivePicture picture(renderer, options.render.samplesPerAxis);
   runLoop(window.get(), controls, renderer, picture, follower, overlay, options.frames);

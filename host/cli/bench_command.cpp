@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/suggestion.h"
 #include "cli/commands.h"
 
 #ifdef PRELIGHT_WITH_BENCHMARKS
@@ -47,7 +48,8 @@ std::vector<std::string> chosenSuites(const std::string& suite) {
   const std::vector<std::string> known = knownSuites();
   if (suite.empty()) return known;
   if (std::find(known.begin(), known.end(), suite) == known.end())
-    throw UsageError("SUITE", fmt::format("got '{}', expected one of {}", suite, fmt::join(known, ", ")));
+    throw UsageError("SUITE", fmt::format("got '{}', expected one of {}", suite, fmt::join(known, ", ")),
+                     didYouMean(suite, known) + "prelight bench --help lists them");
   return {suite};
 }
 

@@ -34,7 +34,7 @@ std::string scaled(double value, double base, const std::array<const char*, 5>& 
 
 void Console::line(std::string_view name, std::string_view text) const {
   if (!textWanted()) return;
-  fmt::print("{:<11}{}\n", name, text);
+  fmt::print("{:<10} {}\n", name, text);
   std::fflush(stdout);  // whoever reads a pipe sees it before the work that follows
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/suggestion.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/context.h"
@@ -50,19 +52,24 @@ class HelpFormatter final : public CLI::Formatter {
   }
 };
 
-std::string commandNames(const CLI::App& program) {
-  std::string names;
-  for (const CLI::App* command : program.get_subcommands({}))
-    names += (names.empty() ? "" : ", ") + command->get_name();
+std::vector<std::string> commandNames(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   return names;
 }
 
-std::string optionNames(const CLI::App& app) {
-  std::string names;
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
-    if (!option->get_lnames().empty())
-      names += (names.empty() ? "--" : ", --") + option->get_lnames().front();
+    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
   return names;
+}
+
+/// "WORD: unknown KIND; did you mean NAME? LEAD NAME, NAME, ..."
+std::string unknownName(const std::string& word, std::string_view kind, const std::vector<std::string>& names,
+                        const std::string& lead) {
+  return fmt::format("{}: unknown {}; {}{} {}", word, kind, didYouMean(word.substr(0, word.find('=')), names),
+                     lead, fmt::join(names, ", "));
 }
 
 /// Says what the first argument that nobody took should have been.
@@ -74,10 +81,10 @@ std::string unexpectedArgument(const CLI::App& program, const CLI::App* command,
   const auto option = std::find_if(arguments.begin(), arguments.end(), isOption);
   const auto word = std::find_if_not(arguments.begin(), arguments.end(), isOption);
   if (command == nullptr && word != arguments.end())
-    return fmt::format("{}: unknown command; this version has {}", *word, commandNames(program));
+    return unknownName(*word, "command", commandNames(program), "this version has");
   if (option == arguments.end()) return fmt::format("{}: one argument too many", *word);
   const CLI::App& app = command != nullptr ? *command : program;
-  return fmt::format("{}: unknown option; {} takes {}", *option, app.get_name(), optionNames(app));
+  return unknownName(*option, "option", optionNames(app), app.get_name() + " takes");
 }
 
 int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
@@ -90,7 +97,7 @@ int reportUsage(const CLI::App& program, const CLI::ParseError& error) {
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     text = text.substr(0, text.find(':')) + ": expected exactly one value";
   } else if (command == nullptr && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    text = "a command is required, one of " + commandNames(program);
+    text = fmt::format("a command is required, one of {}", fmt::join(commandNames(program), ", "));
   }
   printError(
       fmt::format("{} (see prelight {}--help)", text, command == nullptr ? "" : command->get_name() + " "));

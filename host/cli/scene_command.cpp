@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/commands.h"
@@ -18,8 +19,11 @@ struct SceneCommand {
 
 void listScenes(const Console& console) {
   nlohmann::ordered_json scenes = nlohmann::ordered_json::array();
+  std::size_t width = 0;
+  for (const BuiltinScene& scene : builtinScenes())
+    width = std::max(width, std::string_view(scene.name).size());
   for (const BuiltinScene& scene : builtinScenes()) {
-    console.line(scene.name, scene.description);
+    console.line(fmt::format("{:<{}}", scene.name, width), scene.description);
     scenes.push_back({{"name", scene.name}, {"description", scene.description}});
   }
   console.json({{"command", "scene"}, {"version", PRELIGHT_VERSION}, {"scenes", scenes}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/suggestion.h"
 #include "scene/builtin_scenes.h"
 
 namespace prelight {
@@ -42,12 +43,15 @@ const std::vector<BuiltinScene>& builtinScenes() {
 }
 
 GltfDocument makeBuiltinScene(const std::string& name) {
+  std::vector<std::string> names;
   std::string known;
   for (const Recipe& recipe : recipes()) {
     if (recipe.scene.name == name) return recipe.make();
+    names.push_back(recipe.scene.name);
     known += (known.empty() ? "" : ", ") + recipe.scene.name;
   }
-  throw UsageError("scene", "no built-in scene \"" + name + "\"", "known scenes: " + known);
+  throw UsageError("scene", "no built-in scene \"" + name + "\"",
+                   didYouMean(name, names) + "known scenes: " + known);
 }
 
 }  // namespace prelight

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <set>
+
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
 
@@ -81,6 +83,20 @@ TEST_F(CliOutput, Info_DescribesContentsAndPlan) {
   EXPECT_EQ(info["contents"]["cameras"].size(), 1u);
   EXPECT_TRUE(info["baked"].is_null());
   EXPECT_FALSE(info["plan"].empty());
+}
+
+TEST_F(CliOutput, SceneList_OfNamesOfAnyLength_AlignsTheDescriptions) {
+  const nlohmann::json list = nlohmann::json::parse(prelightDone({"scene", "--list", "--json"}).output);
+  const std::string text = prelightDone({"scene", "--list"}).output;
+  std::set<std::size_t> columns;
+  for (const auto& scene : list["scenes"]) {
+    const std::string name = scene["name"], description = scene["description"];
+    const std::size_t line = text.find(name + " "), column = text.find(description);
+    ASSERT_NE(line, std::string::npos) << name;
+    ASSERT_NE(column, std::string::npos) << name;
+    columns.insert(column - text.rfind('\n', column) - 1);
+  }
+  EXPECT_EQ(columns.size(), 1u) << text;
 }
 
 TEST_F(CliOutput, BuiltinScenes_AllListedAndWritable) {

@@ -31,6 +31,15 @@ TEST_F(CliUsage, Command_MissingOrUnknown_NamesTheKnownOnes) {
   expectFailure(badUsage, {"frobnicate"}, {"frobnicate", "unknown command", "bake", "render"});
 }
 
+TEST_F(CliUsage, Name_Mistyped_SuggestsTheNearest) {
+  expectFailure(badUsage, {"rneder"}, {"did you mean render?"});
+  expectFailure(badUsage, {"bake", "x.glb", "-o", "y.glb", "--bounecs=2"}, {"did you mean --bounces?"});
+  expectFailure(badUsage, {"scene", "cornel", "-o", "x.glb"}, {"did you mean cornell?"});
+  expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--shading", "ligths"},
+                {"did you mean lights?"});
+  EXPECT_THAT(prelight({"frobnicate"}).errors, Not(HasSubstr("did you mean")));
+}
+
 TEST_F(CliUsage, Arguments_MissingOrTooMany_AreNamed) {
   expectFailure(badUsage, {"bake"}, {"SCENE"});
   expectFailure(badUsage, {"bake", "x.glb"}, {"--output"});

@@ -1,0 +1,48 @@
+#include "base/suggestion.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace prelight {
+namespace {
+
+/// Damerau-Levenshtein distance where no letter takes part in two swaps (optimal string alignment).
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::swap(beforeLast, last);
+    std::swap(last, row);
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], beforeLast[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> suggestName(std::string_view word, std::span<const std::string> names) {
+  constexpr std::size_t longest = 64;  // what is longer was no slip of the keyboard
+  if (word.empty() || word.size() > longest) return std::nullopt;
+  std::optional<std::string> nearest;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const std::size_t distance = editDistance(word, name);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = name;
+  }
+  return nearest;
+}
+
+std::string didYouMean(std::string_view word, std::span<const std::string> names) {
+  const std::optional<std::string> name = suggestName(word, names);
+  return name ? "did you mean " + *name + "? " : "";
+}
+
+}  // namespace prelight

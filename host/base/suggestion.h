@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace prelight {
+
+/// The name that a mistyped word most likely meant: the one that takes the fewest inserted, dropped, changed
+/// or swapped letters, at most a third of the word's length (one for short words). None when no name is that
+/// near.
+std::optional<std::string> suggestName(std::string_view word, std::span<const std::string> names);
+
+/// For messages about a word that is none of `names`: "did you mean NAME? ", or nothing when none is near.
+std::string didYouMean(std::string_view word, std::span<const std::string> names);
+
+}  // namespace prelight
