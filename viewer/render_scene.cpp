@@ -6,6 +6,7 @@
 #include <map>
 
 #include "photon/casters.h"
+#include "scene/lobes.h"
 #include "scene/normal_maps.h"
 #include "viewer/tex_coords.h"
 
@@ -82,7 +83,9 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
     Surface surface;
     surface.material = materialAt(inputs.scene, inputs.compiled, i);
     surface.showsSurroundings = mirrors(inputs.compiled.materials[i]);
-    surface.absorption = inputs.compiled.materials[i].absorption;
+    const CompiledMaterial& compiled = inputs.compiled.materials[i];
+    surface.absorption = compiled.absorption;
+    surface.translucency = glm::vec4(compiled.diffuseTransmission, translucentShare(compiled));
     surface.baseColor = texture(inputs.scene, surface.material.baseColorTexture, true);
     surface.metallicRoughness = texture(inputs.scene, surface.material.metallicRoughnessTexture, false);
     surface.emissive = texture(inputs.scene, surface.material.emissiveTexture, true);

@@ -25,7 +25,8 @@ struct Surface {
   TextureHandle emissive = nullptr;
   TextureHandle normal = nullptr;  ///< nullptr: the surface has no bumps
 
-  glm::vec3 absorption{0.0f};  ///< inside a body, 1/m
+  glm::vec3 absorption{0.0f};    ///< inside a body, 1/m
+  glm::vec4 translucency{0.0f};  ///< light that comes through diffusely: colour x share, share
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
 

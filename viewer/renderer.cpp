@@ -356,6 +356,7 @@ void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
   p.set("glassIor", m.ior);
   p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
   p.set("absorption", surface.absorption);
+  p.set("translucency", surface.translucency);
   p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   if (m.doubleSided) {
     glDisable(GL_CULL_FACE);

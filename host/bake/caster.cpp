@@ -4,6 +4,7 @@
 
 #include "bake/surface_sampler.h"
 #include "basis/sh_table.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -24,7 +25,8 @@ std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerR
 std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene) {
   std::vector<std::uint8_t> twoSided;
   for (const std::uint32_t material : scene.triangleMaterials)
-    twoSided.push_back(scene.materials[material].doubleSided ? 1 : 0);
+    twoSided.push_back(scene.materials[material].doubleSided || isTranslucent(scene.materials[material]) ? 1
+                                                                                                         : 0);
   return twoSided;
 }
 

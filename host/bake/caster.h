@@ -26,7 +26,7 @@ double reachOf(const CastLimits& limits);
 /// [triangle][3], orientedNormal of each.
 std::vector<float> orientedNormals(const CompiledScene& scene);
 
-/// [triangle], 1 where both sides are fronts.
+/// [triangle], 1 where both sides are fronts, or light comes through from one to the other.
 std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene);
 
 /// Receivers a block, of that many rays each: what one round of launches takes.

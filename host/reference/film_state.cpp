@@ -13,7 +13,8 @@ void addLayer(StateHash& hash, const LayerTexture& layer) {
 void addVector(StateHash& hash, const glm::dvec3& v) { hash.value(v.x).value(v.y).value(v.z); }
 
 void addMaterial(StateHash& hash, const CompiledMaterial& m) {
-  for (const glm::vec3& v : {m.albedo, m.baseColor, m.emissionFactor, m.absorption, m.specularColor})
+  for (const glm::vec3& v :
+       {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption, m.specularColor})
     addVector(hash, glm::dvec3(v));
   for (const float v :
        {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior, m.specular})

@@ -24,6 +24,8 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
           pass("glossy lobes", f.glossy, "some surface reflects with roughness",
                "no surface reflects with roughness"),
           pass("glass", f.glass, "some material transmits", "no material transmits"),
+          pass("light through surfaces", f.translucent, "some material transmits light diffusely",
+               "no material transmits light diffusely"),
           pass("absorption", f.absorption, "some solid glass attenuates", "no solid glass attenuates"),
           pass("textures", f.layerTextures, "some material has one", "no material has one")};
 }

@@ -22,7 +22,9 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
   f.layerTextures = f.layerTextures || m.baseColorTexture.image >= 0 || m.surfaceTexture.image >= 0 ||
                     m.emissionTexture.image >= 0;
-  f.scatters = f.scatters || (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
+  f.translucent = f.translucent || isTranslucent(m);
+  f.scatters = f.scatters || isTranslucent(m) ||
+               (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
 }
 
 }  // namespace
@@ -47,7 +49,8 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")
-      .defineIf(f.layerTextures, "PRELIGHT_LAYER_TEXTURES");
+      .defineIf(f.layerTextures, "PRELIGHT_LAYER_TEXTURES")
+      .defineIf(f.translucent, "PRELIGHT_TRANSLUCENT");
 }
 
 }  // namespace prelight

@@ -16,7 +16,8 @@ struct ShadeFeatures {
   bool glossy = false;
   bool absorption = false;
   bool layerTextures = false;
-  bool scatters = false;  ///< some surface sends light on
+  bool translucent = false;  ///< some surface lets light through diffusely
+  bool scatters = false;     ///< some surface sends light on
 
   /// Some surface sends light on otherwise than diffusely.
   bool specularLobes() const { return glass || mirror || glossy; }

@@ -8,6 +8,7 @@
 
 #include "scene/compile_parts.h"
 #include "scene/device_wrap.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -41,6 +42,13 @@ void setSpecular(const CompiledMaterial& m, ShadeMaterial& r) {
   const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
   for (int c = 0; c < 3; ++c) r.f0[c] = m.specular * std::min(root * root * m.specularColor[c], 1.0f);
   r.f90 = m.specular;
+}
+
+DeviceMaterial throughLayer(const CompiledMaterial& m) {
+  DeviceMaterial d = untextured();
+  for (int c = 0; c < 3; ++c) d.albedo[c] = m.diffuseTransmission[c];
+  d.alphaFactor = translucentShare(m);
+  return d;
 }
 
 class LayerUpload {
@@ -126,6 +134,7 @@ Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images) 
     layers.materials.push_back(upload.add(m.baseColorTexture, true));
     layers.materials.push_back(upload.add(m.surfaceTexture, false));
     layers.materials.push_back(upload.add(m.emissionTexture, true));
+    layers.materials.push_back(throughLayer(m));
   }
   layers.texels = upload.take();
   return layers;

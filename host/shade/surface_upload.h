@@ -19,7 +19,8 @@ std::vector<device::DeviceMaterial> makeBaseMaterials(const CompiledScene& scene
 
 std::vector<device::ShadeMaterial> makeShadeMaterials(const CompiledScene& scene);
 
-/// Textures, [material][3]: of base colour, of roughness and metalness, of emission.
+/// Textures, [material][4]: of base colour, of roughness and metalness, of emission, and of the light that
+/// comes through, whose factors it holds: the colour times the share as `albedo`, the share as `alphaFactor`.
 struct Layers {
   std::vector<device::DeviceMaterial> materials;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535

@@ -1,4 +1,4 @@
-// Final gathering: a receiver's cosine-weighted rays look up what diffuse surfaces reflect. Mirrors, glass and glossy lobes
+// Final gathering: a receiver's cosine-weighted rays look up what diffuse surfaces send. Mirrors, glass and glossy lobes
 // are followed to such surfaces. Lamps and the sky count only behind a lobe that is not narrow: seen straight they are
 // direct light, through narrow lobes alone caustics.
 // Options: those of the included files, PRELIGHT_ABSORPTION, PRELIGHT_FOLLOWS (some surface reflects otherwise than
@@ -117,6 +117,11 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
     if (largest(bsdf.diffuse) > 0.0f)
       radiance += reflectIrradiance(bsdf, dot(vertex.wo, vertex.shading),
                                     irradianceAt(map, hit.triangle, vertex.front, hit.u, hit.v));
+#ifdef PRELIGHT_TRANSLUCENT
+    if (largest(bsdf.transmitted) > 0.0f)
+      radiance += transmitIrradiance(bsdf, dot(vertex.wo, vertex.shading),
+                                     irradianceAt(map, hit.triangle, !vertex.front, hit.u, hit.v));
+#endif
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     float3 direction;

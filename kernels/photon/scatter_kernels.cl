@@ -1,6 +1,6 @@
 // What photons do where they arrive: be stored, be absorbed, go on. docs/photons.md states the classes of paths.
 // Options: those of the included files, PRELIGHT_ABSORPTION (some glass absorbs); PRELIGHT_CAUSTICS: photons of the caustic
-// map, which follow mirrors, glass and narrow lobes alone and end on the first surface that reflects diffusely;
+// map, which follow mirrors, glass and narrow lobes alone and end on the first surface that scatters diffusely;
 // PRELIGHT_STORE_DIRECT: those that come straight from their light are stored as well.
 #include "core/octahedral_funcs.cl"
 #include "photon/path_funcs.cl"
@@ -44,7 +44,8 @@ bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
 #else
   const LobeChoice lobes = chooseLobes(a.bsdf, a.wo.z, true, true);
 #endif
-  if (!(lobes.diffuse + lobes.specular + lobes.glass > 0.0f)) return false;
+  if (!(lobeSum(lobes) > 0.0f)) return false;
+  const bool through = picksTransmitted(lobes, &chance);
 #ifdef PRELIGHT_GLASS
   if (chance >= lobes.diffuse + lobes.specular) {
     const float rest = clamp((chance - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
@@ -64,20 +65,22 @@ bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
     return dot(d->direction, a.vertex.geometric) > 0.0f;
   }
 #endif
-  const float3 wi = sampleLobe(a.bsdf, specular, u, a.wo);
+  float3 wi = sampleLobe(a.bsdf, specular, u, a.wo);
   if (wi.z <= 0.0f) return false;
+  if (through) wi.z = -wi.z;
   d->direction = fromFrame(a.frame, wi);
-  if (dot(d->direction, a.vertex.geometric) <= 0.0f) return false;
+  if (!maySee(a.bsdf, wi.z, dot(d->direction, a.vertex.geometric))) return false;
   // Each lobe by itself, so that a photon knows which one it came from.
   const Reflection f = evaluateBsdf(a.bsdf, a.wo, wi);
   const LobeChoice one = {specular ? 0.0f : 1.0f, specular ? 1.0f : 0.0f, 0.0f};
-  const float density = scatterDensity(a.bsdf, one, a.wo, wi) * (specular ? lobes.specular : lobes.diffuse);
+  const float density = through ? scatterDensity(a.bsdf, lobes, a.wo, wi)
+                                : scatterDensity(a.bsdf, one, a.wo, wi) * (specular ? lobes.specular : lobes.diffuse);
   d->weight = (specular ? f.glossy : f.diffuse) * (adjointRatio(a.vertex, d->direction) / density);
   return true;
 }
 
 bool storesHere(PhotonPath path, Bsdf b) {
-  if (!(largest(b.diffuse) > 0.0f)) return false;
+  if (!isDiffuse(b)) return false;
 #ifdef PRELIGHT_CAUSTICS
   return path.scattered == PRELIGHT_SCATTERED_SPECULAR;
 #elif defined(PRELIGHT_STORE_DIRECT)
@@ -89,7 +92,7 @@ bool storesHere(PhotonPath path, Bsdf b) {
 
 bool goesOnFrom(PhotonPath path, Bsdf b) {
 #ifdef PRELIGHT_CAUSTICS
-  return path.scattered == 0u || !(largest(b.diffuse) > 0.0f);
+  return path.scattered == 0u || !isDiffuse(b);
 #else
   return true;
 #endif

@@ -52,18 +52,29 @@ __kernel void followPaths(__constant const ReferenceParameters* p, const uint co
   // A ray of a diffuse lobe looks for lights alone.
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && meets != 0u && path.diffuseBounces == 0u) {
     const PathPoint at = pathPointAt(s, vertex, number);
-    if (largest(at.bsdf.diffuse) > 0.0f) {
+    if (isDiffuse(at.bsdf)) {
       const IrradianceMap map = {corners, irradiances, (int2)((int)mapWidth, (int)mapHeight), triangleCount};
       float3 irradiance = irradianceAt(map, hit.triangle, vertex.front, hit.u, hit.v);
+#ifdef PRELIGHT_TRANSLUCENT
+      float3 beyond = irradianceAt(map, hit.triangle, !vertex.front, hit.u, hit.v);
+#endif
 #ifdef PRELIGHT_CACHED_CAUSTICS
       const DensityMaps maps = {densityParameters, photonTrees, photonBoxes, photonBlocks,
                                 places, areaTrees, areaNodes, areaTriangles};
       const bool shared = depth == 0u;
-      if (!shared || number % samples < causticSamples)
-        irradiance += photonIrradiance(maps, vertex.position, vertex.geometric, hit.triangle, causticRadius) *
-                      (shared ? (float)samples / (float)causticSamples : 1.0f);
+      if (!shared || number % samples < causticSamples) {
+        const float share = shared ? (float)samples / (float)causticSamples : 1.0f;
+        irradiance += photonIrradiance(maps, vertex.position, vertex.geometric, hit.triangle, causticRadius) * share;
+#ifdef PRELIGHT_TRANSLUCENT
+        if (largest(at.bsdf.transmitted) > 0.0f)
+          beyond += photonIrradiance(maps, vertex.position, -vertex.geometric, hit.triangle, causticRadius) * share;
 #endif
-      const float3 radiance = reflectIrradiance(at.bsdf, dot(vertex.wo, vertex.shading), irradiance);
+      }
+#endif
+      float3 radiance = reflectIrradiance(at.bsdf, dot(vertex.wo, vertex.shading), irradiance);
+#ifdef PRELIGHT_TRANSLUCENT
+      radiance += transmitIrradiance(at.bsdf, dot(vertex.wo, vertex.shading), beyond);
+#endif
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
     }
     Ray shadow;

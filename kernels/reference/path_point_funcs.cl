@@ -72,7 +72,7 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
 // Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
 bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, PathPoint at,
                    PathState path, uint light, Ray* shadow, ShadowItem* item) {
-  if (largest(at.bsdf.diffuse) <= 0.0f && !isGlossy(at.bsdf)) return false;
+  if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
   if (at.wo.z <= 0.0f) return false;
 
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
@@ -100,8 +100,7 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
 #endif
   if (!arrives) return false;
   const float3 wi = toFrame(at.frame, a.direction);
-  // Above the shading normal's plane and the triangle's: else light would leak through the surface.
-  if (wi.z <= 0.0f || dot(a.direction, at.vertex.geometric) <= 0.0f) return false;
+  if (!maySee(at.bsdf, wi.z, dot(a.direction, at.vertex.geometric))) return false;
   const Reflection f = evaluateBsdf(at.bsdf, at.wo, wi);
   float3 reflected = f.diffuse + f.glossy;
 #ifndef PRELIGHT_LIGHTS_ONLY
@@ -152,7 +151,7 @@ bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
   const bool glossy = true;
 #endif
   const LobeChoice lobes = chooseLobes(at.bsdf, at.wo.z, diffuse, glossy);
-  if (!(lobes.diffuse + lobes.specular + lobes.glass > 0.0f)) return false;
+  if (!(lobeSum(lobes) > 0.0f)) return false;
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
 
@@ -160,32 +159,36 @@ bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
   float density = 0.0f;
   float relativeIor2 = 1.0f;
   uint medium = path->medium;
+  float pick = chance.x;
+  const bool through = picksTransmitted(lobes, &pick);
 #ifdef PRELIGHT_GLASS
-  if (chance.x >= lobes.diffuse + lobes.specular) {
+  if (pick >= lobes.diffuse + lobes.specular) {
     // What is left of the choice of the lobe decides between reflection and transmission.
-    const float rest = clamp((chance.x - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
+    const float rest = clamp((pick - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
     direction = leaveGlass(s, at.vertex, at.bsdf, at.wo.z, rest, &weight, &relativeIor2, &medium);
     weight *= at.bsdf.glass / lobes.glass;
   } else
 #endif
   {
-    const bool specular = chance.x >= lobes.diffuse;
+    const bool specular = pick >= lobes.diffuse;
+    float3 wi;
 #ifdef PRELIGHT_MIRROR
     if (specular && at.bsdf.smooth) {
-      direction = fromFrame(at.frame, (float3)(-at.wo.x, -at.wo.y, at.wo.z));
+      wi = (float3)(-at.wo.x, -at.wo.y, at.wo.z);
       weight = (at.bsdf.metal + at.bsdf.layer * schlick(at.bsdf, at.wo.z)) / lobes.specular;
     } else
 #endif
     {
-      const float3 wi = sampleLobe(at.bsdf, specular, pathPoint(p, at.path, pair + PRELIGHT_PAIR_DIRECTION), at.wo);
+      wi = sampleLobe(at.bsdf, specular, pathPoint(p, at.path, pair + PRELIGHT_PAIR_DIRECTION), at.wo);
       if (wi.z <= 0.0f) return false;
-      direction = fromFrame(at.frame, wi);
+      if (through) wi.z = -wi.z;
       density = scatterDensity(at.bsdf, lobes, at.wo, wi);
       const Reflection f = evaluateBsdf(at.bsdf, at.wo, wi);
-      weight = ((lobes.diffuse > 0.0f ? f.diffuse : (float3)(0.0f)) + (lobes.specular > 0.0f ? f.glossy : (float3)(0.0f))) / density;
+      weight = ((through || lobes.diffuse > 0.0f ? f.diffuse : (float3)(0.0f)) + (lobes.specular > 0.0f ? f.glossy : (float3)(0.0f))) / density;
       if (!specular) ++path->diffuseBounces;
     }
-    if (dot(direction, at.vertex.geometric) <= 0.0f) return false;
+    direction = fromFrame(at.frame, wi);
+    if (!maySee(at.bsdf, wi.z, dot(direction, at.vertex.geometric))) return false;
   }
 
   float3 throughput = vload3(0, path->throughput) * weight / relativeIor2;

@@ -2,7 +2,7 @@
 // Options: those of the included files.
 #include "shade/light_funcs.cl"
 
-// values: diffuse 3, metal 3, f0 3, f90, layer, alpha.
+// values: diffuse 3, metal 3, f0 3, f90, layer, alpha, transmitted 3.
 Bsdf probeBsdf(__constant const float* values) {
   Bsdf b;
   b.diffuse = vload3(0, values);
@@ -15,6 +15,9 @@ Bsdf probeBsdf(__constant const float* values) {
   b.tint = (float3)(1.0f);
   b.ior = 1.5f;
   b.smooth = false;
+#ifdef PRELIGHT_TRANSLUCENT
+  b.transmitted = vload3(0, values + 12);
+#endif
   return b;
 }
 
@@ -39,8 +42,11 @@ __kernel void probeScatter(__constant const float* values, const uint count, __g
   const Bsdf b = probeBsdf(values);
   const LobeChoice lobes = chooseLobes(b, wo[0].z, true, true);
   const uint2 choice = samplePaddedBits((uint)i, 17u), place = samplePaddedBits((uint)i, 23u);
-  const bool specular = unitFloat(choice.x) >= lobes.diffuse;
-  directions[i] = (float4)(sampleLobe(b, specular, (float2)(unitFloat(place.x), unitFloat(place.y)), wo[0].xyz), 0.0f);
+  float pick = unitFloat(choice.x);
+  const bool through = picksTransmitted(lobes, &pick);
+  float3 direction = sampleLobe(b, pick >= lobes.diffuse, (float2)(unitFloat(place.x), unitFloat(place.y)), wo[0].xyz);
+  if (through) direction.z = -direction.z;
+  directions[i] = (float4)(direction, 0.0f);
 }
 
 #ifdef PRELIGHT_SKY

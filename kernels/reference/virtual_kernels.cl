@@ -1,4 +1,5 @@
-// Instant radiosity (Keller 1997): light paths leave virtual point lights where they meet diffuse surfaces.
+// Instant radiosity (Keller 1997): light paths leave virtual point lights where they meet diffuse surfaces. Those on
+// translucent ones shine to both sides.
 // Options: those of the included files.
 #include "core/octahedral_funcs.cl"
 #include "reference/path_funcs.cl"
@@ -12,7 +13,7 @@ float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
   return clamp((float2)(ff * pe - ef * pf, ee * pf - ef * pe) * scale, 0.0f, 1.0f);
 }
 
-// A photon a work-item -> lights [photon]. Its power is reflected diffusely where it landed.
+// A photon a work-item -> lights [photon]. Its power is scattered diffusely where it landed.
 __kernel void makeVirtualLights(const uint count, __global const Photon* photons,
                                 __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
                                 __global const float2* texCoords, __global const float4* colors,
@@ -43,6 +44,9 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   vstore3(vertex.shading, 0, light.normal);
   light.f0 = largest(bsdf.f0);
   vstore3(vload3(0, photon.power) * bsdf.diffuse * (PRELIGHT_INVERSE_PI * enters), 0, light.intensity);
+#ifdef PRELIGHT_TRANSLUCENT
+  vstore3(vload3(0, photon.power) * bsdf.transmitted * (PRELIGHT_INVERSE_PI * enters), 0, light.through);
+#endif
   light.f90 = bsdf.f90;
   lights[i] = light;
 }
@@ -68,18 +72,23 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   const float square = dot(way, way);
   if (!(square > 1e-18f)) return;
   const float3 direction = way * rsqrt(square);
-  const float cosine = -dot(direction, vload3(0, light.normal));
-  if (cosine <= 0.0f || dot(direction, vertex.geometric) <= 0.0f) return;
+  float cosine = -dot(direction, vload3(0, light.normal));
+  float3 intensity = vload3(0, light.intensity);
+#ifdef PRELIGHT_TRANSLUCENT
+  if (cosine < 0.0f) intensity = vload3(0, light.through);
+  cosine = fabs(cosine);
+#endif
+  if (cosine <= 0.0f) return;
   const Bsdf bsdf = loadBsdf(s, vertex);
-  if (largest(bsdf.diffuse) <= 0.0f && !isGlossy(bsdf)) return;
+  if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
   const Frame frame = frameAround(vertex.shading);
   const float3 wo = toFrame(frame, vertex.wo), wi = toFrame(frame, direction);
-  if (wo.z <= 0.0f || wi.z <= 0.0f) return;
+  if (wo.z <= 0.0f || !maySee(bsdf, wi.z, dot(direction, vertex.geometric))) return;
   const Reflection f = evaluateBsdf(bsdf, wo, wi);
   const float grazing = 1.0f - clamp(cosine, 0.0f, 1.0f), g2 = grazing * grazing;
   const float leaves = 1.0f - (light.f0 + (light.f90 - light.f0) * (g2 * g2 * grazing));
   const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) *
-                          vload3(0, light.intensity) * (cosine * leaves / fmax(square, leastSquare));
+                          intensity * (cosine * leaves / fmax(square, leastSquare));
   if (largest(radiance) <= 0.0f) return;
   const uint slot = atomic_inc(counters);
   Ray shadow = rayFrom(vertex, direction, 0.0f);

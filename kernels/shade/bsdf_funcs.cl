@@ -3,7 +3,8 @@
 // [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (GGX).
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2).
 // [3] Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
-// Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS.
+// Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS,
+// PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_SHADE_BSDF_FUNCS_CL
 #define PRELIGHT_SHADE_BSDF_FUNCS_CL
 
@@ -14,6 +15,9 @@
 
 typedef struct Bsdf {
   float3 diffuse;  // albedo
+#ifdef PRELIGHT_TRANSLUCENT
+  float3 transmitted;  // the same for light that leaves on the other side
+#endif
   float3 metal;    // reflectance
   float3 f0;       // of the dielectric's reflecting layer
   float f90;
@@ -25,7 +29,7 @@ typedef struct Bsdf {
   bool smooth;  // metal and layer are mirrors
 } Bsdf;
 
-// Parts of the reflected light, times the cosine of wi.
+// Parts of the scattered light, times the cosine of wi.
 typedef struct Reflection {
   float3 diffuse;
   float3 glossy;
@@ -36,6 +40,9 @@ typedef struct LobeChoice {
   float diffuse;
   float specular;
   float glass;
+#ifdef PRELIGHT_TRANSLUCENT
+  float transmitted;
+#endif
 } LobeChoice;
 
 float largest(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
@@ -90,9 +97,35 @@ float visibleNormalDensity(float3 wo, float3 h, float alpha) {
   return 0.5f * ggxDensity(h, alpha) / (wo.z + smithTerm(wo.z, alpha));
 }
 
-// The reflection from wo to wi, both above the surface (z > 0); without what mirrors and glass do.
+// Whether the body scatters any light, to either side.
+bool isDiffuse(Bsdf b) {
+#ifdef PRELIGHT_TRANSLUCENT
+  if (largest(b.transmitted) > 0.0f) return true;
+#endif
+  return largest(b.diffuse) > 0.0f;
+}
+
+// Whether light may come from or go to a direction of these cosines with the shading normal and the triangle's own. Both
+// must tell the same side: else light would leak through the surface.
+bool maySee(Bsdf b, float shading, float geometric) {
+#ifdef PRELIGHT_TRANSLUCENT
+  if (shading < 0.0f && geometric < 0.0f) return largest(b.transmitted) > 0.0f;
+#endif
+  return shading > 0.0f && geometric > 0.0f;
+}
+
+// The scattering from wo above the surface (z > 0) to wi, above or, of a translucent one, below; without what mirrors and
+// glass do.
 Reflection evaluateBsdf(Bsdf b, float3 wo, float3 wi) {
   Reflection r;
+#ifdef PRELIGHT_TRANSLUCENT
+  if (wi.z < 0.0f) {
+    r.diffuse = b.transmitted * (PRELIGHT_INVERSE_PI * -wi.z * (1.0f - largest(schlick(b, wo.z))) *
+                                 (1.0f - largest(schlick(b, -wi.z))));
+    r.glossy = (float3)(0.0f);
+    return r;
+  }
+#endif
   // Light that enters and leaves the body passes the layer twice: reciprocal, and never more than arrives.
   r.diffuse = b.diffuse * (PRELIGHT_INVERSE_PI * wi.z * (1.0f - largest(schlick(b, wo.z))) *
                            (1.0f - largest(schlick(b, wi.z))));
@@ -123,10 +156,22 @@ bool isGlossy(Bsdf b) {
 #endif
 }
 
-// In proportion to what the lobes reflect of light from wo, roughly.
+float lobeSum(LobeChoice c) {
+  const float sum = c.diffuse + c.specular + c.glass;
+#ifdef PRELIGHT_TRANSLUCENT
+  return c.transmitted + sum;
+#else
+  return sum;
+#endif
+}
+
+// In proportion to what the lobes scatter of light from wo, roughly.
 LobeChoice chooseLobes(Bsdf b, float cosine, bool diffuse, bool glossy) {
   const float3 layer = schlick(b, cosine);
   LobeChoice c = {0.0f, 0.0f, 0.0f};
+#ifdef PRELIGHT_TRANSLUCENT
+  c.transmitted = diffuse && cosine > 0.0f ? largest(b.transmitted) * (1.0f - largest(layer)) : 0.0f;
+#endif
   if (cosine > 0.0f) {
     if (diffuse) c.diffuse = largest(b.diffuse) * (1.0f - largest(layer));
 #if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
@@ -136,17 +181,35 @@ LobeChoice chooseLobes(Bsdf b, float cosine, bool diffuse, bool glossy) {
 #ifdef PRELIGHT_GLASS
   c.glass = b.glass;
 #endif
-  const float sum = c.diffuse + c.specular + c.glass;
+  const float sum = lobeSum(c);
   if (sum > 0.0f) {
     c.diffuse /= sum;
     c.specular /= sum;
     c.glass /= sum;
+#ifdef PRELIGHT_TRANSLUCENT
+    c.transmitted /= sum;
+#endif
   }
   return c;
 }
 
-// Density of wi (z > 0) over the lobes that are no mirrors.
+// Whether a chance in [0,1) picks the lobe below the surface. What is left of the chance decides among the others: it is
+// negative then.
+bool picksTransmitted(LobeChoice c, float* chance) {
+#ifdef PRELIGHT_TRANSLUCENT
+  const bool picks = *chance < c.transmitted;
+  *chance -= c.transmitted;
+  return picks;
+#else
+  return false;
+#endif
+}
+
+// Density of wi over the lobes that are no mirrors.
 float scatterDensity(Bsdf b, LobeChoice c, float3 wo, float3 wi) {
+#ifdef PRELIGHT_TRANSLUCENT
+  if (wi.z < 0.0f) return c.transmitted * PRELIGHT_INVERSE_PI * -wi.z;
+#endif
   float density = c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
 #ifdef PRELIGHT_GLOSSY
   if (!b.smooth && c.specular > 0.0f) density += c.specular * visibleNormalDensity(wo, normalize(wo + wi), b.alpha);
@@ -154,7 +217,8 @@ float scatterDensity(Bsdf b, LobeChoice c, float3 wo, float3 wi) {
   return density;
 }
 
-// Direction drawn from the diffuse (specular false) or glossy lobe; may lie below the surface.
+// Direction drawn from the diffuse (specular false) or glossy lobe; the latter's may lie below the surface. Upside down, the
+// former's is one of the lobe below.
 float3 sampleLobe(Bsdf b, bool specular, float2 u, float3 wo) {
 #ifdef PRELIGHT_GLOSSY
   if (specular) {

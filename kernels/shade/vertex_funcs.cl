@@ -13,13 +13,15 @@
 #define PRELIGHT_LAYER_BASE 0u
 #define PRELIGHT_LAYER_SURFACE 1u  // G roughness, B metalness
 #define PRELIGHT_LAYER_EMISSION 2u
+#define PRELIGHT_LAYER_THROUGH 3u  // no texture yet: see loadBsdf
+#define PRELIGHT_LAYERS 4u
 
 typedef struct PathScene {
   Surface surface;  // its materials hold base colours without textures
   __global const float* vertices;  // [vertex][6] position, normal
   __global const uchar* flat;      // [triangle] 1: no shading normals
   __global const ShadeMaterial* materials;
-  __global const DeviceMaterial* layers;    // [material][3] textures: PRELIGHT_LAYER_*
+  __global const DeviceMaterial* layers;    // [material][PRELIGHT_LAYERS] textures: PRELIGHT_LAYER_*
   __global const ushort4* layerTexels;
 } PathScene;
 
@@ -85,7 +87,7 @@ float2 vertexTexCoord(PathScene s, uint triangle, float u, float v) {
 // Texture `layer` of a material at a point; white where there is none.
 float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 #ifdef PRELIGHT_LAYER_TEXTURES
-  __global const DeviceMaterial* m = s.layers + 3 * s.surface.triangles[triangle].material + layer;
+  __global const DeviceMaterial* m = s.layers + PRELIGHT_LAYERS * s.surface.triangles[triangle].material + layer;
   if (m->texelOffset != PRELIGHT_NO_TEXTURE) {
     Surface texels = s.surface;
     texels.texels = s.layerTexels;
@@ -108,6 +110,18 @@ float3 baseColor(PathScene s, uint triangle, float u, float v) {
                0.0f, 1.0f);
 }
 
+#ifdef PRELIGHT_TRANSLUCENT
+// Divides the body's light between its two sides. `opaque`: share of the surface that is neither metal nor glass.
+// What the layer keeps from leaving is scattered again: of the light that has entered, as much comes through as the
+// material says. So the layer's mean passage, which evaluateBsdf takes off on the way out, is made up for.
+void setTransmitted(__global const DeviceMaterial* layer, float opaque, Bsdf* b) {
+  const float share = layer->alphaFactor;
+  b->diffuse *= 1.0f - share;
+  const float mean = largest(b->f0) + (b->f90 - largest(b->f0)) * (1.0f / 21.0f);
+  b->transmitted = fmin(vload3(0, layer->albedo), opaque * share) / fmax(1.0f - mean, 1e-6f);
+}
+#endif
+
 Bsdf loadBsdf(PathScene s, PathVertex p) {
   __global const ShadeMaterial* m = s.materials + p.material;
   const float4 layer = sampleLayer(s, PRELIGHT_LAYER_SURFACE, p.triangle, p.u, p.v);
@@ -126,6 +140,9 @@ Bsdf loadBsdf(PathScene s, PathVertex p) {
   b.ior = m->ior;
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;
+#ifdef PRELIGHT_TRANSLUCENT
+  setTransmitted(s.layers + PRELIGHT_LAYERS * p.material + PRELIGHT_LAYER_THROUGH, opaque, &b);
+#endif
   return b;
 }
 

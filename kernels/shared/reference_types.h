@@ -51,6 +51,8 @@ typedef struct VirtualLight {
   float f0;         ///< of the layer over the surface, the strongest channel; see ShadeMaterial
   float intensity[3];  ///< W/sr along the normal, without the layer's loss on the way out
   float f90;
+  float through[3];  ///< W/sr the other way, of a translucent surface
+  uint pad;
 } VirtualLight;
 
 PRELIGHT_SHARED_END

@@ -112,6 +112,53 @@ TEST(FullRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
   }
 }
 
+/// A room of albedo 1/2 whose walls emit 1, in it a box that absorbs nothing and lets most of the light
+/// through: 2 everywhere.
+TEST(FullRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
+  FullShot shot;
+  shot.scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+  append(shot.scene, box(2, {-0.7f, -0.7f, -0.7f}, {0.3f, 0.3f, 0.3f}, false));
+  shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
+  shot.scene.materials[0] = lambert(0.5f);
+  shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+  shot.scene.materials[1] = translucent(1.0f, 0.7f, 1.0f);
+  shot.camera = cameraAt({0.8, 0.7, 0.8}, {-0.2, -0.2, -0.3}, 0.5);
+  shot.request.width = shot.request.height = 8;
+  shot.request.samples = 64;
+  double sum = 0.0;
+  for (const glm::vec3& pixel : shot.render().pixels) sum += static_cast<double>(pixel.y) / 64.0;
+  EXPECT_NEAR(sum, 2.0, 0.02 * 2.0);
+}
+
+/// The floor under the middle of a leaf of 4 x 4 m and 1 m above it, in the sun: 0.8 of the light comes
+/// through, and the floor gets the leaf's form factor of that. Then the leaf itself from below.
+TEST(FullRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
+  FullShot shot;
+  shot.scene = ground(4, 6.0f);
+  append(shot.scene, ground(2, 2.0f, 1.0f));
+  shot.scene.materials[0] = lambert(0.5f);
+  shot.scene.materials[1] = translucent(0.9f, 1.0f, 0.8f);
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.intensity = glm::vec3(3.0f);
+  sun.direction = {0, -1, 0};
+  shot.lights = shot.scene.lights = {sun};
+  shot.request.width = shot.request.height = 8;
+  const double pi = 3.14159265358979, r = std::sqrt(5.0);
+  const double factor = 4.0 / (2.0 * pi) * 2.0 * (2.0 / r) * std::atan(2.0 / r);
+  const auto meanFrom = [&](const glm::dvec3& eye, const glm::dvec3& target) {
+    shot.camera = cameraAt(eye, target, 0.1);
+    double mean = 0.0;
+    for (const glm::vec3& pixel : shot.render().pixels) mean += double(pixel.x) / 64.0;
+    return mean;
+  };
+  const double floor = 0.5 / pi * 3.0 * 0.8 * factor, leaf = 3.0 * 0.8 / pi;
+  EXPECT_NEAR(meanFrom({0, 0.9, 0}, {0, 0, 0}), floor, 0.03 * floor);
+  EXPECT_NEAR(meanFrom({0, 0.1, 0}, {0, 1, 0}), leaf, 0.01 * leaf);
+  // From above there is what the floor sends up through it alone.
+  EXPECT_LT(meanFrom({0, 2, 0}, {0, 1, 0}), 0.8 * 0.5 * leaf);
+}
+
 TEST(FullRenderer, SceneWithoutLight_IsBlack) {
   FullShot shot = builtinShot("cornell", 8);
   for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "base/octahedral.h"
 #include "photon/caustic_light.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
@@ -97,6 +98,57 @@ TEST(PhotonPower, EveryScene_IsAccountedForToTheLastCount) {
       EXPECT_EQ(flight.hits.paths.size(), flight.report.stored);
     }
   }
+}
+
+TEST(PhotonPower, TranslucentSurfaces_AreAccountedForToTheLastCount) {
+  for (const float specular : {0.0f, 1.0f})
+    for (const float share : {0.4f, 1.0f}) {
+      CompiledScene scene = room(0.7f);
+      append(scene, sphere(6, 0.5f, {0.2f, -0.1f, 0.0f}));
+      scene.materials.back() = translucent(0.9f, share, 0.8f);
+      scene.materials.back().specular = specular;
+      scene.materials.back().roughness = 0.6f;
+      for (const PhotonKind kind : {PhotonKind::All, PhotonKind::Indirect})
+        expectBalanced(
+            fly(scene, {pointLight({0.2, -0.1, 0.0}, glm::vec3(1.0f))}, requestOf(kind, 20000)).report.power);
+    }
+}
+
+/// A lamp in a ball that lets 0.8 of the light through and reflects none: with no room around it that
+/// escapes, and the rest is absorbed.
+TEST(PhotonPower, LampInATranslucentBall_SendsItsShareOutside) {
+  CompiledScene scene = sphere(16, 0.5f, {0, 0, 0});
+  scene.materials[0] = translucent(0.9f, 1.0f, 0.8f);
+  const Flight flight =
+      fly(scene, {pointLight({0.1, 0, 0}, glm::vec3(1.0f))}, requestOf(PhotonKind::All, 1 << 16));
+  expectBalanced(flight.report.power);
+  EXPECT_NEAR(flight.escaped().x, 0.8 * 4.0 * pi, 0.01 * 4.0 * pi);
+  EXPECT_NEAR(flight.storedPower().x, 4.0 * pi, 1e-3);
+  // None of it reaches the outside of the ball.
+  for (const device::Photon& p : flight.hits.photons) {
+    const glm::dvec3 from(unpackDirection(p.direction));
+    ASSERT_LT(glm::dot(from, glm::dvec3(p.position[0], p.position[1], p.position[2])), 0.0);
+  }
+}
+
+/// What a sheet between them lets through of a lamp lands on a floor, evenly but for the cosine: the floor
+/// takes the sheet's form factor, here nearly 1, of it.
+TEST(PhotonTransport, ThroughASheet_LandsBehindIt) {
+  CompiledScene scene = floorOf(20.0f);
+  append(scene, ground(1, 1.0f, 0.2f));
+  scene.materials[0] = lambert(0.0f);
+  scene.materials[1] = translucent(0.9f, 0.5f, 0.6f);
+  scene.materials[0].baseColor = scene.materials[0].albedo = glm::vec3(1e-6f);  // stores, sends nothing on
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.intensity = glm::vec3(1.0f);
+  sun.direction = {0, -1, 0};
+  const Flight flight = fly(scene, {sun}, requestOf(PhotonKind::Indirect, 1 << 20));
+  double below = 0.0;
+  for (const device::Photon& p : flight.hits.photons)
+    if (p.position[1] < 0.1f) below += double(p.power[0]);
+  // 4 m2 of sheet in light of 1 W/m2. Farther than 20 m away lies less than a ten thousandth of it.
+  EXPECT_NEAR(below, 4.0 * 0.5 * 0.6, 0.05);
 }
 
 TEST(PhotonPower, DepthCutsPaths_AndCountsWhatTheyCarried) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scene/compile_parts.h"
+#include "scene/lobes.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
@@ -177,6 +178,27 @@ TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
     EXPECT_NEAR(compiled.albedo[c], 0.4 * 0.5 * (1.0 - 0.4), 1e-6);
     EXPECT_NEAR(compiled.diffuseTransmission[c], through[c], 1e-6);
   }
+  EXPECT_NEAR(translucentShare(compiled), 0.4f, 1e-6f);
+}
+
+TEST(CompileMaterials, ShareThatGoesThrough_IsThatOfTheDielectric) {
+  Scene scene;
+  scene.images = {solidImage(1, 1, {0, 0, 0, 255})};
+  Material half;
+  half.metallic = 0.5f;
+  half.diffuseTransmission = 0.3f;
+  Material black = half, textured = half, opaque = half;
+  black.baseColor = {0, 0, 0, 1};
+  textured.metallic = 1.0f;  // times 0, of the texture
+  textured.metallicRoughnessTexture.image = 0;
+  opaque.diffuseTransmission = 0.0f;
+  scene.materials = {half, black, textured, opaque};
+  Warnings warnings;
+  const std::vector<CompiledMaterial> compiled = compileMaterials(scene, warnings).materials;
+  EXPECT_NEAR(translucentShare(compiled[0]), 0.3f, 1e-6f);
+  EXPECT_EQ(translucentShare(compiled[1]), 1.0f) << "nothing is left to reflect";
+  EXPECT_NEAR(translucentShare(compiled[2]), 0.3f, 1e-6f);
+  EXPECT_EQ(translucentShare(compiled[3]), 0.0f);
 }
 
 TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {

@@ -25,6 +25,13 @@ CompiledMaterial glass(float ior, bool solid) {
   return m;
 }
 
+CompiledMaterial translucent(float base, float share, float color) {
+  CompiledMaterial m = lambert(base);
+  m.albedo *= 1.0f - share;
+  m.diffuseTransmission = glm::vec3(share * color);
+  return m;
+}
+
 CompiledMaterial emitter(const glm::vec3& radiance) {
   CompiledMaterial m = lambert(0.0f);
   m.emission = m.emissionFactor = radiance;

@@ -8,6 +8,9 @@ namespace prelight::test {
 CompiledMaterial lambert(float albedo);
 CompiledMaterial metal(float reflectance, float roughness);
 CompiledMaterial glass(float ior, bool solid);
+/// Of the light that arrives, lets `share` through, which becomes `color` of that, and reflects `base` of the
+/// rest.
+CompiledMaterial translucent(float base, float share, float color);
 CompiledMaterial emitter(const glm::vec3& radiance);
 
 }  // namespace prelight::test

@@ -293,6 +293,48 @@ TEST(FullShadows, BacksOfSurfaces_CastThem) {
   EXPECT_EQ(pixelAt(scene.render(fullOptions(65))).r, 0.0f);
 }
 
+Material leaf() {
+  Material material = lambertian(glm::vec3(0.9f));
+  material.diffuseTransmission = 1.0f;
+  material.diffuseTransmissionColor = glm::vec3(0.8f, 0.4f, 0.2f);
+  material.doubleSided = true;
+  return material;
+}
+
+/// A sheet that faces +Z, lit from its front or its back.
+FullScene litSheet(const Material& material, double side) {
+  FullScene scene;
+  scene.quad.add(material, 2.0f);
+  scene.quad.scene.lights = {makeLight(LightType::Point, {10, 10, 10}, {0.0, 0.0, 2.0 * side})};
+  scene.quad.lookFrom({0, 0, 3.0}, {0, 0, 0});
+  scene.quad.compile();
+  scene.full = darkness(scene.quad);
+  return scene;
+}
+
+TEST(FullShading, SheetThatLetsAllLightThrough_ShowsThatFromBehindAlone) {
+  expectColor(pixelAt(litSheet(leaf(), -1.0).render(fullOptions(33))),
+              10.0 / 4.0 / std::numbers::pi * glm::dvec3(0.8, 0.4, 0.2), 0.01);
+  EXPECT_EQ(pixelAt(litSheet(leaf(), 1.0).render(fullOptions(33))), glm::vec3(0.0f));
+}
+
+TEST(FullShading, SheetOfAQuarter_ReflectsTheRestOfItsAlbedo) {
+  Material quarter = leaf();
+  quarter.diffuseTransmission = 0.25f;
+  expectColor(pixelAt(litSheet(quarter, 1.0).render(fullOptions(33))),
+              glm::dvec3(10.0 / 4.0 / std::numbers::pi * 0.75 * 0.9), 0.01);
+}
+
+TEST(FullShading, MapOfTheOtherSide_ComesThrough) {
+  FullScene scene = litSheet(leaf(), 1.0);  // whose front reflects nothing of the lamp
+  for (LightMapTexel& texel : scene.full.indirect.layout.texels)
+    for (int c = 0; c < 3; ++c)
+      scene.full.indirect.values[3 * texel.texel + static_cast<std::size_t>(c)] =
+          texel.face < scene.quad.compiled.triangleCount() ? 0.0f : 2.0f;
+  expectColor(pixelAt(scene.render(fullOptions(33))), 2.0 / std::numbers::pi * glm::dvec3(0.8, 0.4, 0.2),
+              0.01);
+}
+
 /// A floor under a square lamp of 1 m, 1.5 m above it.
 FullScene floorUnderLamp() {
   FullScene scene;

@@ -119,6 +119,25 @@ TEST(Surface, ThinGlass_UnderAConstantSky_LosesNoLight) {
   expectNear(pixelAt(quad.render(square())), {1, 2, 3}, 1e-3f);
 }
 
+TEST(Surface, Translucent_ShowsTheLightBehindIt_AndReflectsTheRest) {
+  for (const double side : {-1.0, 1.0}) {
+    QuadScene quad;
+    Material leaf = lambertian(glm::vec3(0.9f));
+    leaf.diffuseTransmission = 0.75f;
+    leaf.diffuseTransmissionColor = {0.8f, 0.4f, 0.2f};
+    quad.add(leaf);
+    quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+    Light light;
+    light.type = LightType::Directional;
+    light.intensity = glm::vec3(static_cast<float>(pi));
+    light.direction = {0, 0, side};
+    quad.scene.lights = {light};
+    quad.compile();
+    expectNear(pixelAt(quad.render(square())),
+               side > 0.0 ? 0.75f * glm::vec3(0.8f, 0.4f, 0.2f) : glm::vec3(0.25f * 0.9f), 1e-3f);
+  }
+}
+
 TEST(Surface, VertexColors_AreMultipliedIn) {
   QuadScene quad;
   quad.add(unlit({0.5f, 1, 1, 1})).colors.assign(4, glm::vec4(0.5f, 0.25f, 1, 1));

@@ -25,12 +25,17 @@ uniform vec3 absorption;        // of a body of glass, 1/m
 layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
 
-// A light's share: reflected radiance of its irradiance with its shadow.
+// A light's share: scattered radiance of its irradiance with its shadow.
 vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool glossy, int reach) {
   vec3 toLight;
   vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight);
   float nl = dot(n, toLight);
-  if (nl <= 0.0 || dot(geometric, toLight) <= 0.0 || largest(irradiance) <= 0.0) return vec3(0.0);
+  float side = dot(geometric, toLight);
+  if (largest(irradiance) <= 0.0) return vec3(0.0);
+  if (translucency.a > 0.0 && nl < 0.0 && side < 0.0) {
+    return transmittedOfLight(s, max(dot(n, toEye), 0.0), -nl) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
+  }
+  if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
   vec3 reflected = diffuseOfLight(s, max(dot(n, toEye), 0.0), nl);
   if (glossy) reflected += glossyOfLight(s, n, toEye, toLight);
   return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
@@ -88,6 +93,9 @@ void main() {
   vec3 irradiance = indirect;
   if (causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   vec3 radiance = m.emission + diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
+  if (translucency.a > 0.0) {
+    radiance += transmittedOfIrradiance(s, nv) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
+  }
   if (showsSurroundings != 0) {
     radiance += reflectanceOfSurroundings(s, nv) * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
   } else {

@@ -1,6 +1,7 @@
 // Material of a fragment from the uniforms of Surface, its textures and vertex colours.
 uniform vec4 baseColorFactor;
 uniform vec4 surfaceFactors;     // metallic, roughness, transmission, alpha cutoff (< 0: none)
+uniform vec4 translucency;       // of light that comes through from the other side: colour x share, share; 0: opaque
 uniform vec3 emissionFactor;
 uniform vec3 dielectricF0;       // reflectance at normal incidence of the non-metallic part
 uniform float dielectricWeight;  // KHR_materials_specular.specularFactor
@@ -20,6 +21,7 @@ struct FragmentMaterial {
   float roughness;
   float transmission;
   vec3 albedo;  // Lambertian
+  vec3 through;  // the same for light that leaves on the other side
   vec3 f0;
   vec3 emission;
 };
@@ -33,7 +35,8 @@ FragmentMaterial readMaterial(vec4 texCoords, vec2 emissiveTexCoord, vec4 vertex
   m.metallic = surfaceFactors.x * factors.b;
   m.roughness = surfaceFactors.y * factors.g;
   m.transmission = surfaceFactors.z * (1.0 - m.metallic);
-  m.albedo = m.base * (1.0 - m.metallic) * (1.0 - surfaceFactors.z);
+  m.albedo = m.base * (1.0 - m.metallic) * (1.0 - surfaceFactors.z) * (1.0 - translucency.a);
+  m.through = min(translucency.rgb, vec3((1.0 - m.metallic) * (1.0 - surfaceFactors.z) * translucency.a));
   m.f0 = mix(dielectricF0 * dielectricWeight, m.base, m.metallic);
   m.emission = emissionFactor * texture(emissiveTexture, emissiveTexCoord).rgb;
   return m;

@@ -11,6 +11,7 @@ const float meanRise = 1.0 / 21.0;  // of Schlick's term, over the cosine
 
 struct Scattering {
   vec3 diffuse;  // albedo
+  vec3 transmitted;  // the same for light that leaves on the other side
   vec3 metal;    // reflectance
   vec3 f0;       // of the dielectric's layer
   float f90;
@@ -19,20 +20,24 @@ struct Scattering {
   float roughness;
 };
 
+float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
+
+// Schlick's term, its mean over the cosine.
+vec3 meanLayer(Scattering s) { return s.f0 + (vec3(s.f90) - s.f0) * meanRise; }
+
 Scattering scatteringOf(FragmentMaterial m) {
   Scattering s;
   float opaque = (1.0 - m.metallic) * (1.0 - surfaceFactors.z);
-  s.diffuse = opaque * m.base;
+  s.diffuse = opaque * m.base * (1.0 - translucency.a);
   s.metal = m.metallic * m.base;
   s.f0 = dielectricF0 * dielectricWeight;
   s.f90 = dielectricWeight;
   s.layer = s.f90 > 0.0 ? opaque : 0.0;
   s.glass = m.transmission;
   s.roughness = m.roughness;
+  s.transmitted = m.through / max(1.0 - largest(meanLayer(s)), 1e-6);
   return s;
 }
-
-float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
 vec3 schlick(Scattering s, float cosine) {
   float k = clamp(1.0 - cosine, 0.0, 1.0);
@@ -41,12 +46,22 @@ vec3 schlick(Scattering s, float cosine) {
 
 // Share that the body reflects of what arrives from everywhere alike, over pi: light passes the layer twice.
 vec3 diffuseOfIrradiance(Scattering s, float nv) {
-  vec3 mean = s.f0 + (vec3(s.f90) - s.f0) * meanRise;
-  return s.diffuse / pi * (1.0 - largest(schlick(s, nv))) * (1.0 - largest(mean));
+  return s.diffuse / pi * (1.0 - largest(schlick(s, nv))) * (1.0 - largest(meanLayer(s)));
 }
 
 vec3 diffuseOfLight(Scattering s, float nv, float nl) {
   return s.diffuse / pi * (1.0 - largest(schlick(s, nv))) * (1.0 - largest(schlick(s, nl)));
+}
+
+// The same of light on the other side.
+vec3 transmittedOfIrradiance(Scattering s, float nv) {
+  s.diffuse = s.transmitted;
+  return diffuseOfIrradiance(s, nv);
+}
+
+vec3 transmittedOfLight(Scattering s, float nv, float nl) {
+  s.diffuse = s.transmitted;
+  return diffuseOfLight(s, nv, nl);
 }
 
 vec3 glossyOfLight(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {

@@ -3,6 +3,8 @@
 // - metals have no diffuse albedo: they reflect lights (unshadowed, but for vector occluders, whose vertices know what
 //   share of the lights' reflection shadows leave) and the sky, attenuated by the accessibility;
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
+// - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
+//   light map and of the sky, not of transfer;
 // - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows.
 #include "frame.glsl"
 #include "lights.glsl"
@@ -54,8 +56,10 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
     bool transferred = isTransferred(lights[k]);
     if (transferred && rules.y == reflectionThroughTransfer) continue;
     vec3 toLight;
-    vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight) * max(dot(n, toLight), 0.0);
+    vec3 perpendicular = perpendicularIrradiance(lights[k], vPosition, toLight);
+    vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
     if (!transferred) sum += irradiance * m.albedo / pi;
+    if (!transferred && translucency.a > 0.0) sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
     if (specularWeight > 0.0) {
       sum += irradiance * specularWeight * vHighlight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
     }
@@ -74,7 +78,11 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 mapped = side * mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
     int triangle = firstTriangle + gl_PrimitiveID;
-    return m.albedo / pi * mappedLightMapIrradiance(triangle, gl_FrontFacing, vPosition, n, mapped);
+    vec3 radiance = m.albedo / pi * mappedLightMapIrradiance(triangle, gl_FrontFacing, vPosition, n, mapped);
+    if (translucency.a > 0.0) {
+      radiance += m.through / pi * mappedLightMapIrradiance(triangle, !gl_FrontFacing, vPosition, -n, -mapped);
+    }
+    return radiance;
   }
   if (rules.x == ambientTransferred) {
     return m.albedo * (vChartCoord.w > 0.5 ? texture(lightMaps, vChartCoord.xyz).rgb : vTransferred);
@@ -84,7 +92,10 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
     around = normalize(vBentNormal);
   }
   vec3 open = rules.w != 0 ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
-  return m.albedo * open * ambientAround(around);
+  vec3 radiance = m.albedo * open * ambientAround(around);
+  // How open the other side is is not known: as open as this one.
+  if (translucency.a > 0.0) radiance += m.through * vAccessibility * ambientAround(-around);
+  return radiance;
 }
 
 void main() {
