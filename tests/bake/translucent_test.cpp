@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bake/baker.h"
+#include "bake/caster.h"
 #include "basis/sh.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -96,6 +97,15 @@ TEST_P(TranslucentSheet, AboveAFloor_IsAGeometricSeries) {
 }
 
 INSTANTIATE_TEST_SUITE_P(FrontUpAndDown, TranslucentSheet, ::testing::Bool());
+
+// Who is within a closed one-sided lampshade sees light through its backs: such a place is no inside of an
+// object.
+TEST(Translucent, Backs_AreNotTheInsideOfAnObject) {
+  CompiledScene scene = test::sphere(4, 1.0f, {0, 0, 0});
+  EXPECT_EQ(twoSidedTriangles(scene).front(), 0);
+  scene.materials[0].diffuseTransmission = glm::vec3(0.1f);
+  EXPECT_EQ(twoSidedTriangles(scene).front(), 1);
+}
 
 TEST(Translucent, Plan_SaysWhyItIsSkipped) {
   BakeRequest request;

@@ -190,6 +190,36 @@ TEST(IndirectLight, UndersideOfATable_SeesNoLightInTheTablesShadow) {
   EXPECT_GT(errorUnderTheTable(table), 0.1);
 }
 
+/// A leaf of 4 x 4 m, which lets all light through and reflects none, 1 m above a floor in the sun: the floor
+/// under its middle gets 0.8 of the sun times the leaf's form factor (Howell, B-3: four times that of a
+/// quarter).
+TEST(IndirectLight, FloorUnderALeaf_IsLitByWhatComesThrough) {
+  IndirectScene light;
+  light.scene = ground(4, 6.0f);
+  append(light.scene, ground(1, 2.0f, 1.0f));
+  light.scene.materials[0] = lambert(0.5f);
+  light.scene.materials[1] = translucent(0.9f, 1.0f, 0.8f);
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.intensity = glm::vec3(3.0f);
+  sun.direction = {0, -1, 0};
+  light.lights = {sun};
+  LightMapRequest map;
+  map.texels = 4096;
+  light.layout = makeLightMapLayout(light.source, light.scene, map);
+  const double r = std::sqrt(5.0), factor = 4.0 / (2.0 * pi) * 2.0 * (2.0 / r) * std::atan(2.0 / r);
+  const std::vector<glm::vec3> found = light.gather();
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const device::Receiver place = receiverAt(light.scene, light.layout.texels[i]);
+    if (place.position[1] > 0.5f || std::hypot(place.position[0], place.position[2]) > 0.4f) continue;
+    sum += double(found[i].x);
+    ++count;
+  }
+  ASSERT_GT(count, 4.0);
+  EXPECT_NEAR(sum / count, 3.0 * 0.8 * factor, 0.03 * 3.0 * 0.8 * factor);
+}
+
 /// A sphere's inside is lit evenly by what it reflects, wherever the light is: E = a / (1 - a) Phi / (4 pi
 /// r2).
 TEST(IndirectLight, InsideOfAWhiteBall_IsEvenAndExact) {
