@@ -42,7 +42,7 @@ static_assert(isShared<ShadeMaterial, 64>);
 static_assert(isShared<PunctualLight, 64>);
 static_assert(isShared<PathState, 48>);
 static_assert(isShared<ShadowItem, 16>);
-static_assert(isShared<VirtualLight, 48>);
+static_assert(isShared<VirtualLight, 64>);
 static_assert(isShared<ElementPoint, 16>);
 static_assert(isShared<RadiosityEmitter, 32>);
 static_assert(isShared<OccluderVertex, 16>);

@@ -47,10 +47,12 @@ typedef struct ShadowItem {
 typedef struct VirtualLight {
   float position[3];
   uint triangle;
-  float normal[3];  ///< unit, on the side that shines
+  float normal[3];  ///< for shading; unit, on the side that shines
   float f0;         ///< of the layer over the surface, the strongest channel; see ShadeMaterial
-  float intensity[3];  ///< W/sr along the normal, without the layer's loss on the way out
+  float intensity[3];  ///< W/sr along `geometric`, without the layer's loss on the way out
   float f90;
+  float geometric[3];  ///< unit, of its triangle, on the side that shines
+  uint pad;
 } VirtualLight;
 
 PRELIGHT_SHARED_END
