@@ -134,6 +134,11 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
 #endif
 #ifdef PRELIGHT_ABSORPTION
     uint medium = path.medium;
+    if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = a.vertex.material;
+    if (medium != PRELIGHT_NO_MEDIUM) power *= exp(-vload3(0, materials[medium].absorption) * hit.t);
+#endif
+    if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(a.bsdf.diffuse) > 0.0f)
+      outcome |= PRELIGHT_PHOTON_MET_BACK;
     if (storesHere(path, a.bsdf)) {
       Photon photon;
       vstore3(a.vertex.position, 0, photon.position);
