@@ -67,9 +67,9 @@ class CausticFlux : public ::testing::TestWithParam<BallCase> {
     Squares result;
     for (int y = 0; y < pixels; ++y)
       for (int x = 0; x < pixels; ++x) {
-        // Seen from below z runs the other way.
-        const int row = GetParam().above ? squares - 1 - y / side : y / side;
-        const auto square = static_cast<std::size_t>(row * squares + x / side);
+        // Seen from below x runs the other way.
+        const int column = GetParam().above ? squares - 1 - x / side : x / side;
+        const auto square = static_cast<std::size_t>(y / side * squares + column);
         const auto pixel = static_cast<std::size_t>(y * pixels + x);
         result.mean[square] += scale * film.means[pixel];
         result.variance[square] += scale * scale * static_cast<double>(variance[pixel]);
@@ -100,8 +100,9 @@ class CausticFlux : public ::testing::TestWithParam<BallCase> {
     std::vector<double> squaresOf(squares * squares, 0.0);
     for (std::uint64_t batch = 0; batch < batches; ++batch) {
       PhotonHits hits;
-      tracer.trace({.kind = PhotonKind::Caustic, .photons = photonsABatch, .seed = batch, .rouletteDepth = 8},
-                   hits, progress);
+      tracer.trace(
+          {.kind = PhotonKind::Caustic, .photons = photonsABatch, .seed = 100 + batch, .rouletteDepth = 8},
+          hits, progress);
       const std::vector<double> found = landed(hits);
       for (std::size_t s = 0; s < found.size(); ++s) {
         result.mean[s] += found[s] / batches;
@@ -115,20 +116,23 @@ class CausticFlux : public ::testing::TestWithParam<BallCase> {
 };
 
 TEST_P(CausticFlux, Photons_LandWherePathTracingSeesTheirLight) {
-  const Squares all = traced(GetParam().material, 1), direct = traced(lambert(0.0f), 2), photons = sent();
+  const Squares all = traced(GetParam().material, 8), direct = traced(lambert(0.0f), 2), photons = sent();
   double worst = 0.0, squareSum = 0.0, truthSum = 0.0, photonSum = 0.0, variance = 0.0;
+  int beyond = 0;
   for (std::size_t s = 0; s < squares * squares; ++s) {
     const double truth = all.mean[s] - direct.mean[s];
     const double squared = all.variance[s] + direct.variance[s] + photons.variance[s];
     const double z = (photons.mean[s] - truth) / std::sqrt(squared);
-    EXPECT_LT(std::abs(z), 3.0) << "square " << s << ": " << photons.mean[s] << ", path tracing has "
+    EXPECT_LT(std::abs(z), 4.0) << "square " << s << ": " << photons.mean[s] << ", path tracing has "
                                 << truth;
+    if (std::abs(z) > 3.0) ++beyond;
     worst = std::max(worst, std::abs(z));
     squareSum += z * z;
     truthSum += truth;
     photonSum += photons.mean[s];
     variance += squared;
   }
+  EXPECT_LE(beyond, 1);  // of 64 independent squares two are beyond 3 in one run of seventy
   EXPECT_LT(squareSum / (squares * squares), 1.5);
   EXPECT_NEAR(photonSum, truthSum, 3.0 * std::sqrt(variance));
   std::printf("%s: worst square %.2f standard errors, rms %.2f; sums %.4f to 1, standard error %.4f\n",
