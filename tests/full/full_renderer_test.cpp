@@ -79,7 +79,7 @@ TEST(FullRenderer, Cornell_IsWhatMitsubaDraws) {
                double(side * side);
     const glm::dvec3 expected(cornellByMitsuba[static_cast<std::size_t>(block)]);
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(found[c], expected[c], 0.02 * expected[c] + 1e-4) << block << ' ' << c;
+      EXPECT_NEAR(found[c], expected[c], 0.03 * expected[c] + 1e-3) << block << ' ' << c;
     sum += found;
     expectedSum += expected;
   }
