@@ -8,7 +8,7 @@ namespace prelight::test {
 /// The built-in scene `cornell` as Mitsuba 3 draws it, which shares nothing with Prelight: mean radiance of 8
 /// x 8 blocks, row by row from the upper left, of a picture of 48 x 48 pixels. Made from `prelight scene
 /// cornell -o cornell.glb` with the integrator `path` (llvm_ad_rgb, max_depth 17, rr_depth 8), 4096 samples a
-/// pixel, box filter, one-sided lamp, Lambert's law on the walls. Its noise is below 0.3 % of a block.
+/// pixel, box filter, one-sided lamp, Lambert's law on the walls.
 inline constexpr int cornellBlocks = 8, cornellPixels = 48;
 inline const std::array<glm::vec3, cornellBlocks * cornellBlocks> cornellByMitsuba{{
     glm::vec3{0.04893f, 0.01258f, 0.00332f}, glm::vec3{0.07724f, 0.03366f, 0.00934f},
