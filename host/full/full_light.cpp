@@ -2,6 +2,7 @@
 
 #include "base/stage_clock.h"
 #include "full/light_passes.h"
+#include "lightmap/back_charts.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/make_light_map_layout.h"
 #include "photon/caustic_light.h"
@@ -29,15 +30,19 @@ FullLight makeFullLight(const Scene& source, const LitScene& lit, const FullLigh
   full.plan = lightPasses(compiled, scene);
   LightMapRequest map;
   map.texels = request.texels;
-  full.indirect.layout = makeLightMapLayout(source, compiled, map);
+  IndirectRequest indirect = request.indirect;
+  indirect.seed = request.seed;
+  SentPhotons photons;
+  if (full.plan[0].runs) photons = sendIndirectPhotons(compiled, scene, indirect, progress);
+  stages.mark("photons");
+  const LightMapCharts charts = makeLightMapCharts(source, compiled, map);
+  full.indirect.layout = layOutLightMap(compiled, charts);
+  full.plan.push_back(planBacks(addBacks(compiled, charts, photons.hits.backs, full.indirect.layout)));
   full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
   const DensitySurface surface = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
   stages.mark("layout");
   if (full.plan[0].runs) {
-    IndirectRequest indirect = request.indirect;
-    indirect.seed = request.seed;
-    IndirectLight light(lit, scene, full.indirect.layout, surface, indirect, device, progress);
-    stages.mark("photons");
+    IndirectLight light(lit, scene, full.indirect.layout, surface, indirect, device, photons);
     setIrradiance(light.gather(full.indirect.layout.texels, progress), full.indirect);
     full.indirectPhotons = light.photons();
     full.rays += light.rays();

@@ -9,6 +9,7 @@
 #include "base/stage_clock.h"
 #include "full/full_light.h"
 #include "full/light_passes.h"
+#include "lightmap/back_charts.h"
 #include "lightmap/make_light_map_layout.h"
 #include "photon/caustic_light.h"
 #include "reference/film.h"
@@ -104,7 +105,8 @@ FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, c
   map.texels = request.mapTexels();
   FullSurface surface;
   surface.density = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
-  surface.layout = makeLightMapLayout(scene, compiled, map);
+  surface.charts = makeLightMapCharts(scene, compiled, map);
+  surface.layout = layOutLightMap(compiled, surface.charts);
   return surface;
 }
 
@@ -128,7 +130,8 @@ Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest&
   report.photons = photons.report;
   report.causticPhotons = causticPhotons.report;
   stages.mark("photons");
-  const FullSurface surface = comingSurface.get();
+  FullSurface surface = comingSurface.get();
+  report.plan.push_back(planBacks(addBacks(compiled, surface.charts, photons.hits.backs, surface.layout)));
   report.texels = surface.layout.texels.size();
   stages.mark("layout");
   IrradianceMap indirect(scene.context(), surface.layout);

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "gather/indirect_light.h"
 #include "io/picture.h"
+#include "lightmap/light_map_charts.h"
 #include "lightmap/light_map_layout.h"
 #include "photon/density_surface.h"
 #include "plan/plan.h"
@@ -46,7 +47,8 @@ struct FullReport {
 
 /// What the light of a picture lies on.
 struct FullSurface {
-  LightMapLayout layout;
+  LightMapCharts charts;
+  LightMapLayout layout;  ///< of these
   DensitySurface density;
 };
 

@@ -1,5 +1,7 @@
 #include "full/light_passes.h"
 
+#include <fmt/format.h>
+
 #include "photon/casters.h"
 
 namespace prelight {
@@ -16,6 +18,12 @@ std::vector<PlannedPass> lightPasses(const CompiledScene& compiled, const Transp
            !casters ? "no surface is a mirror, glass or nearly a mirror"
            : lit    ? "some surface is a mirror, glass or nearly a mirror"
                     : "nothing gives light"}};
+}
+
+PlannedPass planBacks(std::uint32_t charts) {
+  return {"backs of one-sided surfaces", charts > 0,
+          charts > 0 ? fmt::format("photons met them: {} charts have texels on their backs, too", charts)
+                     : "no photon met one: their backs have no texels"};
 }
 
 }  // namespace prelight

@@ -40,6 +40,8 @@ void PhotonHits::append(const PhotonHits& more) {
   paths.insert(paths.end(), more.paths.begin(), more.paths.end());
   flights.insert(flights.end(), more.flights.begin(), more.flights.end());
   flightPaths.insert(flightPaths.end(), more.flightPaths.begin(), more.flightPaths.end());
+  backs.resize(std::max(backs.size(), more.backs.size()), 0);
+  for (std::size_t t = 0; t < more.backs.size(); ++t) backs[t] |= more.backs[t];
 }
 
 PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
@@ -194,10 +196,13 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   outcomes_.read(std::span(outcome_));
   goesOn_.clear();
   stays_.clear();
+  bool metBacks = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     if ((outcome_[i] & PRELIGHT_PHOTON_GOES_ON) != 0) goesOn_.push_back(i);
     if ((outcome_[i] & PRELIGHT_PHOTON_STORED) != 0) stays_.push_back(i);
+    metBacks |= (outcome_[i] & PRELIGHT_PHOTON_MET_BACK) != 0;
   }
+  if (metBacks) markBacks(count, hits);
   report.stored += stays_.size();
   store(static_cast<std::uint32_t>(stays_.size()), firstPath, hits);
   const auto left = static_cast<std::uint32_t>(goesOn_.size());
@@ -209,6 +214,14 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   device_.launch(compactPaths_, left, groupSize);
   std::swap(queues_[0], queues_[1]);
   return left;
+}
+
+void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {
+  hits.backs.resize(compiled_.triangleCount(), 0);
+  std::vector<Hit> met(count);
+  hits_.read(std::span(met));
+  for (std::uint32_t i = 0; i < count; ++i)
+    if ((outcome_[i] & PRELIGHT_PHOTON_MET_BACK) != 0) hits.backs[met[i].triangle] = 1;
 }
 
 void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {

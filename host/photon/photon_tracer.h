@@ -63,6 +63,8 @@ struct PhotonHits {
   std::vector<std::uint32_t> paths;        ///< [photon], number of its path over all sources
   std::vector<PhotonFlight> flights;       ///< where they were asked for; of a path in their order
   std::vector<std::uint32_t> flightPaths;  ///< [flight]
+  /// [triangle], 1: photons met its back, which is one-sided and reflects diffusely. Empty: they met none.
+  std::vector<std::uint8_t> backs;
 
   void append(const PhotonHits& more);
 };
@@ -91,6 +93,7 @@ class PhotonTracer {
                   PhotonReport& report);
   std::uint32_t scatter(const PhotonRequest& request, std::uint32_t count, std::uint32_t depth,
                         std::uint32_t firstPath, PhotonHits& hits, PhotonReport& report);
+  void markBacks(std::uint32_t count, PhotonHits& hits);
   void store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
   void keepFlights(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits);
   void sum(std::uint32_t count, std::uint32_t columns, std::span<std::int64_t> sums);

@@ -3,8 +3,8 @@
 // map, which follow mirrors, glass and narrow lobes alone and end on the first surface that scatters diffusely;
 // PRELIGHT_STORE_DIRECT: those that come straight from their light are stored as well.
 #include "core/octahedral_funcs.cl"
+#include "photon/adjoint_funcs.cl"
 #include "photon/path_funcs.cl"
-#include "shade/glass_funcs.cl"
 #include "shade/lobe_class_funcs.cl"
 #include "shade/vertex_funcs.cl"
 #include "shared/photon_types.h"
@@ -29,14 +29,6 @@ typedef struct Departure {
   uint medium;
 } Departure;
 
-// Shading normals bend light that is traced from its source otherwise than light that is traced from the eye: the ratio of
-// cosines makes up for it (Veach 1997, eq. 5.19). 1 on a flat surface. Bounded: at grazing angles it has no limit.
-float adjointRatio(PathVertex v, float3 direction) {
-  const float in = fabs(dot(v.wo, v.shading)) * fabs(dot(direction, v.geometric));
-  const float out = fabs(dot(v.wo, v.geometric)) * fabs(dot(direction, v.shading));
-  return in < 4.0f * out ? in / out : 4.0f;
-}
-
 // One lobe by chance. False: no light leaves.
 bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
 #ifdef PRELIGHT_CAUSTICS
@@ -49,8 +41,12 @@ bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
 #ifdef PRELIGHT_GLASS
   if (chance >= lobes.diffuse + lobes.specular) {
     const float rest = clamp((chance - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
-    float relativeIor2;  // scales radiance, not power
-    d->direction = leaveGlass(s, a.vertex, a.bsdf, a.wo.z, rest, &d->weight, &relativeIor2, &d->medium);
+    if (all(isequal(a.vertex.shading, a.vertex.geometric))) {
+      float relativeIor2;  // scales radiance, not power
+      d->direction = leaveGlass(s, a.vertex, a.bsdf, a.wo.z, rest, &d->weight, &relativeIor2, &d->medium);
+    } else if (!sendThroughGlass(s, a.vertex, a.bsdf, rest, &d->direction, &d->weight, &d->medium)) {
+      return false;
+    }
     d->weight *= a.bsdf.glass / lobes.glass;
     d->scattered = PRELIGHT_SCATTERED_SPECULAR;
     return true;
@@ -61,8 +57,10 @@ bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
 #ifdef PRELIGHT_MIRROR
   if (specular && a.bsdf.smooth) {
     d->direction = fromFrame(a.frame, (float3)(-a.wo.x, -a.wo.y, a.wo.z));
-    d->weight = (a.bsdf.metal + a.bsdf.layer * schlick(a.bsdf, a.wo.z)) / lobes.specular;
-    return dot(d->direction, a.vertex.geometric) > 0.0f;
+    if (dot(d->direction, a.vertex.geometric) <= 0.0f) return false;
+    d->weight = (a.bsdf.metal + a.bsdf.layer * schlick(a.bsdf, a.wo.z)) *
+                (adjointRatio(a.vertex, d->direction) / lobes.specular);
+    return true;
   }
 #endif
   float3 wi = sampleLobe(a.bsdf, specular, u, a.wo);
@@ -142,6 +140,8 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
     if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = a.vertex.material;
     if (medium != PRELIGHT_NO_MEDIUM) power *= exp(-vload3(0, materials[medium].absorption) * hit.t);
 #endif
+    if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(a.bsdf.diffuse) > 0.0f)
+      outcome |= PRELIGHT_PHOTON_MET_BACK;
     if (storesHere(path, a.bsdf)) {
       Photon photon;
       vstore3(a.vertex.position, 0, photon.position);

@@ -37,17 +37,23 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   hit.v = place.y;
   const PathVertex vertex = loadVertex(s, ray, hit);
   const Bsdf bsdf = loadBsdf(s, vertex);
-  const float enters = 1.0f - largest(schlick(bsdf, fmax(dot(vertex.wo, vertex.shading), 0.0f)));
+  const float arrives = fmax(dot(vertex.wo, vertex.shading), 0.0f);
+  const float enters = 1.0f - largest(schlick(bsdf, arrives));
+  // Shading normals of light traced from its source: Veach 1997, eq. 5.19.
+  const float bent = arrives / fmax(dot(vertex.wo, vertex.geometric), 1e-6f);
   VirtualLight light;
   vstore3(vertex.position, 0, light.position);
   light.triangle = photon.triangle;
   vstore3(vertex.shading, 0, light.normal);
   light.f0 = largest(bsdf.f0);
-  vstore3(vload3(0, photon.power) * bsdf.diffuse * (PRELIGHT_INVERSE_PI * enters), 0, light.intensity);
+  vstore3(vload3(0, photon.power) * bsdf.diffuse * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.intensity);
+  vstore3((float3)(0.0f), 0, light.through);
 #ifdef PRELIGHT_TRANSLUCENT
-  vstore3(vload3(0, photon.power) * bsdf.transmitted * (PRELIGHT_INVERSE_PI * enters), 0, light.through);
+  vstore3(vload3(0, photon.power) * bsdf.transmitted * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.through);
 #endif
   light.f90 = bsdf.f90;
+  vstore3(vertex.geometric, 0, light.geometric);
+  light.pad = light.pad2 = 0u;
   lights[i] = light;
 }
 
@@ -72,13 +78,16 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   const float square = dot(way, way);
   if (!(square > 1e-18f)) return;
   const float3 direction = way * rsqrt(square);
-  float cosine = -dot(direction, vload3(0, light.normal));
+  float cosine = -dot(direction, vload3(0, light.normal)), leaving = -dot(direction, vload3(0, light.geometric));
   float3 intensity = vload3(0, light.intensity);
 #ifdef PRELIGHT_TRANSLUCENT
-  if (cosine < 0.0f) intensity = vload3(0, light.through);
-  cosine = fabs(cosine);
+  if (cosine < 0.0f && leaving < 0.0f) {
+    intensity = vload3(0, light.through);
+    cosine = -cosine;
+    leaving = -leaving;
+  }
 #endif
-  if (cosine <= 0.0f) return;
+  if (cosine <= 0.0f || leaving <= 0.0f) return;
   const Bsdf bsdf = loadBsdf(s, vertex);
   if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
   const Frame frame = frameAround(vertex.shading);
@@ -88,7 +97,7 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   const float grazing = 1.0f - clamp(cosine, 0.0f, 1.0f), g2 = grazing * grazing;
   const float leaves = 1.0f - (light.f0 + (light.f90 - light.f0) * (g2 * g2 * grazing));
   const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) *
-                          intensity * (cosine * leaves / fmax(square, leastSquare));
+                          intensity * (leaving * leaves / fmax(square, leastSquare));
   if (largest(radiance) <= 0.0f) return;
   const uint slot = atomic_inc(counters);
   Ray shadow = rayFrom(vertex, direction, 0.0f);

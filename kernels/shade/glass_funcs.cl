@@ -15,20 +15,28 @@ float glassReflectance(Bsdf b, bool solid, bool front, float cosine) {
 
 float glassCosine(float3 wo, float3 n) { return fmin(fmax(dot(wo, n), 1e-6f), 1.0f); }
 
+float3 mirrorAbout(float3 wo, float3 n) { return 2.0f * dot(wo, n) * n - wo; }
+
+// Where light that came from wo goes on beyond the surface. `n` is on wo's side; not all is reflected.
+float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n) {
+  if (!solid) return -wo;
+  const float cosine = glassCosine(wo, n);
+  const float eta = relativeIor(b, solid, front);
+  const float inside = sqrt(fmax(1.0f - (1.0f - cosine * cosine) / (eta * eta), 0.0f));
+  return normalize((cosine / eta - inside) * n - wo / eta);
+}
+
 // Reflected or refracted, in proportion to Fresnel's share: `chance` is in [0,1). `n` is on wo's side.
 float3 throughGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n, float chance, float3* weight, bool* passes,
                     float* relativeIor2) {
-  const float cosine = glassCosine(wo, n);
   const float eta = relativeIor(b, solid, front);
-  *passes = chance >= glassReflectance(b, solid, front, cosine);
+  *passes = chance >= glassReflectance(b, solid, front, glassCosine(wo, n));
   *relativeIor2 = 1.0f;
   *weight = (float3)(1.0f);
-  if (!*passes) return 2.0f * dot(wo, n) * n - wo;
+  if (!*passes) return mirrorAbout(wo, n);
   *weight = b.tint;
-  if (!solid) return -wo;
-  *relativeIor2 = eta * eta;
-  const float inside = sqrt(fmax(1.0f - (1.0f - cosine * cosine) / (eta * eta), 0.0f));
-  return normalize((cosine / eta - inside) * n - wo / eta);
+  if (solid) *relativeIor2 = eta * eta;
+  return passGlass(b, solid, front, wo, n);
 }
 
 // How light leaves the glass of a vertex; woZ: cosine of where it came from with the shading normal. Where that normal would

@@ -53,6 +53,7 @@ typedef struct PhotonPath {
 // What became of a photon at a surface.
 #define PRELIGHT_PHOTON_GOES_ON 1u
 #define PRELIGHT_PHOTON_STORED 2u
+#define PRELIGHT_PHOTON_MET_BACK 4u  ///< of a one-sided surface that reflects diffusely
 
 PRELIGHT_SHARED_END
 

@@ -47,12 +47,14 @@ typedef struct ShadowItem {
 typedef struct VirtualLight {
   float position[3];
   uint triangle;
-  float normal[3];  ///< unit, on the side that shines
+  float normal[3];  ///< for shading; unit, on the side that shines
   float f0;         ///< of the layer over the surface, the strongest channel; see ShadeMaterial
-  float intensity[3];  ///< W/sr along the normal, without the layer's loss on the way out
+  float intensity[3];  ///< W/sr along `geometric`, without the layer's loss on the way out
   float f90;
-  float through[3];  ///< W/sr the other way, of a translucent surface
+  float geometric[3];  ///< unit, of its triangle, on the side that shines
   uint pad;
+  float through[3];  ///< W/sr the other way, of a translucent surface
+  uint pad2;
 } VirtualLight;
 
 PRELIGHT_SHARED_END

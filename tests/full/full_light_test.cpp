@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "scene/builtin.h"
 #include "scene/loader.h"
@@ -30,6 +31,28 @@ TEST(FullLight, DarkMirror_WeakensCausticPhotonsAndEndsNone) {
   const auto weak = std::count_if(light.photons.begin(), light.photons.end(),
                                   [&](const device::Photon& p) { return p.power[0] < 0.2 * sent; });
   EXPECT_GT(weak, 100);
+}
+
+/// A room whose walls turn their backs to a lamp within. Of albedo 1/2, what they reflect adds up to the
+/// lamp's power.
+TEST(FullLight, RoomSeenFromBehindItsWalls_GathersItsGeometricSeries) {
+  CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), false);
+  scene.materials[0] = lambert(0.5f);
+  Light lamp;
+  lamp.position = {0.2, 0.1, -0.3};
+  lamp.intensity = glm::vec3(1.0f);
+  const LitScene lit{scene, noImages(), {lamp}};
+  Progress progress;
+  const FullLight light = makeFullLight(Scene{}, lit, FullLightRequest{}, sharedDevice(), progress);
+  double sum = 0.0, count = 0.0;
+  for (const LightMapTexel& texel : light.indirect.layout.texels) {
+    if (texel.face < scene.triangleCount()) continue;
+    sum += static_cast<double>(light.indirect.values[3 * std::size_t{texel.texel}]);
+    ++count;
+  }
+  ASSERT_GT(count, 1000.0);
+  const double expected = 4.0 * std::numbers::pi / 24.0;
+  EXPECT_NEAR(sum / count, expected, 0.02 * expected);
 }
 
 }  // namespace

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "full/cornell_by_mitsuba.h"
 #include "reference/shot.h"
 #include "scene/builtin.h"
 #include "scene/loader.h"
 #include "support/devices.h"
+#include "support/materials.h"
+#include "support/scenes.h"
 
 namespace prelight::test {
 namespace {
@@ -47,24 +51,6 @@ bool runs(const FullReport& report, const std::string& pass) {
   return false;
 }
 
-/// Mean of squared differences over squares of the truth, over the best 99 % of the pixels.
-double relativeError(const Picture& picture, const Picture& truth) {
-  std::vector<double> errors;
-  for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-    double error = 0.0;
-    for (int c = 0; c < 3; ++c) {
-      const double t = truth.pixels[i][c], d = static_cast<double>(picture.pixels[i][c]) - t;
-      error += d * d / (t * t + 0.01) / 3.0;
-    }
-    errors.push_back(error);
-  }
-  std::sort(errors.begin(), errors.end());
-  const std::size_t kept = errors.size() * 99 / 100;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kept; ++i) sum += errors[i];
-  return sum / static_cast<double>(kept);
-}
-
 Picture truthOf(const FullShot& shot, std::uint64_t samples) {
   Shot reference;
   reference.scene = shot.scene;
@@ -77,12 +63,30 @@ Picture truthOf(const FullShot& shot, std::uint64_t samples) {
   return reference.render().picture();
 }
 
-TEST(FullRenderer, Cornell_ComesCloseToPathTracing) {
-  FullShot shot = builtinShot("cornell", 48);
+/// All blocks and all colours: none is left out.
+TEST(FullRenderer, Cornell_IsWhatMitsubaDraws) {
+  FullShot shot = builtinShot("cornell", cornellPixels);
   shot.request.samples = 64;
-  EXPECT_LT(relativeError(shot.render(), truthOf(shot, 2048)), 0.002);
+  const Picture picture = shot.render();
+  constexpr int side = cornellPixels / cornellBlocks;
+  glm::dvec3 sum(0.0), expectedSum(0.0);
+  for (int block = 0; block < cornellBlocks * cornellBlocks; ++block) {
+    const int x = block % cornellBlocks * side, y = block / cornellBlocks * side;
+    glm::dvec3 found(0.0);
+    for (int i = 0; i < side * side; ++i)
+      found += glm::dvec3(
+                   picture.pixels[static_cast<std::size_t>(cornellPixels * (y + i / side) + x + i % side)]) /
+               double(side * side);
+    const glm::dvec3 expected(cornellByMitsuba[static_cast<std::size_t>(block)]);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], expected[c], 0.03 * expected[c] + 1e-3) << block << ' ' << c;
+    sum += found;
+    expectedSum += expected;
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expectedSum[c], 0.005 * expectedSum[c]) << c;
   EXPECT_FALSE(runs(shot.report, "caustic photons"));
   EXPECT_FALSE(runs(shot.report, "rays to large emitters"));
+  EXPECT_FALSE(runs(shot.report, "backs of one-sided surfaces"));
   EXPECT_EQ(shot.report.causticPhotons.rays, 0u);
 }
 
@@ -159,6 +163,99 @@ TEST(FullRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
   EXPECT_LT(meanFrom({0, 2, 0}, {0, 1, 0}), 0.8 * 0.5 * leaf);
 }
 
+/// A spot that shines down on a flat mirror alone, of 0.8, and the floor over it that sees the lamp's image.
+FullShot mirroredSpot() {
+  FullShot shot;
+  shot.scene = ground(1, 1.0f);
+  shot.scene.materials[0] = metal(0.8f, 0.0f);
+  CompiledScene ceiling = ground(1, 3.0f, 2.0f);
+  for (glm::uvec3& t : ceiling.triangles) std::swap(t.y, t.z);
+  append(shot.scene, ceiling);
+  shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
+  shot.scene.materials[1] = lambert(0.01f);  // what it sends back to the mirror is next to nothing
+  Light spot;
+  spot.type = LightType::Spot;
+  spot.position = {0.0, 1.0, 0.0};
+  spot.direction = {0.0, -1.0, 0.0};
+  spot.innerConeAngle = 0.7f;
+  spot.outerConeAngle = 0.75f;
+  spot.intensity = glm::vec3(10.0f);
+  shot.lights = {spot};
+  // From just under the ceiling: the lamp throws no shadow and the camera is none.
+  shot.camera = orthographicCamera({0.0, 1.99, 0.0}, {0.0, 2.0, 0.0}, 1.0);
+  shot.request.width = shot.request.height = 32;
+  return shot;
+}
+
+/// A mirror's caustic is the light of the lamp's image: 0.8 I cos / d2, 3 m below the ceiling.
+TEST(FullRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
+  FullShot shot = mirroredSpot();
+  shot.request.causticPhotons = 1'000'000;
+  const Picture picture = shot.render();
+  ASSERT_TRUE(runs(shot.report, "caustic photons"));
+  double sum = 0.0, expectedSum = 0.0;
+  for (int y = 0; y < 32; y += 8)
+    for (int x = 0; x < 32; x += 8) {
+      double found = 0.0, expected = 0.0;
+      for (int i = 0; i < 64; ++i) {
+        const int px = x + i % 8, py = y + i / 8;
+        const double u = (px + 0.5) / 16.0 - 1.0, v = (py + 0.5) / 16.0 - 1.0, squared = u * u + v * v + 9.0;
+        expected += 0.01 / std::numbers::pi * 0.8 * 10.0 * 3.0 / (squared * std::sqrt(squared));
+        found += static_cast<double>(picture.pixels[static_cast<std::size_t>(32 * py + px)].y);
+      }
+      EXPECT_NEAR(found, expected, 0.05 * expected) << x << ' ' << y;
+      sum += found;
+      expectedSum += expected;
+    }
+  EXPECT_NEAR(sum, expectedSum, 0.01 * expectedSum);
+}
+
+/// Pictures of a floor and of a one-sided sheet over it that turns its back to the floor. A spot under the
+/// sheet shines on the floor alone: all the sheet's light has been reflected by the floor.
+FullShot underASheet() {
+  FullShot shot;
+  shot.scene = ground(1, 1.5f);
+  append(shot.scene, ground(1, 1.5f, 1.0f));
+  shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
+  shot.scene.materials[0] = shot.scene.materials[1] = lambert(0.7f);
+  Light spot;
+  spot.type = LightType::Spot;
+  spot.position = {0.0, 0.95, 0.0};
+  spot.direction = {0.0, -1.0, 0.0};
+  spot.innerConeAngle = 0.5f;
+  spot.outerConeAngle = 0.6f;
+  spot.intensity = glm::vec3(5.0f);
+  shot.lights = {spot};
+  shot.request.width = shot.request.height = 24;
+  shot.request.samples = 16;
+  return shot;
+}
+
+/// Means of 3 x 3 blocks.
+std::vector<double> blockMeans(const Picture& picture) {
+  std::vector<double> means(9, 0.0);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x)
+      means[static_cast<std::size_t>(y / 8 * 3 + x / 8)] +=
+          static_cast<double>(picture.pixels[static_cast<std::size_t>(24 * y + x)].y) / 64.0;
+  return means;
+}
+
+TEST(FullRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
+  FullShot shot = underASheet();
+  shot.camera = orthographicCamera({0.0, 0.96, 0.0}, {0.0, 1.0, 0.0}, 1.2);
+  const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 1024));
+  EXPECT_TRUE(runs(shot.report, "backs of one-sided surfaces"));
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.03 * truth[i]) << i;
+}
+
+TEST(FullRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflects) {
+  FullShot shot = underASheet();
+  shot.camera = orthographicCamera({1.05, 0.01, 0.0}, {1.05, 0.0, 0.0}, 0.35);
+  const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 4096));
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.05 * truth[i]) << i;
+}
+
 TEST(FullRenderer, SceneWithoutLight_IsBlack) {
   FullShot shot = builtinShot("cornell", 8);
   for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);
@@ -167,12 +264,14 @@ TEST(FullRenderer, SceneWithoutLight_IsBlack) {
   EXPECT_EQ(shot.report.photons.emitted, 0u);
 }
 
-TEST(FullRenderer, SameSeed_GivesTheSamePicture) {
+TEST(FullRenderer, SameSeed_GivesTheSamePicture_AnotherSeedAnother) {
   FullShot shot = builtinShot("caustics", 16);
   shot.request.causticPhotons = 20000;
   const Picture a = shot.render(), b = shot.render();
   EXPECT_EQ(a.pixels, b.pixels);
   EXPECT_TRUE(runs(shot.report, "caustic photons"));
+  shot.request.seed = shot.request.indirect.seed = 1;
+  EXPECT_NE(a.pixels, shot.render().pixels);
 }
 
 }  // namespace

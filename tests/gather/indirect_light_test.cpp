@@ -92,14 +92,44 @@ TEST(IndirectLight, SealedRooms_LetNothingThroughTheWall) {
   EXPECT_LE(dark, 1e-4 * lit / static_cast<double>(litCount));
 }
 
-/// Photons are looked for where the texels' other light is taken.
-TEST(IndirectLight, Queries_LieAtTheTexelsReceivers) {
-  const IndirectScene light = builtinLight("shapes", 1024);
-  const auto queries = densityQueries(light.scene, light.layout.texels, 1.0);
+/// Photons are looked for on the triangle, at the place and on the side that the texel stands for.
+TEST(IndirectLight, Queries_LieAtTheTexelsPlacesAndOnTheirSides) {
+  IndirectScene light = builtinLight("shapes", 1024);
+  for (CompiledMaterial& material : light.scene.materials) material.doubleSided = true;
+  LightMapRequest map;
+  map.texels = 1024;
+  light.layout = makeLightMapLayout(light.source, light.scene, map);
+  const auto queries = densityQueries(light.scene, light.layout.texels, 0.75);
+  ASSERT_EQ(queries.size(), light.layout.texels.size());
+  std::size_t backs = 0;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    const device::Receiver receiver = receiverAt(light.scene, light.layout.texels[i]);
-    for (int k = 0; k < 3; ++k) ASSERT_EQ(queries[i].position[k], receiver.position[k]) << i;
+    const LightMapTexel& texel = light.layout.texels[i];
+    const bool back = texel.face >= light.scene.triangleCount();
+    const std::uint32_t triangle = texel.face - (back ? light.scene.triangleCount() : 0);
+    const glm::uvec3& corners = light.scene.triangles[triangle];
+    const glm::dvec3 a(light.scene.positions[corners.x]), b(light.scene.positions[corners.y]),
+        c(light.scene.positions[corners.z]);
+    const glm::dvec3 place = a + double(texel.b1) * (b - a) + double(texel.b2) * (c - a);
+    const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a)) * (back ? -1.0 : 1.0);
+    ASSERT_EQ(queries[i].triangle, triangle) << i;
+    ASSERT_EQ(queries[i].radius, 0.75f) << i;
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_NEAR(queries[i].position[k], place[k], 1e-4) << i;
+      ASSERT_NEAR(queries[i].normal[k], normal[k], 1e-5) << i;
+    }
+    backs += back ? 1 : 0;
   }
+  EXPECT_EQ(2 * backs, queries.size());
+}
+
+/// What another seed gives is as random.
+TEST(IndirectLight, SameSeed_GivesTheSameBits_AnotherSeedOthers) {
+  IndirectScene light = builtinLight("shapes", 256);
+  light.request.photons = 2000;
+  const std::vector<glm::vec3> first = light.gather(), again = light.gather();
+  EXPECT_EQ(first, again);
+  light.request.seed = 1;
+  EXPECT_NE(first, light.gather());
 }
 
 /// The inside of a ball of albedo 0.5 around a lamp.

@@ -165,10 +165,16 @@ TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighboursUnderASky) {
   }
 }
 
-TEST(LightMapBake, SameSeed_GivesTheSame) {
+TEST(LightMapBake, SameSeed_GivesTheSame_AnotherSeedAnother) {
   CompiledScene scene = test::ground(2, 1.0f);
-  scene.lights = {pointLight({0.0, 1.0, 0.0}, glm::vec3(1.0f))};
-  EXPECT_EQ(bake(scene, 0.1).values, bake(scene, 0.1).values);
+  CompiledScene lamp = test::ground(1, 0.5f, 1.0f);
+  for (glm::uvec3& t : lamp.triangles) std::swap(t.y, t.z);
+  test::append(scene, lamp);
+  scene.materials.back().emission = scene.materials.back().emissionFactor = glm::vec3(1.0f);
+  test::append(scene, test::box(1, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false));
+  const std::vector<float> first = bake(scene, 0.1, 64, 0).values;
+  EXPECT_EQ(first, bake(scene, 0.1, 64, 0).values);
+  EXPECT_NE(first, bake(scene, 0.1, 64, 1).values);
 }
 
 /// A part that has cast rays before it is asked for texels, as photons are.

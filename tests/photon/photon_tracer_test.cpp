@@ -386,6 +386,63 @@ TEST(CausticPhotons, Mirror_ThrowsWhatItReceives) {
   EXPECT_NEAR(flight.storedPower().x, 0.8 * 4.0 * std::atan(1.0 / std::sqrt(3.0)), 2e-3);
 }
 
+/// Power that a square of 2 x 2 m absorbs of a sun straight above it, of 1 W/m2, over what arrives. Its
+/// shading normals are tilted.
+double absorbedUnderTheSun(const CompiledMaterial& material, double tilt) {
+  CompiledScene scene = ground(1, 1.0f);
+  scene.materials[0] = material;
+  for (glm::vec3& n : scene.normals) n = glm::vec3(std::sin(tilt), std::cos(tilt), 0.0);
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.direction = {0, -1, 0};
+  sun.intensity = glm::vec3(1.0f);
+  PhotonRequest request = requestOf(PhotonKind::Caustic, 1 << 17);
+  request.rouletteDepth = 8;
+  return fly(scene, {sun}, request).absorbed().x / 4.0;
+}
+
+double fresnel(double cosine, double eta) {
+  const double beyond = std::sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
+  const double s = (cosine - eta * beyond) / (cosine + eta * beyond),
+               p = (eta * cosine - beyond) / (eta * cosine + beyond);
+  return 0.5 * (s * s + p * p);
+}
+
+/// Paths of the eye see radiance R L; the flux of that is R |out.Ng| / |in.Ng| of what arrived.
+TEST(ShadingNormals, OfAMirror_ScaleThePowerThatLeaves) {
+  for (const double tilt : {0.0, 0.3, pi / 6.0, 0.7})
+    EXPECT_NEAR(absorbedUnderTheSun(metal(0.9f, 0.0f), tilt), 1.0 - 0.9 * std::cos(2.0 * tilt), 0.005)
+        << tilt;
+}
+
+/// As a mirror, and where light passes by |in.Ns| |out.Ng| / (|in.Ng| |out.Ns|).
+TEST(ShadingNormals, OfGlass_ScaleThePowerThatLeaves) {
+  for (const double tilt : {0.0, 0.3, pi / 6.0}) {
+    const double beyond = std::asin(std::sin(tilt) / 1.5), reflected = fresnel(std::cos(tilt), 1.5);
+    const double leaves = reflected * std::cos(2.0 * tilt) +
+                          (1.0 - reflected) * std::cos(tilt) * std::cos(tilt - beyond) / std::cos(beyond);
+    EXPECT_NEAR(absorbedUnderTheSun(glass(1.5f, true), tilt), 1.0 - leaves, 0.005) << tilt;
+  }
+}
+
+/// Tilted so far that they would reflect light into the surface: there eyes see by the triangle's own normal.
+/// From straight above they see 0.04 of the light above reflected so. From straight below the shading normal
+/// reflects totally, and into the surface: they see 0.96 of the light above through the triangle's own
+/// normal. The light that the shading normal lets through comes on top: what leaves is more than what
+/// arrives.
+TEST(ShadingNormals, OfGlassTiltedTooFar_SendLightWhereverTheEyeSeesItFrom) {
+  const double tilt = 50.0 / 180.0 * pi;
+  const double beyond = std::asin(std::sin(tilt) / 1.5), reflected = fresnel(std::cos(tilt), 1.5);
+  const double bent = (1.0 - reflected) * std::cos(tilt) * std::cos(tilt - beyond) / std::cos(beyond);
+  EXPECT_NEAR(absorbedUnderTheSun(glass(1.5f, true), tilt), 1.0 - (bent + 0.04 + 0.96), 0.005);
+}
+
+/// A thin pane lets light straight through whatever its shading normals.
+TEST(ShadingNormals, OfThinGlass_ScaleWhatIsReflectedAlone) {
+  const double tilt = pi / 6.0, face = fresnel(std::cos(tilt), 1.5), reflected = 2.0 * face / (1.0 + face);
+  EXPECT_NEAR(absorbedUnderTheSun(glass(1.5f, false), tilt), reflected * (1.0 - std::cos(2.0 * tilt)), 0.002);
+}
+
 TEST(CausticPhotons, UsualRequest_LetsADarkMirrorWeakenPhotonsAndNotEndThem) {
   CompiledScene scene = box(1, {-10.0f, -1.0f, -10.0f}, {10.0f, 4.0f, 10.0f}, true);
   scene.materials[0] = lambert(0.5f);
