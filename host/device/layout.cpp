@@ -8,6 +8,8 @@
 #include "shared/cast_types.h"
 #include "shared/density_types.h"
 #include "shared/gather_types.h"
+#include "shared/instance_types.h"
+#include "shared/light_group_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
@@ -16,6 +18,7 @@
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
+#include "shared/shade_types.h"
 
 namespace prelight {
 
@@ -23,98 +26,66 @@ namespace {
 
 using namespace device;
 
+static_assert(offsetof(Ray, tMax) == 28);
+static_assert(offsetof(WideNode, child) == 192);
+static_assert(offsetof(TriangleBlock, triangle) == 288);
+static_assert(offsetof(ReferenceParameters, lights) == 92);
+
 template <typename T, std::size_t size>
-constexpr bool isShared = std::is_trivially_copyable_v<T>&& std::is_standard_layout_v<T> && sizeof(T) == size;
-
-static_assert(isShared<Ray, 32> && offsetof(Ray, tMax) == 28);
-static_assert(isShared<Hit, 16>);
-static_assert(isShared<WideNode, 224> && offsetof(WideNode, child) == 192);
-static_assert(isShared<TriangleBlock, 320> && offsetof(TriangleBlock, triangle) == 288);
-static_assert(isShared<NarrowNode, 64>);
-static_assert(isShared<NarrowTriangle, 40>);
-static_assert(isShared<DeviceMaterial, 48>);
-static_assert(isShared<DeviceTriangle, 16>);
-static_assert(isShared<Receiver, 48>);
-static_assert(isShared<CastParameters, 32>);
-static_assert(isShared<Sender, 8>);
-static_assert(isShared<ReferenceParameters, 128> && offsetof(ReferenceParameters, lights) == 92);
-static_assert(isShared<ShadeMaterial, 64>);
-static_assert(isShared<PunctualLight, 64>);
-static_assert(isShared<PathState, 48>);
-static_assert(isShared<ShadowItem, 16>);
-static_assert(isShared<VirtualLight, 64>);
-static_assert(isShared<ElementPoint, 16>);
-static_assert(isShared<RadiosityEmitter, 32>);
-static_assert(isShared<OccluderVertex, 16>);
-static_assert(isShared<OccluderSums, 64>);
-static_assert(isShared<OccluderLight, 64>);
-static_assert(isShared<OccluderReceiverPoint, 48>);
-static_assert(isShared<LitVertex, 48>);
-static_assert(isShared<OccluderTerms, 80>);
-static_assert(isShared<OccluderWay, 32>);
-static_assert(isShared<OccluderWaySums, 32>);
-static_assert(isShared<GlassPath, 20>);
-static_assert(isShared<Photon, 32>);
-static_assert(isShared<LeafTree, 16>);
-static_assert(isShared<PhotonBlock, 256>);
-static_assert(isShared<AreaNode, 64>);
-static_assert(isShared<AreaTriangle, 48>);
-static_assert(isShared<SurfacePlace, 12>);
-static_assert(isShared<DensityParameters, 16>);
-static_assert(isShared<DensityQuery, 32>);
-static_assert(isShared<GatherParameters, 64>);
-static_assert(isShared<GatherPath, 28>);
-static_assert(isShared<PhotonSource, 40>);
-static_assert(isShared<PhotonParameters, 116>);
-static_assert(isShared<PhotonPath, 28>);
-static_assert(isShared<PhotonGrid, 32>);
-
-template <typename T>
 StructLayout layoutOf(const char* name, std::size_t offset) {
-  return {name, static_cast<std::uint32_t>(sizeof(T)), static_cast<std::uint32_t>(offset)};
+  static_assert(std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T> && sizeof(T) == size);
+  return {name, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(offset)};
 }
 
 }  // namespace
 
 std::vector<StructLayout> hostLayouts() {
-  return {layoutOf<Ray>("Ray", offsetof(Ray, tMax)),
-          layoutOf<Hit>("Hit", offsetof(Hit, v)),
-          layoutOf<WideNode>("WideNode", offsetof(WideNode, child)),
-          layoutOf<TriangleBlock>("TriangleBlock", offsetof(TriangleBlock, triangle)),
-          layoutOf<NarrowNode>("NarrowNode", offsetof(NarrowNode, child)),
-          layoutOf<NarrowTriangle>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
-          layoutOf<DeviceMaterial>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
-          layoutOf<DeviceTriangle>("DeviceTriangle", offsetof(DeviceTriangle, material)),
-          layoutOf<Receiver>("Receiver", offsetof(Receiver, firstSample)),
-          layoutOf<CastParameters>("CastParameters", offsetof(CastParameters, firstStored)),
-          layoutOf<Sender>("Sender", offsetof(Sender, albedo)),
-          layoutOf<ReferenceParameters>("ReferenceParameters", offsetof(ReferenceParameters, lights)),
-          layoutOf<ShadeMaterial>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
-          layoutOf<PunctualLight>("PunctualLight", offsetof(PunctualLight, coneOffset)),
-          layoutOf<PathState>("PathState", offsetof(PathState, diffuseBounces)),
-          layoutOf<ShadowItem>("ShadowItem", offsetof(ShadowItem, path)),
-          layoutOf<OccluderVertex>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
-          layoutOf<OccluderSums>("OccluderSums", offsetof(OccluderSums, group)),
-          layoutOf<OccluderWay>("OccluderWay", offsetof(OccluderWay, slot)),
-          layoutOf<OccluderWaySums>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
-          layoutOf<GlassPath>("GlassPath", offsetof(GlassPath, medium)),
-          layoutOf<OccluderLight>("OccluderLight", offsetof(OccluderLight, twoSided)),
-          layoutOf<OccluderReceiverPoint>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
-          layoutOf<LitVertex>("LitVertex", offsetof(LitVertex, pad1)),
-          layoutOf<OccluderTerms>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
-          layoutOf<Photon>("Photon", offsetof(Photon, direction)),
-          layoutOf<LeafTree>("LeafTree", offsetof(LeafTree, count)),
-          layoutOf<PhotonBlock>("PhotonBlock", offsetof(PhotonBlock, direction)),
-          layoutOf<AreaNode>("AreaNode", offsetof(AreaNode, triangleCount)),
-          layoutOf<AreaTriangle>("AreaTriangle", offsetof(AreaTriangle, normal)),
-          layoutOf<DensityParameters>("DensityParameters", offsetof(DensityParameters, queryCount)),
-          layoutOf<DensityQuery>("DensityQuery", offsetof(DensityQuery, radius)),
-          layoutOf<PhotonSource>("PhotonSource", offsetof(PhotonSource, tangent)),
-          layoutOf<PhotonParameters>("PhotonParameters", offsetof(PhotonParameters, lights)),
-          layoutOf<PhotonPath>("PhotonPath", offsetof(PhotonPath, mirrored)),
-          layoutOf<GatherParameters>("GatherParameters", offsetof(GatherParameters, lights)),
-          layoutOf<GatherPath>("GatherPath", offsetof(GatherPath, widened)),
-          layoutOf<PhotonGrid>("PhotonGrid", offsetof(PhotonGrid, firstCell))};
+  return {layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
+          layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
+          layoutOf<WideNode, 224>("WideNode", offsetof(WideNode, child)),
+          layoutOf<TriangleBlock, 320>("TriangleBlock", offsetof(TriangleBlock, triangle)),
+          layoutOf<NarrowNode, 64>("NarrowNode", offsetof(NarrowNode, child)),
+          layoutOf<NarrowTriangle, 40>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
+          layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
+          layoutOf<DeviceTriangle, 16>("DeviceTriangle", offsetof(DeviceTriangle, material)),
+          layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
+          layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
+          layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
+          layoutOf<ReferenceParameters, 128>("ReferenceParameters", offsetof(ReferenceParameters, lights)),
+          layoutOf<ShadeMaterial, 64>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
+          layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
+          layoutOf<PathState, 48>("PathState", offsetof(PathState, diffuseBounces)),
+          layoutOf<ShadowItem, 16>("ShadowItem", offsetof(ShadowItem, path)),
+          layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
+          layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
+          layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, slot)),
+          layoutOf<OccluderWaySums, 32>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
+          layoutOf<GlassPath, 20>("GlassPath", offsetof(GlassPath, medium)),
+          layoutOf<OccluderLight, 64>("OccluderLight", offsetof(OccluderLight, twoSided)),
+          layoutOf<OccluderReceiverPoint, 48>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
+          layoutOf<LitVertex, 48>("LitVertex", offsetof(LitVertex, pad1)),
+          layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
+          layoutOf<Photon, 32>("Photon", offsetof(Photon, direction)),
+          layoutOf<LeafTree, 16>("LeafTree", offsetof(LeafTree, count)),
+          layoutOf<PhotonBlock, 256>("PhotonBlock", offsetof(PhotonBlock, direction)),
+          layoutOf<AreaNode, 64>("AreaNode", offsetof(AreaNode, triangleCount)),
+          layoutOf<AreaTriangle, 48>("AreaTriangle", offsetof(AreaTriangle, normal)),
+          layoutOf<DensityParameters, 16>("DensityParameters", offsetof(DensityParameters, queryCount)),
+          layoutOf<DensityQuery, 32>("DensityQuery", offsetof(DensityQuery, radius)),
+          layoutOf<PhotonSource, 40>("PhotonSource", offsetof(PhotonSource, tangent)),
+          layoutOf<PhotonParameters, 116>("PhotonParameters", offsetof(PhotonParameters, lights)),
+          layoutOf<PhotonPath, 28>("PhotonPath", offsetof(PhotonPath, mirrored)),
+          layoutOf<GatherParameters, 64>("GatherParameters", offsetof(GatherParameters, lights)),
+          layoutOf<GatherPath, 28>("GatherPath", offsetof(GatherPath, widened)),
+          layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
+          layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
+          layoutOf<LightSlot, 32>("LightSlot", offsetof(LightSlot, sampleCount)),
+          layoutOf<GroupEmitter, 32>("GroupEmitter", offsetof(GroupEmitter, twoSided)),
+          layoutOf<LightLayout, 36>("LightLayout", offsetof(LightLayout, skyTurn)),
+          layoutOf<ElementPoint, 16>("ElementPoint", offsetof(ElementPoint, back)),
+          layoutOf<RadiosityEmitter, 32>("RadiosityEmitter", offsetof(RadiosityEmitter, radiance)),
+          layoutOf<VirtualLight, 80>("VirtualLight", offsetof(VirtualLight, through)),
+          layoutOf<SurfacePlace, 12>("SurfacePlace", offsetof(SurfacePlace, clearance))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

@@ -5,13 +5,17 @@
 #include "shared/cast_types.h"
 #include "shared/density_types.h"
 #include "shared/gather_types.h"
+#include "shared/instance_types.h"
+#include "shared/light_group_types.h"
 #include "shared/occluder_light_types.h"
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
 #include "shared/photon_types.h"
+#include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
 #include "shared/scene_types.h"
+#include "shared/shade_types.h"
 
 #define PROBE(index, Type, field)                         \
   out[2 * (index)] = (uint)sizeof(Type);                  \
@@ -58,4 +62,12 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(35, GatherParameters, lights);
   PROBE(36, GatherPath, widened);
   PROBE(37, PhotonGrid, firstCell);
+  PROBE(38, DeviceInstance, triangleCount);
+  PROBE(39, LightSlot, sampleCount);
+  PROBE(40, GroupEmitter, twoSided);
+  PROBE(41, LightLayout, skyTurn);
+  PROBE(42, ElementPoint, back);
+  PROBE(43, RadiosityEmitter, radiance);
+  PROBE(44, VirtualLight, f90);
+  PROBE(45, SurfacePlace, clearance);
 }

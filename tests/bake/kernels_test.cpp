@@ -7,7 +7,6 @@
 #include "basis/sh_table.h"
 #include "bvh/tracer.h"
 #include "device/buffer.h"
-#include "device/layout.h"
 #include "shared/cast_types.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -50,10 +49,6 @@ std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& re
   setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), rays.get());
   device.launch(kernel, rays.size() / 8, 64);
   return rays.read();
-}
-
-TEST(Layouts, SharedStructs_AreTheSameOnHostAndDevice) {
-  EXPECT_EQ(hostLayouts(), deviceLayouts(test::sharedDevice().context()));
 }
 
 glm::dvec3 directionOf(const Ray& ray) { return {ray.direction[0], ray.direction[1], ray.direction[2]}; }

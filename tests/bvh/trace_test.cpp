@@ -170,9 +170,11 @@ TEST_P(TracerTest, ClosestHit_OddGeometry_StaysFinite) {
   rays.push_back(rayOf({0, 0, 0}, {0, 0, -1}));
   rays.push_back(rayOf({0, 0, 0}, {1, 0, 0}));
   rays.push_back(rayOf({0, 0, 5}, {1e-30f, 0, -1}));
-  for (const Hit& hit : tracer.traceClosest(rays)) {
+  const auto hits = tracer.traceClosest(rays);
+  for (const Hit& hit : hits)
     EXPECT_TRUE(std::isfinite(hit.t) && std::isfinite(hit.u) && std::isfinite(hit.v));
-  }
+  EXPECT_EQ(hits[2000].triangle, 2u) << "the huge triangle, beside those of no area";
+  EXPECT_NEAR(hits[2000].t, 2.0f, 1e-5f);
 }
 
 TEST_P(TracerTest, AlphaMask_TransparentTexels_LetRaysThrough) {

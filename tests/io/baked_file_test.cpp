@@ -226,6 +226,18 @@ TEST(BakedFile, Volume_IsReadBackAndReplaced) {
   EXPECT_EQ(document.bin.size(), bytes) << "the old volume is gone";
 }
 
+TEST(BakedFile, VolumeOfTheFirstBandAlone_IsReadBack) {
+  GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = test::compileDocument(document);
+  Bake bake = makeBake(scene);
+  bake.volume = VolumeTransfer{{{1, 1, 2}, {0, 0, 0}, {1, 1, 2}}, 1, 1, 0, {0.25f, -4.0f}, {}, {1, 0}};
+  embedBake(document, scene, bake);
+  const std::optional<Bake> copy = readBake(document, scene);
+  ASSERT_TRUE(copy && copy->volume);
+  EXPECT_EQ(copy->volume->order, 1);
+  EXPECT_EQ(copy->volume->coefficients, bake.volume->coefficients);
+}
+
 TEST(BakedFile, VolumeThatDoesNotFitItself_IsRefused) {
   const GltfDocument plain = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(plain);

@@ -22,8 +22,9 @@ std::string reasonOf(const Plan& plan, const std::string& name) {
 }
 
 TEST(Plan, EveryPass_HasAReason) {
-  for (const auto& pass : makePlan(Scene(), test::ground(4, 1.0f), fullRequest()).passes)
-    EXPECT_FALSE(pass.reason.empty()) << pass.name;
+  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), fullRequest());
+  ASSERT_FALSE(plan.passes.empty());
+  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << pass.name;
 }
 
 TEST(Plan, FullRequest_RunsWhatItAsksFor) {
@@ -69,14 +70,20 @@ TEST(Plan, Radiosity_NeedsLightAndSurfacesThatReflect) {
 
 TEST(Plan, EmptyScene_RunsNothing) {
   const Plan plan = makePlan(Scene(), CompiledScene(), fullRequest());
+  ASSERT_FALSE(plan.passes.empty());
   for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << pass.name;
 }
 
 TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
   BakeRequest request = fullRequest();
   request.rays = 1 << 18;
-  request.maxMemory = 1 << 20;
-  EXPECT_LE(makePlan(Scene(), test::ground(40, 1.0f), request).transportBytes, request.maxMemory);
+  const CompiledScene scene = test::ground(40, 1.0f);
+  const std::size_t allowed = 1 << 20;
+  EXPECT_GT(makePlan(Scene(), scene, request).transportBytes, allowed);
+  request.maxMemory = allowed;
+  const Plan plan = makePlan(Scene(), scene, request);
+  EXPECT_GT(plan.transportBytes, 0u);
+  EXPECT_LE(plan.transportBytes, allowed);
 }
 
 TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "occluders/occluder_places.h"
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "support/scenes.h"
@@ -85,6 +86,21 @@ TEST_P(Occluders, EveryParameterAndEffect_AgreesWithDoubleReference) {
   shading.formula = GetParam();
   const MadeOccluders made = test::makeOccluders(300, test::everyOptionalVector(), 5);
   expectReference(made, test::makeLights(8, 6), shading, 1e-4);
+}
+
+// Coloured glass that is opaque to one channel alone, each in turn.
+TEST_P(Occluders, OpaqueInOneChannel_AgreesWithDoubleReference) {
+  OccluderShading shading;
+  shading.formula = GetParam();
+  MadeOccluders made = test::makeOccluders(200, test::everyOptionalVector(), 9);
+  const std::size_t place = placeOf(made.transfer, OccluderVector::Transmissive);
+  const std::size_t stored = made.transfer.stored.size();
+  for (std::size_t r = 0; r < made.transfer.occluders.size(); ++r) {
+    glm::vec4 colour(0.9f, 0.6f, 0.3f, 0.0f);
+    colour[static_cast<int>(r % 3)] = 0.0f;
+    made.transfer.vectors[r * stored + place] = colour;
+  }
+  expectReference(made, test::makeLights(8, 10), shading, 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulas, Occluders,

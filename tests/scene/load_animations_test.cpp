@@ -136,6 +136,17 @@ TEST(LoadAnimations, WeightsAndMatrixNodes_RestWithAWarning) {
   EXPECT_TRUE(test::anyContains(warnings, "matrix"));
 }
 
+TEST(LoadAnimations, RotationOfLengthZero_IsNamedByItsNumber) {
+  GltfDocument document = movingTriangle();
+  document.json["animations"][0]["samplers"][0]["output"] =
+      test::appendFloats(document, {0, 0, 0, 1, 0, 0, 0, 0}, "VEC4");
+  document.json["animations"][0]["channels"][0]["target"]["path"] = "rotation";
+  Warnings warnings;
+  test::reload(document, warnings);
+  EXPECT_TRUE(test::anyContains(warnings, "rotation 1 is of length 0"));
+  EXPECT_EQ(warnings.size(), 1u);
+}
+
 TEST(LoadAnimations, NodeOutsideTheScene_IsLeftOut) {
   GltfDocument document = movingTriangle();
   document.json["nodes"].push_back({{"mesh", 0}});

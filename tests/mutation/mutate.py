@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""Changes one token of kernels/ or host/ at a time and counts how often the tests notice. docs/testing.md says how.
+
+The changes are made in a copy of the sources below the work folder, never in the tree itself. Results are written after
+every change, so that a run that was stopped goes on where it was.
+"""
+
+import argparse
+import dataclasses
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+import mutations
+import suite
+
+# Rooms of tests that know a folder's code best, where the name alone does not say so.
+NEAR = {"host/cli": ["cli"], "host/images": ["io"], "host/shade": ["reference", "photon"], "kernels/core": ["device", "bake", "bvh"],
+        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/shade": ["reference", "photon"],
+        "kernels/shared": ["device"]}
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2],
+                        help="the sources")
+    parser.add_argument("--work", type=pathlib.Path, required=True,
+                        help="folder for a copy of the sources, its build, caches and results")
+    parser.add_argument("--count", type=int, default=100, help="changes that compile")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--map", type=pathlib.Path, help="what tests/coverage/coverage.py has written with --map: only "
+                        "programs that execute the changed line are run")
+    parser.add_argument("--seconds", type=float, default=1e9, help="stop asking about a change once the programs that "
+                        "were run for it take this many seconds; --finish asks the others later")
+    parser.add_argument("--near", action="store_true", help="run only the programs of the changed code's own room; "
+                        "--finish asks the others later")
+    parser.add_argument("--finish", action="store_true", help="go on with the survivors of earlier runs")
+    parser.add_argument("--only", help="numbers of the changes to make, such as 3,17")
+    parser.add_argument("--again", type=pathlib.Path, help="results of an earlier run whose survivors (or --only) are made "
+                        "again, in the sources as they are now")
+    parser.add_argument("--list", action="store_true", help="print the changes instead of making them")
+    parser.add_argument("--jobs", type=int, default=2)
+    return parser.parse_args()
+
+
+class Workplace:
+    """A copy of the sources with a build of its own."""
+
+    def __init__(self, root, work, jobs):
+        self.source, self.caches, self.jobs = work / "source", work / "caches", jobs
+        self.build = self.source / "build"
+        self.caches.mkdir(parents=True, exist_ok=True)
+        for folder in ("kernels", "host", "viewer", "tests", "benchmarks"):
+            self.mirror(root / folder, self.source / folder)
+        for file in ("CMakeLists.txt", "CMakePresets.json"):
+            self.mirror(root / file, self.source / file)
+        if not (self.build / "build.ninja").exists():
+            subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                            "-DPRELIGHT_WERROR=OFF"], check=True)
+
+    def mirror(self, origin, copy):
+        """Copies what differs, so that nothing is built again without need."""
+        if origin.is_file():
+            if not copy.exists() or copy.read_bytes() != origin.read_bytes():
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(origin, copy)
+            return
+        for child in origin.iterdir():
+            if child.name != "__pycache__":
+                self.mirror(child, copy / child.name)
+
+    def make(self, *targets):
+        return subprocess.run(["ninja", "-C", self.build, "-j", str(self.jobs), *targets], capture_output=True, text=True)
+
+
+def rooms_near(mutation):
+    """Rooms of tests that are about the changed code."""
+    folder = "/".join(mutation.file.split("/")[:2])
+    return NEAR.get(folder, [folder.split("/")[1]])
+
+
+def programs_for(mutation, programs, covering):
+    """The programs that can notice the change: the room's own first, then the cheapest."""
+    near = rooms_near(mutation)
+    chosen = [p for p in programs.values() if covering is None or p.name in covering]
+    rank = lambda p: (near.index(p.room) if p.room in near else len(near), p.seconds)
+    return sorted(chosen, key=rank)
+
+
+class Coverage:
+    """Which programs execute which lines, and which kernel files."""
+
+    def __init__(self, file):
+        self.map = json.loads(file.read_text()) if file else None
+
+    def programs(self, mutation):
+        if self.map is None:
+            return None
+        if mutation.file.startswith("kernels/") and not mutation.file.startswith("kernels/shared/"):
+            return set(self.map["kernel_files"].get(mutation.file[len("kernels/"):], []))
+        lines = self.map["host_lines"].get(mutation.file)
+        if lines is None or mutation.file.endswith(".h") or str(mutation.line) not in lines:
+            # Declarations and headers carry no counters: whoever enters the file may notice.
+            return {p for programs in (lines or {}).values() for p in programs} or None
+        return set(lines[str(mutation.line)])
+
+
+def target_of(program):
+    return f"bin/{program.name}"
+
+
+def judge(place, mutation, programs, result, options):
+    """Runs programs until one fails; what was run and what came of it goes into the result."""
+    spent = 0.0
+    for program in programs:
+        if program.name in result["ran"]:
+            continue
+        if spent >= options.seconds or options.near and program.room not in rooms_near(mutation):
+            result["verdict"] = "unfinished"
+            return
+        extra = ["bin/prelight"] if program.room == "cli" else []
+        made = place.make(target_of(program), *extra)
+        if made.returncode != 0:
+            result["verdict"] = "does not compile"
+            return
+        outcome = suite.run(place.build, program, place.caches)
+        spent += outcome.seconds
+        result["seconds"] = result.get("seconds", 0.0) + outcome.seconds
+        result["ran"].append(program.name)
+        if outcome.caught:
+            result.update(verdict="caught", program=program.name, by=outcome.by)
+            return
+    result["verdict"] = "survived"
+
+
+def try_out(place, mutation, programs, result, options):
+    changed = place.source / mutation.file
+    original = changed.read_text()
+    changed.write_text(mutation.applied(original))
+    try:
+        judge(place, mutation, programs, result, options)
+    finally:
+        changed.write_text(original)
+
+
+def relocated(mutation, root):
+    """The change in sources that have moved on: the same line of text, nearest to where it was."""
+    lines = pathlib.Path(root, mutation.file).read_text().split("\n")
+    found = [n for n, line in enumerate(lines, 1) if line == mutation.text]
+    if not found:
+        return None
+    return dataclasses.replace(mutation, line=min(found, key=lambda n: abs(n - mutation.line)))
+
+
+def described(number, mutation):
+    return f"{number:4} {mutation.file}:{mutation.line}:{mutation.column} {mutation.old} -> {mutation.new or '(nothing)'}"
+
+
+def load_results(file):
+    if not file.exists():
+        return {}
+    return {r["number"]: r for r in map(json.loads, file.read_text().splitlines())}
+
+
+def summary(results):
+    counts = {}
+    for result in results.values():
+        counts[result["verdict"]] = counts.get(result["verdict"], 0) + 1
+    print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
+    for number, result in sorted(results.items()):
+        if result["verdict"] in ("survived", "unfinished"):
+            mutation = mutations.Mutation(**result["mutation"])
+            print(f"{described(number, mutation)} ({result['verdict']})\n      {mutation.text.strip()}")
+
+
+def changes_to_make(options, results):
+    """(number, mutation, result so far), as they fall due."""
+    only = {int(n) for n in options.only.split(",")} if options.only else None
+    if options.again:
+        for number, old in sorted(load_results(options.again).items()):
+            if number in only if only else old["verdict"] in ("survived", "unfinished"):
+                mutation = relocated(mutations.Mutation(**old["mutation"]), options.root)
+                if mutation:
+                    yield number, mutation, {"ran": []}
+                else:
+                    print(f"{number:4} its line is gone")
+        return
+    for number, mutation in enumerate(mutations.drawn(options.root, options.seed)):
+        known = results.get(number)
+        if only is not None and number not in only:
+            continue
+        if known is None and not options.finish:
+            yield number, mutation, {"ran": []}
+        elif known and options.finish and known["verdict"] in ("survived", "unfinished"):
+            yield number, mutation, known
+
+
+def main():
+    options = parse()
+    options.work.mkdir(parents=True, exist_ok=True)
+    file = options.work / (f"again-{int(time.time())}.jsonl" if options.again else f"results-{options.seed}.jsonl")
+    results = load_results(file)
+    if options.list:
+        for number, mutation, _ in changes_to_make(options, results):
+            if number >= options.count and not options.only:
+                break
+            print(f"{described(number, mutation)}\n      {mutation.text.strip()}")
+        return 0
+    place = Workplace(options.root, options.work.resolve(), options.jobs)
+    made = place.make("all")
+    if made.returncode != 0:
+        sys.exit(f"the sources do not build:\n{made.stdout[-4000:]}")
+    programs = suite.test_programs(place.build)
+    suite.measured(place.build, programs, place.caches, options.work / "programs.json")
+    coverage = Coverage(options.map)
+    for number, mutation, result in changes_to_make(options, results):
+        if not options.finish and not options.again and \
+                sum(r["verdict"] != "does not compile" for r in results.values()) >= options.count:
+            break
+        started = time.time()
+        try_out(place, mutation, programs_for(mutation, programs, coverage.programs(mutation)), result, options)
+        result.update(number=number, mutation=dataclasses.asdict(mutation))
+        results[number] = result
+        with file.open("a") as out:
+            out.write(json.dumps(result) + "\n")
+        print(f"{described(number, mutation)}: {result['verdict']} {result.get('by', '')} ({time.time() - started:.0f} s)", flush=True)
+    summary(results)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,50 @@
+#include "occluders/carried_record.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace prelight {
+namespace {
+
+const std::array<OccluderVector, 2> stored{OccluderVector::Occlusion, OccluderVector::DiffuseNormal};
+
+/// What a place sees of a small body far off that stays where it is, from what it saw from elsewhere.
+std::array<glm::vec4, 2> seenFrom(const OccluderView& to, const OccluderView& from, const glm::dvec3& body,
+                                  const glm::vec4& normal) {
+  OccluderBody ball;
+  ball.centre = body;
+  ball.reach = ball.radius = 0.5;
+  const glm::dvec3 way = glm::normalize(body - from.position);
+  const std::array<glm::vec4, 2> record{glm::vec4(0.01f * glm::vec3(way), 0.01f), normal};
+  std::array<glm::vec4, 2> carried{};
+  carryRecord(stored, record, from, {}, ball, to, carried);
+  return carried;
+}
+
+// From 10 m below the body to 10 m beside that place: the way to the body turns by 45 degrees about +z, and
+// what is seen of it with the way, along all three axes alike.
+TEST(CarriedRecord, FromAPlaceBeside_TurnsWithTheWayToTheBody) {
+  const OccluderView below{{0, 0, 0}, {0, 1, 0}}, beside{{10, 0, 0}, {0, 1, 0}};
+  const glm::vec4 normal(0.1f, -0.3f, 0.2f, 0.4f);
+  const auto carried = seenFrom(beside, below, {0, 10, 0}, normal);
+  ASSERT_GT(carried[1].w, 0.0f);
+  const double scale = double(carried[1].w) / double(normal.w);
+  const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), glm::radians(45.0), glm::dvec3(0, 0, 1)));
+  const glm::dvec3 expected = scale * (turn * glm::dvec3(normal));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(carried[1][c]), expected[c], 1e-7) << c;
+}
+
+// The form factor of a small ball goes with the cosine over the square of its distance: cos 45 degrees / 2.
+TEST(CarriedRecord, FromAPlaceBeside_SeesTheFormFactorOfItsBall) {
+  const OccluderView below{{0, 0, 0}, {0, 1, 0}}, beside{{10, 0, 0}, {0, 1, 0}};
+  const auto carried = seenFrom(beside, below, {0, 10, 0}, glm::vec4(0, -0.4f, 0, 0.4f));
+  EXPECT_NEAR(carried[0].w, 0.01 * std::sqrt(0.5) / 2.0, 0.01 * 0.005);
+  const glm::dvec3 way = glm::normalize(glm::dvec3(-10, 10, 0));
+  EXPECT_NEAR(glm::dot(glm::normalize(glm::dvec3(carried[0])), way), 1.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace prelight
