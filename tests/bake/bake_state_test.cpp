@@ -137,6 +137,20 @@ TEST(BakeState, AlteredPayload_IsRefusedOrHarmless) {
   EXPECT_GT(refused, 10);
 }
 
+/// A bounce would read far outside of its buffers. Senders lie before the marks of triangles, which end the
+/// state.
+TEST(BakeState, SendersOutsideTheScene_AreRefused) {
+  const CompiledScene scene = groundAndSphere();
+  Keeper keeper;
+  (void)bake(scene, requestOf(1), keeper);
+  Payload payload = keeper.states.back();
+  const std::size_t end = payload.size() - scene.triangleCount() - sizeof(std::uint64_t);
+  std::fill(payload.begin() + static_cast<std::ptrdiff_t>(end - 800),
+            payload.begin() + static_cast<std::ptrdiff_t>(end), std::byte{0x7f});
+  Keeper from(std::move(payload));
+  EXPECT_THROW((void)bake(scene, requestOf(1), from), InputError);
+}
+
 /// Seconds are the first of a state's values.
 TEST(BakeState, SecondsThatNoClockHolds_AreRefused) {
   const CompiledScene scene = groundAndSphere();
