@@ -13,6 +13,7 @@
 #include "bake/light_groups.h"
 #include "bake/occluder_transfer.h"
 #include "bake/pack_bake.h"
+#include "bake/saving_progress.h"
 #include "bake/scene_cast.h"
 #include "bake/slot_transfer.h"
 #include "bake/volume_caster.h"
@@ -232,17 +233,22 @@ CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, st
 }
 
 Projections projectionsOf(const BakeRequest& request, const Plan& plan, const Schedule& schedule,
-                          const GroupedLights& lights, const ShadowSets& sets) {
+                          const GroupedLights& lights, const ShadowSets& sets,
+                          const BakedOccluders* occluders) {
   Projections projections;
   projections.sets = &sets;
   projections.shOrder = castOrder(request);
   projections.bentNormal = request.ao;
   projections.groups = static_cast<std::uint32_t>(lights.groups.size());
-  if (request.haarSize > 0)
+  if (request.haarSize > 0) {
     projections.texelRows = plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
+    projections.texelCount = cubeTexelCount(request.haarSize);
+  }
   projections.backs = plan.runs("bounces");
   projections.receivers = request.glossyOrder > 0 && plan.runs("bounces");
-  projections.occluders = request.occluders;
+  projections.occluders = occluders != nullptr;
+  if (occluders != nullptr)
+    projections.occluderCount = static_cast<std::uint32_t>(occluders->groups.names.size());
   return projections;
 }
 
@@ -286,7 +292,8 @@ class ReceiverBake {
         caster_(scene, tracer,
                 castOptions(request, schedule_, capacity_, lights_, sets, occluders_ ? &*occluders_ : nullptr,
                             setTracers_)),
-        cast_(scene, mesh, caster_, schedule_, projectionsOf(request, plan, schedule_, lights_, sets),
+        cast_(scene, mesh, caster_, schedule_,
+              projectionsOf(request, plan, schedule_, lights_, sets, occluders_ ? &*occluders_ : nullptr),
               capacity_),
         parts_{scene,  request, mesh,        lights_, sets, occluders_ ? &*occluders_ : nullptr,
                charts, tracer,  setTracers_, caster_, cast_} {}
@@ -338,17 +345,27 @@ LightMap runLightMap(LightMapBake& bake, const CompiledScene& scene, const Scene
   return map;
 }
 
-/// The state of an interrupted bake: what receivers saw, then what elements saw, then texels.
+/// The state of a bake: what receivers saw, then what elements saw, then texels.
 void saveTo(BakeCheckpoint& checkpoint, const std::optional<ReceiverBake>& receivers,
             const std::optional<RadiosityBake>& radiosity, const std::optional<LightMapBake>& lightMap,
             Clock::time_point start) {
   if (receivers && receivers->receivers() == 0) return;
-  StateWriter state;
-  state.value(secondsSince(start));
-  if (receivers) receivers->save(state);
-  if (radiosity) radiosity->save(state);
-  if (lightMap) lightMap->save(state);
-  checkpoint.save(state.payload());
+  checkpoint.save([&](StateWriter& state) {
+    state.value(secondsSince(start));
+    if (receivers) receivers->save(state);
+    if (radiosity) radiosity->save(state);
+    if (lightMap) lightMap->save(state);
+  });
+}
+
+/// How long the runs before took, s.
+double earlierSeconds(std::optional<StateReader>& saved) {
+  constexpr double most = 1e9;  // clocks count to 292 years
+  double seconds = 0.0;
+  if (!saved) return seconds;
+  saved->value(seconds);
+  saved->require(seconds >= 0.0 && seconds <= most);
+  return seconds;
 }
 
 }  // namespace
@@ -361,10 +378,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
                      "bake needs a mesh with at least one triangle of non-zero area");
   checkPlaces(request, charts);
   std::optional<StateReader> saved = checkpoint != nullptr ? checkpoint->load() : std::nullopt;
-  double earlierSeconds = 0.0;
-  if (saved) saved->value(earlierSeconds);
   const auto start = Clock::now() - std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(earlierSeconds));
+                                        std::chrono::duration<double>(earlierSeconds(saved)));
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   const FitMesh mesh = makeFitMesh(scene, sets.setOfVertices(scene));
@@ -387,20 +402,26 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
     clock.mark("layout");
   }
   if (saved && lightMap) lightMap->load(*saved);
+  if (saved) saved->require(saved->rest().empty());
   saved.reset();
 
+  const auto save = [&] {
+    if (checkpoint != nullptr) saveTo(*checkpoint, receivers, radiosity, lightMap, start);
+  };
+  constexpr double never = 1e9;
+  SavingProgress saving(progress, checkpoint != nullptr ? checkpoint->interval() : never, save);
   Bake bake;
   try {
-    if (receivers) bake = receivers->run(progress, report, clock);
-    if (radiosity) bake.irradiance = radiosity->run(mesh, progress, report);
+    if (receivers) bake = receivers->run(saving, report, clock);
+    if (radiosity) bake.irradiance = radiosity->run(mesh, saving, report);
     if (lightMap) {
       clock.restart();
-      bake.lightMap = runLightMap(*lightMap, scene, *source, request, plan, device, tracer, progress, report);
+      bake.lightMap = runLightMap(*lightMap, scene, *source, request, plan, device, tracer, saving, report);
       if (!bake.irradiance) bake.irradiance = irradianceOfVertices(scene, mesh, *bake.lightMap);
       clock.mark("light map");
     }
   } catch (const Interrupted&) {
-    if (checkpoint != nullptr) saveTo(*checkpoint, receivers, radiosity, lightMap, start);
+    save();
     throw;
   }
   if (request.radiosity && !radiosity) bake.irradiance.emplace(scene.vertexCount(), glm::vec3(0.0f));

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstddef>
+#include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct BakeReport {
   std::vector<std::string> notes;
 };
 
-/// Where an interrupted bake leaves what it has done, and finds it again.
+/// Where a bake leaves what it has done, when it is interrupted and now and then before, and finds it again.
 class BakeCheckpoint {
  public:
   virtual ~BakeCheckpoint() = default;
@@ -39,8 +38,12 @@ class BakeCheckpoint {
   /// The state of an earlier run of the same bake (see bakeKey), if one is to be continued.
   virtual std::optional<StateReader> load() = 0;
 
-  /// Keeps the state of an interrupted run. Not called before the first rays are cast.
-  virtual void save(std::span<const std::byte> payload) = 0;
+  /// Keeps the state that `write` writes, in place of an earlier one. Not called before the first rays are
+  /// cast. A state that cannot be kept is no reason for a bake to fail.
+  virtual void save(const std::function<void(StateWriter&)>& write) = 0;
+
+  /// Seconds between two states of a run that nobody interrupts (see SavingProgress).
+  virtual double interval() const { return 30.0; }
 };
 
 /// What a bake's state depends on: scene, options, seed and device.

@@ -178,19 +178,28 @@ void Caster::save(StateWriter& state, std::uint32_t rows) const {
   if (options_.storedReceivers > 0) state.values(marks_.read());
 }
 
-void Caster::load(StateReader& state) {
-  std::uint32_t rows = 0;
-  state.value(rows);
-  if (rows > options_.storedReceivers) state.damaged();
+void Caster::load(StateReader& state, std::uint32_t rows, bool backs) {
+  std::uint32_t stored = 0;
+  state.value(stored);
+  state.require(stored == rows && rows <= options_.storedReceivers);
   std::vector<Sender> part;
+  bool fromBacks = false;
   for (std::uint32_t row = 0; row < rows; row += blockSize_) {
     part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
     state.sameSize(part);
+    for (const Sender& sender : part) {
+      if (sender.slot == PRELIGHT_NO_TRIANGLE) continue;
+      state.require(sender.slot / 2 < vertexCount_);
+      fromBacks = fromBacks || sender.slot >= vertexCount_;
+    }
     senders_.write(std::span<const Sender>(part), std::size_t{row} * options_.raysPerReceiver);
   }
   if (options_.storedReceivers == 0) return;
   std::vector<std::uint8_t> marks(marks_.size());
   state.sameSize(marks);
+  for (const std::uint8_t mark : marks) state.require(mark <= 1);
+  // Bounces have transfer of backs where a back is marked, or has been cast from.
+  state.require(!fromBacks || backs || std::find(marks.begin(), marks.end(), 1) != marks.end());
   marks_.write(std::span<const std::uint8_t>(marks));
 }
 

@@ -98,7 +98,9 @@ class Caster {
 
   /// The first `rows` stored rows and the marks, for a bake that will go on later.
   void save(StateWriter& state, std::uint32_t rows) const;
-  void load(StateReader& state);
+
+  /// `backs`: rows may hold them although no triangle is marked.
+  void load(StateReader& state, std::uint32_t rows, bool backs);
 
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }

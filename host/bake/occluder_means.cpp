@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
+#include <type_traits>
 
 namespace prelight {
 
@@ -39,6 +42,13 @@ SeenWays waysBy(const OccluderValues& values, std::size_t record) {
     seen.throughColor = vec(ways.color);
   }
   return seen;
+}
+
+/// Of structures that hold nothing else.
+template <typename Sums>
+std::span<const float> numbersOf(const std::vector<Sums>& sums) {
+  static_assert(std::is_trivially_copyable_v<Sums> && alignof(Sums) == alignof(float));
+  return {reinterpret_cast<const float*>(sums.data()), sums.size() * (sizeof(Sums) / sizeof(float))};
 }
 
 }  // namespace
@@ -137,14 +147,18 @@ void OccluderMeans::save(StateWriter& state) const {
   }
 }
 
-void OccluderMeans::load(StateReader& state) {
+void OccluderMeans::load(StateReader& state, std::uint32_t occluders) {
   for (Row& row : rows_) {
     state.value(row.weight);
     state.values(row.groups);
     state.values(row.seen);
     state.values(row.ways);
-    if (row.groups.size() != row.seen.size() || (!row.ways.empty() && row.ways.size() != row.seen.size()))
-      state.damaged();
+    state.require(row.groups.size() == row.seen.size());
+    state.require(row.ways.empty() || row.ways.size() == row.seen.size());
+    state.require(std::isfinite(row.weight) && (row.groups.empty() || row.weight > 0.0f));
+    for (const std::uint32_t group : row.groups) state.require(group < occluders);
+    state.requireFinite(numbersOf(row.seen));
+    state.requireFinite(numbersOf(row.ways));
   }
 }
 

@@ -62,7 +62,9 @@ class OccluderMeans {
   std::vector<OccluderSeen> around(std::uint32_t slot) const;
 
   void save(StateWriter& state) const;
-  void load(StateReader& state);
+
+  /// `occluders`: how many there are.
+  void load(StateReader& state, std::uint32_t occluders);
 
  private:
   struct Row {

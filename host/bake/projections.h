@@ -13,9 +13,11 @@ struct Projections {
   bool bentNormal = false;           ///< fitted for fronts only
   std::uint32_t groups = 0;          ///< of lights
   std::size_t texelRows = 0;         ///< receivers whose rays are kept texel by texel, fronts only
+  std::size_t texelCount = 0;        ///< of the cube map that they are kept on
   bool backs = true;                 ///< cast from backs that rays meet, where rows are stored
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only
   bool occluders = false;            ///< means of what is seen of each, fronts only
+  std::uint32_t occluderCount = 0;   ///< where they are told apart
   const ShadowSets* sets = nullptr;  ///< of occluders; nullptr: all see everything
 };
 

@@ -70,7 +70,17 @@ void SceneCast::load(StateReader& state) {
     state.sameSize(backSeen_);
     back_->load(state);
   }
-  caster_.load(state);
+  std::uint32_t rows = front_.storedCount();
+  state.require(front_.storedFirst() == 0 && rows <= capacity_);
+  if (back_) {
+    state.require(back_->storedFirst() == rows && back_->storedCount() <= capacity_ - rows);
+    rows += back_->storedCount();
+  }
+  // Rounds begin with a side, and stop at one that has nothing to cast from.
+  state.require(backRounds_ <= maxBackRounds && (back_ || backRounds_ == 0) &&
+                frontDone_ != front_.running());
+  for (const std::uint8_t seen : backSeen_) state.require(seen <= 1);
+  caster_.load(state, rows, back_ != nullptr);
 }
 
 }  // namespace prelight

@@ -11,6 +11,7 @@ namespace prelight {
 namespace {
 
 constexpr double castShareOfTime = 0.75;   // the rest is for fits and bounces
+constexpr double mostSeconds = 1e9;        // clocks count to 292 years
 constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two cores
 
 /// Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
@@ -37,8 +38,9 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
   } else if (request.seconds) {
     schedule.raysPerReceiver = 64;
     schedule.receiversPerPass = std::min<double>(vertices, timedPassRays / schedule.raysPerReceiver);
-    schedule.deadline = start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                    std::chrono::duration<double>(castShareOfTime * *request.seconds));
+    schedule.deadline =
+        start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                    std::chrono::duration<double>(castShareOfTime * std::min(*request.seconds, mostSeconds)));
   } else {
     schedule.raysPerReceiver = raysOfReceiver(request.rays);
     schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.rays) /

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 
 #include "bake/adaptive_smoothing.h"
@@ -14,6 +15,9 @@ constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, befo
 constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
 constexpr double leastReceivers = 4.0;         // of a component, in the first round
 constexpr std::size_t maxRecords = std::size_t{1} << 24;  // 400 MB; an error target gives up there
+
+/// In [0,1], but for rounding.
+bool isShare(float value) { return value >= -1e-3f && value <= 1.001f; }
 
 }  // namespace
 
@@ -325,12 +329,8 @@ void SideCast::load(StateReader& state) {
   fit_.load(state);
   if (bentFit_) bentFit_->load(state);
   if (lightFit_) lightFit_->load(state);
-  if (occluders_) occluders_->load(state);
+  if (occluders_) occluders_->load(state, projections_.occluderCount);
   state.values(accessibility_);
-  if (!accessibility_.empty()) {
-    if (!occluders_ || accessibility_.size() != scene_.vertexCount()) state.damaged();
-    caster_.setAccessibility(scene_, accessibility_);
-  }
   texelRows_.load(state);
   state.values(storedReceivers_);
   state.values(records_);
@@ -352,6 +352,43 @@ void SideCast::load(StateReader& state) {
   state.value(receiversPerPass_);
   state.value(inPass_);
   state.value(doneInPass_);
+  checkSchedule(state);
+  checkReceivers(state);
+  if (!accessibility_.empty()) caster_.setAccessibility(scene_, accessibility_);
+}
+
+/// What was read of where the schedule stands.
+void SideCast::checkSchedule(const StateReader& state) const {
+  const std::uint32_t doublings = schedule_.error && round_ > 1 ? round_ - 1 : 0;
+  state.require(passInRound_ <= schedule_.passes);
+  state.require(schedule_.error ? round_ <= schedule_.maxDoublings : round_ == 0 || schedule_.deadline);
+  state.require(receiversPerPass_ == std::ldexp(schedule_.receiversPerPass, static_cast<int>(doublings)));
+}
+
+/// What was read of the receivers that have been cast from.
+void SideCast::checkReceivers(const StateReader& state) const {
+  const std::uint32_t triangles = scene_.triangleCount();
+  state.require(records_.size() == std::min<std::uint64_t>(receivers_, maxRecords));
+  state.require(storedCount_ <= records_.size());
+  texelRows_.check(state, projections_.texelRows > 0 ? records_.size() : 0, caster_.raysPerReceiver(),
+                   projections_.texelCount);
+  for (const SampleRecord& record : records_) {
+    const SurfaceSample& sample = record.sample;
+    state.require(sample.triangle < triangles && record.group < errorGroups);
+    state.require(isShare(sample.b1) && isShare(sample.b2) && isShare(record.open));
+    state.require(std::isfinite(sample.weight) && sample.weight >= 0.0f);
+  }
+  state.require(storedReceivers_.size() == (projections_.receivers ? storedCount_ : 0));
+  for (const device::Receiver& receiver : storedReceivers_) {
+    state.require(receiver.triangle < triangles);
+    for (const float* vector : {receiver.position, receiver.normal, receiver.geometricNormal})
+      state.requireFinite(std::span(vector, 3));
+  }
+  state.require(accessibility_.empty() || (occluders_ && accessibility_.size() == scene_.vertexCount()));
+  for (const float accessibility : accessibility_) state.require(isShare(accessibility));
+  for (const std::uint8_t seen : seen_) state.require(seen <= 3);
+  for (const auto* marks : {&sampler_.active(), &sampler_.thinned()})
+    for (const std::uint8_t mark : *marks) state.require(mark <= 1);
 }
 
 }  // namespace prelight

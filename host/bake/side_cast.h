@@ -71,6 +71,8 @@ class SideCast {
 
  private:
   VertexFit plainFit(std::size_t columns) const;
+  void checkSchedule(const StateReader& state) const;
+  void checkReceivers(const StateReader& state) const;
   void start();
   bool endRound();
   void castPass(Progress& progress);

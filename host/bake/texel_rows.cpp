@@ -1,6 +1,7 @@
 #include "bake/texel_rows.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace prelight {
 
@@ -49,6 +50,17 @@ void TexelRows::load(StateReader& state) {
   state.value(count_);
   state.value(width_);
   state.value(stride_);
+}
+
+void TexelRows::check(const StateReader& state, std::size_t receivers, std::uint32_t rays,
+                      std::size_t texels) const {
+  state.require(rows_.size() == receivers && (count_ == 0 || width_ == rays) && std::has_single_bit(stride_));
+  state.require(codes_.size() == std::size_t{count_} * width_);
+  std::uint32_t next = 0;
+  for (const std::uint32_t row : rows_)
+    if (row < missing) state.require(row == next++);
+  state.require(next == count_);
+  for (const std::uint32_t code : codes_) state.require((code >> 8) < texels);
 }
 
 }  // namespace prelight

@@ -28,6 +28,10 @@ class TexelRows {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
+  /// Throws through `state` unless what was loaded is of `receivers`, with `rays` codes in a row, of cube
+  /// maps of `texels`.
+  void check(const StateReader& state, std::size_t receivers, std::uint32_t rays, std::size_t texels) const;
+
  private:
   void thin();
 

@@ -112,7 +112,11 @@ void VertexFit::load(StateReader& state) {
   state.sameSize(mass_);
   state.sameSize(right_);
   state.values(stiffness_);
-  if (!stiffness_.empty() && stiffness_.size() != mesh_.slotCount()) state.damaged();
+  state.require(stiffness_.empty() || stiffness_.size() == mesh_.slotCount());
+  for (const std::array<double, 6>& mass : mass_) state.requireFinite(mass);
+  state.requireFinite(right_);
+  state.requireFinite(stiffness_);
+  for (const double stiffness : stiffness_) state.require(stiffness > 0.0);
 }
 
 double VertexFit::scaleOf(std::size_t triangle) const {

@@ -12,9 +12,11 @@
 #include "cli/values.h"
 #include "compress/compression_error.h"
 #include "compress/quantized_occluders.h"
+#include "io/atomic_file.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
 #include "io/light_map_file.h"
+#include "scene/glb_output.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
 
@@ -36,6 +38,7 @@ struct BakeCommand {
 
 void checkOutputs(const BakeCommand& command) {
   checkOutputFile("-o", command.output, {".glb"});
+  if (command.bake.request.lightMap) checkOutputFile("-o", lightMapPath(command.output), {".exr"});
   if (!command.report.empty()) checkOutputFile("--report", command.report, {".json"});
   if (!command.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", command.bake.dumpKernels);
 }
@@ -173,11 +176,33 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
   }
 }
 
-/// Its picture comes first: a .glb that names one has one.
-void addLightMap(const std::filesystem::path& output, const LightMap& map, LoadedScene& loaded) {
-  const std::filesystem::path picture = lightMapPath(output);
-  writeLightMap(picture, map);
-  embedLightMap(loaded.document, loaded.compiled, map.layout, picture.filename().string());
+/// All that a bake writes but its report, beside its place. The picture comes before the file that names it.
+void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedOccluders* quantized,
+                LoadedScene& loaded, OutputFiles& files) {
+  embedBake(loaded.document, loaded.compiled, run.bake, quantized);
+  if (run.bake.lightMap) {
+    const std::filesystem::path picture = lightMapPath(command.output);
+    addLightMap(files, picture, *run.bake.lightMap);
+    embedLightMap(loaded.document, loaded.compiled, run.bake.lightMap->layout, picture.filename().string());
+  }
+  addGlb(files, command.output, loaded.document);
+}
+
+/// Files come into their places when all of them, the report too, are complete. Returns the report.
+nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeRequest& request,
+                                    const BakeRun& run, const QuantizedOccluders* quantized,
+                                    LoadedScene& loaded, Session& session) {
+  const StopSignals::Writing writing(session.signals());  // sooner finished than saved, whoever asks to stop
+  OutputFiles files;
+  session.times().measure("write", [&] { addOutputs(command, run, quantized, loaded, files); });
+  nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
+  if (!command.report.empty()) {
+    const std::string text =
+        report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    files.add(command.report, std::as_bytes(std::span(text)));
+  }
+  files.commit();
+  return report;
 }
 
 /// Options that only a light map has.
@@ -202,29 +227,21 @@ void runBake(const BakeCommand& command, Context& context) {
   DeviceOptions deviceOptions = session.deviceOptions();
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
-  BakeStateFile state(command.output, command.resume, session.console());
+  const StopSignals::SafePoints safePoints(context.signals);
+  BakeStateFile state(command.output, command.resume, session.console(), context.signals);
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
   if (command.bake.compression) compressSh(session, loaded, *command.bake.compression, run);
   std::optional<QuantizedOccluders> quantized;
   if (command.quantizesOccluders) quantized = quantizeBaked(session, loaded.compiled, run);
-  // From here on it is sooner finished than saved, whoever asks to stop.
-  session.times().measure("write", [&] {
-    embedBake(loaded.document, loaded.compiled, run.bake, quantized ? &*quantized : nullptr);
-    if (run.bake.lightMap) addLightMap(command.output, *run.bake.lightMap, loaded);
-    writeGlb(command.output, loaded.document);
-  });
+  const nlohmann::ordered_json report =
+      writeOutputs(command, request, run, quantized ? &*quantized : nullptr, loaded, session);
   state.remove();
 
   printBakeSummary(session.console(), request, run, session.times());
   session.console().line(
       "wrote", fmt::format("{} in {}", command.output.string(), shortSeconds(session.times().total())));
-  if (command.report.empty() && !context.options.json) return;
-  const nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
-  if (!command.report.empty())
-    writeTextFile(command.report,
-                  report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   session.console().json(report);
 }
 

@@ -304,7 +304,10 @@ void addEffortOptions(CLI::App& app, BakeOptions& options) {
       "seed of the random numbers (default 0); the same seed gives the same bytes");
   addByteCount(
       app, "--max-memory", {minMemory, maxMemory}, [&](std::uint64_t n) { request.maxMemory = n; },
-      "memory for the bake's own buffers, as 512M or 2G (default 2G)");
+      "memory for what the bake can do with less of, as 512M or 2G (default 2G): stored transport, rays kept "
+      "for "
+      "wavelets, form factors, light maps of texels; the scene, its tree, the device and the compiler come "
+      "on top");
 }
 
 void addKernelOptions(CLI::App& app, BakeOptions& options) {

@@ -1,24 +1,27 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "bake/baker.h"
 #include "cli/console.h"
+#include "cli/stop_signals.h"
 
 namespace prelight::cli {
 
-/// The state of an interrupted bake in a file beside its output.
+/// The state of a bake in a file beside its output.
 class BakeStateFile final : public BakeCheckpoint {
  public:
   /// With `resume`, a state that is there is continued.
-  BakeStateFile(const std::filesystem::path& output, bool resume, const Console& console);
+  BakeStateFile(const std::filesystem::path& output, bool resume, const Console& console,
+                StopSignals& signals);
 
   /// What a state must belong to; needed before load() and save().
   void setKey(StateKey key) { key_ = std::move(key); }
 
   std::optional<StateReader> load() override;
-  void save(std::span<const std::byte> payload) override;
+  void save(const std::function<void(StateWriter&)>& write) override;
 
   /// Takes the state away once the output is there.
   void remove() const;
@@ -30,9 +33,10 @@ class BakeStateFile final : public BakeCheckpoint {
   std::filesystem::path path_;
   bool resume_;
   const Console& console_;
+  StopSignals& signals_;
   StateKey key_;
   bool saved_ = false;
-  std::string failure_;
+  std::string failure_;  ///< of the last attempt
 };
 
 }  // namespace prelight::cli

@@ -118,6 +118,7 @@ void runBench(const BenchCommand& command, Context& context) {
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
   session.console().line("ray peer", peer.empty() ? "none: built without Embree (libembree-dev)" : peer);
+  const StopSignals::SafePoints safePoints(context.signals);  // suites write files of their own
   std::vector<BenchmarkResult> results;
   for (const std::string& suite : suites) {
     const std::vector<BenchmarkResult> measured =

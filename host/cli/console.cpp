@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
+
+#include "cli/printable.h"
 
 namespace prelight::cli {
 namespace {
@@ -18,7 +19,7 @@ std::string label(std::string_view word, int colorCode) {
   return fmt::format("prelight: \x1b[1;{}m{}:\x1b[0m ", colorCode, word);
 }
 
-void printWarning(std::string_view text) { fmt::print(stderr, "{}{}\n", label("warning", 33), text); }
+void printWarning(std::string_view text) { writeError(label("warning", 33) + printable(text) + '\n'); }
 
 std::string scaled(double value, double base, const std::array<const char*, 5>& units) {
   std::size_t unit = 0;
@@ -33,19 +34,18 @@ std::string scaled(double value, double base, const std::array<const char*, 5>& 
 }  // namespace
 
 void Console::line(std::string_view name, std::string_view text) const {
-  if (!textWanted()) return;
-  fmt::print("{:<10} {}\n", name, text);
-  std::fflush(stdout);  // whoever reads a pipe sees it before the work that follows
+  if (textWanted()) output_.write(fmt::format("{:<10} {}\n", printable(name), printable(text)));
 }
 
 void Console::json(const nlohmann::ordered_json& result) const {
   // Names from a file may not be valid UTF-8; they must not make a finished bake fail.
   if (options_.json)
-    fmt::print("{}\n", result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    output_.write(
+        printableJson(result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + '\n');
 }
 
 void Console::note(std::string_view text) const {
-  if (!options_.quiet) fmt::print(stderr, "prelight: {}\n", text);
+  if (!options_.quiet) writeError(fmt::format("prelight: {}\n", printable(text)));
 }
 
 void Console::warn(const Warnings& warnings) const {
@@ -64,14 +64,15 @@ bool mayColor(int fileDescriptor) {
   return !refused && !dumb && isatty(fileDescriptor) == 1;
 }
 
-void printError(std::string_view text) { fmt::print(stderr, "{}{}\n", label("error", 31), text); }
+void printError(std::string_view text) { writeError(label("error", 31) + printable(text) + '\n'); }
 
 std::string shortCount(double value) { return scaled(value, 1000.0, {"", " k", " M", " G", " T"}); }
 
 std::string shortBytes(double bytes) { return scaled(bytes, 1024.0, {" B", " KiB", " MiB", " GiB", " TiB"}); }
 
 std::string shortSeconds(double seconds) {
-  if (seconds < 120.0) return fmt::format("{:.2f} s", seconds);
+  if (!(seconds >= 120.0)) return fmt::format("{:.2f} s", seconds);
+  if (seconds > 1e9) return fmt::format("{:.3g} s", seconds);
   const auto whole = static_cast<long>(seconds);
   return fmt::format("{} min {:02} s", whole / 60, whole % 60);
 }

@@ -7,13 +7,17 @@
 
 #include "base/diagnostics.h"
 #include "cli/global_options.h"
+#include "cli/standard_streams.h"
 
 namespace prelight::cli {
 
 /// What people and programs read: results on stdout (text, or JSON with --json), everything else on stderr.
+/// Nothing here throws when a stream takes no text; StandardOutput knows. What text from files could do to a
+/// terminal is taken from it (cli/printable.h).
 class Console {
  public:
-  explicit Console(GlobalOptions options) : options_(std::move(options)) {}
+  /// `output` outlives it.
+  Console(GlobalOptions options, StandardOutput& output) : options_(std::move(options)), output_(output) {}
 
   bool textWanted() const { return !options_.quiet && !options_.json; }
   bool detailsWanted() const { return textWanted() && options_.verbose; }
@@ -33,6 +37,7 @@ class Console {
 
  private:
   GlobalOptions options_;
+  StandardOutput& output_;
 };
 
 /// True when a stream is a terminal on which control sequences may be written (NO_COLOR is not set).

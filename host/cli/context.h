@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/global_options.h"
+#include "cli/standard_streams.h"
 #include "cli/stop_signals.h"
 
 namespace prelight::cli {
@@ -8,6 +9,7 @@ namespace prelight::cli {
 /// What the program hands to the command that runs.
 struct Context {
   StopSignals signals;
+  StandardOutput output;
   GlobalOptions options;
 };
 

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The devices that --device leaves. Device::open throws what to do when there is none.
-std::vector<DeviceInfo> chosenDevices(const Session& session) {
+std::vector<DeviceInfo> chosenDevices(Session& session) {
   std::vector<DeviceInfo> devices = listDevices();
   if (devices.empty() || session.options().device) {
     const DeviceInfo chosen = Device::open(session.deviceOptions()).info();

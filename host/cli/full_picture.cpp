@@ -123,7 +123,10 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
     return renderFull(lit, camera, request, std::move(surface), device, session.progress(), made);
   });
   session.progress().clear();
-  session.times().measure("write", [&] { writePicture(output, picture); });
+  {
+    const StopSignals::Writing writing(session.signals());
+    session.times().measure("write", [&] { writePicture(output, picture); });
+  }
   printSummary(request, made, output, session);
   session.console().json(fullReport(options, request, made, output, device.info(), session));
 }

@@ -5,7 +5,9 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "base/error.h"
@@ -13,6 +15,9 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/context.h"
+#include "cli/printable.h"
+#include "cli/process_limits.h"
+#include "cli/standard_streams.h"
 
 namespace prelight::cli {
 namespace {
@@ -120,52 +125,99 @@ int run(int argumentCount, const char* const* arguments, Context& context) {
   try {
     program.parse(argumentCount, arguments);
   } catch (const CLI::Success& help) {  // --help and --version
-    return program.exit(help);
+    std::ostringstream text;
+    const int code = program.exit(help, text, text);
+    context.output.write(text.str());
+    return code;
   } catch (const CLI::ParseError& error) {
     return reportUsage(program, error);
   }
   return static_cast<int>(ExitCode::Done);
 }
 
-[[noreturn]] void throwAsInterrupted(const std::exception_ptr& failure) {
-  try {
-    std::rethrow_exception(failure);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (...) {
-    throw Interrupted("interrupted; no half-written output is left");
-  }
+int reportOutOfMemory() {
+  printError("out of memory (give the bake less with --max-memory, or close other programs)");
+  return static_cast<int>(ExitCode::OutOfMemory);
+}
+
+/// Threads need memory, too.
+bool isOutOfMemory(const std::error_code& error) {
+  return error == std::errc::not_enough_memory || error == std::errc::resource_unavailable_try_again;
 }
 
 /// Says what went wrong and returns the exit code for it.
-int reportFailure(const std::exception_ptr& failure, const Context& context) {
+int reportFailure(const std::exception_ptr& failure) {
   try {
-    // Whatever fails once a stop was asked for is the stop.
-    if (context.signals.stopRequested()) throwAsInterrupted(failure);
     std::rethrow_exception(failure);
-  } catch (const Interrupted& interrupted) {
-    fmt::print(stderr, "{}\n", interrupted.what());
-    return static_cast<int>(ExitCode::Interrupted);
   } catch (const Error& error) {
-    printError(error.what());
+    if (error.code() == ExitCode::Interrupted)
+      writeError(printable(error.what()) + '\n');
+    else
+      printError(error.what());
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
-    printError("out of memory (give the bake less with --max-memory, or close other programs)");
-    return static_cast<int>(ExitCode::OutOfMemory);
+    return reportOutOfMemory();
+  } catch (const std::system_error& error) {
+    if (isOutOfMemory(error.code())) return reportOutOfMemory();
+    printError(error.what());
   } catch (const std::exception& error) {
     printError(error.what());
-    return static_cast<int>(ExitCode::RuntimeFailure);
+  } catch (...) {
+    printError("unknown failure");
   }
+  return static_cast<int>(ExitCode::RuntimeFailure);
+}
+
+/// Whatever fails once a stop was asked for is the stop.
+int reportFailure(const std::exception_ptr& failure, const Context& context) {
+  if (!context.signals.stopRequested()) return reportFailure(failure);
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Interrupted&) {
+    return reportFailure(failure);
+  } catch (...) {
+    return reportFailure(std::make_exception_ptr(Interrupted("interrupted; no half-written output is left")));
+  }
+}
+
+/// A result that was lost on its way to stdout is a failure.
+int reportLostOutput(int code, const StandardOutput& output) {
+  const std::error_code lost = output.failure();
+  if (!lost) return code;
+  printError("stdout: cannot write the result: " + lost.message() +
+             " (free the device, or send it elsewhere)");
+  return code == static_cast<int>(ExitCode::Done) ? static_cast<int>(ExitCode::RuntimeFailure) : code;
+}
+
+int runReporting(int argumentCount, const char* const* arguments) {
+  openStandardStreams();
+  ignoreWriteSignals();
+  answerWantOfMemory();
+  Context context;
+  int code = 0;
+  try {
+    code = run(argumentCount, arguments, context);
+  } catch (...) {
+    code = reportFailure(std::current_exception(), context);
+  }
+  return reportLostOutput(code, context.output);
 }
 
 }  // namespace
 }  // namespace prelight::cli
 
 int main(int argumentCount, char** arguments) {
-  prelight::cli::Context context;
+  using namespace prelight::cli;
+  const auto work = [&] {
+    try {
+      return runReporting(argumentCount, arguments);
+    } catch (...) {
+      return reportFailure(std::current_exception());
+    }
+  };
   try {
-    return prelight::cli::run(argumentCount, arguments, context);
-  } catch (...) {
-    return prelight::cli::reportFailure(std::current_exception(), context);
+    return onLargeStack(work);
+  } catch (...) {  // no memory for it
+    return reportFailure(std::current_exception());
   }
 }

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <span>
 #include <system_error>
 
@@ -40,10 +37,6 @@ void checkFolder(const std::string& option, const fs::path& path, const fs::path
   if (!fs::is_directory(folder, ignored))
     refuse(option, path, fmt::format("the folder {} does not exist", folder.string()),
            "make it, or name another");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    refuse(option, path,
-           fmt::format("the folder {} cannot be written to: {}", folder.string(), std::strerror(errno)),
-           "name another folder");
 }
 
 }  // namespace
@@ -57,6 +50,7 @@ void checkOutputFile(const std::string& option, const fs::path& path,
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) refuse(option, path, "is a folder", "name a file");
   checkFolder(option, path, folderOf(path));
+  checkWritable(path, fmt::format("{} {}", option, path.string()));
 }
 
 void checkOutputFolder(const std::string& option, const fs::path& path) {
@@ -65,7 +59,7 @@ void checkOutputFolder(const std::string& option, const fs::path& path) {
     refuse(option, path, "is not a folder", "name a folder");
   if (!fs::exists(path, error) && !fs::create_directory(path, error))
     refuse(option, path, fmt::format("cannot be made: {}", error.message()), "name a folder that exists");
-  checkFolder(option, path, path);
+  checkWritable(path / "file", fmt::format("{} {}", option, path.string()));
 }
 
 void writeTextFile(const fs::path& path, const std::string& text) {

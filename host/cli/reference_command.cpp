@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/output_file.h"
@@ -127,6 +128,9 @@ void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, Session
 /// Goes on with an interrupted picture if there is one.
 void takeUp(const std::filesystem::path& state, const StateKey& key, ReferenceRun& run, Session& session) {
   std::optional<Film> film = reference::readFilmState(state, key);
+  if (film && (film->width != run.request.width || film->height != run.request.height))
+    throw InputError(state.string(), "the state of the interrupted run is damaged",
+                     "delete it, or leave --resume out to start anew");
   if (!film) {
     session.console().note(fmt::format("--resume: there is no {}, starting anew", state.string()));
     return;
@@ -139,9 +143,24 @@ void takeUp(const std::filesystem::path& state, const StateKey& key, ReferenceRu
 void traceResumably(const reference::ReferenceInputs& inputs, const Device& device,
                     const std::filesystem::path& state, const StateKey& key, ReferenceRun& run,
                     Session& session) {
-  const auto keep = [&] { reference::writeFilmState(state, key, run.film); };
+  const StopSignals::SafePoints safePoints(session.signals());
+  bool warned = false;
+  const auto keep = [&] {
+    const StopSignals::Writing writing(session.signals());
+    reference::writeFilmState(state, key, run.film);
+  };
+  // A full disk is no reason to stop.
+  const auto tryToKeep = [&] {
+    try {
+      keep();
+    } catch (const Error& error) {
+      if (!std::exchange(warned, true))
+        session.warn(fmt::format("the state of the picture cannot be kept: {}", error.what()));
+    }
+  };
   try {
-    reference::renderReference(inputs, run.request, device, session.progress(), keep, run.film, run.report);
+    reference::renderReference(inputs, run.request, device, session.progress(), tryToKeep, run.film,
+                               run.report);
   } catch (const Interrupted&) {
     session.progress().clear();
     keep();
@@ -180,9 +199,12 @@ void runReference(const ReferenceCommand& command, Context& context) {
   if (command.resume) takeUp(state, key, run, session);
   session.times().measure("trace", [&] { traceResumably(inputs, device, state, key, run, session); });
   session.progress().clear();
-  session.times().measure("write", [&] { writeFilm(command, run, session); });
-  std::error_code ignored;
-  std::filesystem::remove(state, ignored);
+  {
+    const StopSignals::Writing writing(context.signals);
+    session.times().measure("write", [&] { writeFilm(command, run, session); });
+    std::error_code ignored;
+    std::filesystem::remove(state, ignored);
+  }
   for (const std::string& note : run.report.notes) session.console().note(note);
   printSummary(command, run, session);
   session.console().json(referenceReport(command, run, session));

@@ -67,7 +67,10 @@ void runRender(const RenderCommand& command, Context& context) {
       "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn); });
   plan.insert(plan.end(), drawn.begin(), drawn.end());
   session.progress().check();
-  session.times().measure("write", [&] { writePicture(command.output, picture); });
+  {
+    const StopSignals::Writing writing(context.signals);
+    session.times().measure("write", [&] { writePicture(command.output, picture); });
+  }
 
   for (const std::string& note : notes) session.console().note(note);
   const Console& console = session.console();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "device/cache_folder.h"
+#include "device/program_cache.h"
 #include "scene/loader.h"
 
 namespace prelight::cli {
@@ -70,7 +72,12 @@ Charts Session::chartsOf(const LoadedScene& loaded, int size) {
   return charts;
 }
 
-DeviceOptions Session::deviceOptions() const {
+DeviceOptions Session::deviceOptions() {
+  if (const std::optional<std::string> refusal = refusalOfCache(ProgramCache::defaultFolder());
+      refusal && !warnedOfCache_) {
+    warn(*refusal + ": the kernels there are not used, and none are kept");
+    warnedOfCache_ = true;
+  }
   DeviceOptions deviceOptions;
   deviceOptions.selector = context_.options.device;
   return deviceOptions;

@@ -40,7 +40,9 @@ struct BakeRun {
 class Session {
  public:
   explicit Session(Context& context)
-      : context_(context), console_(context.options), progress_(context.options, context.signals) {}
+      : context_(context),
+        console_(context.options, context.output),
+        progress_(context.options, context.signals) {}
 
   const GlobalOptions& options() const { return context_.options; }
   const Console& console() const { return console_; }
@@ -58,8 +60,10 @@ class Session {
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
                BakeStateFile* state = nullptr);
 
-  /// The options of the device layer, with what --device says.
-  DeviceOptions deviceOptions() const;
+  /// The options of the device layer, with what --device says. Warns where compiled kernels cannot be kept.
+  DeviceOptions deviceOptions();
+
+  StopSignals& signals() { return context_.signals; }
 
  private:
   Charts chartsOf(const LoadedScene& loaded, int size);
@@ -69,6 +73,7 @@ class Session {
   TerminalProgress progress_;
   StageTimes times_;
   Warnings warnings_;
+  bool warnedOfCache_ = false;
 };
 
 /// Throws InputError for a scene that has nothing to bake.

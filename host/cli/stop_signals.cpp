@@ -4,12 +4,21 @@
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> lacks the POSIX part
 #include <unistd.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "base/error.h"
+#include "cli/standard_streams.h"
 
 namespace prelight::cli {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Programs such as timeout(1) send a signal to the process and to its group: that is one request, not two.
+constexpr auto sameRequest = std::chrono::milliseconds(500);
+
+/// What a safe point may keep waiting for: compilers, the building of large trees.
+constexpr auto patience = std::chrono::seconds(10);
 
 sigset_t stopSet() {
   sigset_t set;
@@ -17,6 +26,18 @@ sigset_t stopSet() {
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
   return set;
+}
+
+/// The next of them, or 0 when none comes within a twentieth of a second.
+int nextSignal(const sigset_t& set) {
+  constexpr timespec moment{0, 50'000'000};
+  return sigtimedwait(&set, nullptr, &moment);
+}
+
+[[noreturn]] void end() {
+  writeError(isatty(STDERR_FILENO) == 1 ? "\nprelight: interrupted; no output was written\n"
+                                        : "prelight: interrupted; no output was written\n");
+  _exit(static_cast<int>(ExitCode::Interrupted));
 }
 
 }  // namespace
@@ -36,20 +57,21 @@ StopSignals::~StopSignals() {
   waiter_.join();
 }
 
+bool StopSignals::mayEnd(Clock::duration sinceRequest) const {
+  return writing_.load() == 0 && (safePoints_.load() == 0 || sinceRequest > patience);
+}
+
 void StopSignals::await() {
-  using Clock = std::chrono::steady_clock;
-  // Programs such as timeout(1) send a signal to the process and to its group: that is one request, not two.
-  constexpr auto sameRequest = std::chrono::milliseconds(500);
   const sigset_t set = stopSet();
-  Clock::time_point first;
-  for (;;) {
-    int received = 0;
-    sigwait(&set, &received);
-    if (done_.load()) return;
-    const bool again = requested_.exchange(true);
-    if (immediate_.load() || (again && Clock::now() - first > sameRequest))
+  int received = 0;
+  sigwait(&set, &received);
+  if (done_.load()) return;
+  requested_.store(true);
+  const Clock::time_point first = Clock::now();
+  while (!done_.load()) {
+    if (mayEnd(Clock::now() - first)) end();
+    if (nextSignal(set) > 0 && !done_.load() && Clock::now() - first > sameRequest)
       _exit(static_cast<int>(ExitCode::Interrupted));
-    if (!again) first = Clock::now();
   }
 }
 

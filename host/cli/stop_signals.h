@@ -1,11 +1,15 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 namespace prelight::cli {
 
-/// Turns the first SIGINT or SIGTERM into a request to stop; a second one ends the process at once.
+/// Answers SIGINT and SIGTERM. Where nothing has to be finished, as while files are read, the first of them
+/// ends the process at once, whatever it waits for. Where something has, a scope says so: the first becomes a
+/// request to stop, and the process ends when that has not been heard for a while. A second one always ends
+/// it at once.
 ///
 /// The signals are blocked in every thread and awaited by one. A handler would not do: OpenCL compilers put
 /// handlers of their own in its place, and the linkers they start share the terminal and die of the same
@@ -19,15 +23,39 @@ class StopSignals {
 
   bool stopRequested() const { return requested_.load(std::memory_order_relaxed); }
 
-  /// From now on the first signal ends the process at once: nothing is left that has to be finished.
-  void endAtOnce() { immediate_.store(true); }
+  /// While one of them lives, whoever works asks now and then whether to stop, and then keeps what is done.
+  class [[nodiscard]] SafePoints {
+   public:
+    explicit SafePoints(StopSignals& signals) : count_(signals.safePoints_) { ++count_; }
+    ~SafePoints() { --count_; }
+    SafePoints(const SafePoints&) = delete;
+    SafePoints& operator=(const SafePoints&) = delete;
+
+   private:
+    std::atomic<int>& count_;
+  };
+
+  /// While one of them lives, a file is being written that would be left behind half-written, and nobody
+  /// waits for long.
+  class [[nodiscard]] Writing {
+   public:
+    explicit Writing(StopSignals& signals) : count_(signals.writing_) { ++count_; }
+    ~Writing() { --count_; }
+    Writing(const Writing&) = delete;
+    Writing& operator=(const Writing&) = delete;
+
+   private:
+    std::atomic<int>& count_;
+  };
 
  private:
   void await();
+  bool mayEnd(std::chrono::steady_clock::duration sinceRequest) const;
 
   std::atomic<bool> requested_ = false;
-  std::atomic<bool> immediate_ = false;
   std::atomic<bool> done_ = false;
+  std::atomic<int> safePoints_ = 0;
+  std::atomic<int> writing_ = 0;
   std::thread waiter_;
 };
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "cli/console.h"
+#include "cli/standard_streams.h"
 
 namespace prelight::cli {
 namespace {
@@ -40,15 +40,13 @@ void TerminalProgress::report(std::string_view stage, double fraction) {
                           std::string(static_cast<std::size_t>(width - filled), ' ');
   const char* begin = colored_ ? "\x1b[36m" : "";
   const char* end = colored_ ? "\x1b[0m" : "";
-  fmt::print(stderr, "\r{:<16}[{}{}{}] {:3.0f} %", stage, begin, bar, end, done * 100.0);
-  std::fflush(stderr);
+  writeError(fmt::format("\r{:<16}[{}{}{}] {:3.0f} %", stage, begin, bar, end, done * 100.0));
   shown_ = true;
 }
 
 void TerminalProgress::clear() {
   if (!shown_) return;
-  fmt::print(stderr, "\r{:70}\r", "");
-  std::fflush(stderr);
+  writeError(fmt::format("\r{:70}\r", ""));
   shown_ = false;
 }
 

@@ -39,7 +39,6 @@ void runView(const ViewCommand& command, Context& context) {
   options.screenshotPath = command.screenshot;
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following) options.follower = &follower.emplace(*shaded.following->light, *shaded.full);
-  context.signals.endAtOnce();  // Ctrl-C closes the window
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   session.console().json({{"command", "view"},

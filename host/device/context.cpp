@@ -11,6 +11,7 @@
 #include "device/host_memory.h"
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
+#include "device/opencl_errors.h"
 
 namespace prelight {
 
@@ -27,11 +28,14 @@ void dump(const std::filesystem::path& folder, const std::string& file, const st
   std::replace(name.begin(), name.end(), '/', '_');
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  std::ofstream out(folder / fmt::format("{}_{}", sha256(options).substr(0, 8), name));
+  const std::filesystem::path path = folder / fmt::format("{}_{}", sha256(options).substr(0, 8), name);
+  std::ofstream out(path);
   out << "// " << options << '\n' << source;
-  if (!out.flush())
-    throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(),
-                "cannot write the kernel sources");
+  if (out.flush()) return;
+  out.close();
+  std::filesystem::remove(path, error);
+  throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(),
+              "cannot write the kernel sources", "check its permissions and free space");
 }
 
 /// A buffer in memory of the host, which it gives back when it is released.
@@ -106,9 +110,7 @@ cl::Buffer DeviceContext::allocate(std::size_t bytes, cl_mem_flags flags) {
       return allocateOnHugePages(context_, flags, bytes);
     return cl::Buffer(context_, flags, bytes);
   } catch (const cl::Error& error) {
-    if (error.err() == CL_MEM_OBJECT_ALLOCATION_FAILURE || error.err() == CL_OUT_OF_RESOURCES ||
-        error.err() == CL_OUT_OF_HOST_MEMORY || error.err() == CL_INVALID_BUFFER_SIZE)
-      throw fail();
+    if (isOutOfMemory(error) || error.err() == CL_INVALID_BUFFER_SIZE) throw fail();
     throw;
   }
 }
@@ -119,7 +121,7 @@ void DeviceContext::launch(const cl::Kernel& kernel, std::size_t items, std::siz
   try {
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rounded), cl::NDRange(groupSize));
   } catch (const cl::Error& error) {
-    throw Error(ExitCode::RuntimeFailure, info_.name,
+    throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure, info_.name,
                 fmt::format("kernel {} failed to launch: {} ({})", kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(),
                             error.what(), error.err()));
   }

@@ -1,6 +1,7 @@
 #include "device/device.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,6 +9,7 @@
 
 #include "base/error.h"
 #include "device/context.h"
+#include "device/opencl_errors.h"
 
 namespace prelight {
 
@@ -84,8 +86,17 @@ bool matches(const DeviceInfo& info, const std::string& selector) {
   return lowered(info.platform + " " + info.name).find(wanted) != std::string::npos;
 }
 
+/// Loaders of platforms do not say why they found none.
+bool addressSpaceIsLimited() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 const FoundDevice& choose(const std::vector<FoundDevice>& devices,
                           const std::optional<std::string>& selector) {
+  if (devices.empty() && addressSpaceIsLimited())
+    throw Error(ExitCode::OutOfMemory, "OpenCL", "no platform could be loaded into a limited address space",
+                "raise the limit with ulimit -v");
   if (devices.empty())
     throw Error(ExitCode::NoDevice, "OpenCL", "no platform with a device was found",
                 "install one: Debian's pocl-opencl-icd runs on any CPU; GPUs have drivers of their own");
@@ -118,7 +129,7 @@ Device Device::open(const DeviceOptions& options) {
   try {
     return Device(std::make_unique<DeviceContext>(chosen.device, chosen.info, options));
   } catch (const cl::Error& error) {
-    throw Error(ExitCode::NoDevice, chosen.info.name,
+    throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::NoDevice, chosen.info.name,
                 fmt::format("cannot be opened: {} ({})", error.what(), error.err()),
                 "choose another --device");
   }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+
+#include "device/cache_folder.h"
 
 namespace prelight {
 
@@ -42,33 +41,20 @@ fs::path ProgramCache::defaultFolder() {
 }
 
 std::optional<std::vector<unsigned char>> ProgramCache::load(const std::string& key) const {
-  if (folder_.empty()) return std::nullopt;
-  std::ifstream in(folder_ / key, std::ios::binary);
-  std::string header;
-  if (!std::getline(in, header)) return std::nullopt;
-  const std::string payload{std::istreambuf_iterator<char>(in), {}};
-  if (header + '\n' != headerOf(key, payload)) return std::nullopt;
+  if (folder_.empty() || refusalOfCache(folder_)) return std::nullopt;
+  const std::optional<std::string> entry = readOwnFile(folder_ / key);
+  if (!entry) return std::nullopt;
+  const std::size_t end = entry->find('\n');
+  if (end == std::string::npos) return std::nullopt;
+  const std::string payload = entry->substr(end + 1);
+  if (entry->substr(0, end + 1) != headerOf(key, payload)) return std::nullopt;
   return std::vector<unsigned char>(payload.begin(), payload.end());
 }
 
 void ProgramCache::store(const std::string& key, const std::vector<unsigned char>& binary) const {
-  if (folder_.empty()) return;
-  std::error_code ignored;
-  fs::create_directories(folder_, ignored);
+  if (folder_.empty() || !makePrivateFolders(folder_) || refusalOfCache(folder_)) return;
   const std::string payload(binary.begin(), binary.end());
-  const fs::path temporary = folder_ / fmt::format("{}.{}", key, getpid());
-  bool written = false;
-  {
-    std::ofstream out(temporary, std::ios::binary);
-    out << headerOf(key, payload) << payload;
-    out.flush();
-    written = out.good();
-  }
-  if (written) {
-    fs::rename(temporary, folder_ / key, ignored);
-  } else {
-    fs::remove(temporary, ignored);
-  }
+  writeOwnFile(folder_ / key, headerOf(key, payload) + payload);
 }
 
 void ProgramCache::remove(const std::string& key) const {

@@ -2,16 +2,33 @@
 
 #include <dlfcn.h>
 
+#include <string>
+
 #include "base/error.h"
 
 namespace prelight {
 
+namespace {
+
+/// The loader tells by words alone.
+bool isWantOfMemory(const std::string& reason) {
+  for (const char* words :
+       {"failed to map", "cannot map", "Cannot allocate memory", "cannot allocate memory"})
+    if (reason.find(words) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
 const ImageLibrary& imageLibrary() {
   constexpr const char* file = "libprelight_images.so";
   const auto fail = [&] {
-    const char* reason = dlerror();
-    throw Error(ExitCode::RuntimeFailure, file,
-                std::string("cannot be loaded: ") + (reason != nullptr ? reason : "no such symbol"),
+    const char* found = dlerror();
+    const std::string reason = found != nullptr ? found : "no such symbol";
+    if (isWantOfMemory(reason))
+      throw Error(ExitCode::OutOfMemory, file, "cannot be loaded: " + reason,
+                  "raise the limit of the address space with ulimit -v");
+    throw Error(ExitCode::RuntimeFailure, file, "cannot be loaded: " + reason,
                 "install it beside the other libraries of prelight");
   };
   // Stays loaded: the next call finds it at once.

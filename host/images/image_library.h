@@ -32,11 +32,12 @@ struct ImageLibrary {
   Image (*decodeImage)(std::span<const std::uint8_t> bytes, const std::string& name,
                        const std::string& where);
 
-  /// Both write to `path` and throw Error about `shown`. RGB, 8 bits, [row][column].
-  void (*writePng)(const std::filesystem::path& shown, const std::filesystem::path& path, int width,
-                   int height, std::span<const std::uint8_t> rgb);
-  void (*writeExr)(const std::filesystem::path& shown, const std::filesystem::path& path, int width,
-                   int height, std::span<const ExrPart> parts);
+  /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Both throw
+  /// Error about `shown`. RGB, 8 bits, [row][column].
+  std::vector<std::uint8_t> (*encodePicturePng)(const std::filesystem::path& shown, int width, int height,
+                                                std::span<const std::uint8_t> rgb);
+  std::vector<std::uint8_t> (*encodeExr)(const std::filesystem::path& shown, int width, int height,
+                                         std::span<const ExrPart> parts);
 };
 
 /// Loads the module, if it is not there yet, from where the program's or the library's run path tells. Throws

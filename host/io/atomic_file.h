@@ -2,19 +2,31 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <span>
+#include <vector>
+
+#include "io/pending_file.h"
 
 namespace prelight {
 
-/// Lets `write` make a file under a temporary name beside `path` (same folder and extension), then renames it
-/// to `path`: nobody ever sees half a file. The temporary is removed when `write` throws. A symbolic link is
-/// followed; a device or pipe, which cannot be replaced, is handed to `write` as it is. Throws Error
-/// (RuntimeFailure) "cannot write ..." when the file cannot be made or renamed.
-void writeFileAtomically(const std::filesystem::path& path,
-                         const std::function<void(const std::filesystem::path& temporary)>& write);
+/// Files that belong together: all of them are written beside their places before the first takes its own.
+/// Where one cannot, those before it are taken back as far as the file system can exchange files.
+class OutputFiles {
+ public:
+  /// Writes bytes, one piece after the other, beside `path`. Throws as PendingFile does.
+  void add(const std::filesystem::path& path, std::span<const std::span<const std::byte>> pieces);
+  void add(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    add(path, std::span(&bytes, 1));
+  }
 
-/// The same for bytes, one piece after the other.
+  /// Moves all into their places, in the order in which they were added.
+  void commit();
+
+ private:
+  std::vector<PendingFile> files_;
+};
+
+/// One file of its own: writes beside `path`, then renames.
 void writeFileAtomically(const std::filesystem::path& path,
                          std::span<const std::span<const std::byte>> pieces);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "io/atomic_file.h"
 #include "io/bake_reader.h"
 #include "io/baked_ranges.h"
 #include "io/picture_layers.h"
@@ -290,6 +291,12 @@ void embedLightMap(GltfDocument& document, const CompiledScene& scene, const Lig
 }
 
 void writeLightMap(const std::filesystem::path& path, const LightMap& map) {
+  OutputFiles files;
+  addLightMap(files, path, map);
+  files.commit();
+}
+
+void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map) {
   const auto length = static_cast<std::size_t>(map.coefficients);
   Picture picture{map.layout.width, map.layout.height, {}};
   for (std::size_t texel = 0; texel < map.layout.texelCount(); ++texel) {
@@ -304,7 +311,7 @@ void writeLightMap(const std::filesystem::path& path, const LightMap& map) {
         channel.values.push_back(map.values[(3 * texel + c) * length + i]);
       channels.push_back(std::move(channel));
     }
-  writePicture(path, picture, channels);
+  addPicture(files, path, picture, channels);
 }
 
 std::optional<LightMap> readLightMap(const GltfDocument& document, const JsonCursor& root,

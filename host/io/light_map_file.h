@@ -20,6 +20,11 @@ void embedLightMap(GltfDocument& document, const CompiledScene& scene, const Lig
 /// they are there, incident radiance. Writes beside and renames.
 void writeLightMap(const std::filesystem::path& path, const LightMap& map);
 
+class OutputFiles;
+
+/// As one of several files, io/atomic_file.h.
+void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map);
+
 /// Light map of a document, with its picture, which lies beside it; nullopt when it has none. Charts and the
 /// texels' places are found anew from the texture coordinates. Throws InputError for coordinates and pictures
 /// that do not fit.

@@ -69,8 +69,8 @@ std::vector<float> interleaved(std::span<const PictureChannel> channels) {
 
 /// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
 /// part of its own, of its name.
-void writeLayers(const std::filesystem::path& path, const Picture& picture,
-                 std::span<const PictureChannel> channels) {
+std::vector<std::uint8_t> encodeLayers(const std::filesystem::path& shown, const Picture& picture,
+                                       std::span<const PictureChannel> channels) {
   const std::span<const float> rgb(&picture.pixels.data()->x, 3 * picture.pixels.size());
   std::vector<ExrPart> parts{{"rgb", {"R", "G", "B"}, rgb}};
   std::vector<std::vector<float>> values;
@@ -84,22 +84,15 @@ void writeLayers(const std::filesystem::path& path, const Picture& picture,
     values.push_back(interleaved(part));
     parts.push_back({layer, std::move(names), values.back()});
   }
-  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
-    imageLibrary().writeExr(path, temporary, picture.width, picture.height, parts);
-  });
+  return imageLibrary().encodeExr(shown, picture.width, picture.height, parts);
 }
 
 }  // namespace
 
 void writePicture(const std::filesystem::path& path, const Picture& picture) {
-  const std::string extension = lowerExtension(path);
-  if (extension != ".exr" && extension != ".png") {
-    throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
-  }
-  if (extension == ".exr") return writePlainExr(path, picture);
-  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
-    imageLibrary().writePng(path, temporary, picture.width, picture.height, encode(picture));
-  });
+  OutputFiles files;
+  addPicture(files, path, picture, {});
+  files.commit();
 }
 
 void writePicture(const std::filesystem::path& path, const Picture& picture,
@@ -108,8 +101,22 @@ void writePicture(const std::filesystem::path& path, const Picture& picture,
   if (extension != ".exr")
     throw UsageError(path.string(),
                      "a picture of several layers is written as .exr, got '" + extension + "'");
-  if (channels.empty()) return writePlainExr(path, picture);
-  writeLayers(path, picture, channels);
+  OutputFiles files;
+  addPicture(files, path, picture, channels);
+  files.commit();
+}
+
+void addPicture(OutputFiles& files, const std::filesystem::path& path, const Picture& picture,
+                const std::vector<PictureChannel>& channels) {
+  const std::string extension = lowerExtension(path);
+  if (extension != ".exr" && extension != ".png")
+    throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
+  if (extension == ".exr" && channels.empty()) return files.add(path, encodePlainExr(path, picture));
+  const std::vector<std::uint8_t> bytes =
+      extension == ".exr"
+          ? encodeLayers(path, picture, channels)
+          : imageLibrary().encodePicturePng(path, picture.width, picture.height, encode(picture));
+  files.add(path, std::as_bytes(std::span(bytes)));
 }
 
 Picture readPicture(const std::filesystem::path& path) {

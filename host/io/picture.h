@@ -20,6 +20,8 @@ struct PictureChannel {
   std::vector<float> values;  ///< [row][column]
 };
 
+class OutputFiles;
+
 /// Writes by extension: .exr is linear radiance (R,G,B, 32-bit float), .png is tone-mapped (toneMap) 8-bit
 /// sRGB. Writes beside and renames. Throws UsageError for another extension, Error when it cannot be written.
 void writePicture(const std::filesystem::path& path, const Picture& picture);
@@ -28,6 +30,10 @@ void writePicture(const std::filesystem::path& path, const Picture& picture);
 /// part of its name, so that programs that read plain RGB pictures open it.
 void writePicture(const std::filesystem::path& path, const Picture& picture,
                   const std::vector<PictureChannel>& channels);
+
+/// As one of several files, io/atomic_file.h. Layers are left out of a .png.
+void addPicture(OutputFiles& files, const std::filesystem::path& path, const Picture& picture,
+                const std::vector<PictureChannel>& channels);
 
 /// Reads .exr, .hdr as linear radiance and .png, .jpg as sRGB decoded to linear. Throws InputError.
 Picture readPicture(const std::filesystem::path& path);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "images/image_library.h"
+#include "io/special_file.h"
 
 namespace prelight {
 
@@ -13,6 +14,7 @@ const PictureChannel* PictureLayers::find(const std::string& name) const {
 }
 
 PictureLayers readPictureLayers(const std::filesystem::path& path) {
+  refuseSpecialFile(path);
   return imageLibrary().readPictureLayers(path);
 }
 

@@ -4,10 +4,14 @@
 #include <cctype>
 
 #include "images/image_library.h"
+#include "io/special_file.h"
 
 namespace prelight {
 
-Pixels readPixels(const std::filesystem::path& path) { return imageLibrary().readPixels(path); }
+Pixels readPixels(const std::filesystem::path& path) {
+  refuseSpecialFile(path);
+  return imageLibrary().readPixels(path);
+}
 
 std::string lowerExtension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();

@@ -3,13 +3,15 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <exception>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
 
 namespace prelight {
 
@@ -17,7 +19,26 @@ namespace {
 
 constexpr std::array<const char*, 3> names = {"R", "G", "B"};
 
-void write(const std::filesystem::path& path, const Picture& picture) {
+/// Memory that OpenEXR writes to, with seeking back: the table of rows comes before them.
+class MemoryStream final : public Imf::OStream {
+ public:
+  explicit MemoryStream(std::vector<std::byte>& bytes) : OStream("memory"), bytes_(bytes) {}
+
+  void write(const char data[], int size) override {
+    const auto count = static_cast<std::size_t>(size);
+    bytes_.resize(std::max(bytes_.size(), at_ + count));
+    std::memcpy(bytes_.data() + at_, data, count);
+    at_ += count;
+  }
+  std::uint64_t tellp() override { return at_; }
+  void seekp(std::uint64_t position) override { at_ = position; }
+
+ private:
+  std::vector<std::byte>& bytes_;
+  std::size_t at_ = 0;
+};
+
+void write(MemoryStream& stream, const Picture& picture) {
   Imf::Header header(picture.width, picture.height);
   // Zip takes 25 ms for 256 x 256 noisy pixels and saves 6 % of the bytes.
   header.compression() = Imf::NO_COMPRESSION;
@@ -30,21 +51,25 @@ void write(const std::filesystem::path& path, const Picture& picture) {
                                    {{0, 0}, {picture.width - 1, picture.height - 1}}, pixel,
                                    pixel * static_cast<std::size_t>(picture.width)));
   }
-  Imf::OutputFile file(path.c_str(), header, 0);
+  Imf::OutputFile file(stream, header, 0);
   file.setFrameBuffer(pixels);
   file.writePixels(picture.height);
 }
 
 }  // namespace
 
-void writePlainExr(const std::filesystem::path& path, const Picture& picture) {
-  writeFileAtomically(path, [&](const std::filesystem::path& temporary) {
-    try {
-      write(temporary, picture);
-    } catch (const std::exception& error) {
-      throw Error(ExitCode::RuntimeFailure, path.string(), std::string("cannot be written: ") + error.what());
-    }
-  });
+std::vector<std::byte> encodePlainExr(const std::filesystem::path& shown, const Picture& picture) {
+  std::vector<std::byte> bytes;
+  bytes.reserve(picture.pixels.size() * sizeof(glm::vec3) + 24 * static_cast<std::size_t>(picture.height));
+  MemoryStream stream(bytes);
+  try {
+    write(stream, picture);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(ExitCode::RuntimeFailure, shown.string(), std::string("cannot be written: ") + error.what());
+  }
+  return bytes;
 }
 
 }  // namespace prelight

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <vector>
 
 #include "io/picture.h"
 
 namespace prelight {
 
-/// Writes R, G, B as 32-bit floats to an .exr file of one part. By OpenEXR itself: what else pictures are
-/// read and written with takes longer to load than many a picture takes to draw (images/image_library.h).
-/// Throws Error when the file cannot be written.
-void writePlainExr(const std::filesystem::path& path, const Picture& picture);
+/// The bytes of an .exr file of one part with R, G, B as 32-bit floats. By OpenEXR itself: what else pictures
+/// are read and written with takes longer to load than many a picture takes to draw (images/image_library.h).
+/// Throws Error about `shown`.
+std::vector<std::byte> encodePlainExr(const std::filesystem::path& shown, const Picture& picture);
 
 }  // namespace prelight

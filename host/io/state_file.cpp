@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
+#include "io/pending_file.h"
+#include "io/special_file.h"
 
 namespace prelight {
 
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<char, 8> magic = {'P', 'R', 'L', 'S', 'T', 'A', 'T', 'E'};
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr const char* startAnew = "delete it, or leave --resume out to start anew";
 
 /// Everything before the payload: kind, key, the payload's size and hash.
@@ -77,7 +79,16 @@ Header readHeader(const fs::path& path, StateReader& reader) {
   return header;
 }
 
+/// Block by block, as it is written.
+std::uint64_t hashOf(std::span<const std::byte> payload) {
+  StateHash hash;
+  for (std::size_t at = 0; at < payload.size(); at += StateWriter::blockSize)
+    hash.bytes(payload.subspan(at, std::min(StateWriter::blockSize, payload.size() - at)));
+  return hash.result();
+}
+
 std::vector<std::byte> readAll(const fs::path& path) {
+  refuseSpecialFile(path);
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
@@ -128,6 +139,29 @@ std::uint64_t StateHash::result() const {
   return x ^ (x >> 29);
 }
 
+void StateWriter::bytes(std::span<const std::byte> data) {
+  while (!data.empty()) {
+    const std::size_t count = sink_ ? std::min(data.size(), blockSize - bytes_.size()) : data.size();
+    bytes_.insert(bytes_.end(), data.begin(), data.begin() + static_cast<std::ptrdiff_t>(count));
+    data = data.subspan(count);
+    if (sink_ && bytes_.size() == blockSize) flush();
+  }
+}
+
+void StateWriter::flush() {
+  if (!sink_ || bytes_.empty()) return;
+  sink_(bytes_);
+  bytes_.clear();
+}
+
+void StateReader::requireFinite(std::span<const float> numbers) const {
+  for (const float number : numbers) require(std::isfinite(number));
+}
+
+void StateReader::requireFinite(std::span<const double> numbers) const {
+  for (const double number : numbers) require(std::isfinite(number));
+}
+
 const std::byte* StateReader::take(std::uint64_t count, std::size_t size) {
   if (count > (payload_.size() - at_) / size) damaged();
   const std::byte* data = payload_.data() + at_;
@@ -146,11 +180,28 @@ fs::path stateFileOf(const fs::path& output) {
 }
 
 void writeStateFile(const fs::path& path, const std::string& kind, const StateKey& key,
+                    const std::function<void(StateWriter&)>& write) {
+  constexpr mode_t ownerOnly = 0600;
+  PendingFile file(path, ownerOnly);
+  Header header{kind, key, 0, 0};
+  file.write(headerBytes(header));
+  StateHash hash;
+  StateWriter writer([&](std::span<const std::byte> block) {
+    hash.bytes(block);
+    header.payloadBytes += block.size();
+    file.write(block);
+  });
+  write(writer);
+  writer.flush();
+  header.payloadHash = hash.result();
+  file.overwrite(0, headerBytes(header));
+  file.close();
+  file.moveIn();
+}
+
+void writeStateFile(const fs::path& path, const std::string& kind, const StateKey& key,
                     std::span<const std::byte> payload) {
-  const std::vector<std::byte> header =
-      headerBytes({kind, key, payload.size(), StateHash().bytes(payload).result()});
-  const std::array<std::span<const std::byte>, 2> pieces = {std::span<const std::byte>(header), payload};
-  writeFileAtomically(path, pieces);
+  writeStateFile(path, kind, key, [&](StateWriter& writer) { writer.bytes(payload); });
 }
 
 std::optional<StateReader> readStateFile(const fs::path& path, const std::string& kind, const StateKey& key) {
@@ -158,8 +209,7 @@ std::optional<StateReader> readStateFile(const fs::path& path, const std::string
   if (!fs::exists(path, ignored)) return std::nullopt;
   StateReader reader(path, readAll(path));
   const Header header = readHeader(path, reader);
-  if (reader.rest().size() != header.payloadBytes ||
-      StateHash().bytes(reader.rest()).result() != header.payloadHash)
+  if (reader.rest().size() != header.payloadBytes || hashOf(reader.rest()) != header.payloadHash)
     reader.damaged();
   if (header.kind != kind)
     throw InputError(path.string(), fmt::format("got the state of a {}, expected of a {}", header.kind, kind),

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,30 +47,39 @@ class StateHash {
 /// What a state belongs to, part by part: name (as an error message calls it) and hash.
 using StateKey = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// Collects a state's payload.
+/// Collects a state's payload, or hands it on block by block, so that a large one never lies in memory as a
+/// whole.
 class StateWriter {
  public:
+  using Sink = std::function<void(std::span<const std::byte>)>;
+  static constexpr std::size_t blockSize = std::size_t{1} << 20;
+
+  /// Keeps everything for payload().
+  StateWriter() = default;
+
+  /// Gives blocks of `blockSize` bytes to `sink`, and the last with flush().
+  explicit StateWriter(Sink sink) : sink_(std::move(sink)) {}
+
   template <typename T>
   void value(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    append(&value, sizeof value);
+    bytes(std::as_bytes(std::span(&value, 1)));
   }
 
   template <typename T>
   void values(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
     value(std::uint64_t{values.size()});
-    append(values.data(), values.size() * sizeof(T));
+    bytes(std::as_bytes(std::span(values)));
   }
+
+  void bytes(std::span<const std::byte> data);
+  void flush();
 
   std::span<const std::byte> payload() const { return bytes_; }
 
  private:
-  void append(const void* data, std::size_t size) {
-    const auto* first = static_cast<const std::byte*>(data);
-    bytes_.insert(bytes_.end(), first, first + size);
-  }
-
+  Sink sink_;
   std::vector<std::byte> bytes_;
 };
 
@@ -84,7 +94,9 @@ class StateReader {
   template <typename T>
   void value(T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    std::memcpy(&value, take(1, sizeof value), sizeof value);
+    const std::byte* source = take(1, sizeof value);
+    if constexpr (std::is_same_v<T, bool>) require(*source == std::byte{0} || *source == std::byte{1});
+    std::memcpy(&value, source, sizeof value);
   }
 
   template <typename T>
@@ -102,8 +114,18 @@ class StateReader {
   void sameSize(std::vector<T>& out) {
     const std::size_t expected = out.size();
     values(out);
-    if (out.size() != expected) damaged();
+    require(out.size() == expected);
   }
+
+  /// What a state that this program has written always keeps to. A payload is not trusted because its hash is
+  /// right.
+  void require(bool holds) const {
+    if (!holds) damaged();
+  }
+
+  /// Throws unless all are finite numbers.
+  void requireFinite(std::span<const float> numbers) const;
+  void requireFinite(std::span<const double> numbers) const;
 
   /// What has not been read yet.
   std::span<const std::byte> rest() const { return std::span(payload_).subspan(at_); }
@@ -121,14 +143,16 @@ class StateReader {
 /// Where the state of a computation that writes `output` is kept: beside it, with ".state" added.
 std::filesystem::path stateFileOf(const std::filesystem::path& output);
 
-/// Writes beside, then renames: an older state stays whole until the new one is. `kind` says which
-/// computation it is ("bake"). Throws Error (RuntimeFailure).
+/// Writes beside, then renames: an older state stays whole until the new one is. Nobody but its owner may
+/// read it. `kind` says which computation it is ("bake"). Throws Error (RuntimeFailure).
+void writeStateFile(const std::filesystem::path& path, const std::string& kind, const StateKey& key,
+                    const std::function<void(StateWriter&)>& write);
 void writeStateFile(const std::filesystem::path& path, const std::string& kind, const StateKey& key,
                     std::span<const std::byte> payload);
 
-/// The payload, or nothing when there is no such file. Throws InputError for a file that is damaged, of
-/// another kind or version, and UsageError for a whole one that belongs to another key, naming the parts that
-/// differ.
+/// The payload, or nothing when there is no such file. Throws InputError for a file that is damaged, none at
+/// all, of another kind or version, and UsageError for a whole one that belongs to another key, naming the
+/// parts that differ.
 std::optional<StateReader> readStateFile(const std::filesystem::path& path, const std::string& kind,
                                          const StateKey& key);
 

@@ -69,6 +69,9 @@ void LightMapBake::load(StateReader& state) {
   state.value(rays_);
   state.sameSize(hidden_);
   state.sameSize(map_.values);
+  state.require(done_ <= hidden_.size());
+  for (const std::uint8_t hidden : hidden_) state.require(hidden <= 1);
+  state.requireFinite(map_.values);
 }
 
 LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report) {

@@ -208,11 +208,45 @@ void FormFactorCast::load(StateReader& state) {
   state.values(counts_.escaped);
   state.values(counts_.surface);
   state.values(counts_.valid);
-  const std::size_t rows = counts_.elements.size();
-  if (done_ > queue_.size() || counts_.offsets.size() != rows + 1 || counts_.rays.size() != rows ||
-      counts_.escaped.size() != rows || counts_.surface.size() != rows || counts_.valid.size() != rows ||
-      counts_.columns.size() != counts_.counts.size() || counts_.offsets.back() != counts_.columns.size())
-    state.damaged();
+  checkLoaded(state);
+  for (const std::uint8_t mark : marks) state.require(mark <= 1);
+}
+
+void FormFactorCast::checkLoaded(const StateReader& state) const {
+  const ExchangeCounts& c = counts_;
+  const std::size_t rows = c.elements.size();
+  const std::uint32_t elements = 2 * elements_.perSide();
+  state.require(round_ <= maxBackRounds && done_ <= queue_.size() && done_ <= rows);
+  state.require(c.offsets.size() == rows + 1 && c.rays.size() == rows && c.escaped.size() == rows &&
+                c.surface.size() == rows && c.valid.size() == rows && c.columns.size() == c.counts.size());
+  state.require(c.offsets.front() == 0 && c.offsets.back() == c.columns.size());
+  for (const std::uint8_t cast : backCast_) state.require(cast <= 1);
+  // Rows end with what is done of the queue, and no element comes twice.
+  state.require(std::equal(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(done_),
+                           c.elements.end() - static_cast<std::ptrdiff_t>(done_)));
+  std::vector<std::uint8_t> known(elements, 0);
+  const auto requireNew = [&](std::uint32_t element) {
+    state.require(element < elements && known[element] == 0);
+    known[element] = 1;
+  };
+  for (const std::uint32_t element : c.elements) requireNew(element);
+  for (std::size_t i = done_; i < queue_.size(); ++i) requireNew(queue_[i]);
+  for (std::size_t row = 0; row < rows; ++row) checkRow(row, state);
+}
+
+void FormFactorCast::checkRow(std::size_t row, const StateReader& state) const {
+  const ExchangeCounts& c = counts_;
+  const std::uint32_t elements = 2 * elements_.perSide();
+  state.require(c.offsets[row] <= c.offsets[row + 1] && c.offsets[row + 1] <= c.columns.size());
+  std::uint64_t rays = c.escaped[row];
+  for (std::uint64_t i = c.offsets[row]; i < c.offsets[row + 1]; ++i) {
+    state.require(c.columns[i] < elements && (i == c.offsets[row] || c.columns[i - 1] < c.columns[i]));
+    rays += c.counts[i];
+  }
+  state.require(rays == c.rays[row] && rays <= raysPerElement_);
+  const glm::vec4& surface = c.surface[row];
+  for (int k = 0; k < 4; ++k) state.require(surface[k] >= 0.0f && surface[k] <= 1.001f);
+  state.require(rays == 0 || surface.w > 0.0f);
 }
 
 }  // namespace prelight

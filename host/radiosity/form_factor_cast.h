@@ -47,6 +47,8 @@ class FormFactorCast {
   void load(StateReader& state);
 
  private:
+  void checkLoaded(const StateReader& state) const;
+  void checkRow(std::size_t row, const StateReader& state) const;
   bool startRound();
   void castBlock(std::uint32_t count);
   void addRow(std::uint32_t element, const std::uint32_t* codes, const glm::vec4* judged);

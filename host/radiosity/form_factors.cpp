@@ -107,8 +107,10 @@ FormFactors makeFormFactors(const RadiosityElements& elements, const ExchangeCou
                             std::uint64_t maxMemory) {
   const std::uint32_t all = 2 * elements.perSide();
   FormFactors f;
-  f.backs = std::any_of(counts.columns.begin(), counts.columns.end(),
-                        [&](std::uint32_t column) { return column >= elements.perSide(); });
+  // A back that lets light through to its front is cast from although no ray has met it from behind.
+  const auto isBack = [&](std::uint32_t element) { return element >= elements.perSide(); };
+  f.backs = std::any_of(counts.columns.begin(), counts.columns.end(), isBack) ||
+            std::any_of(counts.elements.begin(), counts.elements.end(), isBack);
   const std::uint32_t n = f.backs ? all : elements.perSide();
   std::vector<std::uint32_t> rowOf(all, noRow);
   f.areas.assign(n, 0.0f);

@@ -95,15 +95,15 @@ StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request,
 }
 
 void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film) {
-  StateWriter writer;
-  writer.value(film.width);
-  writer.value(film.height);
-  writer.value(film.passes);
-  writer.value(film.blockPixels);
-  writer.values(film.sums);
-  writer.values(film.means);
-  writer.values(film.squares);
-  writeStateFile(path, kind, key, writer.payload());
+  writeStateFile(path, kind, key, [&](StateWriter& writer) {
+    writer.value(film.width);
+    writer.value(film.height);
+    writer.value(film.passes);
+    writer.value(film.blockPixels);
+    writer.values(film.sums);
+    writer.values(film.means);
+    writer.values(film.squares);
+  });
 }
 
 std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key) {
@@ -120,7 +120,11 @@ std::optional<Film> readFilmState(const std::filesystem::path& path, const State
   reader->sameSize(film.sums);
   reader->sameSize(film.means);
   reader->sameSize(film.squares);
-  if (film.blockPixels >= film.pixelCount()) reader->damaged();
+  reader->require(film.blockPixels < film.pixelCount() && film.passes <= ReferenceRequest::maxSamples);
+  for (const glm::dvec3& sum : film.sums) reader->requireFinite(std::span(&sum.x, 3));
+  reader->requireFinite(film.means);
+  reader->requireFinite(film.squares);
+  for (const double square : film.squares) reader->require(square >= 0.0);
   return film;
 }
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
 #include "scene/glb_container.h"
+#include "scene/glb_output.h"
 #include "scene/gltf_embed.h"
 #include "scene/gltf_validate.h"
 #include "scene/json_cursor.h"
@@ -37,6 +37,12 @@ GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings) {
 }
 
 void writeGlb(const std::filesystem::path& path, const GltfDocument& document) {
+  OutputFiles files;
+  addGlb(files, path, document);
+  files.commit();
+}
+
+void addGlb(OutputFiles& files, const std::filesystem::path& path, const GltfDocument& document) {
   using Json = nlohmann::ordered_json;
   const std::string json = document.json.dump(-1, ' ', false, Json::error_handler_t::replace);
   const std::vector<std::uint8_t> prefix = makeGlbPrefix(json, document.bin.size(), path.string());
@@ -45,7 +51,7 @@ void writeGlb(const std::filesystem::path& path, const GltfDocument& document) {
   const std::array<std::span<const std::byte>, 3> pieces = {std::as_bytes(std::span(prefix)),
                                                             std::as_bytes(std::span(document.bin)),
                                                             std::as_bytes(std::span(zeros).first(padding))};
-  writeFileAtomically(path, pieces);
+  files.add(path, pieces);
 }
 
 int appendAccessor(GltfDocument& document, std::span<const std::byte> data, const std::string& type,

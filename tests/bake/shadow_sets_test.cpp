@@ -180,7 +180,11 @@ class StopAfter : public Progress, public BakeCheckpoint {
     if (state_.empty()) return std::nullopt;
     return StateReader("state", state_);
   }
-  void save(std::span<const std::byte> payload) override { state_.assign(payload.begin(), payload.end()); }
+  void save(const std::function<void(StateWriter&)>& write) override {
+    StateWriter writer;
+    write(writer);
+    state_.assign(writer.payload().begin(), writer.payload().end());
+  }
   void goOnFor(int blocks) { blocks_ = blocks; }
 
  private:

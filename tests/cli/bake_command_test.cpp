@@ -238,6 +238,21 @@ TEST_F(CliResume, InterruptedAndContinued_EndsAsIfNeverInterrupted) {
   }
 }
 
+/// What a power cut or the kernel's killer of large programs leaves.
+TEST_F(CliResume, Killed_LeavesAStateToGoOnWith) {
+  const ProcessResult killed =
+      runProcess({"/bin/bash", "-c",
+                  "$P bake cornell.glb -o out.glb --ao --sh 2 --rays 1048576 & pid=$!;"
+                  "until [ -e out.glb.state ]; do sleep 0.1; kill -0 $pid || exit 1; done; kill -9 $pid; "
+                  "wait $pid; exit 0"},
+                 {.directory = path(""), .environment = {{"P", PRELIGHT_PROGRAM}}});
+  ASSERT_EQ(killed.exitCode, 0) << killed.errors;
+  EXPECT_EQ(files(), (std::set<std::string>{"scene.glb", "cornell.glb", "out.glb.state"}));
+  const ProcessResult resumed = bakeCornell("out.glb", {"--rays", "1048576", "--resume"}, SIGINT);
+  EXPECT_EQ(resumed.exitCode, interrupted);
+  EXPECT_THAT(resumed.errors, HasSubstr("going on with"));
+}
+
 TEST_F(CliResume, StateOfAnotherBake_IsBadUsage) {
   interruptLongBake({"--rays", "1048576", "--seed", "1"});
   const std::string state = readFile("out.glb.state");

@@ -125,5 +125,25 @@ TEST_F(CliLightMap, Caustics_BringALightMapWithThem) {
                 {"--photons", "--lightmap"});
 }
 
+/// The picture alone would be of another bake than the file that names it.
+TEST_F(CliLightMap, DiskWithRoomForThePictureAlone_LeavesBothFilesAsTheyWere) {
+  const std::vector<std::string> coarse = {"--sh", "8", "--rays", "16", "--texel-size", "0.5"};
+  bake("out.glb", coarse);
+  const std::string file = readFile("out.glb"), picture = readFile("out.lightmap.exr");
+  const std::size_t limit = picture.size() / 1024 + 1;
+  ASSERT_LT(limit * 1024, file.size());
+  const std::set<std::string> before = files();
+  const ProcessResult result =
+      runProcess({"/bin/bash", "-c",
+                  "ulimit -f " + std::to_string(limit) +
+                      "; $P bake scene.glb -o out.glb --lightmap --sh 8 --rays 16 --texel-size 0.5 --seed 9"},
+                 {.directory = path(""), .environment = {{"P", PRELIGHT_PROGRAM}}});
+  EXPECT_EQ(result.exitCode, 1) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("out.glb: cannot write"));
+  EXPECT_EQ(readFile("out.glb"), file);
+  EXPECT_EQ(readFile("out.lightmap.exr"), picture);
+  EXPECT_EQ(files(), before);
+}
+
 }  // namespace
 }  // namespace prelight::test

@@ -1,10 +1,13 @@
 #include "device/program_cache.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "device/cache_folder.h"
 #include "device/context.h"
 #include "support/devices.h"
 
@@ -58,6 +61,55 @@ TEST_F(ProgramCacheTest, CorruptTruncatedOrForeignEntry_CountsAsAbsent) {
   }
   overwrite("elsewhere", good);
   EXPECT_EQ(cache.load("elsewhere"), std::nullopt) << "an entry of another key must not be trusted";
+}
+
+TEST_F(ProgramCacheTest, Folder_IsItsOwnersAlone) {
+  const mode_t mask = ::umask(0);
+  ProgramCache(folder_ / "prelight" / "kernels").store("key", binary_);
+  ::umask(mask);
+  for (const fs::path& part : {folder_, folder_ / "prelight", folder_ / "prelight" / "kernels"})
+    EXPECT_EQ(fs::status(part).permissions(), fs::perms::owner_all) << part;
+  EXPECT_EQ(fs::status(folder_ / "prelight" / "kernels" / "key").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+// What is in it is native code.
+TEST_F(ProgramCacheTest, FolderOrEntryThatOthersMayWriteTo_IsNotUsed) {
+  const fs::path folder = folder_ / "prelight" / "kernels";
+  const ProgramCache cache(folder);
+  cache.store("key", binary_);
+  ASSERT_EQ(cache.load("key"), binary_);
+  for (const fs::path& place : {folder, folder_ / "prelight", folder / "key"})
+    for (const fs::perms others : {fs::perms::group_write, fs::perms::others_write}) {
+      fs::permissions(place, others, fs::perm_options::add);
+      EXPECT_EQ(cache.load("key"), std::nullopt) << place;
+      EXPECT_EQ(refusalOfCache(folder).has_value(), place != folder / "key");
+      fs::permissions(place, others, fs::perm_options::remove);
+    }
+  EXPECT_EQ(cache.load("key"), binary_);
+}
+
+TEST_F(ProgramCacheTest, FolderOrEntryOfAnotherUser_IsNotUsed) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give files away";
+  const fs::path folder = folder_ / "prelight" / "kernels";
+  const ProgramCache cache(folder);
+  cache.store("key", binary_);
+  for (const fs::path& place : {folder / "key", folder}) {
+    ASSERT_EQ(::chown(place.c_str(), 12345, 12345), 0);
+    EXPECT_EQ(cache.load("key"), std::nullopt) << place;
+    ASSERT_EQ(::chown(place.c_str(), 0, 0), 0);
+  }
+  EXPECT_EQ(cache.load("key"), binary_);
+}
+
+TEST_F(ProgramCacheTest, Entry_ThatIsALinkOrAPipe_CountsAsAbsent) {
+  const ProgramCache cache(folder_);
+  cache.store("key", binary_);
+  fs::rename(folder_ / "key", folder_ / "elsewhere");
+  fs::create_symlink("elsewhere", folder_ / "key");
+  EXPECT_EQ(cache.load("key"), std::nullopt);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(cache.load("pipe"), std::nullopt);
 }
 
 TEST_F(ProgramCacheTest, UnwritableFolder_IsIgnored) {

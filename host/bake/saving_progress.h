@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string_view>
+
+#include "base/progress.h"
+
+namespace prelight {
+
+/// The progress of work that keeps its state now and then, for runs that end without a warning. Wherever work
+/// asks whether to stop it could be told so, and its state can be saved there.
+///
+/// Saves come ever rarer, up to `interval` seconds apart, and take a hundredth of the time at most: after a
+/// slow one, the next waits a hundred times as long.
+class SavingProgress final : public Progress {
+ public:
+  /// `outer` outlives it.
+  SavingProgress(Progress& outer, double interval, std::function<void()> save);
+
+  void report(std::string_view stage, double fraction) override { outer_.report(stage, fraction); }
+  bool stopRequested() const override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Progress& outer_;
+  double interval_;
+  std::function<void()> save_;
+  mutable double wait_;
+  mutable Clock::time_point next_;
+};
+
+}  // namespace prelight
