@@ -14,6 +14,7 @@
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
+#include "io/finite_results.h"
 #include "io/light_map_file.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
@@ -176,6 +177,7 @@ void bakeKeys(Session& session, const BakeCommand& command, const LoadedScene& l
 /// Its picture comes first: a .glb that names one has one.
 void addLightMap(const std::filesystem::path& output, const LightMap& map, LoadedScene& loaded) {
   const std::filesystem::path picture = lightMapPath(output);
+  requireFiniteLightMap(picture, map);
   writeLightMap(picture, map);
   embedLightMap(loaded.document, loaded.compiled, map.layout, picture.filename().string());
 }

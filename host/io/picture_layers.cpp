@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "images/image_library.h"
+#include "io/pixels.h"
 
 namespace prelight {
 
@@ -13,6 +14,7 @@ const PictureChannel* PictureLayers::find(const std::string& name) const {
 }
 
 PictureLayers readPictureLayers(const std::filesystem::path& path) {
+  requirePictureFile(path, {PictureFormat::Exr});
   return imageLibrary().readPictureLayers(path);
 }
 
