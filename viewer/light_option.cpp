@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/magnitudes.h"
 
 namespace prelight::viewer {
 namespace {
@@ -37,7 +38,7 @@ double parseNumber(std::string_view text, std::string_view part, const std::stri
   if (status != std::errc{} || end != part.data() + part.size() || part.empty()) {
     refuse(text, name + " has '" + std::string(part) + "' where a number is expected");
   }
-  if (!std::isfinite(value) || std::abs(value) > 1e30) refuse(text, name + " is not a usable finite number");
+  if (!(std::abs(value) <= largestInput)) refuse(text, name + " has a number beyond 1e15");
   return value;
 }
 

@@ -15,6 +15,7 @@
 #include "io/atomic_file.h"
 #include "io/baked_file.h"
 #include "io/environment.h"
+#include "io/finite_results.h"
 #include "io/light_map_file.h"
 #include "scene/glb_output.h"
 #include "scene/pose.h"
@@ -182,6 +183,7 @@ void addOutputs(const BakeCommand& command, const BakeRun& run, const QuantizedO
   embedBake(loaded.document, loaded.compiled, run.bake, quantized);
   if (run.bake.lightMap) {
     const std::filesystem::path picture = lightMapPath(command.output);
+    requireFiniteLightMap(picture, *run.bake.lightMap);
     addLightMap(files, picture, *run.bake.lightMap);
     embedLightMap(loaded.document, loaded.compiled, run.bake.lightMap->layout, picture.filename().string());
   }

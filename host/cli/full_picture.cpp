@@ -7,6 +7,7 @@
 
 #include "cli/output_file.h"
 #include "cli/report.h"
+#include "io/finite_results.h"
 #include "viewer/camera.h"
 
 namespace prelight::cli {
@@ -123,6 +124,7 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
     return renderFull(lit, camera, request, std::move(surface), device, session.progress(), made);
   });
   session.progress().clear();
+  requireFinite(output, picture);
   {
     const StopSignals::Writing writing(session.signals());
     session.times().measure("write", [&] { writePicture(output, picture); });

@@ -11,6 +11,7 @@ struct GlobalOptions {
   bool quiet = false;
   bool verbose = false;
   bool json = false;
+  bool allowOutside = false;  ///< ReadOptions::allowOutside
 };
 
 }  // namespace prelight::cli

@@ -13,6 +13,7 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "io/environment.h"
+#include "io/finite_results.h"
 #include "io/picture.h"
 #include "reference/film_state.h"
 #include "viewer/camera.h"
@@ -122,7 +123,9 @@ void writeFilm(const ReferenceCommand& command, const ReferenceRun& run, Session
     channels.push_back({"variance.Y", std::move(variance)});
   else
     session.console().note("one sample a pixel tells no variance: the picture has no variance.Y");
-  writePicture(command.output, run.film.picture(), channels);
+  const Picture picture = run.film.picture();
+  requireFinite(command.output, picture);
+  writePicture(command.output, picture, channels);
 }
 
 /// Goes on with an interrupted picture if there is one.

@@ -9,6 +9,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
+#include "io/finite_results.h"
 #include "io/picture.h"
 
 namespace prelight::cli {
@@ -67,6 +68,7 @@ void runRender(const RenderCommand& command, Context& context) {
       "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn); });
   plan.insert(plan.end(), drawn.begin(), drawn.end());
   session.progress().check();
+  requireFinite(command.output, picture);
   {
     const StopSignals::Writing writing(context.signals);
     session.times().measure("write", [&] { writePicture(command.output, picture); });

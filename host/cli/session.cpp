@@ -19,7 +19,7 @@ LoadedScene Session::load(const std::filesystem::path& path) {
   loaded.path = path;
   Warnings found;
   times_.measure("load", [&] {
-    loaded.document = readGltf(path, found);
+    loaded.document = readGltf(path, found, {context_.options.allowOutside});
     progress_.check();
     loaded.scene = loadScene(loaded.document, found);
   });

@@ -110,6 +110,7 @@ void Fitter::seedMeans() {
   const Index count = points_.rows();
   means_.resize(clusters_, points_.cols());
   means_.row(0).setZero();
+  basis_.resize(0, points_.cols());  // no axes yet, of as many numbers as there will be
   if (clusters_ == 1) return;
   Eigen::VectorXd distances = Eigen::VectorXd::Constant(count, 1.0);
   for (Index k = 0; k < clusters_; ++k) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "images/picture_header.h"
 #include "io/picture_layers.h"
 #include "io/pixels.h"
 #include "scene/scene.h"
@@ -24,13 +25,12 @@ struct ExrPart {
 /// needs it.
 struct ImageLibrary {
   /// See the functions of the same names, which check what they are given.
-  Pixels (*readPixels)(const std::filesystem::path& path);
+  Pixels (*readPixels)(const std::filesystem::path& path, PictureFormat format);
   PictureLayers (*readPictureLayers)(const std::filesystem::path& path);
   std::vector<std::uint8_t> (*encodePng)(const Image& image);
 
-  /// `name` is "x." and the format's extension; errors are about `where`.
-  Image (*decodeImage)(std::span<const std::uint8_t> bytes, const std::string& name,
-                       const std::string& where);
+  /// Errors are about `where`.
+  Image (*decodeImage)(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where);
 
   /// Bytes of a file: OpenImageIO does not tell of all that goes wrong while it writes one itself. Both throw
   /// Error about `shown`. RGB, 8 bits, [row][column].

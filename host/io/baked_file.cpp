@@ -6,6 +6,7 @@
 #include "io/bake_writer.h"
 #include "io/baked_ranges.h"
 #include "io/baked_strip.h"
+#include "io/finite_results.h"
 #include "io/light_map_file.h"
 #include "io/volume_file.h"
 #include "scene/json_cursor.h"
@@ -43,6 +44,7 @@ BakeInfo infoFromJson(const JsonCursor& json) {
 void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                const QuantizedOccluders* occluders) {
   stripBake(document);
+  const std::size_t ownAccessors = document.json.value("accessors", Json::array()).size();
   // Asked for at once: where it grows bit by bit, it is copied as often.
   const std::size_t bytes = storedBytes(bake);
   document.bin.reserve(document.bin.size() + bytes + bytes / 16);
@@ -58,6 +60,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   addSharedData(document, bake, occluders, root);
   if (bake.volume) root["volume"] = volumeToJson(document, *bake.volume);
   document.json["extensions"][extensionName] = std::move(root);
+  requireFiniteBake(document, ownAccessors);
 }
 
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene) {

@@ -12,7 +12,7 @@ namespace prelight {
 /// Adds the PRELIGHT_transfer extension to a document, replacing an earlier one and its data.
 /// Nodes, meshes and materials keep their order; a node with instances stores [instance][vertex].
 /// `occluders`, where given, take the place of the bake's. A light map, of which a file of its own is a part,
-/// is embedLightMap's.
+/// is embedLightMap's. Throws Error (RuntimeFailure) for a bake that is not finite.
 void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                const QuantizedOccluders* occluders = nullptr);
 

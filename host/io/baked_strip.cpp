@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "scene/gltf_embed.h"
+#include "scene/json_cursor.h"
 
 namespace prelight {
 
@@ -24,18 +25,12 @@ constexpr std::array<std::string_view, 22> accessorMembers = {
     "irradiance", "texCoord",   "accessor",     "matrices",     "halves",  "bytes",  "clusters", "weights",
     "ranges",     "means",      "basis",        "weightRanges", "direct",  "air"};
 
-/// An index: non-negative, however the tree's maker stored it.
-std::optional<std::size_t> asIndex(const Json& json) {
-  if (!json.is_number_integer() || (!json.is_number_unsigned() && json < 0)) return std::nullopt;
-  return json.get<std::size_t>();
-}
-
 void collectBaked(const Json& json, std::set<std::size_t>& accessors) {
   for (const auto& member : json.items()) {
     const bool named =
         std::find(accessorMembers.begin(), accessorMembers.end(), member.key()) != accessorMembers.end();
-    if (json.is_object() && named && asIndex(member.value())) {
-      accessors.insert(*asIndex(member.value()));
+    if (json.is_object() && named && unsignedValue(member.value())) {
+      accessors.insert(*unsignedValue(member.value()));
     } else if (member.value().is_structured()) {
       collectBaked(member.value(), accessors);
     }
@@ -54,14 +49,14 @@ void collectReferences(const Json& json, Reference kind, std::set<std::size_t>& 
     const bool named = kind == Reference::BufferView
                            ? member.key() == "bufferView"
                            : std::find(members.begin(), members.end(), member.key()) != members.end();
-    if (json.is_object() && named && asIndex(value)) references.insert(*asIndex(value));
+    if (json.is_object() && named && unsignedValue(value)) references.insert(*unsignedValue(value));
     if (!value.is_structured() || member.key() == "extras") continue;
     collectReferences(value, kind, references);
     const bool attributes = member.key() == "attributes";
     if (kind == Reference::BufferView || !(attributes || member.key() == "targets")) continue;
     for (const Json& set : attributes ? Json::array({value}) : value) {
       for (const Json& item : set) {
-        if (asIndex(item)) references.insert(*asIndex(item));
+        if (unsignedValue(item)) references.insert(*unsignedValue(item));
       }
     }
   }
@@ -83,12 +78,20 @@ void takeExtension(Json& object, std::set<std::size_t>& accessors) {
   if (extensions.empty()) object.erase("extensions");
 }
 
+/// A member that counts bytes; 0 where there is none.
+std::size_t memberOf(const Json& view, const char* name) {
+  return view.contains(name) ? unsignedValue(view[name]).value_or(0) : 0;
+}
+
+/// Others are broken, and nothing uses them.
+bool isOfBuffer(const Json& view) { return view.contains("buffer") && unsignedValue(view["buffer"]) == 0u; }
+
 /// Bytes that the buffer views reach.
 std::size_t reachedBytes(const Json& json) {
   std::size_t end = 0;
   if (!json.contains("bufferViews")) return end;
   for (const Json& view : json["bufferViews"]) {
-    end = std::max(end, view.value("byteOffset", std::size_t{0}) + view.value("byteLength", std::size_t{0}));
+    if (isOfBuffer(view)) end = std::max(end, memberOf(view, "byteOffset") + memberOf(view, "byteLength"));
   }
   return end;
 }
@@ -109,8 +112,7 @@ void stripBake(GltfDocument& document) {
   Json& accessors = json["accessors"];
   while (!accessors.empty() && baked.contains(accessors.size() - 1) &&
          !keptAccessors.contains(accessors.size() - 1)) {
-    if (accessors.back().contains("bufferView"))
-      views.insert(accessors.back()["bufferView"].get<std::size_t>());
+    if (const auto view = unsignedValue(accessors.back().value("bufferView", Json()))) views.insert(*view);
     accessors.erase(accessors.size() - 1);
   }
   const std::set<std::size_t> keptViews = referencesIn(json, Reference::BufferView);
@@ -118,7 +120,7 @@ void stripBake(GltfDocument& document) {
   std::size_t start = document.bin.size();
   while (!bufferViews.empty() && views.contains(bufferViews.size() - 1) &&
          !keptViews.contains(bufferViews.size() - 1)) {
-    start = std::min(start, bufferViews.back().value("byteOffset", std::size_t{0}));
+    if (isOfBuffer(bufferViews.back())) start = std::min(start, memberOf(bufferViews.back(), "byteOffset"));
     bufferViews.erase(bufferViews.size() - 1);
   }
   document.bin.resize(std::max(start, std::min(reachedBytes(json), document.bin.size())));

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/magnitudes.h"
 #include "io/pixels.h"
 
 namespace prelight {
@@ -37,13 +38,13 @@ void checkRadiance(const Pixels& pixels, const std::filesystem::path& path) {
   for (std::size_t i = 0; i < pixels.rgb.size(); ++i) {
     const glm::vec3 texel = pixels.rgb[i];
     bool good = true;
-    for (int c = 0; c < 3; ++c) good = good && std::isfinite(texel[c]) && texel[c] >= least;
+    for (int c = 0; c < 3; ++c) good = good && texel[c] <= largestInput && texel[c] >= least;
     if (good) continue;
     const auto width = static_cast<std::size_t>(pixels.width);
     throw InputError(
         path.string(),
-        fmt::format("the texel in column {}, row {} is ({:g}, {:g}, {:g}), expected finite radiance >= 0",
-                    i % width, i / width, texel.x, texel.y, texel.z),
+        fmt::format("the texel in column {}, row {} is ({:g}, {:g}, {:g}), expected radiance of 0 to {:g}",
+                    i % width, i / width, texel.x, texel.y, texel.z, largestInput),
         "repair the map, as with oiiotool --fixnan box3 --clamp:min=0");
   }
 }

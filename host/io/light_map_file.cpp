@@ -7,15 +7,18 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <system_error>
 #include <vector>
 
 #include "base/error.h"
+#include "base/magnitudes.h"
 #include "io/atomic_file.h"
 #include "io/bake_reader.h"
 #include "io/baked_ranges.h"
 #include "io/picture_layers.h"
 #include "io/value_reader.h"
 #include "lightmap/layout_places.h"
+#include "scene/file_reference.h"
 #include "scene/file_triangles.h"
 #include "scene/uri.h"
 
@@ -185,12 +188,12 @@ class LightMapReader {
     if (text.empty() || isDataUri(text) || uriScheme(text).size() > 1)
       uri.fail("expected the name of an .exr file beside this one", rebake);
     image_ = text;
-    const std::filesystem::path folder = document_.path.parent_path();
-    readPicture(folder / percentDecode(text));
+    readPicture(referencedFile(document_, uri));
   }
 
   void readPicture(const std::filesystem::path& path) {
-    if (!std::filesystem::exists(path))
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
       throw InputError(
           path.string(),
           fmt::format("no such file; it is the light map of {}", document_.path.filename().string()),
@@ -212,13 +215,14 @@ class LightMapReader {
         if (channel == nullptr) throw InputError(path.string(), "there is no channel " + name, rebake);
         for (std::size_t texel = 0; texel < channel->values.size(); ++texel) {
           const float value = channel->values[texel];
-          if (!std::isfinite(value) || (i == 0 && value < 0.0f))
-            throw InputError(path.string(),
-                             fmt::format("channel {} of texel {}, {} is {}, expected a finite number{}", name,
-                                         texel % static_cast<std::size_t>(layers.width),
-                                         texel / static_cast<std::size_t>(layers.width), value,
-                                         i == 0 ? " not below 0" : ""),
-                             rebake);
+          if (!(std::abs(value) <= largestBaked) || (i == 0 && value < 0.0f))
+            throw InputError(
+                path.string(),
+                fmt::format("channel {} of texel {}, {} is {}, expected a number of at most {:g}{}", name,
+                            texel % static_cast<std::size_t>(layers.width),
+                            texel / static_cast<std::size_t>(layers.width), value, largestBaked,
+                            i == 0 ? " not below 0" : ""),
+                rebake);
           map_.values[(3 * texel + c) * length + i] = value;
         }
       }

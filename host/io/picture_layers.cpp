@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "images/image_library.h"
-#include "io/special_file.h"
+#include "io/pixels.h"
 
 namespace prelight {
 
@@ -14,7 +14,7 @@ const PictureChannel* PictureLayers::find(const std::string& name) const {
 }
 
 PictureLayers readPictureLayers(const std::filesystem::path& path) {
-  refuseSpecialFile(path);
+  requirePictureFile(path, {PictureFormat::Exr});
   return imageLibrary().readPictureLayers(path);
 }
 

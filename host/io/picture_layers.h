@@ -17,8 +17,8 @@ struct PictureLayers {
   const PictureChannel* find(const std::string& name) const;
 };
 
-/// Throws InputError for a file that is missing, broken, cut short or too large, or whose parts differ in
-/// size.
+/// Throws InputError for a file that is missing, no file (a device, a pipe), not an .exr, broken, cut short
+/// or too large, or whose parts differ in size.
 PictureLayers readPictureLayers(const std::filesystem::path& path);
 
 }  // namespace prelight

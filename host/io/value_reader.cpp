@@ -5,15 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/magnitudes.h"
+
 namespace prelight {
 
 std::vector<float> ValueReader::floats(const JsonCursor& reference, const char* type,
                                        std::optional<std::size_t> count) const {
   const AccessorReader reader = open(reference, type, 5126, count);
   std::vector<float> values = reader.floats();
-  const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
+  const auto bad =
+      std::find_if_not(values.begin(), values.end(), [](float v) { return std::abs(v) <= largestBaked; });
   if (bad != values.end())
-    reference.fail(fmt::format("value {} is {}, expected finite numbers", bad - values.begin(), *bad),
+    reference.fail(fmt::format("value {} is {}, expected finite numbers of at most {:g}",
+                               bad - values.begin(), *bad, largestBaked),
                    rebake);
   return values;
 }

@@ -1,9 +1,13 @@
 #include "scene/accessor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
 #include <type_traits>
+
+#include "scene/gltf_validate.h"
 
 namespace prelight {
 
@@ -22,6 +26,21 @@ enum ComponentType : int {
 template <class Stored>
 float fromNormalized(Stored value) {
   return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Stored>::max()), -1.0f);
+}
+
+/// Of a square matrix; 0 for other types.
+std::size_t columnsOf(const std::string& type) {
+  return type.starts_with("MAT") ? static_cast<std::size_t>(type[3] - '0') : 0;
+}
+
+/// Checks the accessor before anything of it is looked at.
+const nlohmann::ordered_json& checkedAccessor(const GltfDocument& document, std::size_t index) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  const JsonCursor accessor = root.at("accessors").at(index);
+  accessor.expectObject();
+  validateAccessor(root, accessor);
+  return accessor.value();
 }
 
 template <class Stored>
@@ -60,22 +79,38 @@ std::size_t componentCount(const std::string& type) {
 }
 
 std::size_t elementBytes(const std::string& type, std::uint64_t componentType) {
-  const std::size_t bytes = componentBytes(componentType);
-  if (type.starts_with("MAT")) {
-    const auto columns = static_cast<std::size_t>(type[3] - '0');
-    return columns * ((columns * bytes + 3) / 4 * 4);
-  }
-  return componentCount(type) * bytes;
+  if (const std::size_t columns = columnsOf(type); columns > 0)
+    return columns * (columns * componentBytes(componentType) + columnPadding(type, componentType));
+  return componentCount(type) * componentBytes(componentType);
+}
+
+std::size_t columnPadding(const std::string& type, std::uint64_t componentType) {
+  return (4 - columnsOf(type) * componentBytes(componentType) % 4) % 4;
 }
 
 AccessorReader::AccessorReader(const GltfDocument& document, std::size_t accessor)
     : document_(document),
-      json_(document.json.at("accessors").at(accessor)),
+      json_(checkedAccessor(document, accessor)),
       type_(json_.at("type").get<std::string>()),
       components_(componentCount(type_)),
       componentType_(json_.at("componentType").get<int>()),
       count_(json_.at("count").get<std::size_t>()),
-      normalized_(json_.value("normalized", false)) {}
+      normalized_(json_.value("normalized", false)) {
+  const std::string file = document.path.string();
+  checkSparseIndices(JsonCursor(file, document.json).at("accessors").at(accessor));
+}
+
+void AccessorReader::checkSparseIndices(const JsonCursor& accessor) const {
+  const std::vector<std::uint32_t> indices = sparseIndices();
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const JsonCursor where = accessor.at("sparse").at("indices");
+    if (indices[i] >= count_)
+      where.fail(fmt::format("sparse index {} is {}, expected 0..{}", i, indices[i], count_ - 1));
+    if (i > 0 && indices[i] <= indices[i - 1])
+      where.fail(fmt::format("sparse index {} is {} after {}, expected strictly increasing", i, indices[i],
+                             indices[i - 1]));
+  }
+}
 
 AccessorReader::Source AccessorReader::source(const nlohmann::ordered_json& holder,
                                               std::size_t tightStride) const {
@@ -89,9 +124,12 @@ template <class T, class Stored, class Convert>
 std::vector<T> AccessorReader::read(Convert convert) const {
   std::vector<T> values(count_ * components_);
   const std::size_t tight = elementBytes(type_, static_cast<std::uint64_t>(componentType_));
+  const std::size_t rows = std::max<std::size_t>(columnsOf(type_), 1);
+  const std::size_t padding = columnPadding(type_, static_cast<std::uint64_t>(componentType_));
   const auto copyElement = [&](const std::uint8_t* from, std::size_t element) {
     for (std::size_t c = 0; c < components_; ++c) {
-      values[element * components_ + c] = convert(load<Stored>(from + c * sizeof(Stored)));
+      const std::size_t offset = c * sizeof(Stored) + c / rows * padding;
+      values[element * components_ + c] = convert(load<Stored>(from + offset));
     }
   };
   if (json_.contains("bufferView")) {

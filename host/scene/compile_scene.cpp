@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/magnitudes.h"
 #include "scene/compile_parts.h"
 #include "scene/compiled_scene.h"
 
@@ -119,12 +120,16 @@ class Flattener {
 
   void addPositions(const Draw& draw) {
     for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
-      const glm::vec3 position(worldPosition(draw, i) - scene_.origin);
-      if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
-        throw InputError(placeOf(draw), fmt::format("vertex {} lies beyond the range of 32-bit floats", i),
-                         "check the scales of the node and its ancestors");
+      const glm::dvec3 world = worldPosition(draw, i);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(world[axis]) <= largestInput) continue;
+        throw InputError(
+            placeOf(draw),
+            fmt::format("vertex {} is at ({:g}, {:g}, {:g}) m, expected coordinates within {:g} m", i,
+                        world.x, world.y, world.z, largestInput),
+            "check the transforms of the node and its ancestors");
       }
-      scene_.positions.push_back(position);
+      scene_.positions.emplace_back(world - scene_.origin);
     }
   }
 
@@ -190,8 +195,10 @@ class Flattener {
     const std::vector<glm::vec2>& source = ref.texCoord == 1 ? primitive.texCoords1 : primitive.texCoords0;
     for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
       const bool used = ref.image >= 0 && !source.empty();
-      scene_.texCoords.push_back(used ? glm::vec2(ref.transform * glm::vec3(source[i], 1.0f))
-                                      : glm::vec2(0.0f));
+      const glm::vec2 coordinate =
+          used ? glm::vec2(ref.transform * glm::vec3(source[i], 1.0f)) : glm::vec2(0.0f);
+      const bool finite = std::isfinite(coordinate.x) && std::isfinite(coordinate.y);
+      scene_.texCoords.push_back(finite ? coordinate : glm::vec2(0.0f));
     }
   }
 

@@ -36,7 +36,7 @@ bool isGlb(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= 4 && readWord(bytes, 0) == glbMagic;
 }
 
-GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file) {
+GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file, Warnings& warnings) {
   if (bytes.size() < headerBytes + chunkHeaderBytes) {
     throw InputError(file, fmt::format("truncated binary glTF: {} bytes, expected at least {}", bytes.size(),
                                        headerBytes + chunkHeaderBytes));
@@ -44,29 +44,35 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file)
   if (const std::uint32_t version = readWord(bytes, 4); version != 2) {
     throw InputError(file, fmt::format("binary glTF version {}, expected 2", version));
   }
-  if (const std::uint32_t length = readWord(bytes, 8); length != bytes.size()) {
+  const std::uint32_t length = readWord(bytes, 8);
+  if (length > bytes.size() || length < headerBytes + chunkHeaderBytes) {
     throw InputError(file,
                      fmt::format("binary glTF header says {} bytes, the file has {}", length, bytes.size()),
                      "the file is truncated or damaged; copy or export it again");
   }
+  if (length < bytes.size()) {
+    warnings.push_back(fmt::format("{}: {} bytes after the end of the binary glTF are ignored", file,
+                                   bytes.size() - length));
+    bytes = bytes.first(length);
+  }
   GlbChunks chunks;
   std::size_t offset = headerBytes;
   for (int index = 0; bytes.size() - offset >= chunkHeaderBytes; ++index) {
-    const std::size_t length = readWord(bytes, offset);
+    const std::size_t chunkLength = readWord(bytes, offset);
     const std::uint32_t type = readWord(bytes, offset + 4);
     offset += chunkHeaderBytes;
-    if (length > bytes.size() - offset) {
-      throw InputError(file, fmt::format("chunk {} says {} bytes, {} are left in the file", index, length,
-                                         bytes.size() - offset));
+    if (chunkLength > bytes.size() - offset) {
+      throw InputError(file, fmt::format("chunk {} says {} bytes, {} are left in the file", index,
+                                         chunkLength, bytes.size() - offset));
     }
-    const std::span<const std::uint8_t> data = bytes.subspan(offset, length);
+    const std::span<const std::uint8_t> data = bytes.subspan(offset, chunkLength);
     if ((type == jsonChunk) != (index == 0)) throw InputError(file, "expected one JSON chunk, and it first");
     if (index == 0) {
       chunks.json = withoutPadding({reinterpret_cast<const char*>(data.data()), data.size()});
     } else if (type == binChunk && !chunks.bin) {
       chunks.bin = data;
     }
-    offset += length;
+    offset += chunkLength;
   }
   if (offset != bytes.size()) {
     throw InputError(file, fmt::format("{} stray bytes after the last chunk", bytes.size() - offset));

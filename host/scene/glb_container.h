@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
+
 namespace prelight {
 
 /// The two chunks of a binary glTF file, as views into its bytes.
@@ -18,8 +20,9 @@ struct GlbChunks {
 /// True when the bytes start with the magic of a binary glTF file.
 bool isGlb(std::span<const std::uint8_t> bytes);
 
-/// Splits a binary glTF 2 file. Throws InputError naming `file` when its header or chunk lengths are wrong.
-GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file);
+/// Splits a binary glTF 2 file. Throws InputError naming `file` when its header or chunk lengths are wrong;
+/// bytes after its end are a warning.
+GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file, Warnings& warnings);
 
 /// Header, JSON chunk and the header of the binary chunk (when `binBytes` > 0) of a file whose binary data,
 /// padded to 4 bytes, follows. Throws Error when the file would be longer than the format's 4 GiB.

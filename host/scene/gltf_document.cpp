@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "scene/file_reference.h"
 #include "scene/glb_container.h"
 #include "scene/glb_output.h"
 #include "scene/gltf_embed.h"
@@ -12,22 +13,24 @@
 
 namespace prelight {
 
-GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings) {
+GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings, const ReadOptions& options) {
   const std::string file = path.string();
   const std::vector<std::uint8_t> bytes = readFileBytes(path, file);
   if (bytes.empty()) throw InputError(file, "the file is empty, expected glTF");
   GlbChunks chunks;
   if (isGlb(bytes)) {
-    chunks = splitGlb(bytes, file);
+    chunks = splitGlb(bytes, file, warnings);
   } else {
     chunks.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
   GltfDocument document;
   document.path = path;
+  document.outsideAllowed = options.allowOutside;
   document.json = parseJson(chunks.json, file);
   try {
+    checkFileReferences(document);
     validateGltf(JsonCursor(file, document.json), warnings);
-    embedBuffers(document, chunks.bin);
+    embedBuffers(document, chunks.bin, warnings);
     validateBinaryData(document);
     embedImages(document, warnings);
   } catch (const nlohmann::json::exception& error) {

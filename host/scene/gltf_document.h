@@ -16,15 +16,22 @@ namespace prelight {
 /// named by URI (external file or data URI) is embedded, so that the document can be written as a .glb as it
 /// is.
 struct GltfDocument {
-  std::filesystem::path path;   ///< for messages
+  std::filesystem::path path;   ///< for messages, and for the files that it names
+  bool outsideAllowed = false;  ///< ReadOptions::allowOutside
   nlohmann::ordered_json json;  ///< buffers[0] is `bin`; images refer to buffer views
   std::vector<std::uint8_t> bin;
 };
 
+struct ReadOptions {
+  /// Files that the document names may lie outside of its folder. A scene from a stranger could have any file
+  /// of the machine copied into what is written.
+  bool allowOutside = false;
+};
+
 /// Reads a .gltf or .glb, checks its structure (types, index ranges, accessors against buffers, node cycles,
 /// required extensions) and embeds what it refers to. Throws InputError naming the file and the JSON path. A
-/// missing or unreadable image is only a warning.
-GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings);
+/// missing or unreadable image is only a warning, and so is what is broken but not used.
+GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings, const ReadOptions& options = {});
 
 /// Writes a binary glTF beside `path` and renames it into place, so that a half-written file is never seen.
 void writeGlb(const std::filesystem::path& path, const GltfDocument& document);

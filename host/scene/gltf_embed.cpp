@@ -7,8 +7,11 @@
 #include <map>
 
 #include "base/error.h"
+#include "scene/file_reference.h"
+#include "scene/gltf_validate.h"
 #include "scene/image_decode.h"
 #include "scene/json_cursor.h"
+#include "scene/missing_data.h"
 #include "scene/uri.h"
 
 namespace prelight {
@@ -16,16 +19,6 @@ namespace prelight {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The file that a relative URI names. Some exporters forget to percent-encode, so the raw name is tried as
-/// well.
-fs::path resolveUri(const GltfDocument& document, const std::string& uri) {
-  const fs::path folder = document.path.parent_path();
-  std::error_code ignored;
-  fs::path decoded = folder / percentDecode(uri);
-  if (!fs::exists(decoded, ignored) && fs::exists(folder / uri, ignored)) return folder / uri;
-  return decoded;
-}
 
 /// Bytes behind a URI, at most `limit` of a file. Throws InputError.
 std::vector<std::uint8_t> readUri(const GltfDocument& document, const JsonCursor& uri, std::uint64_t limit) {
@@ -39,7 +32,7 @@ std::vector<std::uint8_t> readUri(const GltfDocument& document, const JsonCursor
   if (const std::string scheme = uriScheme(text); scheme.size() > 1) {
     uri.fail(fmt::format("URI scheme \"{}\" is not supported", scheme), "put the file beside the scene");
   }
-  return readFileBytes(resolveUri(document, text), uri.where(), limit);
+  return readFileBytes(referencedFile(document, uri), uri.where(), limit);
 }
 
 void alignTo4(std::vector<std::uint8_t>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
@@ -53,8 +46,6 @@ std::vector<std::uint8_t> readBuffer(const GltfDocument& document, const JsonCur
     bytes = readUri(document, *uri, length);
   } else if (index == 0 && glbBin) {
     bytes.assign(glbBin->begin(), glbBin->begin() + std::min<std::uint64_t>(length, glbBin->size()));
-  } else if (length > 0) {
-    buffer.fail("the buffer has neither a URI nor the file's binary chunk");
   }
   if (bytes.size() < length) {
     buffer.at("byteLength")
@@ -65,11 +56,33 @@ std::vector<std::uint8_t> readBuffer(const GltfDocument& document, const JsonCur
   return bytes;
 }
 
-void moveBuffer(nlohmann::ordered_json& holder, const std::vector<std::size_t>& offsets) {
-  const auto buffer = holder.at("buffer").get<std::size_t>();
-  holder["buffer"] = 0;
-  if (offsets[buffer] > 0)
-    holder["byteOffset"] = offsets[buffer] + holder.value("byteOffset", std::size_t{0});
+/// glTF lets a file leave a buffer to who reads it.
+bool isPlaceholder(const JsonCursor& buffer) {
+  const auto length = buffer.find("byteLength");
+  return !buffer.find("uri") && length && unsignedValue(length->value()).value_or(0) > 0;
+}
+
+/// Where the buffers lie in `bin`; none for one that could not be read.
+using BufferOffsets = std::vector<std::optional<std::size_t>>;
+
+bool isUsable(const JsonCursor& root, const JsonCursor& view, const BufferOffsets& offsets) {
+  try {
+    validateBufferView(root, view);
+  } catch (const InputError&) {
+    return false;
+  }
+  return offsets[view.at("buffer").asUnsigned()].has_value();
+}
+
+/// A view that is broken, or of a buffer that is, must not reach into what lies elsewhere in `bin`.
+void moveView(nlohmann::ordered_json& view, bool usable, const BufferOffsets& offsets) {
+  if (!usable) {
+    view["buffer"] = missingBuffer;
+    return;
+  }
+  const std::size_t offset = *offsets[*unsignedValue(view.at("buffer"))];
+  view["buffer"] = 0;
+  if (offset > 0) view["byteOffset"] = offset + view.value("byteOffset", std::size_t{0});
 }
 
 /// The buffer view of an image by URI; the same URI is embedded once.
@@ -101,18 +114,34 @@ std::vector<std::uint8_t> readFileBytes(const fs::path& path, const std::string&
   return bytes;
 }
 
-void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uint8_t>> glbBin) {
+void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uint8_t>> glbBin,
+                  Warnings& warnings) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
-  std::vector<std::size_t> offsets;
+  const GltfUse use = findUse(document.json);
+  BufferOffsets offsets;
   root.forEachObject("buffers", [&](const JsonCursor& buffer, std::size_t index) {
     alignTo4(document.bin);
-    offsets.push_back(document.bin.size());
-    const std::vector<std::uint8_t> bytes = readBuffer(document, buffer, index, glbBin);
-    document.bin.insert(document.bin.end(), bytes.begin(), bytes.end());
+    offsets.emplace_back();
+    if (isPlaceholder(buffer) && !(index == 0 && glbBin)) {
+      warnings.push_back(
+          buffer.where() +
+          ": it has neither a URI nor the file's binary chunk; what it should hold is left out");
+      return;
+    }
+    checkPart(use.buffers.contains(index), warnings, [&] {
+      const std::vector<std::uint8_t> bytes = readBuffer(document, buffer, index, glbBin);
+      offsets.back() = document.bin.size();
+      document.bin.insert(document.bin.end(), bytes.begin(), bytes.end());
+    });
   });
   if (document.json.contains("bufferViews")) {
-    for (auto& view : document.json["bufferViews"]) moveBuffer(view, offsets);
+    std::vector<bool> usable;
+    root.forEachObject("bufferViews", [&](const JsonCursor& view, std::size_t) {
+      usable.push_back(isUsable(root, view, offsets));
+    });
+    for (std::size_t i = 0; i < usable.size(); ++i)
+      moveView(document.json["bufferViews"][i], usable[i], offsets);
   }
   updateBufferLength(document);
 }
@@ -128,7 +157,8 @@ void embedImages(GltfDocument& document, Warnings& warnings) {
   const std::size_t count = document.json["images"].size();
   for (std::size_t i = 0; i < count; ++i) {
     const JsonCursor image = JsonCursor(file, document.json).at("images").at(i);
-    if (!image.find("uri")) continue;
+    const auto named = image.find("uri");
+    if (!named || !named->value().is_string()) continue;
     const std::string uri = image.at("uri").asString();
     auto known = embedded.find(uri);
     if (known == embedded.end()) {

@@ -10,8 +10,10 @@
 namespace prelight {
 
 /// Merges every buffer of a checked document (the binary chunk of its .glb, external files, data URIs) into
-/// `bin`. Throws InputError when a buffer cannot be read or is shorter than it says.
-void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uint8_t>> glbBin);
+/// `bin`. Throws InputError when a buffer cannot be read or is shorter than it says; of one that is not used
+/// that is a warning, and its buffer views then refer to a buffer that there is not.
+void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uint8_t>> glbBin,
+                  Warnings& warnings);
 
 /// Moves images named by URI into buffer views. One that cannot be read stays as it is, with a warning.
 void embedImages(GltfDocument& document, Warnings& warnings);

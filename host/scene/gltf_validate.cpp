@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "scene/accessor.h"
+#include "scene/missing_data.h"
 
 namespace prelight {
 
@@ -32,33 +35,43 @@ bool isKnown(const std::string& extension) {
          std::find(knownExtensions.begin(), knownExtensions.end(), extension) != knownExtensions.end();
 }
 
-void validateAsset(const JsonCursor& root) {
+/// The y of "2.y", at most a million; nullopt for anything else.
+std::optional<std::uint64_t> minorVersion(const std::string& text) {
+  constexpr std::string_view major = "2.";
+  constexpr std::size_t digits = 6;
+  if (text == "2") return 0;
+  if (!text.starts_with(major) || text.size() == major.size() || text.size() > major.size() + digits)
+    return std::nullopt;
+  std::uint64_t minor = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + major.size(), end, minor);
+  return error == std::errc() && stop == end ? std::optional(minor) : std::nullopt;
+}
+
+void validateAsset(const JsonCursor& root, Warnings& warnings) {
   const JsonCursor version = root.at("asset").at("version");
   const std::string& text = version.asString();
   if (text != "2" && !text.starts_with("2.")) {
     version.fail(fmt::format("glTF version \"{}\", expected 2.x", text), "export the scene as glTF 2.0");
   }
-}
-
-void validateSparseIndices(const GltfDocument& document, const JsonCursor& accessor, std::size_t index) {
-  const AccessorReader reader(document, index);
-  const std::vector<std::uint32_t> indices = reader.sparseIndices();
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const JsonCursor where = accessor.at("sparse").at("indices");
-    if (indices[i] >= reader.count()) {
-      where.fail(fmt::format("sparse index {} is {}, expected 0..{}", i, indices[i], reader.count() - 1));
-    }
-    if (i > 0 && indices[i] <= indices[i - 1]) {
-      where.fail(fmt::format("sparse index {} is {} after {}, expected strictly increasing", i, indices[i],
-                             indices[i - 1]));
-    }
-  }
+  const auto least = root.at("asset").find("minVersion");
+  if (!least) return;
+  const std::optional<std::uint64_t> minor = minorVersion(text);
+  const std::optional<std::uint64_t> leastMinor = minorVersion(least->asString());
+  if (!leastMinor)
+    least->fail(fmt::format("the file asks for glTF \"{}\", expected 2.x at most", least->asString()),
+                "export the scene as glTF 2.0");
+  if (minor && *leastMinor > *minor)
+    least->fail(fmt::format("the file asks for glTF \"{}\" and says to be \"{}\"", least->asString(), text));
+  if (*leastMinor > 0)
+    warnings.push_back(
+        fmt::format("{}: the file asks for glTF {}, it is read as 2.0", least->where(), least->asString()));
 }
 
 void validateVertexIndices(const GltfDocument& document, const JsonCursor& primitive) {
   const std::size_t accessor = primitive.at("indices").asUnsigned();
   const std::size_t position = primitive.at("attributes").at("POSITION").asUnsigned();
-  const std::uint64_t vertices = document.json["accessors"][position].at("count").get<std::uint64_t>();
+  const std::uint64_t vertices = AccessorReader(document, position).count();
   const std::vector<std::uint32_t> indices = AccessorReader(document, accessor).unsignedIntegers();
   const auto bad =
       std::find_if(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= vertices; });
@@ -91,27 +104,32 @@ void validateExtensionLists(const JsonCursor& root, Warnings& warnings) {
 
 void validateGltf(const JsonCursor& root, Warnings& warnings) {
   root.expectObject();
-  validateAsset(root);
+  const GltfUse use = findUse(root.value());
+  validateAsset(root, warnings);
   validateExtensionLists(root, warnings);
-  validateBuffers(root);
-  validateAccessors(root);
+  validateBuffers(root, use, warnings);
+  validateAccessors(root, use, warnings);
   validateMeshes(root);
-  validateCamerasAndLights(root);
+  validateCamerasAndLights(root, use, warnings);
   validateNodes(root);
-  validateMaterials(root, warnings);
+  validateMaterials(root, use, warnings);
 }
 
 void validateBinaryData(const GltfDocument& document) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
-  root.forEachObject("accessors", [&](const JsonCursor& accessor, std::size_t index) {
-    if (accessor.find("sparse")) validateSparseIndices(document, accessor, index);
-  });
+  // Their readers check the sparse ones.
+  for (const std::size_t index : findUse(document.json).accessors) {
+    if (index < root.countOf("accessors") && root.at("accessors").at(index).find("sparse") &&
+        !lacksData(document, index))
+      (void)AccessorReader(document, index);
+  }
   // Many primitives may share their accessors: each pair is read once.
   std::set<std::pair<std::uint64_t, std::uint64_t>> checked;
   root.forEachObject("meshes", [&](const JsonCursor& mesh, std::size_t) {
     mesh.forEachObject("primitives", [&](const JsonCursor& primitive, std::size_t) {
       if (!primitive.find("indices") || !primitive.at("attributes").find("POSITION")) return;
+      if (lacksData(document, primitive)) return;
       const std::uint64_t indices = primitive.at("indices").asUnsigned();
       const std::uint64_t positions = primitive.at("attributes").at("POSITION").asUnsigned();
       if (checked.emplace(indices, positions).second) validateVertexIndices(document, primitive);

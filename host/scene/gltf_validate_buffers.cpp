@@ -17,7 +17,7 @@ std::uint64_t positive(const JsonCursor& object, const char* key) {
   return value;
 }
 
-void validateBufferView(const JsonCursor& root, const JsonCursor& view) {
+void validateView(const JsonCursor& root, const JsonCursor& view) {
   const std::size_t buffer = view.at("buffer").asIndex(root.countOf("buffers"), "buffer");
   const std::uint64_t bufferBytes = root.at("buffers").at(buffer).at("byteLength").asUnsigned();
   const std::uint64_t offset = view.unsignedOr("byteOffset", 0);
@@ -34,11 +34,20 @@ void validateBufferView(const JsonCursor& root, const JsonCursor& view) {
   }
 }
 
-/// `holder` (an accessor, or a part of a sparse one) reads `count` elements of `bytes` from its buffer view.
-void validateRange(const JsonCursor& root, const JsonCursor& holder, std::uint64_t count, std::uint64_t bytes,
-                   bool strided) {
+/// An element in its buffer view.
+struct ElementSize {
+  std::uint64_t bytes = 0;      ///< from one to the next, where the view has no stride of its own
+  std::uint64_t lastBytes = 0;  ///< of the last one: the padding of a matrix's last column may be left out
+};
+
+/// `holder` (an accessor, or a part of a sparse one) reads `count` elements from its buffer view.
+void validateRange(const JsonCursor& root, const JsonCursor& holder, std::uint64_t count,
+                   const ElementSize& element, bool strided) {
+  const std::uint64_t bytes = element.bytes;
+  const std::uint64_t last = element.lastBytes;
   const std::size_t index = holder.at("bufferView").asIndex(root.countOf("bufferViews"), "buffer view");
   const JsonCursor view = root.at("bufferViews").at(index);
+  validateBufferView(root, view);
   const std::uint64_t length = view.at("byteLength").asUnsigned();
   const std::uint64_t offset = holder.unsignedOr("byteOffset", 0);
   const std::uint64_t stride = strided ? view.unsignedOr("byteStride", bytes) : bytes;
@@ -50,7 +59,7 @@ void validateRange(const JsonCursor& root, const JsonCursor& holder, std::uint64
                             stride, index));
   }
   const bool fits =
-      offset <= length && bytes <= length - offset && count - 1 <= (length - offset - bytes) / stride;
+      offset <= length && last <= length - offset && count - 1 <= (length - offset - last) / stride;
   if (!fits) {
     holder.fail(fmt::format(
         "{} elements of {} bytes, {} apart, from offset {} reach beyond buffer view {} of {} bytes", count,
@@ -59,7 +68,7 @@ void validateRange(const JsonCursor& root, const JsonCursor& holder, std::uint64
 }
 
 void validateSparse(const JsonCursor& root, const JsonCursor& sparse, std::uint64_t accessorCount,
-                    std::uint64_t bytes) {
+                    const ElementSize& element) {
   const std::uint64_t count = positive(sparse, "count");
   if (count > accessorCount) {
     sparse.at("count").fail(fmt::format("{} substitutes for {} elements", count, accessorCount));
@@ -70,8 +79,16 @@ void validateSparse(const JsonCursor& root, const JsonCursor& sparse, std::uint6
   if (componentType != 5121 && componentType != 5123 && componentType != 5125) {
     type.fail(fmt::format("expected 5121, 5123 or 5125, got {}", componentType));
   }
-  validateRange(root, indices, count, componentBytes(componentType), false);
-  validateRange(root, sparse.at("values"), count, bytes, false);
+  const std::uint64_t indexBytes = componentBytes(componentType);
+  validateRange(root, indices, count, {indexBytes, indexBytes}, false);
+  validateRange(root, sparse.at("values"), count, element, false);
+}
+
+}  // namespace
+
+void validateBufferView(const JsonCursor& root, const JsonCursor& view) {
+  view.expectObject();
+  validateView(root, view);
 }
 
 void validateAccessor(const JsonCursor& root, const JsonCursor& accessor) {
@@ -86,9 +103,10 @@ void validateAccessor(const JsonCursor& root, const JsonCursor& accessor) {
   }
   accessor.boolOr("normalized", false);
   const std::uint64_t count = positive(accessor, "count");
-  const std::uint64_t bytes = elementBytes(type.asString(), componentType.asUnsigned());
+  const std::uint64_t padded = elementBytes(type.asString(), componentType.asUnsigned());
+  const ElementSize element{padded, padded - columnPadding(type.asString(), componentType.asUnsigned())};
   if (accessor.find("bufferView")) {
-    validateRange(root, accessor, count, bytes, true);
+    validateRange(root, accessor, count, element, true);
   } else if (count > maxZeroElements) {
     accessor.at("count").fail(
         fmt::format("{} elements without a buffer view, at most {} are taken", count, maxZeroElements));
@@ -96,23 +114,25 @@ void validateAccessor(const JsonCursor& root, const JsonCursor& accessor) {
   for (const char* limit : {"min", "max"}) {
     if (const auto values = accessor.find(limit)) values->expectNumbers(componentCount(type.asString()));
   }
-  if (const auto sparse = accessor.find("sparse")) validateSparse(root, *sparse, count, bytes);
+  if (const auto sparse = accessor.find("sparse")) validateSparse(root, *sparse, count, element);
 }
 
-}  // namespace
-
-void validateBuffers(const JsonCursor& root) {
-  root.forEachObject("buffers", [](const JsonCursor& buffer, std::size_t) {
-    buffer.at("byteLength").asUnsigned();
-    buffer.stringOr("uri", "");
+void validateBuffers(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
+  root.forEachObject("buffers", [&](const JsonCursor& buffer, std::size_t index) {
+    checkPart(use.buffers.contains(index), warnings, [&] {
+      buffer.at("byteLength").asUnsigned();
+      buffer.stringOr("uri", "");
+    });
   });
-  root.forEachObject("bufferViews",
-                     [&](const JsonCursor& view, std::size_t) { validateBufferView(root, view); });
+  root.forEachObject("bufferViews", [&](const JsonCursor& view, std::size_t index) {
+    checkPart(use.bufferViews.contains(index), warnings, [&] { validateBufferView(root, view); });
+  });
 }
 
-void validateAccessors(const JsonCursor& root) {
-  root.forEachObject("accessors",
-                     [&](const JsonCursor& accessor, std::size_t) { validateAccessor(root, accessor); });
+void validateAccessors(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
+  root.forEachObject("accessors", [&](const JsonCursor& accessor, std::size_t index) {
+    checkPart(use.accessors.contains(index), warnings, [&] { validateAccessor(root, accessor); });
+  });
 }
 
 }  // namespace prelight

@@ -154,8 +154,10 @@ void validateCamera(const JsonCursor& camera) {
 
 }  // namespace
 
-void validateMaterials(const JsonCursor& root, Warnings& warnings) {
-  root.forEachObject("images", [&](const JsonCursor& image, std::size_t) { validateImage(root, image); });
+void validateMaterials(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
+  root.forEachObject("images", [&](const JsonCursor& image, std::size_t index) {
+    checkPart(use.images.contains(index), warnings, [&] { validateImage(root, image); });
+  });
   root.forEachObject("samplers", [](const JsonCursor& sampler, std::size_t) {
     validateWrap(sampler, "wrapS");
     validateWrap(sampler, "wrapT");
@@ -173,12 +175,16 @@ void validateMaterials(const JsonCursor& root, Warnings& warnings) {
                      [&](const JsonCursor& material, std::size_t) { validateMaterial(root, material); });
 }
 
-void validateCamerasAndLights(const JsonCursor& root) {
-  root.forEachObject("cameras", [](const JsonCursor& camera, std::size_t) { validateCamera(camera); });
+void validateCamerasAndLights(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
+  root.forEachObject("cameras", [&](const JsonCursor& camera, std::size_t index) {
+    checkPart(use.cameras.contains(index), warnings, [&] { validateCamera(camera); });
+  });
   const auto extensions = root.find("extensions");
   const auto punctual = extensions ? extensions->find("KHR_lights_punctual") : std::nullopt;
   if (punctual) {
-    punctual->forEachObject("lights", [](const JsonCursor& light, std::size_t) { validateLight(light); });
+    punctual->forEachObject("lights", [&](const JsonCursor& light, std::size_t index) {
+      checkPart(use.lights.contains(index), warnings, [&] { validateLight(light); });
+    });
   }
 }
 

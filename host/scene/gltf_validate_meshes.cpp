@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t uint32 = 5125;
 
-/// What an attribute may be made of; Prelight reads no others and only checks their index and count.
+/// What an attribute may be made of; Prelight reads no others and only checks their index.
 struct AttributeRule {
   std::string_view prefix;
   std::array<std::string_view, 2> types;
@@ -26,13 +26,18 @@ constexpr std::array<AttributeRule, 5> attributeRules = {{{"POSITION", {"VEC3", 
                                                           {"TEXCOORD_", {"VEC2", "VEC2"}},
                                                           {"COLOR_", {"VEC3", "VEC4"}}}};
 
-void validateAttributeType(const JsonCursor& attribute, const std::string& name, const JsonCursor& accessor) {
+/// nullptr for attributes that Prelight does not read.
+const AttributeRule* ruleOf(const std::string& name) {
   const auto rule = std::find_if(attributeRules.begin(), attributeRules.end(),
                                  [&](const AttributeRule& r) { return name.starts_with(r.prefix); });
-  if (rule == attributeRules.end()) return;
+  return rule == attributeRules.end() ? nullptr : &*rule;
+}
+
+void validateAttributeType(const JsonCursor& attribute, const std::string& name, const AttributeRule& rule,
+                           const JsonCursor& accessor) {
   const std::string& type = accessor.at("type").asString();
-  if (type != rule->types[0] && type != rule->types[1]) {
-    attribute.fail(fmt::format("expected an accessor of type {}, got {}", rule->types[1], type));
+  if (type != rule.types[0] && type != rule.types[1]) {
+    attribute.fail(fmt::format("expected an accessor of type {}, got {}", rule.types[1], type));
   }
   const std::uint64_t component = accessor.at("componentType").asUnsigned();
   if (component == uint32) {  // 8 and 16 bits are normalised or come through KHR_mesh_quantization
@@ -40,24 +45,26 @@ void validateAttributeType(const JsonCursor& attribute, const std::string& name,
   }
 }
 
-/// Checks every attribute and returns their common number of vertices.
+/// Checks every attribute and returns the common number of vertices of those that are read.
 std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const JsonCursor& attributes) {
   attributes.expectObject();
   const std::size_t accessors = root.countOf("accessors");
   std::optional<std::uint64_t> vertices;
   std::string first;
-  for (const auto& member : attributes.value().items()) {
-    const JsonCursor attribute = attributes.at(member.key());
-    const JsonCursor accessor = root.at("accessors").at(attribute.asIndex(accessors, "accessor"));
-    validateAttributeType(attribute, member.key(), accessor);
+  attributes.forEachMember([&](const JsonCursor& attribute, const std::string& name) {
+    const std::size_t index = attribute.asIndex(accessors, "accessor");
+    const AttributeRule* rule = ruleOf(name);
+    if (rule == nullptr) return;
+    const JsonCursor accessor = root.at("accessors").at(index);
+    validateAttributeType(attribute, name, *rule, accessor);
     const std::uint64_t count = accessor.at("count").asUnsigned();
     if (!vertices) {
       vertices = count;
-      first = member.key();
+      first = name;
     } else if (count != *vertices) {
       attribute.fail(fmt::format("{} vertices, but {} has {}", count, first, *vertices));
     }
-  }
+  });
   return vertices;
 }
 

@@ -35,19 +35,22 @@ void validateInstancing(const JsonCursor& root, const JsonCursor& extension) {
   }
 }
 
-void validateNodeExtensions(const JsonCursor& root, const JsonCursor& node) {
+std::size_t countLights(const JsonCursor& root) {
+  const auto extensions = root.find("extensions");
+  const auto punctual = extensions ? extensions->find("KHR_lights_punctual") : std::nullopt;
+  return punctual ? punctual->countOf("lights") : 0;
+}
+
+void validateNodeExtensions(const JsonCursor& root, const JsonCursor& node, std::size_t lights) {
   const auto extensions = node.find("extensions");
   if (!extensions) return;
-  if (const auto punctual = extensions->find("KHR_lights_punctual")) {
-    const auto rootExtensions = root.find("extensions");
-    const auto lights = rootExtensions ? rootExtensions->find("KHR_lights_punctual") : std::nullopt;
-    punctual->at("light").asIndex(lights ? lights->countOf("lights") : 0, "light");
-  }
+  if (const auto punctual = extensions->find("KHR_lights_punctual"))
+    punctual->at("light").asIndex(lights, "light");
   if (const auto instancing = extensions->find("EXT_mesh_gpu_instancing"))
     validateInstancing(root, *instancing);
 }
 
-void validateNode(const JsonCursor& root, const JsonCursor& node) {
+void validateNode(const JsonCursor& root, const JsonCursor& node, std::size_t lights) {
   node.stringOr("name", "");
   for (const auto& [member, array, kind] :
        {std::tuple{"mesh", "meshes", "mesh"}, {"camera", "cameras", "camera"}, {"skin", "skins", "skin"}}) {
@@ -57,7 +60,7 @@ void validateNode(const JsonCursor& root, const JsonCursor& node) {
        {std::pair{"matrix", std::size_t{16}}, {"translation", 3}, {"rotation", 4}, {"scale", 3}}) {
     if (const auto values = node.find(member)) values->expectNumbers(numbers);
   }
-  validateNodeExtensions(root, node);
+  validateNodeExtensions(root, node, lights);
 }
 
 std::vector<std::int64_t> findParents(const JsonCursor& root, std::size_t nodeCount) {
@@ -121,7 +124,8 @@ void validateScenes(const JsonCursor& root, const std::vector<std::int64_t>& par
 }  // namespace
 
 void validateNodes(const JsonCursor& root) {
-  root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t) { validateNode(root, node); });
+  const std::size_t lights = countLights(root);
+  root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t) { validateNode(root, node, lights); });
   const std::vector<std::int64_t> parents = findParents(root, root.countOf("nodes"));
   validateAcyclic(root, parents);
   validateScenes(root, parents);

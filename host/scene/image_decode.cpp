@@ -4,33 +4,112 @@
 
 #include "base/error.h"
 #include "images/image_library.h"
+#include "images/picture_header.h"
+#include "scene/gltf_validate.h"
+#include "scene/json_cursor.h"
 
 namespace prelight {
 
 namespace {
 
-bool startsWith(std::span<const std::uint8_t> bytes, std::string_view magic, std::size_t offset = 0) {
-  if (bytes.size() < offset + magic.size()) return false;
-  return std::string_view(reinterpret_cast<const char*>(bytes.data()) + offset, magic.size()) == magic;
+std::string placeOf(const GltfDocument& document, std::size_t index) {
+  return fmt::format("{}: /images/{}", document.path.string(), index);
+}
+
+/// Encoded bytes of an image in a buffer view. Throws InputError when there is none, or it is broken.
+std::span<const std::uint8_t> imageBytes(const GltfDocument& document, std::size_t index) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  const JsonCursor reference = root.at("images").at(index).at("bufferView");
+  const JsonCursor view =
+      root.at("bufferViews").at(reference.asIndex(root.countOf("bufferViews"), "buffer view"));
+  validateBufferView(root, view);
+  return std::span(document.bin)
+      .subspan(view.unsignedOr("byteOffset", 0), view.at("byteLength").asUnsigned());
+}
+
+bool isDecoded(PictureFormat format) {
+  return format == PictureFormat::Png || format == PictureFormat::Jpeg || format == PictureFormat::WebP;
+}
+
+bool isTooLarge(const PictureExtent& extent) {
+  return extent.width > longestSide || extent.height > longestSide || extent.texels() > mostTexels;
+}
+
+[[noreturn]] void failTooLarge(const PictureExtent& extent, const std::string& where) {
+  throw InputError(where,
+                   fmt::format("a picture of {} x {} texels, expected at most {} along a side and {} in all",
+                               extent.width, extent.height, longestSide, mostTexels),
+                   "scale the picture down");
+}
+
+/// Texels that decoding an image would take memory for; 0 when it is none or broken.
+std::uint64_t texelsToDecode(const GltfDocument& document, std::size_t index) {
+  const std::string where = placeOf(document, index);
+  if (!document.json.at("images").at(index).contains("bufferView")) return 0;
+  const std::span<const std::uint8_t> bytes = imageBytes(document, index);
+  const PictureFormat format = pictureFormat(bytes);
+  if (format != PictureFormat::Unknown && !isDecoded(format))
+    throw InputError(where, fmt::format("the picture is {}, expected PNG, JPEG or WebP", nameOf(format)),
+                     "convert the picture");
+  const std::optional<PictureExtent> extent = pictureExtent(bytes);
+  if (!extent || bytes.size() < extent->leastBytes) return 0;
+  if (isTooLarge(*extent)) failTooLarge(*extent, where);
+  return extent->texels();
 }
 
 }  // namespace
 
 std::string imageMimeType(std::span<const std::uint8_t> bytes) {
-  if (startsWith(bytes, "\x89PNG")) return "image/png";
-  if (startsWith(bytes, "\xFF\xD8\xFF")) return "image/jpeg";
-  if (startsWith(bytes, "RIFF") && startsWith(bytes, "WEBP", 8)) return "image/webp";
-  if (startsWith(bytes, "\xABKTX 20")) return "image/ktx2";
-  if (startsWith(bytes, "DDS ")) return "image/vnd-ms.dds";
-  if (startsWith(bytes, "BM")) return "image/bmp";
-  return {};
+  switch (pictureFormat(bytes)) {
+    case PictureFormat::Png:
+      return "image/png";
+    case PictureFormat::Jpeg:
+      return "image/jpeg";
+    case PictureFormat::WebP:
+      return "image/webp";
+    case PictureFormat::Ktx2:
+      return "image/ktx2";
+    case PictureFormat::Dds:
+      return "image/vnd-ms.dds";
+    case PictureFormat::Bmp:
+      return "image/bmp";
+    default:
+      return {};
+  }
+}
+
+void checkExtent(std::span<const std::uint8_t> bytes, const std::string& where) {
+  const std::optional<PictureExtent> extent = pictureExtent(bytes);
+  if (!extent) throw InputError(where, "cannot decode the picture: its header is broken or cut short");
+  if (isTooLarge(*extent)) failTooLarge(*extent, where);
+  if (bytes.size() < extent->leastBytes)
+    throw InputError(where, fmt::format("cannot decode the picture: {} x {} texels in {} bytes, they take {} "
+                                        "at least",
+                                        extent->width, extent->height, bytes.size(), extent->leastBytes));
+}
+
+void checkImages(const GltfDocument& document, const std::vector<bool>& used) {
+  constexpr std::uint64_t anyDocument = std::uint64_t{1} << 27;
+  constexpr std::uint64_t texelsOfByte = 256;
+  const std::uint64_t most = anyDocument + texelsOfByte * document.bin.size();
+  std::uint64_t texels = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) texels += texelsToDecode(document, i);
+    if (texels > most)
+      throw InputError(
+          placeOf(document, i),
+          fmt::format("the images so far have {} texels, expected at most {} for {} bytes of data", texels,
+                      most, document.bin.size()),
+          "scale the pictures down");
+  }
 }
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where) {
-  const std::string mime = imageMimeType(bytes);
-  if (mime.empty()) throw InputError(where, "not a PNG, JPEG or other known picture");
-  const std::string format = mime == "image/vnd-ms.dds" ? "dds" : mime.substr(mime.find('/') + 1);
-  return imageLibrary().decodeImage(bytes, "x." + format, where);
+  const PictureFormat format = pictureFormat(bytes);
+  if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG or WebP picture");
+  checkExtent(bytes, where);
+  return imageLibrary().decodeImage(bytes, format, where);
 }
 
 Image whiteImage(const std::string& name) { return {name, 1, 1, {255, 255, 255, 255}}; }
@@ -38,19 +117,15 @@ Image whiteImage(const std::string& name) { return {name, 1, 1, {255, 255, 255, 
 Image loadImage(const GltfDocument& document, std::size_t index, Warnings& warnings) {
   const auto& json = document.json.at("images").at(index);
   const std::string name = json.value("name", "");
-  const std::string where = fmt::format("{}: /images/{}", document.path.string(), index);
+  const std::string where = placeOf(document, index);
   if (!json.contains("bufferView")) {
     // An image with a URI has been complained about when it could not be embedded.
     if (!json.contains("uri"))
       warnings.push_back(where + ": the image names no data; a white texel stands in");
     return whiteImage(name);
   }
-  const auto& view = document.json.at("bufferViews").at(json.at("bufferView").get<std::size_t>());
-  const std::size_t offset = view.value("byteOffset", std::size_t{0});
-  const std::span<const std::uint8_t> bytes(document.bin.data() + offset,
-                                            view.at("byteLength").get<std::size_t>());
   try {
-    Image image = decodeImage(bytes, where);
+    Image image = decodeImage(imageBytes(document, index), where);
     image.name = name;
     return image;
   } catch (const InputError& error) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/error.h"
 
 namespace prelight {
@@ -40,6 +42,18 @@ std::string escapePointer(std::string_view key) {
 
 }  // namespace
 
+std::optional<std::uint64_t> unsignedValue(const nlohmann::ordered_json& json) {
+  if (json.is_number_unsigned()) return json.get<std::uint64_t>();
+  if (json.is_number_integer()) {
+    const auto value = json.get<std::int64_t>();
+    return value < 0 ? std::nullopt : std::optional(static_cast<std::uint64_t>(value));
+  }
+  constexpr double exactIntegers = 9007199254740992.0;  // 2^53
+  const double value = json.is_number_float() ? json.get<double>() : -1.0;
+  if (!(value >= 0.0 && value <= exactIntegers) || value != std::floor(value)) return std::nullopt;
+  return static_cast<std::uint64_t>(value);
+}
+
 void JsonCursor::fail(const std::string& what, const std::string& fix) const {
   throw InputError(where(), what, fix);
 }
@@ -54,7 +68,11 @@ std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
   expectObject();
   const auto found = value_->find(std::string(key));
   if (found == value_->end()) return std::nullopt;
-  return JsonCursor(file_, &*found, path_ + '/' + escapePointer(key));
+  return memberAt(key, *found);
+}
+
+JsonCursor JsonCursor::memberAt(std::string_view key, const Json& value) const {
+  return {file_, &value, path_ + '/' + escapePointer(key)};
 }
 
 JsonCursor JsonCursor::at(std::size_t index) const {
@@ -71,11 +89,9 @@ std::size_t JsonCursor::arraySize() const {
 }
 
 std::uint64_t JsonCursor::asUnsigned() const {
-  const bool negative = value_->is_number_integer() && !value_->is_number_unsigned() && *value_ < 0;
-  if (!value_->is_number_integer() || negative) {
-    fail("expected a non-negative integer, got " + describe(*value_));
-  }
-  return value_->get<std::uint64_t>();
+  const std::optional<std::uint64_t> value = unsignedValue(*value_);
+  if (!value) fail("expected a non-negative integer, got " + describe(*value_));
+  return *value;
 }
 
 std::size_t JsonCursor::asIndex(std::size_t count, std::string_view kind) const {

@@ -9,6 +9,9 @@
 
 namespace prelight {
 
+/// A non-negative integer, however it is written: 3 and 3.0 are the same number to JSON. nullopt for others.
+std::optional<std::uint64_t> unsignedValue(const nlohmann::ordered_json& json);
+
 /// A place in a JSON tree that knows its path, so that every complaint about it names file and path.
 /// The tree and the file name must outlive the cursor. All accessors throw InputError when the value is not
 /// as asked.
@@ -48,6 +51,13 @@ class JsonCursor {
   bool boolOr(std::string_view key, bool fallback) const;
   std::string stringOr(std::string_view key, const std::string& fallback) const;
 
+  /// Calls visit(cursor, key) for every member of this object.
+  template <class Visit>
+  void forEachMember(Visit visit) const {
+    expectObject();
+    for (const auto& member : value_->items()) visit(memberAt(member.key(), member.value()), member.key());
+  }
+
   /// Number of elements of the array member `key`; 0 when there is none.
   std::size_t countOf(std::string_view key) const;
 
@@ -65,6 +75,7 @@ class JsonCursor {
   }
 
  private:
+  JsonCursor memberAt(std::string_view key, const Json& value) const;
   JsonCursor(const std::string* file, const Json* value, std::string path)
       : file_(file), value_(value), path_(std::move(path)) {}
 

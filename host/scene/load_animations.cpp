@@ -115,15 +115,30 @@ class AnimationLoader {
       warn(target, fmt::format("node {} has a matrix, which cannot be animated; it rests", index));
       return;
     }
+    if (!hasTimes(channel)) {
+      warn(channel, "its times have no data; it rests");
+      return;
+    }
     if (!targets_.insert({index, *path}).second)
       channel.fail(fmt::format("the {} of node {} is animated twice", pathName, index),
                    "export the animation again");
     animation_.channels.push_back({place->second, *path, samplerOf(channel, *path)});
   }
 
+  std::size_t indexOfSampler(const JsonCursor& channel) const {
+    return channel.at("sampler").asIndex(json_.at("samplers").arraySize(), "sampler");
+  }
+
+  /// A single time of 0 needs none.
+  bool hasTimes(const JsonCursor& channel) const {
+    const JsonCursor sampler = json_.at("samplers").at(indexOfSampler(channel));
+    const AccessorReader times = openAccessor(context_, sampler.at("input"));
+    return times.count() == 1 || times.hasData();
+  }
+
   std::size_t samplerOf(const JsonCursor& channel, AnimatedPath path) {
     const JsonCursor samplers = json_.at("samplers");
-    const std::size_t index = channel.at("sampler").asIndex(samplers.arraySize(), "sampler");
+    const std::size_t index = indexOfSampler(channel);
     const bool rotation = path == AnimatedPath::Rotation;
     const auto known = samplers_.find({index, rotation});
     if (known != samplers_.end()) return known->second;

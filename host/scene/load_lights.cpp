@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
+#include "base/magnitudes.h"
 #include "scene/load_parts.h"
 #include "scene/pose.h"
 
@@ -23,6 +25,18 @@ float nonNegativeOr(const LoadContext& context, const JsonCursor& object, const 
 
 void warnAboutDirection(const LoadContext& context, int node) {
   context.warn(fmt::format("/nodes/{}", node), "a scale of 0 leaves no direction; the world's axis is taken");
+}
+
+void requireNear(const LoadContext& context, int node, const glm::dvec3& position) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(position[axis]) <= largestInput) continue;
+    throw InputError(
+        context.where(fmt::format("/nodes/{}", node)),
+        fmt::format("its light or camera is at ({:g}, {:g}, {:g}) m, expected coordinates within "
+                    "{:g} m",
+                    position.x, position.y, position.z, largestInput),
+        "check the transforms of the node and its ancestors");
+  }
 }
 
 void loadCone(const LoadContext& context, const JsonCursor& spot, Light& light) {
@@ -60,11 +74,17 @@ std::optional<Light> loadLight(const LoadContext& context, int node, const glm::
       light.intensity[i] *= std::max(finiteFloat(component), 0.0f);
       if (component.asNumber() < 0.0)
         context.warnings.push_back(component.where() + ": negative; taken as 0");
-      if (!std::isfinite(light.intensity[i])) source.fail("colour x intensity does not fit a 32-bit float");
     }
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (!(light.intensity[i] <= largestInput))
+      source.fail(
+          fmt::format("colour x intensity is {:g}, expected at most {:g}", light.intensity[i], largestInput),
+          "dim the light");
   }
   light.range = nonNegativeOr(context, source, "range", 0.0f);
   if (!placeLight(light, world)) warnAboutDirection(context, node);
+  requireNear(context, node, light.position);
   if (light.type == LightType::Spot) loadCone(context, source.at("spot"), light);
   return light;
 }
@@ -75,6 +95,7 @@ Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world)
   Camera camera;
   camera.name = json.stringOr("name", source.name);
   if (!placeCamera(camera, world)) warnAboutDirection(context, node);
+  requireNear(context, node, glm::dvec3(camera.world[3]));
   camera.perspective = json.at("type").asString() == "perspective";
   if (camera.perspective) {
     const JsonCursor lens = json.at("perspective");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/magnitudes.h"
 #include "scene/image_decode.h"
 #include "scene/load_parts.h"
 
@@ -21,7 +22,8 @@ float clampWithWarning(const LoadContext& context, const JsonCursor& number, flo
   return clamped;
 }
 
-constexpr float noLimit = std::numeric_limits<float>::max();
+/// Where the specification sets none: products stay finite.
+constexpr auto noLimit = static_cast<float>(largestInput);
 
 float clampedOr(const LoadContext& context, const JsonCursor& object, const char* name, float fallback,
                 float high = 1.0f) {
@@ -108,7 +110,13 @@ void loadVolume(const LoadContext& context, const JsonCursor& volume, Material& 
 void loadExtensions(const LoadContext& context, const JsonCursor& json, Material& material) {
   if (const auto e = LoadContext::extension(json, "KHR_materials_emissive_strength")) {
     const float strength = clampedOr(context, *e, "emissiveStrength", 1.0f, noLimit);
-    for (int i = 0; i < 3; ++i) material.emission[i] = std::min(material.emission[i] * strength, noLimit);
+    material.emission *= strength;
+    for (int i = 0; i < 3; ++i) {
+      if (!(material.emission[i] <= noLimit))
+        e->fail(fmt::format("emissive factor x strength is {:g}, expected at most {:g}", material.emission[i],
+                            noLimit),
+                "dim the material");
+    }
   }
   if (const auto e = LoadContext::extension(json, "KHR_materials_transmission")) {
     material.transmission = clampedOr(context, *e, "transmissionFactor", 0.0f);
@@ -202,13 +210,18 @@ std::vector<Material> loadMaterials(const LoadContext& context) {
 
 std::vector<Image> loadImages(const LoadContext& context, const std::vector<Material>& materials) {
   std::vector<bool> used(context.root.countOf("images"), false);
+  std::vector<bool> checked = used;  // with normal maps, which are decoded when a bake needs them
   for (const Material& material : materials) {
+    if (material.normalTexture.image >= 0)
+      checked[static_cast<std::size_t>(material.normalTexture.image)] = true;
     for (const TextureRef* ref :
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture,
           &material.diffuseTransmissionTexture, &material.diffuseTransmissionColorTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }
+  for (std::size_t i = 0; i < used.size(); ++i) checked[i] = checked[i] || used[i];
+  checkImages(context.document, checked);
   std::vector<Image> images;
   images.reserve(used.size());
   for (std::size_t i = 0; i < used.size(); ++i) {

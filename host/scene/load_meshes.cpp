@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "scene/accessor.h"
 #include "scene/load_parts.h"
+#include "scene/missing_data.h"
 
 namespace prelight {
 
@@ -224,8 +225,13 @@ Mesh loadMesh(const LoadContext& context, std::size_t mesh) {
   Mesh result;
   result.name = source.name;
   for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-    result.primitives.push_back(
-        loadPrimitive(context, source.primitives[i], fmt::format("/meshes/{}/primitives/{}", mesh, i)));
+    const std::string path = fmt::format("/meshes/{}/primitives/{}", mesh, i);
+    if (lacksData(context.document, context.root.at("meshes").at(mesh).at("primitives").at(i))) {
+      context.warn(path, "its data lie in a buffer that the file leaves out; the primitive is skipped");
+      result.primitives.emplace_back().material = source.primitives[i].material;
+      continue;
+    }
+    result.primitives.push_back(loadPrimitive(context, source.primitives[i], path));
   }
   return result;
 }

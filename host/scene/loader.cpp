@@ -7,17 +7,39 @@
 #include "base/error.h"
 #include "scene/load_parts.h"
 #include "scene/pose.h"
+#include "scene/scene_size.h"
 
 namespace prelight {
 
 namespace {
 
+/// Numbers that stand for indices may be written as 1.0, which tinygltf does not take.
+void makeIntegers(nlohmann::ordered_json& tree) {
+  if (tree.is_structured()) {
+    for (auto& part : tree) makeIntegers(part);
+  } else if (tree.is_number_float() && !std::signbit(tree.get<double>())) {
+    if (const auto integer = unsignedValue(tree)) tree = *integer;
+  }
+}
+
+/// Accessors that tinygltf accepts, as many as there are: it only asks whether they exist.
+void standInForAccessors(nlohmann::ordered_json& tree) {
+  if (!tree.contains("accessors")) return;
+  nlohmann::ordered_json stub = {
+      {"bufferView", 0}, {"componentType", 5121}, {"count", 1}, {"type", "SCALAR"}};
+  for (auto& accessor : tree["accessors"]) accessor = stub;
+  tree["bufferViews"] = nlohmann::ordered_json::array({{{"buffer", 0}, {"byteLength", 1}}});
+}
+
 /// tinygltf parses a tree without the parts it would open, copy or judge by itself: their bytes are embedded
-/// in the document already, and loadAnimations reads the animations.
+/// in the document already, others are read from the JSON tree, and what is not used may be broken.
 tinygltf::Model parseModel(const GltfDocument& document, const std::string& file) {
   nlohmann::ordered_json tree = document.json;
-  for (const char* part : {"buffers", "images", "animations", "skins", "extensions", "extras"})
+  for (const char* part :
+       {"buffers", "images", "animations", "skins", "cameras", "bufferViews", "extensions", "extras"})
     tree.erase(part);
+  standInForAccessors(tree);
+  makeIntegers(tree);
   const std::string text = tree.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   tinygltf::TinyGLTF parser;
   tinygltf::Model model;
@@ -69,6 +91,7 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings) {
   std::vector<bool> loaded(model.meshes.size(), false);
 
   scene.nodes = loadNodes(context);
+  checkSceneSize(context, scene.nodes);
   const std::vector<glm::dmat4> world = restTransforms(context, scene.nodes);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const int index = scene.nodes[i].node;

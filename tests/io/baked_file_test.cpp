@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "base/error.h"
@@ -61,6 +62,36 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   EXPECT_EQ(copy->info.plan, bake.info.plan);
   EXPECT_EQ(copy->info.device, "no device");
   EXPECT_TRUE(warnings.empty()) << "a baked file needs no complaint: " << warnings.front();
+}
+
+/// What a reader would refuse is not written.
+TEST(BakedFile, NumbersThatAreNotUsable_AreNotWritten) {
+  for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity(), -1e30f}) {
+    GltfDocument document = sharedMeshDocument();
+    const CompiledScene scene = test::compileDocument(document);
+    Bake bake;
+    bake.ao.assign(scene.vertexCount(), 0.5f);
+    bake.ao.back() = bad;
+    try {
+      embedBake(document, scene, bake);
+      ADD_FAILURE() << bad;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
+      EXPECT_NE(std::string(error.what()).find("/primitives/0/ao"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(BakedFile, CoefficientsBeyondMeasure_AreRefused) {
+  GltfDocument document = sharedMeshDocument();
+  const CompiledScene scene = test::compileDocument(document);
+  Bake bake;
+  bake.ao.assign(scene.vertexCount(), 0.5f);
+  embedBake(document, scene, bake);
+  document.json["nodes"][1]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["ao"] =
+      test::appendFloats(document, {0.5f, 1e38f, 0.5f}, "SCALAR");
+  const std::string message = test::inputErrorOf([&] { readBake(document, scene); });
+  EXPECT_NE(message.find("at most 1e+18"), std::string::npos) << message;
 }
 
 TEST(BakedFile, Irradiance_ComesBackAndIsChecked) {

@@ -84,6 +84,18 @@ TEST_F(EnvironmentTest, Read_NegativeOrNonFiniteTexel_IsRefusedByPlace) {
   }
 }
 
+/// The products of such a sky with anything are not finite.
+TEST_F(EnvironmentTest, Read_RadianceBeyondMeasure_IsRefused) {
+  const auto path = write("bright.exr", 2, 1, {{1, 1, 1}, {1, 1e38f, 1}});
+  try {
+    readEnvironment(path);
+    ADD_FAILURE() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("column 1, row 0"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(readEnvironment(write("sun.exr", 2, 1, {{1, 1, 1}, {1, 1e14f, 1}})).radiance[1].y, 1e14f);
+}
+
 TEST_F(EnvironmentTest, Read_RoundingBelowZero_BecomesZero) {
   const Environment sky =
       readEnvironment(write("odd.exr", 2, 1, {{1.0f, -0.001f, 2.0f}, {0.5f, 0.0f, 0.5f}}));

@@ -3,12 +3,14 @@
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <fstream>
 #include <limits>
 
 #include "base/error.h"
+#include "io/finite_results.h"
 
 namespace prelight {
 namespace {
@@ -112,6 +114,54 @@ TEST_F(PictureTest, Read_BrokenFiles_AreInputErrors) {
   std::ofstream(folder_ / "a.txt") << "text";
   for (const char* name : {"a.png", "a.txt", "none.png"}) {
     EXPECT_THROW(readPicture(folder_ / name), InputError) << name;
+  }
+}
+
+/// The name says EXR or PNG, the bytes another format, whose reader must not be asked.
+TEST_F(PictureTest, Read_OtherFormatThanExpected_IsRefusedByItsName) {
+  for (const char* name : {"a.exr", "a.png"}) {
+    std::ofstream(folder_ / name, std::ios::binary) << "DDS |" << std::string(123, '\0');
+    try {
+      readPicture(folder_ / name);
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("it is DDS, expected EXR, HDR, PNG, JPEG"));
+    }
+  }
+}
+
+/// 16000 x 16000 texels of RGB would be 3 GB.
+TEST_F(PictureTest, Read_HeaderOfMoreThanItsFileHolds_IsRefused) {
+  std::ofstream(folder_ / "a.hdr", std::ios::binary)
+      << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16000 +X 16000\n"
+      << std::string(64, '\2');
+  try {
+    readPicture(folder_ / "a.hdr");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("claims 768000000 numbers"));
+  }
+}
+
+TEST_F(PictureTest, Read_PipeOrDevice_IsRefusedWithoutWaiting) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe.exr").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", folder_ / "zero.exr");
+  EXPECT_THROW(readPicture(folder_ / "pipe.exr"), InputError);
+  EXPECT_THROW(readPicture(folder_ / "zero.exr"), InputError);
+}
+
+TEST_F(PictureTest, RequireFinite_NamesThePixel) {
+  Picture picture = gradient(4, 3);
+  EXPECT_NO_THROW(requireFinite("a.exr", picture));
+  for (const float bad : {std::nanf(""), std::numeric_limits<float>::infinity()}) {
+    picture.pixels[6].y = bad;
+    try {
+      requireFinite("a.exr", picture);
+      ADD_FAILURE() << bad;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
+      EXPECT_THAT(error.what(), testing::HasSubstr("column 2, row 1"));
+    }
   }
 }
 

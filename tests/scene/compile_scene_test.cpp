@@ -104,6 +104,14 @@ TEST(CompileScene, BeyondFloat_ThrowsNamingTheNode) {
   EXPECT_NE(message.find("/nodes/0"), std::string::npos) << message;
 }
 
+/// Squares of larger coordinates are not finite in 32 bits, and what is baked from them neither.
+TEST(CompileScene, BeyondMeasure_ThrowsNamingTheNode) {
+  EXPECT_EQ(compile(triangleScene(scaling(1e14, 1.0, 1.0))).triangleCount(), 1u);
+  const std::string message = test::inputErrorOf([&] { compile(triangleScene(scaling(1e38, 1.0, 1.0))); });
+  EXPECT_NE(message.find("/nodes/0"), std::string::npos) << message;
+  EXPECT_NE(message.find("within 1e+15 m"), std::string::npos) << message;
+}
+
 TEST(CompileScene, PointsPrimitive_HasARangeWithoutVertices) {
   Scene scene = triangleScene(glm::dmat4(1.0));
   Primitive points;

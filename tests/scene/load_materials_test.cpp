@@ -79,6 +79,16 @@ TEST(LoadMaterial, ValuesOutsideTheirRange_ClampWithWarnings) {
   EXPECT_EQ(warnings.size(), 6u);
 }
 
+TEST(LoadMaterial, EmissionBeyondMeasure_Throws) {
+  Warnings warnings;
+  const std::string message = test::inputErrorOf([&] {
+    loadMaterial(R"({"emissiveFactor": [1, 1, 1], "extensions": {
+      "KHR_materials_emissive_strength": {"emissiveStrength": 1e38}}})",
+                 warnings);
+  });
+  EXPECT_NE(message.find("KHR_materials_emissive_strength"), std::string::npos) << message;
+}
+
 TEST(LoadMaterial, EmissiveFactorAboveOne_IsKeptWithAWarning) {
   Warnings warnings;
   EXPECT_EQ(loadMaterial(R"({"emissiveFactor": [10, 10, 10]})", warnings).emission, glm::vec3(10.0f));

@@ -120,6 +120,18 @@ TEST(LoadLight, IntensityBeyondFloat_Throws) {
   EXPECT_NE(message.find("/extensions/KHR_lights_punctual/lights/0/intensity"), std::string::npos) << message;
 }
 
+TEST(LoadLight, BeyondMeasure_Throws) {
+  Warnings warnings;
+  EXPECT_NE(test::inputErrorOf([&] {
+              loadLight(R"({"type": "point", "intensity": 1e20})", "[{}]", warnings);
+            }).find("at most 1e+15"),
+            std::string::npos);
+  EXPECT_NE(test::inputErrorOf([&] {
+              loadLight(R"({"type": "point"})", R"([{"translation": [0, 1e20, 0]}])", warnings);
+            }).find("/nodes/0: its light or camera"),
+            std::string::npos);
+}
+
 TEST(LoadCamera, ScaledNode_KeepsRotationAndTranslationOnly) {
   Warnings warnings;
   const Scene scene = test::reload(

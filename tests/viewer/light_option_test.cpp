@@ -30,12 +30,27 @@ TEST(LightOption, Spot_TakesDegrees) {
 }
 
 TEST(LightOption, BadSyntax_IsAUsageErrorWithAnExample) {
-  for (const char* text :
-       {"", "point", "lamp:0,0,0:1,1,1", "point:0,0:1,1,1", "point:0,0,0", "point:0,0,0:1,1,1:2",
-        "point:0,0,x:1,1,1", "point:0,0,0:1,1,", "point:0,0,0:1,1,1 ", "point:nan,0,0:1,1,1",
-        "point:inf,0,0:1,1,1", "point:0,0,0:1,1,-1", "point:1e999,0,0:1,1,1", "directional:0,0,0:1,1,1",
-        "spot:0,0,0:0,-1,0:30,20:1,1,1", "spot:0,0,0:0,-1,0:20,91:1,1,1", "spot:0,0,0:0,-1,0:-1,20:1,1,1",
-        "spot:0,0,0:0,-1,0:1,1,1", "Point:0,0,0:1,1,1"}) {
+  for (const char* text : {"",
+                           "point",
+                           "lamp:0,0,0:1,1,1",
+                           "point:0,0:1,1,1",
+                           "point:0,0,0",
+                           "point:0,0,0:1,1,1:2",
+                           "point:0,0,x:1,1,1",
+                           "point:0,0,0:1,1,",
+                           "point:0,0,0:1,1,1 ",
+                           "point:nan,0,0:1,1,1",
+                           "point:inf,0,0:1,1,1",
+                           "point:0,0,0:1,1,-1",
+                           "point:1e999,0,0:1,1,1",
+                           "directional:0,0,0:1,1,1",
+                           "spot:0,0,0:0,-1,0:30,20:1,1,1",
+                           "spot:0,0,0:0,-1,0:20,91:1,1,1",
+                           "spot:0,0,0:0,-1,0:-1,20:1,1,1",
+                           "spot:0,0,0:0,-1,0:1,1,1",
+                           "Point:0,0,0:1,1,1",
+                           "point:0,0,0:1,1e16,1",
+                           "point:0,1e16,0:1,1,1"}) {
     try {
       parseLight(text);
       ADD_FAILURE() << "accepted '" << text << "'";

@@ -28,20 +28,24 @@ void spreadChannels(const std::vector<std::uint8_t>& from, int channels, std::ve
 
 }  // namespace
 
-Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name, const std::string& where) {
-  constexpr std::int64_t maxTexels = std::int64_t{1} << 28;
+Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where) {
   OIIO::Filesystem::IOMemReader memory(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
   OIIO::Filesystem::IOProxy* proxy = &memory;
   OIIO::ImageSpec wishes;
   // The readers look for the proxy among the wishes and forget the one that open() was given.
   wishes.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   wishes.attribute("oiio:UnassociatedAlpha", 1);
-  // The name only chooses the format; nothing of that name is opened.
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(name, &wishes, &memory);
+  const char* reader = readerOf(format);
+  const std::unique_ptr<OIIO::ImageInput> input =
+      OIIO::ImageInput::create(reader, false, &wishes, &memory, std::string_view());
   if (!input) throw InputError(where, "cannot decode the picture: " + OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
+  OIIO::ImageSpec spec;
+  // Nothing of that name is opened.
+  if (!input->open(std::string("x.") + reader, spec, wishes))
+    throw InputError(where, "cannot decode the picture: " + input->geterror());
   const std::int64_t texels = std::int64_t{spec.width} * spec.height;
-  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || texels > maxTexels) {
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 ||
+      static_cast<std::uint64_t>(texels) > mostTexels) {
     throw InputError(where,
                      fmt::format("a picture of {} x {} texels is not usable", spec.width, spec.height));
   }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <system_error>
 
 #include "base/error.h"
 #include "images/module/functions.h"
@@ -28,6 +27,8 @@ void readPart(const std::filesystem::path& path, OIIO::ImageInput& input, int pa
     throw InputError(path.string(), fmt::format("part {} has {} x {} texels, the first has {} x {}", part,
                                                 spec.width, spec.height, layers.width, layers.height));
   const auto channels = static_cast<std::size_t>(spec.nchannels);
+  checkNumbers(path, (layers.channels.size() + channels) * static_cast<std::uint64_t>(spec.width) *
+                         static_cast<std::uint64_t>(spec.height));
   const std::size_t texels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
   std::vector<float> values(texels * channels);
   if (!input.read_image(part, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
@@ -42,10 +43,11 @@ void readPart(const std::filesystem::path& path, OIIO::ImageInput& input, int pa
 }  // namespace
 
 PictureLayers readPictureLayers(const std::filesystem::path& path) {
-  std::error_code status;
-  if (!std::filesystem::exists(path, status)) throw InputError(path.string(), "no such file");
-  const auto input = OIIO::ImageInput::open(path.string());
+  const auto input = OIIO::ImageInput::create(readerOf(PictureFormat::Exr));
   if (!input) throw InputError(path.string(), "cannot be read as a picture: " + OIIO::geterror());
+  OIIO::ImageSpec first;
+  if (!input->open(path.string(), first))
+    throw InputError(path.string(), "cannot be read as a picture: " + input->geterror());
   PictureLayers layers;
   for (int part = 0; input->seek_subimage(part, 0); ++part) readPart(path, *input, part, layers);
   (void)input->geterror();  // of seeking past the last part

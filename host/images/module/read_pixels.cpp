@@ -11,7 +11,7 @@
 namespace prelight::images {
 namespace {
 
-constexpr std::int64_t maxTexels = std::int64_t{1} << 28;
+constexpr auto maxTexels = static_cast<std::int64_t>(mostTexels);
 
 /// Indices of the red, green and blue channel.
 std::array<int, 3> colorChannels(const OIIO::ImageSpec& spec) {
@@ -40,17 +40,44 @@ void checkSize(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
 
 }  // namespace
 
-Pixels readPixels(const std::filesystem::path& path) {
-  std::error_code status;
-  if (!std::filesystem::exists(path, status)) throw InputError(path.string(), "no such file");
-  if (std::filesystem::is_directory(path, status))
-    throw InputError(path.string(), "is a folder, not a picture");
+void checkNumbers(const std::filesystem::path& path, std::uint64_t numbers) {
+  std::error_code error;
+  const std::uint64_t bytes = std::filesystem::file_size(path, error);
+  if (error) throw InputError(path.string(), "cannot be read: " + error.message());
+  if (numbers > mostNumbers(bytes))
+    throw InputError(path.string(),
+                     "claims " + std::to_string(numbers) + " numbers in " + std::to_string(bytes) +
+                         " bytes, expected at most " + std::to_string(mostNumbers(bytes)),
+                     "the file is damaged, or scale the picture down");
+}
+
+const char* readerOf(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::Png:
+      return "png";
+    case PictureFormat::Jpeg:
+      return "jpeg";
+    case PictureFormat::WebP:
+      return "webp";
+    case PictureFormat::Exr:
+      return "openexr";
+    case PictureFormat::Hdr:
+      return "hdr";
+    default:
+      return "none";
+  }
+}
+
+Pixels readPixels(const std::filesystem::path& path, PictureFormat format) {
   OIIO::ImageSpec hints;
   hints.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open(path.string(), &hints);
+  const auto input = OIIO::ImageInput::create(readerOf(format));
   if (!input) throw InputError(path.string(), "cannot be read as a picture: " + OIIO::geterror());
-  const OIIO::ImageSpec spec = input->spec();
+  OIIO::ImageSpec spec;
+  if (!input->open(path.string(), spec, hints))
+    throw InputError(path.string(), "cannot be read as a picture: " + input->geterror());
   checkSize(path, spec);
+  checkNumbers(path, static_cast<std::uint64_t>(std::int64_t{spec.width} * spec.height * spec.nchannels));
 
   const auto rgb = colorChannels(spec);
   const auto [first, last] = std::minmax_element(rgb.begin(), rgb.end());

@@ -1,0 +1,136 @@
+#include "images/picture_header.h"
+
+#include <array>
+#include <string_view>
+
+namespace prelight {
+
+namespace {
+
+// [1] ISO/IEC 15948 (PNG), 11.2.1
+// [2] ITU-T T.81 (JPEG), B.1 and B.2
+// [3] RFC 9649 (WebP), 2.5 to 2.7
+
+struct Magic {
+  std::string_view bytes;
+  std::size_t offset;
+  PictureFormat format;
+};
+
+constexpr std::array<Magic, 11> magics = {{{"\x89PNG", 0, PictureFormat::Png},
+                                           {"\xFF\xD8\xFF", 0, PictureFormat::Jpeg},
+                                           {"WEBP", 8, PictureFormat::WebP},
+                                           {"\xABKTX 20", 0, PictureFormat::Ktx2},
+                                           {"DDS ", 0, PictureFormat::Dds},
+                                           {"BM", 0, PictureFormat::Bmp},
+                                           {"GIF8", 0, PictureFormat::Gif},
+                                           {{"II*\0", 4}, 0, PictureFormat::Tiff},
+                                           {{"MM\0*", 4}, 0, PictureFormat::Tiff},
+                                           {"\x76\x2F\x31\x01", 0, PictureFormat::Exr},
+                                           {"#?", 0, PictureFormat::Hdr}}};
+
+/// Numbers at places that may lie beyond the end, where they are 0.
+class Header {
+ public:
+  explicit Header(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  std::size_t size() const { return bytes_.size(); }
+  std::uint64_t byte(std::size_t at) const { return at < bytes_.size() ? bytes_[at] : 0; }
+  std::uint64_t big16(std::size_t at) const { return byte(at) << 8 | byte(at + 1); }
+  std::uint64_t big32(std::size_t at) const { return big16(at) << 16 | big16(at + 2); }
+  std::uint64_t little16(std::size_t at) const { return byte(at + 1) << 8 | byte(at); }
+  std::uint64_t little24(std::size_t at) const { return byte(at + 2) << 16 | little16(at); }
+  bool has(std::string_view text, std::size_t at) const {
+    return at + text.size() <= bytes_.size() &&
+           std::string_view(reinterpret_cast<const char*>(bytes_.data()) + at, text.size()) == text;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+/// [1]; deflate makes a byte of at most 1032.
+std::optional<PictureExtent> pngExtent(const Header& header) {
+  constexpr std::size_t end = 26;
+  constexpr std::uint64_t mostRatio = 1032;
+  if (header.size() < end || !header.has("IHDR", 12)) return std::nullopt;
+  constexpr std::array<std::uint64_t, 7> channelsOfType = {1, 0, 3, 1, 2, 0, 4};
+  const std::uint64_t type = header.byte(25);
+  const std::uint64_t bits = header.byte(24) * (type < channelsOfType.size() ? channelsOfType[type] : 0);
+  PictureExtent extent{header.big32(16), header.big32(20), 0};
+  constexpr std::uint64_t longest = 0x7FFFFFFF;
+  if (bits == 0 || extent.width > longest || extent.height > longest) return std::nullopt;
+  const std::uint64_t rowBytes = (extent.width * bits + 7) / 8;
+  // Compared in quotients: their product can leave 64 bits.
+  extent.leastBytes = rowBytes / mostRatio * extent.height + rowBytes % mostRatio * extent.height / mostRatio;
+  return extent;
+}
+
+/// [2]: the first frame header. A block of 8 x 8 texels takes a bit at least, in progressive files; half of
+/// that is asked for.
+std::optional<PictureExtent> jpegExtent(const Header& header) {
+  constexpr std::uint64_t texelsOfByte = 2 * 8 * 64;
+  for (std::size_t at = 2; at + 9 < header.size();) {
+    if (header.byte(at) != 0xFF) return std::nullopt;
+    const std::uint64_t marker = header.byte(at + 1);
+    const bool alone = marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8);
+    if (marker == 0xFF || alone) {
+      at += marker == 0xFF ? 1 : 2;
+      continue;
+    }
+    const bool table = marker == 0xC4 || marker == 0xC8 || marker == 0xCC;
+    if (marker >= 0xC0 && marker <= 0xCF && !table) {
+      PictureExtent extent{header.big16(at + 7), header.big16(at + 5), 0};
+      extent.leastBytes = extent.texels() / texelsOfByte;
+      return extent;
+    }
+    if (marker == 0xD9 || marker == 0xDA || header.big16(at + 2) < 2) return std::nullopt;
+    at += 2 + header.big16(at + 2);
+  }
+  return std::nullopt;
+}
+
+/// [3]
+std::optional<PictureExtent> webpExtent(const Header& header) {
+  constexpr std::size_t end = 30;
+  constexpr std::uint64_t low14 = 0x3FFF;
+  if (header.size() < 25) return std::nullopt;
+  if (header.has("VP8L", 12)) {
+    const std::uint64_t bits = header.little24(21) | header.byte(24) << 24;
+    return PictureExtent{(bits & low14) + 1, (bits >> 14 & low14) + 1, 0};
+  }
+  if (header.size() < end) return std::nullopt;
+  if (header.has("VP8X", 12)) return PictureExtent{header.little24(24) + 1, header.little24(27) + 1, 0};
+  if (header.has("VP8 ", 12))
+    return PictureExtent{header.little16(26) & low14, header.little16(28) & low14, 0};
+  return std::nullopt;
+}
+
+}  // namespace
+
+PictureFormat pictureFormat(std::span<const std::uint8_t> bytes) {
+  const Header header(bytes);
+  for (const Magic& magic : magics) {
+    if (!header.has(magic.bytes, magic.offset)) continue;
+    if (magic.format != PictureFormat::WebP || header.has("RIFF", 0)) return magic.format;
+  }
+  return PictureFormat::Unknown;
+}
+
+const char* nameOf(PictureFormat format) {
+  constexpr std::array<const char*, 11> names = {
+      "an unknown format", "PNG", "JPEG", "WebP", "KTX2", "DDS", "BMP", "GIF", "TIFF", "EXR", "HDR"};
+  return names[static_cast<std::size_t>(format)];
+}
+
+std::optional<PictureExtent> pictureExtent(std::span<const std::uint8_t> bytes) {
+  std::optional<PictureExtent> extent;
+  const PictureFormat format = pictureFormat(bytes);
+  if (format == PictureFormat::Png) extent = pngExtent(Header(bytes));
+  if (format == PictureFormat::Jpeg) extent = jpegExtent(Header(bytes));
+  if (format == PictureFormat::WebP) extent = webpExtent(Header(bytes));
+  if (extent && extent->texels() == 0) return std::nullopt;
+  return extent;
+}
+
+}  // namespace prelight
