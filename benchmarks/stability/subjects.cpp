@@ -144,7 +144,7 @@ std::vector<Subject> casting() {
       {"projection",
        Kernel,
        "means in double",
-       "mean of |V - k|, at the greatest value of the band",
+       "mean magnitude of V - k, at the greatest value of the band",
        std::string(sumRule) + "; some roundings a band",
        {"project/project_kernels.cl:projectHits"},
        runProjection},
