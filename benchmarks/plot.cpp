@@ -8,6 +8,7 @@
 #include <string>
 
 #include "benchmarks/charts.h"
+#include "benchmarks/stability/stability_plots.h"
 #include "benchmarks/transfer_plots.h"
 
 namespace prelight::benchmarks {
@@ -406,7 +407,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 20> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 23> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -425,6 +426,9 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"photons", "photons", photonsPlot},
                                            {"lightmaps", "lightmaps", lightMapsPlot},
                                            {"update", "update", updatePlot},
+                                           {"stability", "stability", stabilityOrderPlot},
+                                           {"stability", "stability-count", stabilityCountPlot},
+                                           {"stability", "stability-size", stabilitySizePlot},
                                            {"techniques", "techniques", techniquesPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

@@ -49,6 +49,8 @@ const std::vector<Entry>& entries() {
        runPhotonsSuite},
       {{"update", "seconds of frames in which light follows moving objects, and what they do again"},
        runUpdateSuite},
+      {{"stability", "errors of every kernel and basis on inputs that are hard on them, against bounds"},
+       runStabilitySuite},
 #ifdef PRELIGHT_WITH_VIEWER
       {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
        runTechniquesSuite},
@@ -129,7 +131,17 @@ BenchmarkOptions BenchmarkOptions::quick() {
           .techniqueFrames = 1,
           .techniqueObjects = 2,
           .techniqueLights = 2,
-          .techniqueSkyRows = 16};
+          .techniqueSkyRows = 16,
+          .stabilityOrders = {1, 3, 8},
+          .stabilityFaceSizes = {4, 16},
+          .stabilitySkyRows = {16, 64},
+          .stabilityElementCells = {4, 8},
+          .stabilityRays = 200,
+          .stabilityLights = 10000,
+          .stabilityFlownPhotons = 2000,
+          .stabilityDensityPhotons = {2000},
+          .stabilityBakeRays = 16,
+          .stabilityScenes = {"caustics"}};
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
@@ -207,7 +219,18 @@ nlohmann::ordered_json BenchmarkOptions::toJson() const {
           {"techniqueFrames", techniqueFrames},
           {"techniqueObjects", techniqueObjects},
           {"techniqueLights", techniqueLights},
-          {"techniqueSkyRows", techniqueSkyRows}};
+          {"techniqueSkyRows", techniqueSkyRows},
+          {"stabilityOrders", stabilityOrders},
+          {"stabilityFaceSizes", stabilityFaceSizes},
+          {"stabilitySkyRows", stabilitySkyRows},
+          {"stabilityElementCells", stabilityElementCells},
+          {"stabilityRays", stabilityRays},
+          {"stabilityLights", stabilityLights},
+          {"stabilityPhotons", stabilityPhotons},
+          {"stabilityFlownPhotons", stabilityFlownPhotons},
+          {"stabilityDensityPhotons", stabilityDensityPhotons},
+          {"stabilityBakeRays", stabilityBakeRays},
+          {"stabilityScenes", stabilityScenes}};
 }
 
 const std::vector<BenchmarkSuite>& suites() {

@@ -104,7 +104,18 @@ struct BenchmarkOptions {
   int techniqueFrames = 9;               ///< of each technique, whose times' median counts
   int techniqueObjects = 25;             ///< of the crowd
   int techniqueLights = 20;
-  int techniqueSkyRows = 256;         ///< of the sky where none is given
+  int techniqueSkyRows = 256;                                             ///< of the sky where none is given
+  std::vector<int> stabilityOrders = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};  ///< of bases, ascending
+  std::vector<int> stabilityFaceSizes = {4, 8, 16, 32, 64, 128};          ///< of cube maps, powers of two
+  std::vector<int> stabilitySkyRows = {16, 64, 256, 1024};
+  std::vector<int> stabilityElementCells = {4, 12, 32};  ///< a side; elements are twice the square
+  std::size_t stabilityRays = 2000;                      ///< of a kind, against every triangle
+  std::size_t stabilityLights = 1000000;                 ///< at most, of one scene
+  std::uint64_t stabilityPhotons = 1000000000;           ///< among which those of `stability` are numbered
+  std::uint64_t stabilityFlownPhotons = 1u << 16;        ///< that it flies through each room
+  std::vector<std::size_t> stabilityDensityPhotons = {2000, 20000, 200000};  ///< of a square, ascending
+  std::uint64_t stabilityBakeRays = 64;                                      ///< a vertex
+  std::vector<std::string> stabilityScenes = {"shapes", "caustics", "cornell"};
   std::filesystem::path folder = {};  ///< where suites write more than charts; empty: nowhere
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything

@@ -86,6 +86,11 @@ std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const Benchma
 std::vector<BenchmarkResult> runUpdateSuite(const Device& device, const BenchmarkOptions& options,
                                             Progress& progress);
 
+/// Errors of every kernel and every basis on inputs that are hard on them, against double precision and
+/// closed forms, and the bounds that they are to keep. Writes its tables into options.folder.
+std::vector<BenchmarkResult> runStabilitySuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
 /// options.folder. Needs OpenGL.

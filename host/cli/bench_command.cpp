@@ -12,6 +12,7 @@
 
 #include "benchmarks/plot.h"
 #include "benchmarks/ray_peer.h"
+#include "benchmarks/stability/stability_suite.h"
 #include "benchmarks/suite.h"
 #include "cli/output_file.h"
 #include "cli/session.h"
@@ -26,6 +27,7 @@ using benchmarks::BenchmarkResult;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t maxTruthSamples = 1u << 20;
+constexpr std::uint64_t maxPhotons = 0xf0000000u;
 
 struct BenchCommand {
   std::string suite;  ///< empty: all
@@ -34,6 +36,7 @@ struct BenchCommand {
   std::vector<std::filesystem::path> skies;
   std::optional<std::uint64_t> rays;
   std::optional<std::uint64_t> samples;
+  std::optional<std::uint64_t> photons;
   std::optional<PictureSize> size;
   bool quick = false;
 };
@@ -101,6 +104,15 @@ void writePlots(const std::filesystem::path& folder, const std::vector<Benchmark
   }
 }
 
+/// After all outputs are written.
+void checkBounds(const std::vector<BenchmarkResult>& results) {
+  const std::vector<std::string> broken = benchmarks::brokenBounds(results);
+  if (broken.empty()) return;
+  throw Error(ExitCode::RuntimeFailure, "bench stability",
+              fmt::format("{} of its bounds are broken:\n  {}", broken.size(), fmt::join(broken, "\n  ")),
+              "docs/stability.md says what they rest on");
+}
+
 void runBench(const BenchCommand& command, Context& context) {
   Session session(context);
   const std::vector<std::string> suites = chosenSuites(command.suite);
@@ -110,6 +122,7 @@ void runBench(const BenchCommand& command, Context& context) {
   options.folder = command.plots;
   options.techniqueRays = command.rays.value_or(options.techniqueRays);
   options.techniqueSamples = command.samples.value_or(options.techniqueSamples);
+  options.stabilityFlownPhotons = command.photons.value_or(options.stabilityFlownPhotons);
   if (command.size) {
     options.techniqueHeight = command.size->height;
     options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
@@ -136,6 +149,7 @@ void runBench(const BenchCommand& command, Context& context) {
   if (!command.plots.empty())
     writePlots(command.plots, results, device.info(), command.quick, session.console());
   session.console().json(report);
+  checkBounds(results);
 }
 
 std::string suitesText() {
@@ -155,8 +169,9 @@ void addBenchCommand(CLI::App& program, Context& context) {
   CLI::Option* json = app->add_option("--json", command->json, "write the results; without FILE, to stdout")
                           ->type_name("[FILE]")
                           ->expected(0, 1);
-  app->add_option("--plot", command->plots,
-                  "write a chart of each suite (.svg), and the tables and pictures of `techniques`")
+  app->add_option(
+         "--plot", command->plots,
+         "write a chart of each suite (.svg), and the tables and pictures of `techniques` and `stability`")
       ->type_name("DIR");
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
@@ -167,6 +182,9 @@ void addBenchCommand(CLI::App& program, Context& context) {
   addWholeNumber(
       *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
       "samples a pixel of the path-traced pictures of `techniques` (default 128)");
+  addWholeNumber(
+      *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
+      "photons that `stability` flies through each of its rooms (default 65536)");
   addPictureSize(
       *app, "--size", [command](PictureSize size) { command->size = size; },
       "pixels of the pictures of `techniques`; one number is the height (default 480x270)");

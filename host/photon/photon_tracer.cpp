@@ -1,6 +1,7 @@
 #include "photon/photon_tracer.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace prelight {
@@ -18,14 +19,14 @@ std::uint32_t photonsPerBlock(const DeviceInfo& info) {
   return info.kind == DeviceKind::Gpu ? 1u << 20 : 1u << 16;
 }
 
-/// W a count of the tallies.
+/// W a count of the tallies. Kernels divide by it: it is a normal float.
 double unitOf(const PhotonSources& sources) {
   double power = 0.0, count = 0.0;
   for (std::size_t i = 0; i < sources.sources.size(); ++i) {
     power += sources.powers[i];
     count += sources.sources[i].count;
   }
-  return std::max(power, 1e-30) / std::max(count, 1.0) / countsAPhoton;
+  return std::max(power / std::max(count, 1.0) / countsAPhoton, double(std::numeric_limits<float>::min()));
 }
 
 BuildOptions scatterOptions(const PhotonRequest& request, BuildOptions options) {

@@ -90,8 +90,9 @@ float nearestInGrid(__global const PhotonGrid* grid, __global const uint* starts
 }
 #endif
 
-// A query a work-item, as estimateIrradiance. starts [cell of all grids + 1]; x .. blue [photon, padded by 8].
-__kernel void estimateFromGrid(__constant const DensityParameters* parameters, __global const PhotonGrid* grids,
+// A query a work-item, as estimateIrradiance. The hint keeps Intel's compiler from joining work-items, which loses the area of
+// some. starts [cell of all grids + 1]; x .. blue [photon, padded by 8].
+__kernel __attribute__((vec_type_hint(float8))) void estimateFromGrid(__constant const DensityParameters* parameters, __global const PhotonGrid* grids,
                                __global const uint* starts, __global const float* x, __global const float* y,
                                __global const float* z, __global const float* red, __global const float* green,
                                __global const float* blue, __global const SurfacePlace* places,

@@ -160,6 +160,28 @@ TEST_F(CliBench, Update_SendsAFewPhotonsAgain_AndSettlesToTheWhole) {
   EXPECT_EQ(metrics["difference"].size(), 4u);
 }
 
+TEST_F(CliBench, Stability_EveryBound_Holds) {
+  prelightDone({"bench", "stability", "--quick", "--quiet", "--json", "stability.json", "--plot", "plots"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("stability.json"));
+  expectReport(report);
+  std::map<std::string, std::size_t> metrics;
+  for (const auto& entry : report["results"]) {
+    ++metrics[entry["metric"]];
+    if (entry["metric"] == "relative error") {
+      EXPECT_GE(entry["ratio"], 1.0) << entry;
+    }
+    if (entry["metric"] == "values not finite") {
+      EXPECT_EQ(entry["value"], 0.0) << entry;
+    }
+  }
+  EXPECT_GT(metrics["relative error"], 300u);
+  EXPECT_EQ(metrics["values not finite"], metrics["relative error"]);
+  for (const char* part : {"| photons |", "| SH |", "`cast/light_kernels.cl:projectLights`"})
+    EXPECT_THAT(readFile("plots/stability.md"), HasSubstr(part));
+  for (const char* name : {"stability", "stability-count", "stability-size"})
+    EXPECT_THAT(readFile(std::string("plots/") + name + ".svg"), StartsWith("<svg")) << name;
+}
+
 #ifdef PRELIGHT_WITH_VIEWER
 TEST_F(CliBench, Techniques_TablesAndPictures_AreWrittenIntoTheFolder) {
   prelightDone({"bench", "techniques", "--quick", "--quiet", "--json", "techniques.json", "--plot", "plots"});
@@ -198,7 +220,8 @@ TEST_F(CliBench, EverySuite_Quick_MeasuresAndPlots) {
   for (const auto& entry : report["results"]) measured.insert(entry["suite"]);
   std::set<std::string> expected = {"animation", "bake",  "build",  "cast",    "compress",  "radiosity",
                                     "error",     "full",  "rays",   "photons", "reference", "relight",
-                                    "scaling",   "trees", "update", "vo",      "wavelets",  "lightmaps"};
+                                    "scaling",   "trees", "update", "vo",      "wavelets",  "lightmaps",
+                                    "stability"};
 #ifdef PRELIGHT_WITH_VIEWER
   expected.insert("techniques");
 #endif

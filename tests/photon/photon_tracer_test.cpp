@@ -87,6 +87,22 @@ CompiledScene room(float albedo) {
   return scene;
 }
 
+// A photon's share of the counts would be no normal float: dividing by it lost most of the digits.
+TEST(PhotonPower, OfLittleLightAndVeryManyPhotons_IsCountedInNormalFloats) {
+  const CompiledScene scene = room(0.0f);
+  TransportScene transport({scene, noImages(), {pointLight({}, glm::vec3(1e-28f))}}, sharedDevice());
+  const PhotonSources sources = allSources(scene, transport.lights(), 1000000000, 0);
+  std::vector<std::uint32_t> numbers(1000);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint32_t>(999999 * i);
+  PhotonTracer tracer(scene, transport);
+  PhotonHits hits;
+  Progress progress;
+  const PhotonReport report =
+      tracer.trace(requestOf(PhotonKind::All, 1000000000), sources, 0, numbers, hits, progress);
+  const double expected = 4.0 * pi * 1e-28 * 1e-6;
+  EXPECT_NEAR(report.power.watts(report.power.emitted).x / expected, 1.0, 0.01);
+}
+
 TEST(PhotonPower, EveryScene_IsAccountedForToTheLastCount) {
   for (const std::string name : {"cornell", "caustics", "shapes", "rooms"}) {
     SCOPED_TRACE(name);

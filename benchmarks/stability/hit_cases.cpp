@@ -1,0 +1,323 @@
+#include <algorithm>
+#include <cmath>
+
+#include "basis/cube_map.h"
+#include "basis/sh_evaluate.h"
+#include "basis/sh_table.h"
+#include "benchmarks/stability/cases.h"
+#include "benchmarks/stability/shapes.h"
+#include "bvh/tracer.h"
+#include "shared/cast_types.h"
+
+// Kernels that make something of a receiver's rays and hits.
+namespace prelight::benchmarks::stability {
+
+namespace {
+
+using device::CastParameters;
+using device::Hit;
+using device::Ray;
+using device::Receiver;
+using device::Sender;
+
+/// Receivers' rays and what they hit: triangle 0, by the chance `closed`.
+struct Cast {
+  std::uint32_t receivers = 24;
+  std::uint32_t rays = 64;
+  float obscurance = 0.0f;
+  std::vector<Ray> ray;
+  std::vector<Hit> hit;
+
+  Cast(std::uint32_t raysPerReceiver, double reach)
+      : rays(raysPerReceiver), obscurance(static_cast<float>(reach)) {
+    Random random(41);
+    for (std::uint32_t i = 0; i < receivers * rays; ++i) {
+      const double closed = double(i / rays) / (receivers - 1);
+      glm::vec3 d(random.direction());
+      if (i % 61 == 0) d = {0.0f, 1e-40f, i % 2 == 0 ? 1.0f : -1.0f};
+      if (i % 67 == 0) d = {-1.0f, -0.0f, 1e-20f};
+      ray.push_back({{0, 0, 0}, PRELIGHT_NO_TRIANGLE, {d.x, d.y, d.z}, 1e30f});
+      const std::uint32_t triangle = random.unit() < closed ? 0u : PRELIGHT_NO_TRIANGLE;
+      hit.push_back({triangle == 0 ? static_cast<float>(reach * random.between(0.0, 1.2)) : 0.0f, triangle,
+                     0.25f, 0.5f});
+    }
+  }
+
+  double open(std::size_t i) const {
+    if (hit[i].triangle == PRELIGHT_NO_TRIANGLE) return 1.0;
+    return obscurance > 0.0f ? std::min(double(hit[i].t) / double(obscurance), 1.0) : 0.0;
+  }
+
+  CastParameters parameters(std::uint32_t valueCount, std::uint32_t vertexCount) const {
+    return {receivers, rays, valueCount, vertexCount, 0, 0.0f, 0.0f, obscurance};
+  }
+};
+
+double bandScale(std::size_t i) {
+  return std::sqrt((2.0 * std::floor(std::sqrt(double(i) + 0.5)) + 1.0) / (4.0 * pi));
+}
+
+/// Means of (V - k) times direction and Y over a receiver's rays, and of |V - k|.
+struct Projected {
+  double open = 0.0, magnitude = 0.0;
+  glm::dvec3 direction{0.0};
+  std::vector<double> sh;
+
+  Projected(const Cast& cast, std::size_t receiver, int order)
+      : sh(static_cast<std::size_t>(order * order), 0.0) {
+    const std::size_t first = receiver * cast.rays;
+    std::vector<double> y(std::max<std::size_t>(1, sh.size()));
+    for (std::size_t j = 0; j < cast.rays; ++j) open += cast.open(first + j) / cast.rays;
+    for (std::size_t j = 0; j < cast.rays; ++j) {
+      const Ray& ray = cast.ray[first + j];
+      const glm::dvec3 d(ray.direction[0], ray.direction[1], ray.direction[2]);
+      const double weight = (cast.open(first + j) - open) / cast.rays;
+      magnitude += std::abs(weight);
+      direction += weight * d;
+      if (order == 0) continue;
+      sh::evaluate(glm::normalize(d), order, y);
+      for (std::size_t i = 0; i < sh.size(); ++i) sh[i] += weight * y[i];
+    }
+  }
+};
+
+std::vector<float> project(const Cast& cast, int order, Trials& trials) {
+  DeviceContext& device = trials.context();
+  const auto n = static_cast<std::uint32_t>(order * order);
+  const CastParameters parameters = cast.parameters(4 + n, 0);
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<float> table(device, std::span<const float>(makeShTable(std::max(1, order))));
+  const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
+  const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
+  const Buffer<float> values(device, cast.receivers * (4 + n));
+  cl::Kernel kernel(
+      device.program("project/project_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order)),
+      "projectHits");
+  setArguments(kernel, parameterBuffer.get(), table.get(), rays.get(), hits.get(), values.get());
+  device.launch(kernel, cast.receivers, 8);
+  return values.read();
+}
+
+void compareProjection(const char* stress, const Cast& cast, int order, Growth growth, Trials& trials) {
+  const std::vector<float> got = project(cast, order, trials);
+  const auto n = static_cast<std::size_t>(order * order);
+  Differences differences;
+  for (std::size_t r = 0; r < cast.receivers; ++r) {
+    const Projected truth(cast, r, order);
+    const float* row = got.data() + r * (4 + n);
+    // k, which all weights contain, is off by its own rounding: no error is relative to less than it is.
+    const double scale = std::max(truth.magnitude, truth.open);
+    differences.add(row[0], truth.open);
+    for (int axis = 0; axis < 3; ++axis) differences.add(row[1 + axis], truth.direction[axis], scale);
+    for (std::size_t i = 0; i < n; ++i) differences.add(row[4 + i], truth.sh[i], scale * bandScale(i));
+  }
+  trials.record(stress, differences,
+                (cast.rays / 8.0 + 8.0 + 8.0 * order) * unitRoundoff + sumBound(cast.rays),
+                std::move(growth));
+}
+
+void gather(const char* stress, double magnitude, bool white, std::uint32_t rayCount, Trials& trials) {
+  DeviceContext& device = trials.context();
+  const CompiledScene scene = floorScene(1.0, 1, matte(1.0));
+  const Tracer tracer(scene, trials.device());
+  constexpr std::uint32_t columns = 9, receivers = 30, slots = 8;
+  Random random(43);
+  std::vector<float> transfer = random.floats(slots * 3 * columns, magnitude);
+  if (white)
+    for (float& t : transfer) t = std::abs(t);
+  std::vector<Sender> senders(std::size_t{receivers} * rayCount);
+  for (Sender& s : senders)
+    s = {random.bits() % 5 == 0 ? PRELIGHT_NO_TRIANGLE : random.bits() % slots,
+         white ? 0x3fffffffu : random.bits() & 0x3fffffffu};
+  const CastParameters parameters{receivers, rayCount, 4 + columns, scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
+  const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
+  const Buffer<float> values(device, receivers * 3 * columns);
+  cl::Kernel kernel(device.program("cast/transport_kernels.cl",
+                                   tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns)),
+                    "gatherBounce");
+  setArguments(kernel, parameterBuffer.get(), senderBuffer.get(), transferBuffer.get(), values.get());
+  device.launch(kernel, receivers, 8);
+  const std::vector<float> got = values.read();
+  Differences differences;
+  for (std::size_t r = 0; r < receivers; ++r)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < columns; ++i) {
+        double truth = 0.0, scale = 0.0;
+        for (std::size_t j = 0; j < rayCount; ++j) {
+          const Sender& s = senders[r * rayCount + j];
+          if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
+          const double term = (s.albedo >> (10 * c) & 1023u) / 1023.0 *
+                              double(transfer[(s.slot * 3 + c) * columns + i]) / rayCount;
+          truth += term;
+          scale += std::abs(term);
+        }
+        differences.add(got[(r * 3 + c) * columns + i], truth, scale);
+      }
+  trials.record(stress, differences, sumBound(rayCount + 4.0), {"rays", double(rayCount)});
+}
+
+void gatherMatrices(const char* stress, double magnitude, int order, Trials& trials) {
+  DeviceContext& device = trials.context();
+  const CompiledScene scene = floorScene(1.0, 1, matte(1.0));
+  const Tracer tracer(scene, trials.device());
+  const Cast cast(32, 0.0);
+  constexpr std::uint32_t columns = 4, slots = 8;
+  const auto n = static_cast<std::size_t>(order * order), width = std::size_t{3} * columns;
+  Random random(44);
+  const std::vector<float> transfer = random.floats(slots * width, magnitude);
+  std::vector<Sender> senders(cast.ray.size());
+  for (Sender& s : senders) s = {random.bits() % slots, random.bits() & 0x3fffffffu};
+  const CastParameters parameters = cast.parameters(4, scene.vertexCount());
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<float> table(device, std::span<const float>(makeShTable(order)));
+  const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
+  const Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
+  const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
+  const Buffer<float> values(device, cast.receivers * n * width);
+  cl::Kernel kernel(
+      device.program(
+          "cast/transport_kernels.cl",
+          tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns).define("PRELIGHT_GLOSSY_ORDER", order)),
+      "gatherGlossy");
+  setArguments(kernel, parameterBuffer.get(), table.get(), rays.get(), senderBuffer.get(),
+               transferBuffer.get(), values.get());
+  device.launch(kernel, cast.receivers, 8);
+  const std::vector<float> got = values.read();
+  Differences differences;
+  std::vector<double> truth(n * width), scale(n * width), y(n);
+  for (std::size_t r = 0; r < cast.receivers; ++r) {
+    std::fill(truth.begin(), truth.end(), 0.0);
+    std::fill(scale.begin(), scale.end(), 0.0);
+    for (std::size_t j = 0; j < cast.rays; ++j) {
+      const Ray& ray = cast.ray[r * cast.rays + j];
+      const Sender& s = senders[r * cast.rays + j];
+      sh::evaluate(glm::normalize(glm::dvec3(ray.direction[0], ray.direction[1], ray.direction[2])), order,
+                   y);
+      for (std::size_t k = 0; k < width; ++k) {
+        const double sent = (s.albedo >> (10 * (k / columns)) & 1023u) / 1023.0 *
+                            double(transfer[s.slot * width + k]) / cast.rays;
+        for (std::size_t i = 0; i < n; ++i) {
+          truth[i * width + k] += y[i] * sent;
+          scale[i * width + k] += bandScale(i) * std::abs(sent);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < n * width; ++i) differences.add(got[r * n * width + i], truth[i], scale[i]);
+  }
+  trials.record(stress, differences, sumBound(cast.rays + 4.0) + 8.0 * order * unitRoundoff,
+                {"order", double(order)});
+}
+
+void codeRays(int faceSize, double length, Trials& trials) {
+  DeviceContext& device = trials.context();
+  Cast cast(64, 1.0);
+  for (Ray& ray : cast.ray)
+    for (float& d : ray.direction) d = static_cast<float>(double(d) * length);
+  const CastParameters parameters = cast.parameters(4, 0);
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
+  const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
+  const Buffer<std::uint32_t> codes(device, cast.ray.size());
+  cl::Kernel kernel(device.program("project/texel_kernels.cl", {}), "codeTexels");
+  setArguments(kernel, parameterBuffer.get(), static_cast<cl_uint>(faceSize), rays.get(), hits.get(),
+               codes.get());
+  device.launch(kernel, cast.ray.size(), 8);
+  const std::vector<std::uint32_t> got = codes.read();
+  Differences differences;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const glm::dvec3 d(cast.ray[i].direction[0], cast.ray[i].direction[1], cast.ray[i].direction[2]);
+    // Next to a border either texel is right.
+    bool right = false;
+    const double step = 8.0 * unitRoundoff * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    for (int k = 0; k < 27 && !right; ++k)
+      right = cubeTexel(d + step * glm::dvec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1), faceSize) == got[i] >> 8;
+    differences.decide(right);
+    differences.add((got[i] & 255u) / 255.0, 1.0 - cast.open(i), 1.0);
+  }
+  trials.record("directions of length " + std::string(length == 1.0  ? "1"
+                                                      : length > 1.0 ? "1e30"
+                                                                     : "1e-30"),
+                differences, 0.5 / 255.0 + 4.0 * unitRoundoff, {"texels a side", double(faceSize)});
+}
+
+void markInside(Trials& trials) {
+  DeviceContext& device = trials.context();
+  const Cast cast(16, 0.0);
+  std::vector<Receiver> receivers(cast.receivers);
+  Random random(45);
+  for (Receiver& r : receivers) {
+    const glm::vec3 n(random.direction());
+    r = {{0, 0, 0}, 7, {n.x, n.y, n.z}, 0, {n.x, n.y, n.z}, 0};
+  }
+  const std::vector<float> normals = {1.0f, 0.0f, 0.0f};
+  const std::vector<std::uint8_t> twoSided = {0};
+  std::vector<Ray> rays = cast.ray;
+  for (std::size_t i = 0; i < rays.size() / 2; ++i) rays[i].direction[0] = std::abs(rays[i].direction[0]);
+  const CastParameters parameters = cast.parameters(4, 0);
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
+  const Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
+  std::vector<Hit> hits = cast.hit;
+  for (Hit& hit : hits) hit.triangle = 0;
+  const Buffer<Hit> hitBuffer(device, std::span<const Hit>(hits));
+  const Buffer<float> normalBuffer(device, std::span<const float>(normals));
+  const Buffer<std::uint8_t> sides(device, std::span<const std::uint8_t>(twoSided)),
+      inside(device, cast.receivers);
+  cl::Kernel kernel(device.program("cast/inside_kernels.cl", {}), "markInside");
+  setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), rayBuffer.get(), hitBuffer.get(),
+               normalBuffer.get(), sides.get(), inside.get());
+  device.launch(kernel, cast.receivers, 8);
+  const std::vector<std::uint8_t> got = inside.read();
+  Differences differences;
+  for (std::size_t r = 0; r < cast.receivers; ++r) {
+    std::size_t leaving = 0, backs = 0;
+    bool certain = true;
+    for (std::size_t j = 0; j < cast.rays; ++j) {
+      const float* d = rays[r * cast.rays + j].direction;
+      const float* n = receivers[r].geometricNormal;
+      const double up = double(d[0]) * n[0] + double(d[1]) * n[1] + double(d[2]) * n[2];
+      certain = certain && std::abs(up) > 1e-6;
+      leaving += up > 0.0;
+      backs += up > 0.0 && d[0] > 0.0f;
+    }
+    if (certain) differences.decide(got[r] == (leaving > 0 && backs == leaving ? 1 : 0));
+  }
+  trials.record("backs all around, and all but one", differences, 0.0);
+}
+
+}  // namespace
+
+void runProjection(Trials& trials) {
+  for (const int order : trials.options().stabilityOrders) {
+    const Growth growth{"order", double(order)};
+    compareProjection("blocked and open rays", Cast(64, 0.0), order, growth, trials);
+    compareProjection("obscurance of 1e-6 m", Cast(64, 1e-6), order, growth, trials);
+    compareProjection("obscurance of 1e30 m", Cast(64, 1e30), order, growth, trials);
+  }
+  for (const std::uint32_t rays : {8u, 32u, 128u, 256u})
+    compareProjection("more rays", Cast(rays, 1.0), 3, {"rays", double(rays)}, trials);
+}
+
+void runGatherBounce(Trials& trials) {
+  for (const std::uint32_t rays : {8u, 64u, 256u}) {
+    gather("random albedo and transfer", 1.0, false, rays, trials);
+    gather("albedo 1, transfer of one sign", 1.0, true, rays, trials);
+    gather("transfer of 1e6", 1e6, true, rays, trials);
+    gather("transfer of 1e-6", 1e-6, false, rays, trials);
+    gather("denormal transfer", 1e-40, false, rays, trials);
+  }
+  for (const int order : {1, 4, 8}) {
+    gatherMatrices("matrices, transfer of 1", 1.0, order, trials);
+    gatherMatrices("matrices, transfer of 1e6", 1e6, order, trials);
+  }
+}
+
+void runTexels(Trials& trials) {
+  for (const int size : {4, 64, 1024})
+    for (const double length : {1.0, 1e30, 1e-30}) codeRays(size, length, trials);
+  markInside(trials);
+}
+
+}  // namespace prelight::benchmarks::stability

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "benchmarks/stability/trials.h"
+
+namespace prelight::benchmarks::stability {
+
+enum class SubjectKind : std::uint8_t { Basis, Kernel, Pipeline };
+
+/// Something whose errors are measured.
+struct Subject {
+  std::string name;
+  SubjectKind kind = SubjectKind::Kernel;
+  std::string truth;                 ///< what it is compared with
+  std::string scale;                 ///< what errors are relative to
+  std::string rests;                 ///< why the bound is what it is
+  std::vector<std::string> kernels;  ///< that it runs: "basis/sh_evaluate_kernels.cl:evaluateSh"
+  void (*run)(Trials&) = nullptr;
+};
+
+/// All of them. Together their kernels are all that there are.
+const std::vector<Subject>& subjects();
+
+}  // namespace prelight::benchmarks::stability

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+#include <set>
+
+#include "benchmarks/stability/stability_suite.h"
+#include "benchmarks/stability/subjects.h"
+#include "device/kernel_sources.h"
+
+namespace prelight::benchmarks {
+namespace {
+
+std::set<std::string> kernelsOfSources() {
+  const std::regex entry(R"(__kernel[^;{]*?\bvoid\s+(\w+)\s*\()");
+  std::set<std::string> kernels;
+  for (const auto& [file, text] : kernelSources())
+    for (std::sregex_iterator match(text.begin(), text.end(), entry), end; match != end; ++match)
+      kernels.insert(file + ":" + (*match)[1].str());
+  return kernels;
+}
+
+TEST(StabilitySubjects, Kernels_AreAllThatThereAre) {
+  std::set<std::string> listed;
+  for (const stability::Subject& subject : stability::subjects())
+    listed.insert(subject.kernels.begin(), subject.kernels.end());
+  const std::set<std::string> there = kernelsOfSources();
+  EXPECT_GT(there.size(), 70u);
+  EXPECT_EQ(listed, there);
+}
+
+TEST(StabilitySubjects, EachOne_SaysWhatItsBoundRestsOn) {
+  std::set<std::string> names;
+  for (const stability::Subject& subject : stability::subjects()) {
+    EXPECT_TRUE(names.insert(subject.name).second) << subject.name;
+    EXPECT_EQ(subject.name.find('/'), std::string::npos) << subject.name << ": a slash parts a case's names";
+    EXPECT_FALSE(subject.truth.empty() || subject.scale.empty() || subject.rests.empty()) << subject.name;
+    EXPECT_NE(subject.run, nullptr) << subject.name;
+  }
+}
+
+TEST(StabilityDifferences, ErrorsAreRelativeToTheScale_AndNoNumbersAreCounted) {
+  stability::Differences differences;
+  differences.add(1.5, 1.0, 4.0);
+  differences.add(-3.0, -2.0);
+  EXPECT_DOUBLE_EQ(differences.relative(), 0.5);
+  EXPECT_DOUBLE_EQ(differences.absolute(), 1.0);
+  differences.add(std::numeric_limits<double>::quiet_NaN(), 0.0, 1.0);
+  differences.add(std::numeric_limits<double>::infinity(), 0.0, 1.0);
+  EXPECT_EQ(differences.notFinite(), 2u);
+  EXPECT_EQ(differences.values(), 4u);
+}
+
+TEST(StabilityDifferences, WhatADeviceMayFlush_IsARoundoff) {
+  stability::Differences differences;
+  differences.add(0.0, double(std::numeric_limits<float>::min()));
+  EXPECT_LE(differences.relative(), stability::unitRoundoff);
+}
+
+TEST(StabilityBounds, ErrorsBeyondThemAndNoNumbers_AreNamed) {
+  const std::vector<BenchmarkResult> results = {
+      {"stability", "good", "relative error", 1e-7, "", "bound", 2.0},
+      {"stability", "poor", "relative error", 1e-3, "", "bound", 0.5},
+      {"stability", "none", "values not finite", 3.0, "", {}, {}},
+      {"relight", "slow", "relative error", 1.0, "", "bound", 0.1}};
+  const std::vector<std::string> broken = brokenBounds(results);
+  ASSERT_EQ(broken.size(), 2u);
+  EXPECT_NE(broken[0].find("poor"), std::string::npos);
+  EXPECT_NE(broken[1].find("none"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace prelight::benchmarks
