@@ -12,10 +12,13 @@ float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
 }
 
 #ifdef PRELIGHT_TRANSLUCENT
-// The same of what comes through from the other side, where the irradiance is `irradiance`.
+// The same of what comes through from the other side, where the irradiance is `irradiance`. Leaves and lampshades are lit by a
+// sun or a lamp as often as by a sky: the passage halfway between that of perpendicular light and that of light from all
+// sides errs by 2.5 % at most for either, of a layer of f0 0.04.
 float3 transmitIrradiance(Bsdf b, float cosine, float3 irradiance) {
-  b.diffuse = b.transmitted;
-  return reflectIrradiance(b, cosine, irradiance);
+  const float3 mean = b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f);
+  const float enters = 1.0f - 0.5f * (largest(b.f0) + largest(mean));
+  return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * enters);
 }
 #endif
 

@@ -55,8 +55,8 @@ vec3 diffuseOfLight(Scattering s, float nv, float nl) {
 
 // The same of light on the other side.
 vec3 transmittedOfIrradiance(Scattering s, float nv) {
-  s.diffuse = s.transmitted;
-  return diffuseOfIrradiance(s, nv);
+  float enters = 1.0 - 0.5 * (largest(s.f0) + largest(meanLayer(s)));  // as transmitIrradiance() of the kernels
+  return s.transmitted / pi * (1.0 - largest(schlick(s, nv))) * enters;
 }
 
 vec3 transmittedOfLight(Scattering s, float nv, float nl) {
