@@ -68,7 +68,7 @@ void requireFiniteBake(const GltfDocument& document, std::size_t firstAccessor) 
   constexpr int floatType = 5126;
   const Json accessors = document.json.value("accessors", Json::array());
   for (std::size_t i = firstAccessor; i < accessors.size(); ++i) {
-    if (accessors[i].at("componentType") != floatType) continue;
+    if (accessors[i].at("componentType") != floatType || accessors[i].at("count") == 0) continue;
     requireUsable(AccessorReader(document, i).floats(), document.path, [&] { return placeOf(document, i); });
   }
 }

@@ -44,7 +44,8 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
 void requireInside(const JsonCursor& uri, const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path home = fs::canonical(folder, error);
-  const fs::path place = error ? fs::path() : fs::weakly_canonical(file, error);
+  // Of a relative path that does not exist, weakly_canonical() makes no absolute one.
+  const fs::path place = error ? fs::path() : fs::weakly_canonical(fs::absolute(file), error);
   if (error) uri.fail(fmt::format("cannot tell where \"{}\" lies: {}", uri.asString(), error.message()));
   if (!liesBelow(place, home))
     uri.fail(fmt::format("\"{}\" lies outside of the scene's folder, expected a file in it or below",

@@ -68,6 +68,6 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(41, LightLayout, skyTurn);
   PROBE(42, ElementPoint, back);
   PROBE(43, RadiosityEmitter, radiance);
-  PROBE(44, VirtualLight, f90);
+  PROBE(44, VirtualLight, through);
   PROBE(45, SurfacePlace, clearance);
 }

@@ -1,7 +1,10 @@
 #include "support/gltf_files.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -87,6 +90,16 @@ std::string inputErrorOf(const std::function<void()>& action) {
 bool anyContains(const Warnings& warnings, std::string_view text) {
   return std::any_of(warnings.begin(), warnings.end(),
                      [&](const std::string& w) { return w.find(text) != std::string::npos; });
+}
+
+void replaceFloats(GltfDocument& document, float marker, float value) {
+  int replaced = 0;
+  for (std::size_t at = 0; at + sizeof(float) <= document.bin.size(); at += sizeof(float)) {
+    if (std::memcmp(&document.bin[at], &marker, sizeof marker) != 0) continue;
+    std::memcpy(&document.bin[at], &value, sizeof value);
+    ++replaced;
+  }
+  EXPECT_GT(replaced, 0) << "no float is " << marker;
 }
 
 }  // namespace prelight::test

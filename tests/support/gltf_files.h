@@ -52,4 +52,7 @@ std::string inputErrorOf(const std::function<void()>& action);
 /// True when a warning contains `text`.
 bool anyContains(const Warnings& warnings, std::string_view text);
 
+/// Replaces every float of a document's buffer that is `marker`: what the writer refuses reaches the reader so.
+void replaceFloats(GltfDocument& document, float marker, float value);
+
 }  // namespace prelight::test
