@@ -54,6 +54,9 @@ float3 schlick(Bsdf b, float cosine) {
   return b.f0 + (b.f90 - b.f0) * (k2 * k2 * k);
 }
 
+// Its mean over directions, weighted by the cosine: that of the rise is 1/21.
+float3 meanLayer(Bsdf b) { return b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f); }
+
 // Share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here. cosine in (0,1].
 float fresnelDielectric(float cosine, float eta) {
   const float sine2 = (1.0f - cosine * cosine) / (eta * eta);

@@ -5,10 +5,10 @@
 #include "shade/bsdf_funcs.cl"
 
 // W/(m2 sr) towards a direction of this cosine. evaluateBsdf's diffuse lobe with the layer's passage averaged over the
-// directions that the light comes from: the cosine-weighted mean of Schlick's rise is 1/21.
+// directions that the light comes from.
 float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
-  const float3 mean = b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f);
-  return b.diffuse * irradiance * (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * (1.0f - largest(mean)));
+  return b.diffuse * irradiance *
+         (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * (1.0f - largest(meanLayer(b))));
 }
 
 #ifdef PRELIGHT_TRANSLUCENT
@@ -16,8 +16,7 @@ float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
 // sun or a lamp as often as by a sky: the passage halfway between that of perpendicular light and that of light from all
 // sides errs by 2.5 % at most for either, of a layer of f0 0.04.
 float3 transmitIrradiance(Bsdf b, float cosine, float3 irradiance) {
-  const float3 mean = b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f);
-  const float enters = 1.0f - 0.5f * (largest(b.f0) + largest(mean));
+  const float enters = 1.0f - 0.5f * (largest(b.f0) + largest(meanLayer(b)));
   return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * enters);
 }
 #endif

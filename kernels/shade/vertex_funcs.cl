@@ -117,8 +117,7 @@ float3 baseColor(PathScene s, uint triangle, float u, float v) {
 void setTransmitted(__global const DeviceMaterial* layer, float opaque, Bsdf* b) {
   const float share = layer->alphaFactor;
   b->diffuse *= 1.0f - share;
-  const float mean = largest(b->f0) + (b->f90 - largest(b->f0)) * (1.0f / 21.0f);
-  b->transmitted = fmin(vload3(0, layer->albedo), opaque * share) / fmax(1.0f - mean, 1e-6f);
+  b->transmitted = fmin(vload3(0, layer->albedo), opaque * share) / fmax(1.0f - largest(meanLayer(*b)), 1e-6f);
 }
 #endif
 

@@ -7,6 +7,7 @@
 
 #include "device/buffer.h"
 #include "device/context.h"
+#include "reference/bsdf_probe.h"
 #include "shade/light_buffers.h"
 #include "shared/shade_types.h"
 #include "support/devices.h"
@@ -31,58 +32,24 @@ const std::array surfaces{
     Surface{"metal", glm::vec3(0), glm::vec3(1), glm::vec3(0), 0, 0, 0.1f},
     Surface{"mixture", glm::vec3(0.5f), glm::vec3(0.5f), glm::vec3(0.04f), 1, 0.5f, 0.4f}};
 
-struct Probed {
-  std::vector<glm::vec4> reflections;
-  std::vector<float> densities;
-
-  double total(std::size_t i) const {
-    return static_cast<double>(reflections[2 * i].x + reflections[2 * i + 1].x);
-  }
-};
-
 class Bsdf : public ::testing::TestWithParam<Surface> {
  protected:
-  const cl::Program& program() const {
-    return sharedDevice().context().program("reference/probe_kernels.cl",
-                                            BuildOptions().define("PRELIGHT_GLOSSY"));
-  }
-
-  Buffer<float> values() const {
-    const Surface& s = GetParam();
-    const std::vector<float> v{s.diffuse.x, s.diffuse.y, s.diffuse.z, s.metal.x, s.metal.y, s.metal.z,
-                               s.f0.x,      s.f0.y,      s.f0.z,      s.f90,     s.layer,   s.alpha};
-    return {sharedDevice().context(), std::span<const float>(v)};
-  }
-
   Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
-    DeviceContext& device = sharedDevice().context();
-    const Buffer<float> surface = values();
-    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(wo)),
-        to(device, std::span<const glm::vec4>(wi));
-    const Buffer<glm::vec4> reflections(device, 2 * wo.size());
-    const Buffer<float> densities(device, wo.size());
-    cl::Kernel kernel(program(), "probeReflection");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(wo.size()), from.get(), to.get(),
-                 reflections.get(), densities.get());
-    device.launch(kernel, wo.size(), 64);
-    return {reflections.read(), densities.read()};
+    return surface_.probe(wo, wi);
   }
-
   std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
-    DeviceContext& device = sharedDevice().context();
-    const Buffer<float> surface = values();
-    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), to(device, count);
-    cl::Kernel kernel(program(), "probeScatter");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(count), from.get(), to.get());
-    device.launch(kernel, count, 64);
-    return to.read();
+    return surface_.sample(wo, count);
   }
-};
 
-glm::vec4 directionOf(double cosine, double azimuth) {
-  const double sine = std::sqrt(1.0 - cosine * cosine);
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine, 0.0};
-}
+ private:
+  static std::vector<float> values() {
+    const Surface& s = GetParam();
+    return {s.diffuse.x, s.diffuse.y, s.diffuse.z, s.metal.x, s.metal.y, s.metal.z,
+            s.f0.x,      s.f0.y,      s.f0.z,      s.f90,     s.layer,   s.alpha};
+  }
+
+  BsdfProbe surface_{BuildOptions().define("PRELIGHT_GLOSSY"), values()};
+};
 
 std::vector<glm::vec4> randomHemisphere(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);

@@ -7,9 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "device/buffer.h"
-#include "device/context.h"
-#include "support/devices.h"
+#include "reference/bsdf_probe.h"
 
 // Scattering to both sides of a translucent surface (kernels/shade/bsdf_funcs.cl).
 namespace prelight::test {
@@ -23,70 +21,32 @@ struct Sheet {
   float transmitted;
 };
 
-/// As loadBsdf makes them: what comes through is divided by the mean of what the layer lets pass, 1 - f0 -
-/// (f90
-/// - f0) / 21.
+/// As loadBsdf makes them: what comes through is divided by the mean of what the layer lets pass.
 constexpr float passes(float f0, float f90) { return 1.0f - f0 - (f90 - f0) / 21.0f; }
 
 const std::array sheets{Sheet{"Leaf", 0.0f, 0, 0, 1, 0.8f}, Sheet{"Paper", 0.5f, 0, 0, 1, 0.5f},
                         Sheet{"WaxedPaper", 0.4f, 0.04f, 1, 0.36f, 0.6f / passes(0.04f, 1.0f)},
                         Sheet{"Shade", 0.0f, 0.17f, 1, 1, 1.0f / passes(0.17f, 1.0f)}};
 
-struct Probed {
-  std::vector<glm::vec4> scattered;
-  std::vector<float> densities;
-
-  double total(std::size_t i) const {
-    return static_cast<double>(scattered[2 * i].x + scattered[2 * i + 1].x);
-  }
-};
-
 class TranslucentBsdf : public ::testing::TestWithParam<Sheet> {
  protected:
-  const cl::Program& program() const {
-    return sharedDevice().context().program(
-        "reference/probe_kernels.cl",
-        BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_TRANSLUCENT"));
+  Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
+    return sheet_.probe(wo, wi);
+  }
+  std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
+    return sheet_.sample(wo, count);
   }
 
-  Buffer<float> values() const {
+ private:
+  static std::vector<float> values() {
     const Sheet& s = GetParam();
     const float layer = s.f90 > 0.0f ? 1.0f : 0.0f;
-    const std::vector<float> v{s.diffuse,     s.diffuse,     s.diffuse,    0,     0,     0,
-                               s.f0,          s.f0,          s.f0,         s.f90, layer, s.alpha,
-                               s.transmitted, s.transmitted, s.transmitted};
-    return {sharedDevice().context(), std::span<const float>(v)};
+    return {s.diffuse,     s.diffuse,     s.diffuse,    0, 0, 0, s.f0, s.f0, s.f0, s.f90, layer, s.alpha,
+            s.transmitted, s.transmitted, s.transmitted};
   }
 
-  Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
-    DeviceContext& device = sharedDevice().context();
-    const Buffer<float> surface = values();
-    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(wo)),
-        to(device, std::span<const glm::vec4>(wi));
-    const Buffer<glm::vec4> scattered(device, 2 * wo.size());
-    const Buffer<float> densities(device, wo.size());
-    cl::Kernel kernel(program(), "probeReflection");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(wo.size()), from.get(), to.get(),
-                 scattered.get(), densities.get());
-    device.launch(kernel, wo.size(), 64);
-    return {scattered.read(), densities.read()};
-  }
-
-  std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
-    DeviceContext& device = sharedDevice().context();
-    const Buffer<float> surface = values();
-    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), to(device, count);
-    cl::Kernel kernel(program(), "probeScatter");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(count), from.get(), to.get());
-    device.launch(kernel, count, 64);
-    return to.read();
-  }
+  BsdfProbe sheet_{BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_TRANSLUCENT"), values()};
 };
-
-glm::vec4 directionOf(double cosine, double azimuth) {
-  const double sine = std::sqrt(1.0 - cosine * cosine);
-  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine, 0.0};
-}
 
 /// Directions over the sphere in a grid of equal solid angles.
 std::vector<glm::vec4> sphereGrid(int rings, int sectors) {

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <utility>
+#include <vector>
+
+#include "device/buffer.h"
+#include "device/context.h"
+#include "support/devices.h"
+
+namespace prelight::test {
+
+/// What kernels/reference/probe_kernels.cl says of pairs of directions.
+struct Probed {
+  std::vector<glm::vec4> scattered;  ///< diffuse and glossy part of each pair, times the cosine
+  std::vector<float> densities;      ///< with which the second would have been drawn, 1/sr
+
+  double total(std::size_t i) const {
+    return static_cast<double>(scattered[2 * i].x + scattered[2 * i + 1].x);
+  }
+};
+
+/// A surface whose scattering is asked for on the device. `values`: as probeBsdf() reads them.
+class BsdfProbe {
+ public:
+  BsdfProbe(BuildOptions options, std::vector<float> values)
+      : options_(std::move(options)), values_(std::move(values)) {}
+
+  Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
+    DeviceContext& device = sharedDevice().context();
+    const Buffer<float> surface(device, std::span<const float>(values_));
+    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(wo)),
+        to(device, std::span<const glm::vec4>(wi));
+    const Buffer<glm::vec4> scattered(device, 2 * wo.size());
+    const Buffer<float> densities(device, wo.size());
+    cl::Kernel kernel(program(), "probeReflection");
+    setArguments(kernel, surface.get(), static_cast<cl_uint>(wo.size()), from.get(), to.get(),
+                 scattered.get(), densities.get());
+    device.launch(kernel, wo.size(), 64);
+    return {scattered.read(), densities.read()};
+  }
+
+  std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
+    DeviceContext& device = sharedDevice().context();
+    const Buffer<float> surface(device, std::span<const float>(values_));
+    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), to(device, count);
+    cl::Kernel kernel(program(), "probeScatter");
+    setArguments(kernel, surface.get(), static_cast<cl_uint>(count), from.get(), to.get());
+    device.launch(kernel, count, 64);
+    return to.read();
+  }
+
+ private:
+  const cl::Program& program() const {
+    return sharedDevice().context().program("reference/probe_kernels.cl", options_);
+  }
+
+  BuildOptions options_;
+  std::vector<float> values_;
+};
+
+inline glm::vec4 directionOf(double cosine, double azimuth) {
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine, 0.0};
+}
+
+}  // namespace prelight::test
