@@ -52,7 +52,7 @@ def environment(caches):
 
 def run(build, program, caches, tests="*", fail_fast=True, seconds=None, wall=1500.0):
     """Runs the program's tests of a filter. Processor time bounds it, so that a busy machine does not."""
-    seconds = seconds or 60.0 + 4.0 * program.seconds
+    seconds = seconds or 20.0 + 4.0 * program.seconds
     filters = tests + ("-" + ":".join(program.failing) if program.failing else "")
     command = [str(pathlib.Path(build, "bin", program.name)), f"--gtest_filter={filters}", "--gtest_brief=1"]
     if fail_fast:
