@@ -1,4 +1,4 @@
-#include "bake/error_estimate.h"
+#include "fit/error_estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bake/surface_sampler.h"
+#include "receivers/surface_sampler.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bvh/layouts.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "device/buffer.h"
 #include "support/probe_program.h"
 #include "support/scenes.h"

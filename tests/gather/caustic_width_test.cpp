@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

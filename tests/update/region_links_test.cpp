@@ -1,4 +1,4 @@
-#include "update/region_links.h"
+#include "gi/update/region_links.h"
 
 #include <gtest/gtest.h>
 
