@@ -1,4 +1,4 @@
-// The reference path tracer, a wavefront: rays are traced elsewhere (bvh/trace_kernels.cl), these kernels do the rest.
+// The reference path tracer, a wavefront: bvh/wide_kernels.cl or bvh/narrow_kernels.cl trace rays, these kernels do the rest.
 //   generatePaths -> [trace -> collectRadiance -> sampleLights -> trace -> addArrivals -> scatterPaths] ... -> averageSamples
 // queue [ray] tells which path a ray belongs to. The order within a queue is left to chance; nothing depends on it,
 // because every path has random numbers and a state of its own.
