@@ -1,6 +1,6 @@
-// Photons leave their light. Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY, as shade/light_funcs.cl.
+// Photons leave their light. Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY, as transport/light_funcs.cl.
 #include "photon/path_funcs.cl"
-#include "shade/light_funcs.cl"
+#include "transport/light_funcs.cl"
 
 typedef struct Emission {
   float3 origin;

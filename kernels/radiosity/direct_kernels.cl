@@ -1,8 +1,8 @@
 // Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
-// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (shade/light_funcs.cl);
+// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (transport/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
 #include "project/incident_funcs.cl"
-#include "shade/light_funcs.cl"
+#include "transport/light_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
 

@@ -35,16 +35,16 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   hit.triangle = photon.triangle;
   hit.u = place.x;
   hit.v = place.y;
-  const PathVertex vertex = loadVertex(s, ray, hit);
-  const Bsdf bsdf = loadBsdf(s, vertex);
-  const float arrives = fmax(dot(vertex.wo, vertex.shading), 0.0f);
+  const Interaction surface = loadInteraction(s, ray, hit);
+  const Bsdf bsdf = loadBsdf(s, surface);
+  const float arrives = fmax(surface.woLocal.z, 0.0f);
   const float enters = 1.0f - largest(schlick(bsdf, arrives));
   // Shading normals of light traced from its source: Veach 1997, eq. 5.19.
-  const float bent = arrives / fmax(dot(vertex.wo, vertex.geometric), 1e-6f);
+  const float bent = arrives / fmax(dot(surface.wo, surface.geometric), 1e-6f);
   VirtualLight light;
-  vstore3(vertex.position, 0, light.position);
+  vstore3(surface.position, 0, light.position);
   light.triangle = photon.triangle;
-  vstore3(vertex.shading, 0, light.normal);
+  vstore3(surface.frame.z, 0, light.normal);
   light.f0 = largest(bsdf.f0);
   vstore3(vload3(0, photon.power) * bsdf.diffuse * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.intensity);
   vstore3((float3)(0.0f), 0, light.through);
@@ -52,7 +52,7 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   vstore3(vload3(0, photon.power) * bsdf.transmitted * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.through);
 #endif
   light.f90 = bsdf.f90;
-  vstore3(vertex.geometric, 0, light.geometric);
+  vstore3(surface.geometric, 0, light.geometric);
   light.pad = light.pad2 = 0u;
   lights[i] = light;
 }
@@ -73,8 +73,8 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   if (i >= count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const VirtualLight light = lights[index];
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
-  const float3 way = vload3(0, light.position) - vertex.position;
+  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  const float3 way = vload3(0, light.position) - surface.position;
   const float square = dot(way, way);
   if (!(square > 1e-18f)) return;
   const float3 direction = way * rsqrt(square);
@@ -88,19 +88,17 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   }
 #endif
   if (cosine <= 0.0f || leaving <= 0.0f) return;
-  const Bsdf bsdf = loadBsdf(s, vertex);
+  const Bsdf bsdf = loadBsdf(s, surface);
   if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
-  const Frame frame = frameAround(vertex.shading);
-  const float3 wo = toFrame(frame, vertex.wo), wi = toFrame(frame, direction);
-  if (wo.z <= 0.0f || !maySee(bsdf, wi.z, dot(direction, vertex.geometric))) return;
-  const Reflection f = evaluateBsdf(bsdf, wo, wi);
+  Scattered f;
+  if (!evalBsdf(surface, bsdf, direction, PRELIGHT_RADIANCE, &f)) return;
   const float grazing = 1.0f - clamp(cosine, 0.0f, 1.0f), g2 = grazing * grazing;
   const float leaves = 1.0f - (light.f0 + (light.f90 - light.f0) * (g2 * g2 * grazing));
   const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) *
                           intensity * (leaving * leaves / fmax(square, leastSquare));
   if (largest(radiance) <= 0.0f) return;
   const uint slot = atomic_inc(counters);
-  Ray shadow = rayFrom(vertex, direction, 0.0f);
+  Ray shadow = rayFrom(surface, direction, 0.0f);
   const float3 span = vload3(0, light.position) - vload3(0, shadow.origin);
   const bool ahead = dot(span, direction) > 0.0f;
   if (ahead) vstore3(span, 0, shadow.direction);

@@ -19,7 +19,7 @@ import suite
 
 # Rooms of tests that know a folder's code best, where the name alone does not say so.
 NEAR = {"host/cli": ["cli"], "host/images": ["io"], "host/shade": ["reference", "photon"], "kernels/core": ["device", "bake", "bvh"],
-        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/shade": ["reference", "photon"],
+        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/transport": ["reference", "photon"],
         "kernels/shared": ["device"]}
 
 

@@ -37,7 +37,7 @@ class Bsdf : public ::testing::TestWithParam<Surface> {
   Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
     return surface_.probe(wo, wi);
   }
-  std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
+  std::vector<ProbedSample> sample(const glm::vec4& wo, std::size_t count) const {
     return surface_.sample(wo, count);
   }
 
@@ -75,13 +75,9 @@ TEST_P(Bsdf, Reflection_IsReciprocal) {
 TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
-    const glm::vec4 wo = directionOf(cosine, 0.3);
-    const auto wi = sample(wo, count);
-    const Probed probed = probe(std::vector<glm::vec4>(count, wo), wi);
     double sum = 0.0, squares = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (wi[i].z <= 0.0f) continue;
-      const double weight = probed.total(i) / static_cast<double>(probed.densities[i]);
+    for (const ProbedSample& drawn : sample(directionOf(cosine, 0.3), count)) {
+      const double weight = double(drawn.weight.x);
       ASSERT_TRUE(std::isfinite(weight));
       sum += weight;
       squares += weight * weight;
@@ -89,6 +85,27 @@ TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
     const double mean = sum / count, error = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
     EXPECT_LT(mean, 1.0 + 4.0 * error + 1e-4) << "cosine " << cosine;
     EXPECT_GT(mean, 0.2) << "cosine " << cosine;
+  }
+}
+
+// A sample, the value of its direction and that direction's density are three functions that agree.
+TEST_P(Bsdf, Samples_WeighTheirValueByTheirDensity) {
+  for (const double cosine : {1.0, 0.5, 0.05}) {
+    const glm::vec4 wo = directionOf(cosine, 0.3);
+    std::vector<ProbedSample> samples;
+    std::vector<glm::vec4> wi;
+    for (const ProbedSample& drawn : sample(wo, 4000)) {
+      if (!drawn.goesOn()) continue;
+      samples.push_back(drawn);
+      wi.push_back(drawn.direction);
+    }
+    ASSERT_GT(samples.size(), 1000u);
+    const Probed probed = probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      EXPECT_FLOAT_EQ(samples[i].density, probed.densities[i]);
+      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
+                  1e-5 * probed.total(i));
+    }
   }
 }
 
@@ -100,11 +117,12 @@ TEST_P(Bsdf, Sampling_FollowsItsDensity) {
   for (const double cosine : {0.95, 0.5, 0.15}) {
     const glm::vec4 wo = directionOf(cosine, 1.0);
     std::vector<double> found(rings * sectors + 1, 0.0), expected(rings * sectors + 1, 0.0);
-    for (const glm::vec4& wi : sample(wo, count)) {
-      if (wi.z <= 0.0f) {
+    for (const ProbedSample& drawn : sample(wo, count)) {
+      if (!drawn.goesOn()) {
         ++found.back();
         continue;
       }
+      const glm::vec4& wi = drawn.direction;
       const double turn = std::atan2(static_cast<double>(wi.y), static_cast<double>(wi.x)) / (2 * pi) + 0.5;
       const int ring = std::min(rings - 1, static_cast<int>(static_cast<double>(wi.z) * rings));
       ++found[ring * sectors + std::min(sectors - 1, static_cast<int>(turn * sectors))];

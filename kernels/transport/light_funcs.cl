@@ -1,10 +1,10 @@
 // Lights: choosing one, a direction towards it, and the density with which that direction was drawn.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY: the scene has such lights.
-#ifndef PRELIGHT_SHADE_LIGHT_FUNCS_CL
-#define PRELIGHT_SHADE_LIGHT_FUNCS_CL
+#ifndef PRELIGHT_TRANSPORT_LIGHT_FUNCS_CL
+#define PRELIGHT_TRANSPORT_LIGHT_FUNCS_CL
 
 #include "core/punctual_funcs.cl"
-#include "shade/vertex_funcs.cl"
+#include "transport/material_funcs.cl"
 
 typedef struct Lights {
   __global const uint* tables;             // lower bounds in 2^32: groups, emitters, sky rows, sky columns a row
