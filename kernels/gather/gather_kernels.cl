@@ -24,18 +24,6 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
 }
 
-// Light that a ray finds where it ends, without what its surface reflects diffusely. surface: where it hits.
-float3 findLamp(__constant const GatherParameters* p, PathScene s, Lights l, Ray ray, Hit hit, Interaction surface) {
-#ifdef PRELIGHT_SKY
-  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return skyRadiance(l, &p->lights, skyCoordinates(&p->lights, vload3(0, ray.direction)));
-#endif
-#ifdef PRELIGHT_EMITTERS
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
-    return emittedRadiance(s, hit.triangle, hit.u, hit.v, surface.front);
-#endif
-  return (float3)(0.0f);
-}
-
 #ifdef PRELIGHT_FOLLOWS
 // Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
 bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, Interaction surface, Bsdf b,
@@ -85,7 +73,7 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
   float3 radiance = (float3)(0.0f);
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
-  if (path.widened != 0u) radiance = findLamp(p, s, lights, ray, hit, surface);
+  if (path.widened != 0u) radiance = evalLight(lights, &p->lights, s, ray, hit, surface.front);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
     const Bsdf bsdf = loadBsdf(s, surface);
 #ifdef PRELIGHT_ABSORPTION

@@ -36,15 +36,9 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
                Interaction surface, PathState* path) {
   const float scattered = path->scatterDensity;
   float3 throughput = vload3(0, path->throughput);
-  float3 radiance = (float3)(0.0f);
-  float density = 0.0f;  // with which sampling lights would have drawn this direction
-  if (hit.triangle == PRELIGHT_NO_TRIANGLE) {
-#ifdef PRELIGHT_SKY
-    const float2 uv = skyCoordinates(&p->lights, vload3(0, ray.direction));
-    radiance = skyRadiance(lights, &p->lights, uv);
-    density = skyDensity(lights, &p->lights, uv) * entryProbability(lights.tables, p->lights.groupCount, p->lights.groupCount - 1u);
-#endif
-  } else {
+  float cosine = 1.0f;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
+    cosine = dot(surface.wo, surface.geometric);
 #ifdef PRELIGHT_ABSORPTION
     const uint medium = mediumBefore(surface, path->medium);
     if (medium != PRELIGHT_NO_MEDIUM) {
@@ -52,22 +46,16 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
       vstore3(throughput, 0, path->throughput);
     }
 #endif
-#ifdef PRELIGHT_EMITTERS
-    if (lights.emitterDensities[hit.triangle] > 0.0f) {
-      radiance = emittedRadiance(s, hit.triangle, hit.u, hit.v, surface.front);
-      density = emitterDensity(lights, hit.triangle, hit.t, dot(surface.wo, surface.geometric)) *
-                entryProbability(lights.tables, p->lights.groupCount, p->lights.emitterGroup);
-    }
-#endif
-    if (depth == 0u && (surface.flags & PRELIGHT_UNLIT) != 0u)
-      radiance = baseColor(s, hit.triangle, hit.u, hit.v);
   }
+  float3 radiance = evalLight(lights, &p->lights, s, ray, hit, surface.front);
+  if (depth == 0u && hit.triangle != PRELIGHT_NO_TRIANGLE && (surface.flags & PRELIGHT_UNLIT) != 0u)
+    radiance = baseColor(s, hit.triangle, hit.u, hit.v);
   float weight = 1.0f;
   if (scattered > 0.0f) {
 #if defined(PRELIGHT_LIGHTS_ONLY)
     weight = 0.0f;
 #elif !defined(PRELIGHT_SCATTER_ONLY)
-    weight = misWeight(scattered, density);
+    weight = misWeight(scattered, pdfLight(lights, &p->lights, ray, hit, cosine));
 #endif
   }
   vstore3(vload3(0, path->radiance) + weight * throughput * radiance, 0, path->radiance);
@@ -82,26 +70,12 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const uint2 choice = pathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT);
   const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
-  float probability = 1.0f, remainder;
-  const bool given = light != PRELIGHT_NO_TRIANGLE;
-  const uint group = given ? light : chooseEntry(lights.tables, p->lights.groupCount, choice.x, &probability, &remainder);
-  Arrival a;
+  LightSample a;
   bool arrives = false;
-  // The groups' order: punctual lights, then the emitters as one, then the sky.
 #ifdef PRELIGHT_PUNCTUAL
-  if (given || group < p->lights.emitterGroup) arrives = arriveFromPunctual(lights.punctual + group, at.surface.position, &a);
+  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights.punctual + light, at.surface.position, &a);
 #endif
-#ifdef PRELIGHT_EMITTERS
-  if (!given && group == p->lights.emitterGroup)
-    arrives = arriveFromEmitter(lights, &p->lights, s, at.surface.position, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
-#endif
-#ifdef PRELIGHT_SKY
-#ifdef PRELIGHT_EMITTERS
-  if (!given && group == p->lights.emitterGroup + 1u) arrives = arriveFromSky(lights, &p->lights, place, &a);
-#else
-  if (!given && group == p->lights.emitterGroup) arrives = arriveFromSky(lights, &p->lights, place, &a);
-#endif
-#endif
+  if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->lights, s, at.surface.position, choice, place, &a);
   if (!arrives) return false;
   Scattered f;
   if (!evalBsdf(at.surface, at.bsdf, a.direction, PRELIGHT_RADIANCE, &f)) return false;
@@ -113,12 +87,12 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
 #else
     // A lobe that no ray follows leaves all its light to this sample.
     const uint lobes = lobesOf(path);
-    const float weight = misWeight(a.density * probability, pdfBsdf(at.surface, at.bsdf, a.direction, lobes));
+    const float weight = misWeight(a.pdf, pdfBsdf(at.surface, at.bsdf, a.direction, lobes));
     reflected = (lobes & PRELIGHT_LOBES_DIFFUSE) != 0u ? reflected * weight : f.diffuse + f.glossy * weight;
 #endif
   }
 #endif
-  float3 radiance = vload3(0, path.throughput) * reflected * a.radiance / (a.density * probability);
+  float3 radiance = vload3(0, path.throughput) * reflected * a.radiance / a.pdf;
 #ifdef PRELIGHT_ABSORPTION
   if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, a.distance);
 #endif

@@ -85,10 +85,10 @@ __kernel void probeSky(__constant const LightLayout* p, const uint count, __glob
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const Lights lights = {tables, 0, 0, 0, sky};
-  Arrival a;
-  arriveFromSky(lights, p, samplePaddedBits((uint)i, 29u), &a);
-  directions[i] = (float4)(a.direction, a.density);
+  LightSample a;
+  sampleSky(lights, p, samplePaddedBits((uint)i, 29u), &a);
+  directions[i] = (float4)(a.direction, a.pdf);
   const float2 uv = skyCoordinates(p, a.direction);
-  lookups[i] = (float4)(skyRadiance(lights, p, uv), skyDensity(lights, p, uv));
+  lookups[i] = (float4)(evalSky(lights, p, uv), pdfSky(lights, p, uv));
 }
 #endif

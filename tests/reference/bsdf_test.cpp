@@ -162,6 +162,64 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Bsdf, ::testing::ValuesIn(surfaces), [](const
   return name;
 });
 
+/// A surface of every rough lobe whose shading normal, z, leans away from its triangle's.
+class BentNormal : public ::testing::Test {
+ protected:
+  BsdfProbe importance() const {
+    return {BuildOptions()
+                .define("PRELIGHT_GLOSSY")
+                .define("PRELIGHT_PROBE_BENT")
+                .define("PRELIGHT_PROBE_IMPORTANCE"),
+            values()};
+  }
+  BsdfProbe radiance() const {
+    return {BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_PROBE_BENT"), values()};
+  }
+  static double geometricCosine(const glm::vec4& d) {
+    return glm::dot(glm::dvec3(d), glm::dvec3(0.6, 0.0, 0.8));
+  }
+
+ private:
+  static std::vector<float> values() {
+    return {0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.04f, 0.04f, 0.04f,
+            1.0f, 0.5f, 0.4f, 0.0f, 0.0f, 0.0f, 0.6f,  0.0f,  0.8f};
+  }
+};
+
+// Veach 1997, eq. 5.14: power that crosses the triangle from a to b is as much as radiance that crosses it
+// from b to a.
+TEST_F(BentNormal, Importance_IsTheAdjointOfRadiance) {
+  const auto a = randomHemisphere(4000, 3), b = randomHemisphere(4000, 4);
+  const Probed photons = importance().probe(a, b), eyes = radiance().probe(b, a);
+  int seen = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double from = geometricCosine(a[i]), to = geometricCosine(b[i]);
+    if (from < 0.01 || to < 0.01) continue;
+    const double expected = eyes.total(i) * to;
+    EXPECT_NEAR(photons.total(i) * from, expected, 1e-4 * (1e-3 + expected)) << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 2000);
+}
+
+TEST_F(BentNormal, ImportanceSamples_WeighTheirValueByTheirDensity) {
+  const BsdfProbe surface = importance();
+  const glm::vec4 wo = directionOf(0.7, 2.0);
+  std::vector<ProbedSample> samples;
+  std::vector<glm::vec4> wi;
+  for (const ProbedSample& drawn : surface.sample(wo, 4000)) {
+    if (!drawn.goesOn()) continue;
+    samples.push_back(drawn);
+    wi.push_back(drawn.direction);
+    EXPECT_GT(geometricCosine(drawn.direction), 0.0) << "through the triangle";
+  }
+  ASSERT_GT(samples.size(), 2000u);
+  const Probed probed = surface.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+  for (std::size_t i = 0; i < wi.size(); ++i)
+    EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
+                1e-5 * probed.total(i));
+}
+
 /// A sky with a sun of one texel, a black part and a gradient.
 Environment patchySky() {
   Environment sky{32, 16, {}};
