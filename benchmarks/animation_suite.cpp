@@ -4,13 +4,13 @@
 #include <cmath>
 #include <map>
 
-#include "bake/animated_transfer.h"
 #include "bake/key_choice.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
 #include "compress/compression_error.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
+#include "transfer/animated_transfer.h"
 
 namespace prelight::benchmarks {
 

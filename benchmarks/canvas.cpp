@@ -8,8 +8,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/atomic_file.h"
-#include "scene/image_encode.h"
+#include "base/atomic_file.h"
+#include "images/image_encode.h"
 
 namespace prelight::benchmarks {
 

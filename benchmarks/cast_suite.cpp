@@ -1,7 +1,7 @@
 #include "benchmarks/measure.h"
 #include "benchmarks/ray_sets.h"
 #include "benchmarks/suites.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 
 namespace prelight::benchmarks {
 

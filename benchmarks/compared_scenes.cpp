@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/builtin.h"
-#include "scene/gltf_builder.h"
-#include "scene/loader.h"
-#include "scene/mesh_shapes.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/gltf_builder.h"
+#include "scene/builtin/mesh_shapes.h"
+#include "scene/gltf/loader.h"
 
 namespace prelight::benchmarks {
 

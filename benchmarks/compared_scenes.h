@@ -4,8 +4,8 @@
 #include <string>
 
 #include "benchmarks/measure.h"
-#include "io/environment.h"
-#include "scene/gltf_document.h"
+#include "images/environment.h"
+#include "scene/gltf/gltf_document.h"
 
 namespace prelight::benchmarks {
 

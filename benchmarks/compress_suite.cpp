@@ -4,9 +4,9 @@
 
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
-#include "compress/compressed_transfer.h"
 #include "compress/compression_error.h"
 #include "scene/vertex_surface.h"
+#include "transfer/compressed_transfer.h"
 
 namespace prelight::benchmarks {
 

@@ -7,8 +7,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "bake/sampling.h"
-#include "scene/mesh_shapes.h"
+#include "receivers/sampling.h"
+#include "scene/builtin/mesh_shapes.h"
 
 namespace prelight::benchmarks {
 

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "scene/compiled_scene.h"
 
 namespace prelight::benchmarks {

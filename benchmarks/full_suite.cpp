@@ -5,7 +5,7 @@
 
 #include "benchmarks/path_traced.h"
 #include "benchmarks/suites.h"
-#include "full/full_renderer.h"
+#include "integrators/full_renderer.h"
 
 namespace prelight::benchmarks {
 

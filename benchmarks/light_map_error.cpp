@@ -4,10 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "bake/sampling.h"
-#include "gather/light_map_sources.h"
+#include "bake/make_plan.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "projectors/lightmap/light_map_sources.h"
+#include "receivers/sampling.h"
 
 namespace prelight::benchmarks {
 

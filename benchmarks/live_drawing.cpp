@@ -1,10 +1,8 @@
 #include "benchmarks/live_drawing.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 
-#include "update/live_full_light.h"
+#include "gi/update/live_full_light.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/renderer.h"
 #include "viewer/view.h"
@@ -55,7 +53,7 @@ void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
     p.renderer.updateCaustics({p.photons, p.full.filter});
   }
   p.renderer.draw(p.view, {0, 0, p.view.width, p.view.height}, p.target);
-  glFinish();
+  viewer::gl::Framebuffer::finish();
 }
 
 }  // namespace prelight::benchmarks

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "benchmarks/measure.h"
-#include "update/live_light.h"
+#include "gi/update/live_light.h"
 
 namespace prelight::benchmarks {
 

@@ -6,10 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "lightmap/light_map_plan.h"
+#include "bake/make_plan.h"
 #include "lightmap/make_light_map_layout.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "projectors/lightmap/light_map_plan.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 
 namespace prelight::benchmarks {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/gltf_builder.h"
-#include "scene/loader.h"
+#include "scene/builtin/gltf_builder.h"
+#include "scene/gltf/loader.h"
 
 namespace prelight::benchmarks {
 

@@ -1,6 +1,6 @@
 #include "benchmarks/path_traced.h"
 
-#include "reference/reference.h"
+#include "integrators/reference.h"
 
 namespace prelight::benchmarks {
 

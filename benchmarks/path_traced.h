@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "benchmarks/measure.h"
-#include "io/picture.h"
+#include "images/picture.h"
 
 namespace prelight::benchmarks {
 

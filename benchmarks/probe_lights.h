@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "scene/compiled_scene.h"
 
 /// Where lights stand that shadows are judged by; scene coordinates (world minus CompiledScene::origin).

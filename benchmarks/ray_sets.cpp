@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "bake/sampling.h"
-#include "bake/surface_sampler.h"
+#include "receivers/sampling.h"
+#include "receivers/surface_sampler.h"
 #include "shared/cast_types.h"
 
 namespace prelight::benchmarks {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "benchmarks/measure.h"
-#include "bvh/tracer.h"
 #include "device/buffer.h"
+#include "gpu/tracer.h"
 #include "shared/ray_types.h"
 
 /// The rays that tracing is measured with, and how they are launched.

@@ -9,14 +9,14 @@
 #include "basis/haar.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
-#include "compress/compressed_light.h"
 #include "compress/compression_error.h"
+#include "oracle/relighting.h"
 #include "relight/cluster_relighter.h"
+#include "relight/compressed_light.h"
 #include "relight/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
 #include "relight/light_projector.h"
-#include "relight/reference.h"
 
 namespace prelight::benchmarks {
 

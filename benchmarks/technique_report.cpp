@@ -7,8 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include "base/atomic_file.h"
 #include "benchmarks/contact_sheet.h"
-#include "io/atomic_file.h"
 
 namespace prelight::benchmarks {
 

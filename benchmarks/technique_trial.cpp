@@ -1,6 +1,5 @@
 #include "benchmarks/technique_trial.h"
 
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,9 +12,9 @@
 #include "benchmarks/flip.h"
 #include "benchmarks/probe_lights.h"
 #include "benchmarks/take_turns.h"
+#include "integrators/reference.h"
 #include "io/baked_file.h"
 #include "io/light_map_file.h"
-#include "reference/reference.h"
 #include "viewer/view.h"
 
 namespace prelight::benchmarks {
@@ -100,7 +99,7 @@ struct TechniqueTrial::Entry {
     if (lights) moved.lights = *lights;
     moved = turned(std::move(moved), inputs.compiled, angle += degree);
     renderer->draw(moved, {0, 0, view.width, view.height}, *target);
-    glFinish();
+    viewer::gl::Framebuffer::finish();
   }
 };
 

@@ -10,7 +10,7 @@
 #include "benchmarks/compared_scenes.h"
 #include "benchmarks/suite.h"
 #include "benchmarks/techniques.h"
-#include "io/picture.h"
+#include "images/picture.h"
 
 namespace prelight::viewer {
 class Renderer;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bake/bake.h"
 #include "plan/plan.h"
+#include "transfer/bake.h"
 #include "viewer/illumination.h"
 #include "viewer/shading.h"
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "bake/bake.h"
 #include "scene/compiled_scene.h"
+#include "transfer/bake.h"
 #include "viewer/chart_atlas.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "basis/sh.h"
-#include "compress/compressed_light.h"
+#include "relight/compressed_light.h"
 
 namespace prelight::viewer {
 namespace {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "bake/bake.h"
+#include "transfer/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
 
 namespace prelight::viewer {
 
 /// SH transfer compressed to clusters (PCA, VQ, clustered PCA). What vertices share is lit once a light on
-/// the host (compress/compressed_light.h); the vertex shader sums a vertex's own weights. Lights outside the
+/// the host (relight/compressed_light.h); the vertex shader sums a vertex's own weights. Lights outside the
 /// scene shine as seen from its centre.
 class ClusterTransfer : public DrawnTransfer {
  public:

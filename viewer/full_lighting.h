@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "full/full_light.h"
+#include "gi/full_light.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/light_map_lighting.h"
 #include "viewer/render_scene.h"

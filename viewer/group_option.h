@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bake/bake.h"
+#include "transfer/bake.h"
 
 namespace prelight::viewer {
 

@@ -4,8 +4,8 @@
 
 #include "basis/cube_light.h"
 #include "basis/haar.h"
-#include "basis/haar_relight.h"
 #include "device/buffer.h"
+#include "relight/haar_relight.h"
 #include "relight/haar_relighter.h"
 
 namespace prelight::viewer {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "bake/bake.h"
-#include "basis/haar_model.h"
 #include "device/device.h"
+#include "relight/haar_model.h"
+#include "transfer/bake.h"
 #include "viewer/drawn_transfer.h"
 
 namespace prelight {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "basis/median_cut.h"
-#include "io/environment.h"
+#include "images/environment.h"
 #include "scene/compiled_scene.h"
 #include "viewer/lighting.h"
 

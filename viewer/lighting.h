@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "io/environment.h"
+#include "images/environment.h"
 #include "occluders/occluder_upload.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"

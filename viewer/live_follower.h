@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "full/full_light.h"
-#include "update/live_light.h"
+#include "gi/full_light.h"
+#include "gi/update/live_light.h"
 #include "viewer/light_follower.h"
 
 namespace prelight::viewer {

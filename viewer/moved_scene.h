@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "update/live_scene.h"
+#include "gi/update/live_scene.h"
 #include "viewer/light_follower.h"
 
 namespace prelight::viewer {

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "bake/bake.h"
 #include "basis/median_cut.h"
+#include "transfer/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/occluder_pass.h"
 #include "viewer/render.h"

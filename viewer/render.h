@@ -4,12 +4,12 @@
 #include <string_view>
 #include <vector>
 
-#include "bake/bake.h"
 #include "base/diagnostics.h"
-#include "io/environment.h"
-#include "io/picture.h"
+#include "images/environment.h"
+#include "images/picture.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
+#include "transfer/bake.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/group_option.h"
 #include "viewer/illumination.h"

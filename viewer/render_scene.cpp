@@ -6,8 +6,8 @@
 #include <map>
 
 #include "photon/casters.h"
+#include "scene/gltf/normal_maps.h"
 #include "scene/lobes.h"
-#include "scene/normal_maps.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {

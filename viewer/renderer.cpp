@@ -474,11 +474,11 @@ std::vector<PlannedPass> Renderer::plan(const View& view) {
   const Illumination light = illuminationOf(view);
   litTransfer(view, light);
   const std::size_t views = full().shadows().viewCount(), nodes = surroundings_->nodeCount();
-  return {{"shadow maps", views > 0,
+  return {{Pass::ShadowMaps, views > 0,
            views > 0 ? std::to_string(light.lights.size()) + " lights and samples of large ones see " +
                            std::to_string(views) + " views"
                      : "nothing gives light"},
-          {"environment maps", nodes > 0,
+          {Pass::EnvironmentMaps, nodes > 0,
            nodes > 0 ? std::to_string(nodes) + " nodes mirror what is around them or are glass"
                      : "no node is a mirror, glass, metal or nearly a mirror"}};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/picture.h"
+#include "images/picture.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/renderer.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "bake/bake.h"
 #include "basis/ch.h"
+#include "transfer/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "bake/bake.h"
 #include "plan/plan.h"
+#include "transfer/bake.h"
 
 namespace prelight::viewer {
 

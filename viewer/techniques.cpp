@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "full/full_light.h"
+#include "gi/full_light.h"
 #include "occluders/occluder_places.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"

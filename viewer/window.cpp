@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/picture.h"
+#include "images/picture.h"
 #include "viewer/controls.h"
 #include "viewer/key_help.h"
 #include "viewer/moved_scene.h"

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "basis/sh.h"
-#include "io/environment.h"
+#include "images/environment.h"
 #include "tables.h"
 
 namespace prelight {

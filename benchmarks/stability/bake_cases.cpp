@@ -3,11 +3,12 @@
 #include <cmath>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "basis/sh_zonal.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 
 // Whole bakes.
 namespace prelight::benchmarks::stability {

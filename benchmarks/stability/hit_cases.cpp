@@ -6,7 +6,7 @@
 #include "basis/sh_table.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "shared/cast_types.h"
 
 // Kernels that make something of a receiver's rays and hits.

@@ -4,10 +4,10 @@
 
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "full/full_renderer.h"
+#include "integrators/full_renderer.h"
+#include "integrators/path_tracer.h"
+#include "integrators/reference.h"
 #include "radiosity/direct_light.h"
-#include "reference/path_tracer.h"
-#include "reference/reference.h"
 
 // Direct light at points, and pictures, where closed forms know the answer.
 namespace prelight::benchmarks::stability {

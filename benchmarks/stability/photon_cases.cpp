@@ -3,15 +3,15 @@
 #include <cmath>
 #include <limits>
 
-#include "bake/sampling.h"
 #include "base/octahedral.h"
 #include "benchmarks/photon_grid.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "photon/density_estimator.h"
 #include "photon/photon_tracer.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "receivers/sampling.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "scene/surface_regions.h"
 
 namespace prelight::benchmarks::stability {

@@ -3,12 +3,12 @@
 #include <bit>
 #include <cmath>
 
-#include "bake/sampling.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "bvh/instanced_tracer.h"
-#include "bvh/tracer.h"
-#include "reference/brute_force.h"
+#include "gpu/instanced_tracer.h"
+#include "gpu/tracer.h"
+#include "oracle/brute_force.h"
+#include "receivers/sampling.h"
 #include "shared/cast_types.h"
 
 namespace prelight::benchmarks::stability {

@@ -8,9 +8,9 @@
 #include "basis/sh_products.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "compress/compressed_transfer.h"
 #include "photon/photon_maps.h"
 #include "scene/surface_regions.h"
+#include "transfer/compressed_transfer.h"
 
 // What is no number must not reach a kernel: the host refuses it.
 namespace prelight::benchmarks::stability {

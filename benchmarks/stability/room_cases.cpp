@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 
-#include "bake/surface_sampler.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "gather/final_gather.h"
+#include "gi/final_gather.h"
 #include "radiosity/exchange_solver.h"
 #include "radiosity/radiosity.h"
+#include "receivers/surface_sampler.h"
 
 // Final gathering and radiosity in rooms whose light is known.
 namespace prelight::benchmarks::stability {

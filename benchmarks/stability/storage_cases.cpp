@@ -4,14 +4,14 @@
 #include <cmath>
 #include <cstring>
 
-#include "bake/vertex_fit.h"
 #include "base/octahedral.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "compress/half_float.h"
 #include "device/buffer.h"
 #include "device/layout.h"
-#include "reference/film.h"
+#include "fit/vertex_fit.h"
+#include "integrators/film.h"
 #include "shared/reference_types.h"
 
 // Numbers that are stored, counted and averaged.

@@ -128,7 +128,7 @@ std::vector<Subject> casting() {
   return {
       {"rays of receivers",
        Kernel,
-       "bake/sampling.h in double",
+       "receivers/sampling.h in double",
        "1: unit directions",
        "the cosine of a grazing ray, sqrt(1 - r^2), has half of the digits",
        {"cast/generate_kernels.cl:generateRays"},

@@ -4,7 +4,7 @@
 
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "shade/light_buffers.h"
+#include "gpu/light_buffers.h"
 #include "shared/shade_types.h"
 
 // How surfaces scatter light, and how the sky is sampled: kernels/reference/probe_kernels.cl.

@@ -2,14 +2,14 @@
 #include <cmath>
 
 #include "benchmarks/stability/cases.h"
-#include "compress/compressed_light.h"
 #include "compress/compression_error.h"
 #include "compress/half_float.h"
+#include "oracle/relighting.h"
 #include "relight/cluster_relighter.h"
+#include "relight/compressed_light.h"
 #include "relight/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
-#include "relight/reference.h"
 
 namespace prelight::benchmarks::stability {
 

@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 
-#include "bake/sampling.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_table.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
+#include "receivers/sampling.h"
 #include "shared/cast_types.h"
 
 // Voxels, and the rows of stored transport.

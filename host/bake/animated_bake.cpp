@@ -6,12 +6,13 @@
 #include <memory>
 #include <set>
 
-#include "bake/animated_transfer.h"
 #include "bake/baker.h"
+#include "bake/make_plan.h"
+#include "base/state_file.h"
 #include "compress/compression_error.h"
-#include "io/state_file.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
+#include "transfer/animated_transfer.h"
 
 namespace prelight {
 

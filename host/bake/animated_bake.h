@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "bake/bake.h"
 #include "bake/key_choice.h"
 #include "base/progress.h"
 #include "device/device.h"
 #include "plan/plan.h"
+#include "scene/compiled_scene.h"
 #include "scene/scene.h"
+#include "transfer/bake.h"
 
 namespace prelight {
 

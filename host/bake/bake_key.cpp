@@ -1,5 +1,5 @@
 #include "bake/baker.h"
-#include "io/environment.h"
+#include "images/environment.h"
 
 namespace prelight {
 

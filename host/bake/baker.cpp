@@ -6,29 +6,29 @@
 #include <chrono>
 #include <optional>
 
-#include "bake/chart_caster.h"
-#include "bake/chart_sampler.h"
-#include "bake/glossy_transfer.h"
-#include "bake/haar_transfer.h"
-#include "bake/light_groups.h"
-#include "bake/occluder_transfer.h"
-#include "bake/pack_bake.h"
 #include "bake/saving_progress.h"
-#include "bake/scene_cast.h"
-#include "bake/slot_transfer.h"
-#include "bake/volume_caster.h"
 #include "base/stage_clock.h"
-#include "bvh/tracer.h"
-#include "gather/light_map_sizing.h"
+#include "cast/light_groups.h"
+#include "gpu/tracer.h"
 #include "lightmap/light_map_bake.h"
-#include "lightmap/light_map_plan.h"
 #include "lightmap/vertex_irradiance.h"
 #include "occluders/occluder_cut.h"
 #include "occluders/occluder_threshold.h"
 #include "occluders/occluder_tree.h"
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
+#include "projectors/chart_caster.h"
+#include "projectors/glossy_transfer.h"
+#include "projectors/haar_transfer.h"
+#include "projectors/lightmap/light_map_plan.h"
+#include "projectors/lightmap/light_map_sizing.h"
+#include "projectors/occluder_transfer.h"
+#include "projectors/pack_bake.h"
+#include "projectors/scene_cast.h"
+#include "projectors/slot_transfer.h"
+#include "projectors/volume_caster.h"
 #include "radiosity/radiosity_bake.h"
+#include "receivers/chart_sampler.h"
 #include "scene/surface_regions.h"
 #include "scene/vertex_surface.h"
 
@@ -93,7 +93,7 @@ class BakeRunner : BakeParts {
   BakeRunner(const BakeParts& parts, const Plan& plan, Progress& progress, BakeReport& report,
              StageClock& clock)
       : BakeParts(parts),
-        bounces_(plan.runs("bounces") ? request.bounces : 0),
+        bounces_(plan.runs(Pass::Bounces) ? request.bounces : 0),
         progress_(progress),
         report_(report),
         clock_(clock) {}
@@ -118,8 +118,8 @@ class BakeRunner : BakeParts {
 
  private:
   void makeTransfers(const std::vector<double>& fitted, Bake& bake) {
-    const SlotTransfer transfer =
-        makeTransfer(scene, mesh, caster, cast, fitted, transferOrder(request), bounces_, progress_, report_);
+    const SlotTransfer transfer = makeTransfer(scene, mesh, caster, cast, fitted, transferOrder(request),
+                                               bounces_, progress_, report_.notes);
     if (request.shOrder > 0) bake.sh = packSh(mesh, transfer, scene, request.shOrder);
     if (request.chOrder > 0) bake.ch = packCh(mesh, transfer, scene, request.chOrder, request.chNaive);
     if (request.lightGroups)
@@ -244,8 +244,8 @@ Projections projectionsOf(const BakeRequest& request, const Plan& plan, const Sc
     projections.texelRows = plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
     projections.texelCount = cubeTexelCount(request.haarSize);
   }
-  projections.backs = plan.runs("bounces");
-  projections.receivers = request.glossyOrder > 0 && plan.runs("bounces");
+  projections.backs = plan.runs(Pass::Bounces);
+  projections.receivers = request.glossyOrder > 0 && plan.runs(Pass::Bounces);
   projections.occluders = occluders != nullptr;
   if (occluders != nullptr)
     projections.occluderCount = static_cast<std::uint32_t>(occluders->groups.names.size());
@@ -285,7 +285,7 @@ class ReceiverBake {
         plan_(plan),
         schedule_(makeSchedule(request, mesh.slotCount(), start)),
         setTracers_(tracersOf(scene, sets, tracer)),
-        capacity_(plan.runs("bounces") ? storedCapacity(plan, device, schedule_.raysPerReceiver) : 0),
+        capacity_(plan.runs(Pass::Bounces) ? storedCapacity(plan, device, schedule_.raysPerReceiver) : 0),
         lights_(request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{}),
         occluders_(request.occluders ? std::optional(occludersOf(scene, request.occluderKind))
                                      : std::nullopt),
@@ -389,12 +389,12 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (request.castsReceivers())
     receivers.emplace(scene, request, plan, mesh, sets, charts, device, tracer, start);
   std::optional<RadiosityBake> radiosity;
-  if (plan.runs("radiosity")) radiosity.emplace(scene, request, tracer);
+  if (plan.runs(Pass::Radiosity)) radiosity.emplace(scene, request, tracer);
   if (saved && receivers) receivers->load(*saved);
   if (saved && radiosity) radiosity->load(*saved);
   clock.mark("prepare");
   std::optional<LightMapBake> lightMap;
-  if (plan.runs("light map") && source != nullptr) {
+  if (plan.runs(Pass::LightMap) && source != nullptr) {
     lightMap.emplace(scene,
                      makeLightMapLayout(*source, scene, request, plan, device, tracer, progress,
                                         report.lightMap.emplace(), report.rays),
@@ -426,8 +426,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   }
   if (request.radiosity && !radiosity) bake.irradiance.emplace(scene.vertexCount(), glm::vec3(0.0f));
   bake.info = {
-      std::string("Prelight ") + PRELIGHT_VERSION, request.seed,  report.rays,        report.aoErrorRms,
-      plan.runs("bounces") ? request.bounces : 0,  plan.toJson(), device.info().name, secondsSince(start)};
+      std::string("Prelight ") + PRELIGHT_VERSION,    request.seed, report.rays,        report.aoErrorRms,
+      plan.runs(Pass::Bounces) ? request.bounces : 0, plan,         device.info().name, secondsSince(start)};
   return bake;
 }
 

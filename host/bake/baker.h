@@ -5,30 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "bake/bake.h"
 #include "base/progress.h"
+#include "base/state_file.h"
 #include "device/device.h"
-#include "io/state_file.h"
-#include "lightmap/light_map_bake.h"
 #include "plan/plan.h"
-#include "radiosity/radiosity_report.h"
-#include "scene/charts.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf/charts.h"
+#include "transfer/bake.h"
+#include "transfer/bake_report.h"
 
 namespace prelight {
-
-/// What a bake did, for reports and for people.
-struct BakeReport {
-  std::vector<std::pair<std::string, double>> stageSeconds;  ///< in the order they ran
-  std::uint64_t rays = 0;                                    ///< in all
-  std::uint64_t receivers = 0;
-  double aoErrorRms = 0.0;          ///< estimated standard error of AO, RMS over the surface
-  double aoErrorMax = 0.0;          ///< the same at the worst vertex
-  double skippedRayFraction = 0.0;  ///< rays that the request allowed and the scene did not need
-  std::uint64_t bytesBvh = 0;
-  std::optional<RadiosityReport> radiosity;  ///< where the bake solved one
-  std::optional<LightMapReport> lightMap;    ///< where the bake made one
-  std::vector<std::string> notes;
-};
 
 /// Where a bake leaves what it has done, when it is interrupted and now and then before, and finds it again.
 class BakeCheckpoint {

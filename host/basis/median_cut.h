@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "io/environment.h"
+#include "images/environment.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "basis/cube_map.h"
-#include "io/environment.h"
+#include "images/environment.h"
 
 namespace prelight::sh {
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bake/animated_bake.h"
+#include "base/atomic_file.h"
 #include "cli/bake_options.h"
 #include "cli/bake_state.h"
 #include "cli/commands.h"
@@ -12,12 +13,11 @@
 #include "cli/values.h"
 #include "compress/compression_error.h"
 #include "compress/quantized_occluders.h"
-#include "io/atomic_file.h"
+#include "images/environment.h"
 #include "io/baked_file.h"
-#include "io/environment.h"
 #include "io/finite_results.h"
 #include "io/light_map_file.h"
-#include "scene/glb_output.h"
+#include "scene/gltf/glb_output.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "compress/compressed_transfer.h"
 #include "device/device.h"
 #include "plan/plan.h"
+#include "transfer/compressed_transfer.h"
 
 namespace prelight::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bake/bake.h"
+#include "transfer/bake.h"
 
 namespace prelight::cli {
 

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/report.h"
 #include "cli/session.h"
+#include "gpu/self_test.h"
 
 namespace prelight::cli {
 namespace {

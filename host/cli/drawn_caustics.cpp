@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "gpu/transport_scene.h"
 #include "photon/casters.h"
 #include "photon/caustic_light.h"
 #include "scene/surface_regions.h"
-#include "shade/transport_scene.h"
 
 namespace prelight::cli {
 

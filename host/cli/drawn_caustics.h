@@ -6,7 +6,7 @@
 
 #include "cli/session.h"
 #include "device/device.h"
-#include "io/environment.h"
+#include "images/environment.h"
 #include "shared/photon_types.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/render.h"

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "device/device.h"
-#include "full/full_light.h"
-#include "io/environment.h"
-#include "update/live_light.h"
+#include "gi/full_light.h"
+#include "gi/update/live_light.h"
+#include "images/environment.h"
 
 namespace prelight::cli {
 

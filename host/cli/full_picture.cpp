@@ -8,6 +8,7 @@
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "io/finite_results.h"
+#include "io/plan_json.h"
 #include "viewer/camera.h"
 
 namespace prelight::cli {
@@ -19,17 +20,6 @@ constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
 nlohmann::ordered_json toJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
 }
-
-}  // namespace
-
-nlohmann::ordered_json toJson(const std::vector<PlannedPass>& plan) {
-  nlohmann::ordered_json passes = nlohmann::ordered_json::array();
-  for (const PlannedPass& pass : plan)
-    passes.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
-  return passes;
-}
-
-namespace {
 
 nlohmann::ordered_json fullReport(const PictureOptions& options, const FullRequest& request,
                                   const FullReport& made, const std::filesystem::path& output,
@@ -53,7 +43,7 @@ nlohmann::ordered_json fullReport(const PictureOptions& options, const FullReque
           {"stages", cli::toJson(session.times())},
           {"fullStages", stages},
           {"device", cli::toJson(device)},
-          {"plan", cli::toJson(made.plan)},
+          {"plan", toJson(made.plan)},
           {"warnings", session.warnings()}};
 }
 
@@ -66,7 +56,7 @@ void printSummary(const FullRequest& request, const FullReport& made, const std:
   console.line("traced", fmt::format("{} rays, {} texels, {} samples a pixel", shortCount(double(made.rays)),
                                      shortCount(double(made.texels)), request.samples));
   for (const PlannedPass& pass : made.plan)
-    if (!pass.runs) console.line("skipped", fmt::format("{}: {}", pass.name, pass.reason));
+    if (!pass.runs) console.line("skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
   if (console.detailsWanted())
     for (const auto& [name, seconds] : made.stageSeconds)
       console.line("", fmt::format("{:<12}{:8.3f} s", name, seconds));

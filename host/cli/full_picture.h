@@ -4,14 +4,12 @@
 #include <filesystem>
 
 #include "cli/picture_options.h"
-#include "full/full_renderer.h"
+#include "integrators/full_renderer.h"
 
 namespace prelight::cli {
 
 /// The options of full shading's light.
 void addFullOptions(CLI::App& app, FullRequest& request);
-
-nlohmann::ordered_json toJson(const std::vector<PlannedPass>& plan);
 
 /// Makes a picture with all light and writes it, as `render --shading full` does.
 void renderFullPicture(Session& session, const PictureOptions& options, const FullRequest& request,

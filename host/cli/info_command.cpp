@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "bake/make_plan.h"
 #include "bvh/bvh_report.h"
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
@@ -11,6 +12,7 @@
 #include "cli/report.h"
 #include "cli/session.h"
 #include "io/baked_file.h"
+#include "io/plan_json.h"
 #include "scene/pose.h"
 
 namespace prelight::cli {
@@ -176,7 +178,7 @@ void runInfo(const InfoCommand& command, Context& context) {
                 {"tree", tree ? treeJson(*tree) : Json(nullptr)},
                 {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount()) : Json(nullptr)},
                 {"options", toJson(request)},
-                {"plan", plan.toJson()},
+                {"plan", toJson(plan)},
                 {"warnings", session.warnings()}});
 }
 

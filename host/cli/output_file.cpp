@@ -8,8 +8,8 @@
 #include <span>
 #include <system_error>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
-#include "io/atomic_file.h"
 
 namespace prelight::cli {
 namespace {

@@ -11,9 +11,9 @@
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
+#include "gi/update/live_full_light.h"
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
-#include "update/live_full_light.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
 

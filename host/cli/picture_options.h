@@ -13,10 +13,10 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "device/device.h"
-#include "full/full_light.h"
-#include "full/full_renderer.h"
-#include "io/environment.h"
-#include "scene/normal_maps.h"
+#include "gi/full_light.h"
+#include "images/environment.h"
+#include "integrators/full_renderer.h"
+#include "scene/gltf/normal_maps.h"
 #include "viewer/render.h"
 
 namespace prelight::cli {
@@ -55,7 +55,7 @@ struct ShadedScene {
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<FullLight> full;
-  std::optional<NormalMaps> normalMaps;  ///< where the light map can be turned by them
+  std::optional<NormalMaps> normalMaps;       ///< where the light map can be turned by them
   std::unique_ptr<FollowingLight> following;  ///< of a window in full shading
 
   viewer::RenderInputs inputs() const;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "bake/animated_transfer.h"
 #include "base/pattern.h"
 #include "cli/values.h"
 #include "occluders/scene_motion.h"
 #include "scene/pose.h"
+#include "transfer/animated_transfer.h"
 
 namespace prelight::cli {
 

@@ -1,4 +1,4 @@
-#include "reference/reference.h"
+#include "integrators/reference.h"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,11 @@
 #include "cli/report.h"
 #include "cli/session.h"
 #include "cli/values.h"
-#include "io/environment.h"
+#include "images/environment.h"
+#include "images/picture.h"
+#include "integrators/film_state.h"
 #include "io/finite_results.h"
-#include "io/picture.h"
-#include "reference/film_state.h"
+#include "io/plan_json.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
 
@@ -61,9 +62,6 @@ std::uint64_t samplesTaken(const ReferenceRun& run) {
 
 nlohmann::ordered_json referenceReport(const ReferenceCommand& command, const ReferenceRun& run,
                                        Session& session) {
-  nlohmann::ordered_json plan = nlohmann::ordered_json::array();
-  for (const PlannedPass& pass : run.report.plan)
-    plan.push_back({{"name", pass.name}, {"runs", pass.runs}, {"reason", pass.reason}});
   const double seconds = run.report.seconds;
   nlohmann::ordered_json report = {
       {"command", "reference"},
@@ -85,7 +83,7 @@ nlohmann::ordered_json referenceReport(const ReferenceCommand& command, const Re
       {"seconds", session.times().total()},
       {"stages", toJson(session.times())},
       {"device", toJson(run.device)},
-      {"plan", plan},
+      {"plan", toJson(run.report.plan)},
       {"notes", run.report.notes},
       {"warnings", session.warnings()}};
   return report;
@@ -109,7 +107,7 @@ void printSummary(const ReferenceCommand& command, const ReferenceRun& run, Sess
     for (const auto& [stage, time] : session.times().stages())
       console.line("", fmt::format("{:<12}{:8.3f} s", stage, time));
     for (const PlannedPass& pass : run.report.plan)
-      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
   }
   console.line("wrote",
                fmt::format("{}: {}x{}, {} integrator, in {}", command.output.string(), run.request.width,

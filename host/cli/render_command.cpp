@@ -9,8 +9,9 @@
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
+#include "images/picture.h"
 #include "io/finite_results.h"
-#include "io/picture.h"
+#include "io/plan_json.h"
 
 namespace prelight::cli {
 namespace {
@@ -78,7 +79,7 @@ void runRender(const RenderCommand& command, Context& context) {
   const Console& console = session.console();
   for (const PlannedPass& pass : plan)
     if (!pass.runs || console.detailsWanted())
-      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
+      console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
   if (shaded.run) printBakeSummary(console, shaded.request, *shaded.run, session.times());
   console.line("wrote", fmt::format("{}: {}x{}, {} shading, in {}", command.output.string(), picture.width,
                                     picture.height, viewer::shadingName(shaded.render.shading),

@@ -1,4 +1,5 @@
 #include "cli/report.h"
+#include "io/plan_json.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -186,7 +187,7 @@ Json bakeReport(const std::string& command, const LoadedScene& loaded, const std
                  {"transport", run.plan.transportBytes},
                  {"bvh", report.bytesBvh},
                  {"peakResident", peakResidentBytes()}}},
-               {"plan", run.plan.toJson()},
+               {"plan", toJson(run.plan)},
                {"notes", report.notes},
                {"warnings", session.warnings()}};
   if (report.radiosity) json["radiosity"] = toJson(*report.radiosity);
@@ -227,7 +228,7 @@ std::string sceneText(const LoadedScene& loaded) {
 
 void printPlan(const Console& console, const Plan& plan) {
   for (const PlannedPass& pass : plan.passes)
-    console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", pass.name, pass.reason));
+    console.line(pass.runs ? "runs" : "skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
   console.line(
       "memory",
       fmt::format("{} on the host, {} on the device{}", shortBytes(static_cast<double>(plan.hostBytes)),

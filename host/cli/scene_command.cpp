@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/session.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 namespace prelight::cli {
 namespace {

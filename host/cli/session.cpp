@@ -4,7 +4,7 @@
 
 #include "device/cache_folder.h"
 #include "device/program_cache.h"
-#include "scene/loader.h"
+#include "scene/gltf/loader.h"
 
 namespace prelight::cli {
 
@@ -36,7 +36,7 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   requireTriangles(loaded);
   BakeRun run;
   run.plan = times_.measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
-  if (request.lightMap && !run.plan.runs("light map"))
+  if (request.lightMap && !run.plan.runs(Pass::LightMap))
     throw InputError(loaded.path.string(), "no surface reflects diffusely, so none needs a light map",
                      "leave out --lightmap");
   const Device device = times_.measure("device", [&] { return Device::open(deviceOptions); });

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "cli/bake_state.h"
 #include "cli/console.h"
 #include "cli/context.h"
@@ -13,7 +14,7 @@
 #include "device/device.h"
 #include "plan/plan.h"
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
+#include "scene/gltf/gltf_document.h"
 #include "scene/scene.h"
 
 namespace prelight::cli {

@@ -8,8 +8,8 @@
 #include "base/parallel.h"
 #include "compress/byte_range.h"
 #include "compress/cluster_fit.h"
-#include "compress/compressed_transfer.h"
 #include "compress/half_float.h"
+#include "transfer/compressed_transfer.h"
 
 namespace prelight {
 

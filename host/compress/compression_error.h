@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "bake/bake.h"
+#include "transfer/bake.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "compress/compressed_transfer.h"
+#include "transfer/compressed_transfer.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bake/transfer.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

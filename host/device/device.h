@@ -59,15 +59,4 @@ class Device {
   std::unique_ptr<DeviceContext> context_;
 };
 
-/// One line of `prelight devices --test`.
-struct SelfTestResult {
-  std::string name;
-  bool passed = false;
-  std::string detail;
-};
-
-/// Runs the device's self-test: kernels build, struct layouts agree, rays hit what they must, sums agree with
-/// the host. Never throws: a failure is a result.
-std::vector<SelfTestResult> selfTest(const Device& device);
-
 }  // namespace prelight

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "images/image.h"
 #include "images/picture_header.h"
-#include "io/picture_layers.h"
-#include "io/pixels.h"
-#include "scene/scene.h"
+#include "images/picture_layers.h"
+#include "images/pixels.h"
 
 namespace prelight {
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "bake/bake.h"
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/json_cursor.h"
+#include "transfer/bake.h"
 
 namespace prelight {
 

@@ -5,7 +5,7 @@
 #include "io/chart_file.h"
 #include "io/compression_names.h"
 #include "io/occluder_file.h"
-#include "scene/gltf_embed.h"
+#include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
 

@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bake/bake.h"
 #include "compress/quantized_occluders.h"
 #include "io/baked_ranges.h"
-#include "scene/gltf_document.h"
+#include "scene/gltf/gltf_document.h"
+#include "transfer/bake.h"
 
 namespace prelight {
 

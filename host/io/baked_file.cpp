@@ -8,8 +8,9 @@
 #include "io/baked_strip.h"
 #include "io/finite_results.h"
 #include "io/light_map_file.h"
+#include "io/plan_json.h"
 #include "io/volume_file.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/json_cursor.h"
 
 namespace prelight {
 
@@ -19,9 +20,15 @@ using Json = nlohmann::ordered_json;
 constexpr const char* extensionName = "PRELIGHT_transfer";
 
 Json infoToJson(const BakeInfo& info) {
-  return {{"version", 1},      {"generator", info.generator}, {"seed", info.seed},
-          {"rays", info.rays}, {"error", info.error},         {"bounces", info.bounces},
-          {"plan", info.plan}, {"device", info.device},       {"seconds", info.seconds}};
+  return {{"version", 1},
+          {"generator", info.generator},
+          {"seed", info.seed},
+          {"rays", info.rays},
+          {"error", info.error},
+          {"bounces", info.bounces},
+          {"plan", toJson(info.plan)},
+          {"device", info.device},
+          {"seconds", info.seconds}};
 }
 
 BakeInfo infoFromJson(const JsonCursor& json) {
@@ -33,7 +40,7 @@ BakeInfo infoFromJson(const JsonCursor& json) {
   const auto error = json.find("error");
   info.error = error && !error->value().is_null() ? error->asNumber() : 0.0;
   info.bounces = static_cast<int>(std::min<std::uint64_t>(json.unsignedOr("bounces", 0), 1u << 20));
-  if (const auto plan = json.find("plan")) info.plan = plan->value();
+  if (const auto plan = json.find("plan")) info.plan = planFromJson(*plan);
   info.device = json.stringOr("device", "");
   info.seconds = json.numberOr("seconds", 0.0);
   return info;

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "bake/bake.h"
 #include "compress/quantized_occluders.h"
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
+#include "scene/gltf/gltf_document.h"
+#include "transfer/bake.h"
 
 namespace prelight {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "scene/gltf_embed.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/json_cursor.h"
 
 namespace prelight {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/gltf_document.h"
+#include "scene/gltf/gltf_document.h"
 
 namespace prelight {
 

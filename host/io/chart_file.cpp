@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/value_reader.h"
-#include "scene/gltf_embed.h"
+#include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
 

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "bake/transfer.h"
 #include "io/baked_ranges.h"
-#include "scene/gltf_document.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/json_cursor.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "compress/compressed_transfer.h"
+#include "transfer/compressed_transfer.h"
 
 /// How a baked file calls the ways of compression.
 namespace prelight {

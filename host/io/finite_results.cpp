@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/magnitudes.h"
-#include "scene/accessor.h"
+#include "scene/gltf/accessor.h"
 
 namespace prelight {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "io/picture.h"
-#include "lightmap/light_map_layout.h"
-#include "scene/gltf_document.h"
+#include "images/picture.h"
+#include "scene/gltf/gltf_document.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -10,17 +10,17 @@
 #include <system_error>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/magnitudes.h"
-#include "io/atomic_file.h"
+#include "images/picture_layers.h"
 #include "io/bake_reader.h"
 #include "io/baked_ranges.h"
-#include "io/picture_layers.h"
 #include "io/value_reader.h"
 #include "lightmap/layout_places.h"
-#include "scene/file_reference.h"
-#include "scene/file_triangles.h"
-#include "scene/uri.h"
+#include "scene/gltf/file_reference.h"
+#include "scene/gltf/file_triangles.h"
+#include "scene/gltf/uri.h"
 
 namespace prelight {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "lightmap/light_map_layout.h"
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/json_cursor.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 
@@ -22,7 +22,7 @@ void writeLightMap(const std::filesystem::path& path, const LightMap& map);
 
 class OutputFiles;
 
-/// As one of several files, io/atomic_file.h.
+/// As one of several files, base/atomic_file.h.
 void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map);
 
 /// Light map of a document, with its picture, which lies beside it; nullopt when it has none. Charts and the

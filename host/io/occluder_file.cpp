@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/value_reader.h"
-#include "scene/gltf_embed.h"
+#include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
 

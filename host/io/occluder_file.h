@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "compress/quantized_occluders.h"
 #include "io/baked_ranges.h"
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/json_cursor.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

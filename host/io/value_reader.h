@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "scene/accessor.h"
-#include "scene/gltf_document.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/json_cursor.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "io/value_reader.h"
-#include "scene/gltf_embed.h"
+#include "scene/gltf/gltf_embed.h"
 
 namespace prelight {
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bake/volume_transfer.h"
-#include "scene/gltf_document.h"
-#include "scene/json_cursor.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/json_cursor.h"
+#include "transfer/volume_transfer.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "bake/surface_sampler.h"
+#include "receivers/surface_sampler.h"
 
 namespace prelight {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lightmap/light_map_charts.h"
-#include "lightmap/light_map_layout.h"
 #include "lightmap/mask_packing.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lightmap/light_map_layout.h"
 #include "scene/compiled_scene.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bake/texel_fill.h"
+#include "fit/texel_fill.h"
 #include "lightmap/seam_stitching.h"
 
 namespace prelight {

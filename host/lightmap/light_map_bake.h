@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "io/state_file.h"
-#include "lightmap/light_map_layout.h"
-#include "lightmap/texel_sizes.h"
+#include "base/state_file.h"
 #include "scene/compiled_scene.h"
+#include "transfer/light_map_layout.h"
+#include "transfer/light_map_report.h"
 
 namespace prelight {
 
@@ -26,14 +26,6 @@ class LightMapPart {
 
   /// Cast so far.
   virtual std::uint64_t rays() const = 0;
-};
-
-struct LightMapReport {
-  std::uint64_t rays = 0;
-  std::optional<TexelSizeReport> sizes;  ///< where they were chosen by error
-  std::size_t hidden = 0;                ///< texels inside objects
-  double jumpBefore = 0.0;               ///< seamJump() before stitching, W/m2
-  double jumpAfter = 0.0;
 };
 
 /// For people.

@@ -9,7 +9,7 @@
 
 #include "lightmap/chart_growth.h"
 #include "lightmap/chart_shape.h"
-#include "scene/charts.h"
+#include "scene/gltf/charts.h"
 
 namespace prelight {
 

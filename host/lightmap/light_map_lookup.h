@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "lightmap/light_map_layout.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "lightmap/light_map_charts.h"
-#include "lightmap/light_map_layout.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "lightmap/light_map_layout.h"
 #include "lightmap/light_map_lookup.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

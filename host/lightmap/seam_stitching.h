@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "lightmap/light_map_layout.h"
 #include "lightmap/light_map_lookup.h"
 #include "scene/compiled_scene.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

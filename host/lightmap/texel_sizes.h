@@ -8,7 +8,8 @@
 
 #include "base/progress.h"
 #include "lightmap/light_map_charts.h"
-#include "lightmap/light_map_layout.h"
+#include "transfer/light_map_layout.h"
+#include "transfer/light_map_report.h"
 
 namespace prelight {
 
@@ -34,15 +35,6 @@ struct TexelSizes {
   std::vector<double> errors;  ///< [chart], as expected; 0 of charts that are not judged
   std::uint32_t specks = 0;    ///< charts too small to be judged: they have LightMapCharts::texelSize
   std::uint32_t limited = 0;   ///< charts that would need smaller texels than the finest
-};
-
-/// What people are told of texel sizes.
-struct TexelSizeReport {
-  double smallest = 0.0;      ///< m
-  double largest = 0.0;       ///< m
-  double error = 0.0;         ///< as expected, rms over the area of the charts that were judged
-  std::uint32_t specks = 0;   ///< see TexelSizes
-  std::uint32_t limited = 0;  ///< see TexelSizes
 };
 
 TexelSizeReport reportOf(const TexelSizes& sizes, const LightMapCharts& charts);

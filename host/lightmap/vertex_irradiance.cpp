@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "bake/sampling.h"
-#include "bake/vertex_fit.h"
+#include "fit/vertex_fit.h"
 #include "lightmap/light_map_lookup.h"
+#include "receivers/sampling.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "bake/fit_mesh.h"
-#include "lightmap/light_map_layout.h"
+#include "receivers/fit_mesh.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

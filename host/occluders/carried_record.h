@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "occluders/occluder_body.h"
 #include "occluders/rigid_motion.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

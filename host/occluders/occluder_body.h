@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "scene/compiled_scene.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "bake/transfer.h"
 #include "occluders/occluder_tree.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

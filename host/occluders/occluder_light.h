@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "bake/transfer.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

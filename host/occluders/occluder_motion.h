@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "occluders/carried_record.h"
 #include "occluders/occluder_body.h"
 #include "occluders/point_tree.h"
 #include "occluders/rigid_motion.h"
 #include "scene/compiled_scene.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

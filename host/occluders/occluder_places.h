@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bake/transfer.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "bake/transfer.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

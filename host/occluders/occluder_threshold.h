@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/transfer.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

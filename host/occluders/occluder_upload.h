@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "occluders/occluder_light.h"
 #include "shared/occluder_light_types.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "scene/compiled_scene.h"
+#include "transfer/transfer.h"
 
 /// Which vectors of vector occluders a scene needs.
 namespace prelight {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "gpu/light_tables.h"
 #include "scene/compiled_scene.h"
-#include "shade/light_tables.h"
 #include "shared/photon_path_types.h"
 
 namespace prelight {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "gpu/transport_scene.h"
 #include "photon/photon_sources.h"
-#include "shade/transport_scene.h"
 #include "shared/photon_types.h"
 
 namespace prelight {

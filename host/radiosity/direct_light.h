@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "bvh/tracer.h"
-#include "io/environment.h"
+#include "gpu/light_buffers.h"
+#include "gpu/tracer.h"
+#include "images/environment.h"
 #include "radiosity/element_points.h"
 #include "scene/compiled_scene.h"
-#include "shade/light_buffers.h"
 #include "shared/radiosity_types.h"
 
 namespace prelight {

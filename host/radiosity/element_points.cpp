@@ -1,7 +1,7 @@
 #include "radiosity/element_points.h"
 
-#include "bake/sampling.h"
 #include "base/parallel.h"
+#include "receivers/sampling.h"
 
 namespace prelight {
 

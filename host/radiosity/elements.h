@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "bake/surface_sampler.h"
+#include "receivers/surface_sampler.h"
 #include "scene/compiled_scene.h"
 
 namespace prelight {

@@ -5,7 +5,7 @@
 
 #include "base/progress.h"
 #include "radiosity/exchange_system.h"
-#include "radiosity/radiosity_report.h"
+#include "transfer/radiosity_report.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "bake/caster.h"
 #include "base/span_of.h"
+#include "cast/caster.h"
 #include "scene/light_sources.h"
 
 namespace prelight {

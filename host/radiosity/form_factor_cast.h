@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "bvh/tracer.h"
-#include "io/state_file.h"
+#include "base/state_file.h"
+#include "gpu/tracer.h"
 #include "radiosity/element_points.h"
 #include "radiosity/elements.h"
 #include "shared/radiosity_types.h"

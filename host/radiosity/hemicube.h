@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "radiosity/element_points.h"
 #include "radiosity/elements.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake/vertex_fit.h"
 #include "base/parallel.h"
+#include "fit/vertex_fit.h"
 
 namespace prelight {
 

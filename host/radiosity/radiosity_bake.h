@@ -1,8 +1,10 @@
 #pragma once
 
-#include "bake/baker.h"
-#include "bake/fit_mesh.h"
+#include "plan/plan.h"
 #include "radiosity/radiosity.h"
+#include "receivers/fit_mesh.h"
+#include "scene/compiled_scene.h"
+#include "transfer/bake_report.h"
 
 namespace prelight {
 

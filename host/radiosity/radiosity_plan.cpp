@@ -54,17 +54,17 @@ std::vector<PlannedPass> planRadiosity(const CompiledScene& scene, const BakeReq
                                ? "nothing in the scene shines and no sky is given: irradiance is 0"
                                : "";
   if (!lack.empty())
-    return {{"radiosity", false, lack}, {"form factors", false, "they matter to radiosity alone"}};
+    return {{Pass::Radiosity, false, lack}, {Pass::FormFactors, false, "they matter to radiosity alone"}};
   const RadiosityRequest& shape = request.radiosityShape;
   const RadiosityScale scale = radiosityScale(scene, request);
   const std::uint32_t cut = scale.elements - scene.triangleCount();
-  PlannedPass factors{"form factors", scattersDiffusely(scene), ""};
+  PlannedPass factors{Pass::FormFactors, scattersDiffusely(scene), ""};
   factors.reason = factors.runs
                        ? fmt::format("{} rays from each of {} elements of at most {:.3g} m{}", scale.rays,
                                      scale.elements, scale.patchSize,
                                      cut > 0 ? ", as large triangles are cut" : ", which are the triangles")
                        : "no surface reflects: direct light alone";
-  return {{"radiosity", true,
+  return {{Pass::Radiosity, true,
            fmt::format("direct light by shadow rays, then {} to a residual of {:g}",
                        radiosityMethodNames[static_cast<std::size_t>(shape.method)], shape.tolerance)},
           factors};

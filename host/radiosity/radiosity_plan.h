@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plan/plan.h"
+#include "scene/compiled_scene.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #include "relight/cluster_relighter.h"
 
 #include "base/error.h"
-#include "compress/compressed_light.h"
+#include "relight/compressed_light.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <span>
 
-#include "compress/compressed_transfer.h"
 #include "device/buffer.h"
+#include "transfer/compressed_transfer.h"
 
 namespace prelight {
 

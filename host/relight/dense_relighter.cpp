@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "compress/compressed_light.h"
+#include "relight/compressed_light.h"
 
 namespace prelight {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "compress/compressed_transfer.h"
 #include "device/buffer.h"
 #include "relight/tiles.h"
+#include "transfer/compressed_transfer.h"
 
 namespace prelight {
 

@@ -3,9 +3,9 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "bake/bake.h"
 #include "device/buffer.h"
 #include "relight/tiles.h"
+#include "transfer/bake.h"
 
 namespace prelight {
 

@@ -5,16 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "bake/bake.h"
 #include "device/buffer.h"
+#include "transfer/bake.h"
+#include "transfer/lit_wavelet.h"
 
 namespace prelight {
-
-/// A light's wavelet coefficient that is kept, for all colours.
-struct LitWavelet {
-  std::uint32_t index = 0;  ///< below 6 faceSize^2
-  glm::vec3 color{0.0f};
-};
 
 /// How a vertex's sparse row meets a light of few coefficients.
 enum class HaarForm : std::uint8_t {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "device/buffer.h"
-#include "io/environment.h"
+#include "images/environment.h"
 
 namespace prelight {
 

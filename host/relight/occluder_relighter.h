@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "bake/transfer.h"
 #include "device/buffer.h"
 #include "occluders/occluder_upload.h"
+#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -4,8 +4,9 @@
 #include <random>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "basis/sh.h"
-#include "reference/brute_force.h"
+#include "oracle/brute_force.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

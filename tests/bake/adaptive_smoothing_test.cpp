@@ -1,4 +1,4 @@
-#include "bake/adaptive_smoothing.h"
+#include "fit/adaptive_smoothing.h"
 
 #include <gtest/gtest.h>
 
@@ -39,11 +39,12 @@ TEST(AdaptiveSmoothing, Crease_KeepsItsSurroundingsSharp) {
     if (std::abs(mesh.positions[s].x) < 0.01f) laplacian[s] = 0.1;
   const std::vector<double> stiffness = stiffnessOf(mesh, laplacian, error);
   for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
-    EXPECT_EQ(stiffness[s], std::abs(mesh.positions[s].x) < 0.15f ? 1.0 : mostStiffness) << mesh.positions[s].x;
+    EXPECT_EQ(stiffness[s], std::abs(mesh.positions[s].x) < 0.15f ? 1.0 : mostStiffness)
+        << mesh.positions[s].x;
 }
 
-// Howell's catalogue: a ball that lies above the horizon hides (r / d)^2 cos. As smooth as elsewhere, the same
-// rays are 0.0046 off, rms; with adaptive smoothing, 0.0031.
+// Howell's catalogue: a ball that lies above the horizon hides (r / d)^2 cos. As smooth as elsewhere, the
+// same rays are 0.0046 off, rms; with adaptive smoothing, 0.0031.
 TEST(AdaptiveSmoothing, SmoothOcclusion_HasLessNoise) {
   constexpr float radius = 0.4f, height = 0.9f;
   CompiledScene scene = test::ground(24, 1.0f);

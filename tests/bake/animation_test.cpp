@@ -6,17 +6,18 @@
 #include <map>
 
 #include "bake/animated_bake.h"
-#include "bake/animated_transfer.h"
 #include "bake/baker.h"
 #include "bake/key_choice.h"
+#include "bake/make_plan.h"
 #include "base/error.h"
 #include "basis/sh.h"
 #include "compress/compression_error.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
 #include "support/devices.h"
+#include "transfer/animated_transfer.h"
 
 namespace prelight {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "base/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"

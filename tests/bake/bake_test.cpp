@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

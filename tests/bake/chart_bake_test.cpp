@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake/chart_caster.h"
 #include "bake/run_bake.h"
 #include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "projectors/chart_caster.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -2,11 +2,11 @@
 
 #include <random>
 
-#include "bake/sampling.h"
 #include "basis/sh.h"
 #include "basis/sh_table.h"
-#include "bvh/tracer.h"
 #include "device/buffer.h"
+#include "gpu/tracer.h"
+#include "receivers/sampling.h"
 #include "shared/cast_types.h"
 #include "support/devices.h"
 #include "support/scenes.h"

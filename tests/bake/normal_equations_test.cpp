@@ -1,11 +1,11 @@
-#include "bake/normal_equations.h"
+#include "fit/normal_equations.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "bake/surface_sampler.h"
-#include "bake/vertex_fit.h"
+#include "fit/vertex_fit.h"
+#include "receivers/surface_sampler.h"
 #include "support/scenes.h"
 
 namespace prelight {

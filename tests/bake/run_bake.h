@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "support/devices.h"
 
 namespace prelight::test {

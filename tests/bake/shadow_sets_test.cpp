@@ -6,8 +6,9 @@
 #include <random>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "base/error.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
 #include "support/devices.h"
 #include "support/scenes.h"

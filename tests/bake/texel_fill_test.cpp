@@ -1,4 +1,4 @@
-#include "bake/texel_fill.h"
+#include "fit/texel_fill.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,9 @@
 #include <numbers>
 
 #include "bake/baker.h"
-#include "bake/caster.h"
+#include "bake/make_plan.h"
 #include "basis/sh.h"
+#include "cast/caster.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 
@@ -112,14 +113,15 @@ TEST(Translucent, Plan_SaysWhyItIsSkipped) {
   request.shOrder = 2;
   request.bounces = 1;
   const CompiledScene scene = patchUnderSheet(false);
-  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("translucent senders"));
-  EXPECT_FALSE(makePlan(Scene(), test::ground(2, 1.0f), request).runs("translucent senders"));
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs(Pass::TranslucentSenders));
+  EXPECT_FALSE(makePlan(Scene(), test::ground(2, 1.0f), request).runs(Pass::TranslucentSenders));
   request.bounces = 0;
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("translucent senders"));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::TranslucentSenders));
   CompiledScene black = scene;
   black.materials[1].albedo = glm::vec3(0.0f);
   request.bounces = 1;
-  EXPECT_TRUE(makePlan(Scene(), black, request).runs("bounces")) << "what transmits sends, be its albedo 0";
+  EXPECT_TRUE(makePlan(Scene(), black, request).runs(Pass::Bounces))
+      << "what transmits sends, be its albedo 0";
 }
 
 }  // namespace

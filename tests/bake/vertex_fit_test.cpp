@@ -1,11 +1,11 @@
-#include "bake/vertex_fit.h"
+#include "fit/vertex_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "bake/fit_mesh.h"
-#include "bake/sampling.h"
+#include "receivers/fit_mesh.h"
+#include "receivers/sampling.h"
 #include "support/scenes.h"
 
 namespace prelight {

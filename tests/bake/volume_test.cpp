@@ -5,9 +5,10 @@
 #include <numbers>
 
 #include "bake/baker.h"
-#include "bake/volume_caster.h"
+#include "bake/make_plan.h"
 #include "base/error.h"
 #include "basis/sh.h"
+#include "projectors/volume_caster.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

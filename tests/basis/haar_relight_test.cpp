@@ -1,4 +1,4 @@
-#include "basis/haar_relight.h"
+#include "relight/haar_relight.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "basis/cube_light.h"
-#include "basis/haar_model.h"
 #include "basis/haar_rotation.h"
 #include "basis/random_occluders.h"
+#include "relight/haar_model.h"
 
 namespace prelight {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "benchmarks/detailed_scene.h"
 #include "benchmarks/ray_sets.h"
-#include "reference/brute_force.h"
+#include "oracle/brute_force.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

@@ -1,4 +1,4 @@
-#include "bvh/instanced_tracer.h"
+#include "gpu/instanced_tracer.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -7,8 +7,8 @@
 
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
-#include "bvh/tracer.h"
-#include "reference/brute_force.h"
+#include "gpu/tracer.h"
+#include "oracle/brute_force.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "basis/sh.h"
 #include "compress/byte_range.h"
-#include "compress/compressed_light.h"
 #include "compress/compression_error.h"
+#include "relight/compressed_light.h"
 
 namespace prelight {
 namespace {

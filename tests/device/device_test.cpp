@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "device/buffer.h"
 #include "device/context.h"
+#include "gpu/self_test.h"
 #include "support/devices.h"
 
 namespace prelight {

@@ -1,12 +1,12 @@
-#include "full/full_light.h"
+#include "gi/full_light.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

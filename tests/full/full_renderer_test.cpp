@@ -1,4 +1,4 @@
-#include "full/full_renderer.h"
+#include "integrators/full_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 #include "full/cornell_by_mitsuba.h"
 #include "reference/shot.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
@@ -44,9 +44,9 @@ FullShot builtinShot(const std::string& name, int size) {
   return shot;
 }
 
-bool runs(const FullReport& report, const std::string& pass) {
+bool runs(const FullReport& report, Pass pass) {
   for (const PlannedPass& p : report.plan)
-    if (p.name == pass) return p.runs;
+    if (p.pass == pass) return p.runs;
   ADD_FAILURE() << pass;
   return false;
 }
@@ -84,9 +84,9 @@ TEST(FullRenderer, Cornell_IsWhatMitsubaDraws) {
     expectedSum += expected;
   }
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expectedSum[c], 0.005 * expectedSum[c]) << c;
-  EXPECT_FALSE(runs(shot.report, "caustic photons"));
-  EXPECT_FALSE(runs(shot.report, "rays to large emitters"));
-  EXPECT_FALSE(runs(shot.report, "backs of one-sided surfaces"));
+  EXPECT_FALSE(runs(shot.report, Pass::CausticPhotons));
+  EXPECT_FALSE(runs(shot.report, Pass::RaysToLargeEmitters));
+  EXPECT_FALSE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
   EXPECT_EQ(shot.report.causticPhotons.rays, 0u);
 }
 
@@ -112,7 +112,7 @@ TEST(FullRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
     }
     EXPECT_NEAR(sum / count, 2.0, 0.002 * 2.0) << cells;
     EXPECT_LT(std::sqrt(squares / count), 0.01 * 2.0) << cells;
-    EXPECT_TRUE(runs(shot.report, "rays to large emitters"));
+    EXPECT_TRUE(runs(shot.report, Pass::RaysToLargeEmitters));
   }
 }
 
@@ -192,7 +192,7 @@ TEST(FullRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
   FullShot shot = mirroredSpot();
   shot.request.causticPhotons = 1'000'000;
   const Picture picture = shot.render();
-  ASSERT_TRUE(runs(shot.report, "caustic photons"));
+  ASSERT_TRUE(runs(shot.report, Pass::CausticPhotons));
   double sum = 0.0, expectedSum = 0.0;
   for (int y = 0; y < 32; y += 8)
     for (int x = 0; x < 32; x += 8) {
@@ -245,7 +245,7 @@ TEST(FullRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
   FullShot shot = underASheet();
   shot.camera = orthographicCamera({0.0, 0.96, 0.0}, {0.0, 1.0, 0.0}, 1.2);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 1024));
-  EXPECT_TRUE(runs(shot.report, "backs of one-sided surfaces"));
+  EXPECT_TRUE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.03 * truth[i]) << i;
 }
 
@@ -260,7 +260,7 @@ TEST(FullRenderer, SceneWithoutLight_IsBlack) {
   FullShot shot = builtinShot("cornell", 8);
   for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);
   for (const glm::vec3& pixel : shot.render().pixels) EXPECT_EQ(pixel, glm::vec3(0.0f));
-  EXPECT_FALSE(runs(shot.report, "indirect light"));
+  EXPECT_FALSE(runs(shot.report, Pass::IndirectLight));
   EXPECT_EQ(shot.report.photons.emitted, 0u);
 }
 
@@ -269,7 +269,7 @@ TEST(FullRenderer, SameSeed_GivesTheSamePicture_AnotherSeedAnother) {
   shot.request.causticPhotons = 20000;
   const Picture a = shot.render(), b = shot.render();
   EXPECT_EQ(a.pixels, b.pixels);
-  EXPECT_TRUE(runs(shot.report, "caustic photons"));
+  EXPECT_TRUE(runs(shot.report, Pass::CausticPhotons));
   shot.request.seed = shot.request.indirect.seed = 1;
   EXPECT_NE(a.pixels, shot.render().pixels);
 }

@@ -1,12 +1,12 @@
-#include "gather/final_gather.h"
+#include "gi/final_gather.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "bake/surface_sampler.h"
 #include "lightmap/make_light_map_layout.h"
+#include "receivers/surface_sampler.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -1,4 +1,4 @@
-#include "gather/indirect_light.h"
+#include "gi/indirect_light.h"
 
 #include <gtest/gtest.h>
 
@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "lightmap/direct_light_part.h"
 #include "lightmap/make_light_map_layout.h"
 #include "lightmap/mapped_irradiance.h"
-#include "lightmap/texel_receiver.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "projectors/lightmap/direct_light_part.h"
+#include "receivers/texel_receiver.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "bake/baker.h"
-#include "lightmap/light_map_plan.h"
+#include "bake/make_plan.h"
 #include "lightmap/make_light_map_layout.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "projectors/lightmap/light_map_plan.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/devices.h"
 
 // Light maps with all their light, against radiosity, which knows nothing of photons.
@@ -80,11 +81,11 @@ TEST(LightMapLight, SealedRooms_StayDarkBehindTheWall) {
 TEST(LightMapLight, Caustics_AreThereWhereTheyAreAskedForAndMade) {
   BakeRequest request = lightMapOf(0.05);
   const Baked without = bakeBuiltin("caustics", request);
-  EXPECT_FALSE(without.plan.runs("caustics of the map"));
+  EXPECT_FALSE(without.plan.runs(Pass::CausticsOfTheMap));
   request.caustics = true;
   const Baked with = bakeBuiltin("caustics", request);
-  EXPECT_TRUE(with.plan.runs("caustics of the map"));
-  EXPECT_FALSE(bakeBuiltin("cornell", request).plan.runs("caustics of the map"));
+  EXPECT_TRUE(with.plan.runs(Pass::CausticsOfTheMap));
+  EXPECT_FALSE(bakeBuiltin("cornell", request).plan.runs(Pass::CausticsOfTheMap));
   double more = 0.0;
   for (std::size_t i = 0; i < with.bake.lightMap->values.size(); ++i)
     more = std::max(more, double(with.bake.lightMap->values[i] - without.bake.lightMap->values[i]));
@@ -94,10 +95,10 @@ TEST(LightMapLight, Caustics_AreThereWhereTheyAreAskedForAndMade) {
 TEST(LightMapLight, Directions_AreKeptWhereThereAreNormalMaps) {
   const Baked bumps = bakeBuiltin("bumps", lightMapOf(0.2)),
               cornell = bakeBuiltin("cornell", lightMapOf(0.2));
-  EXPECT_TRUE(bumps.plan.runs("directions of the map"));
+  EXPECT_TRUE(bumps.plan.runs(Pass::DirectionsOfTheMap));
   EXPECT_EQ(bumps.bake.lightMap->coefficients, 5);
   EXPECT_EQ(bumps.bake.lightMap->values.size(), 15 * bumps.bake.lightMap->layout.texelCount());
-  EXPECT_FALSE(cornell.plan.runs("directions of the map"));
+  EXPECT_FALSE(cornell.plan.runs(Pass::DirectionsOfTheMap));
   EXPECT_EQ(cornell.bake.lightMap->coefficients, 1);
 }
 

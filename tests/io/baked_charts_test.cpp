@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "io/baked_file.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

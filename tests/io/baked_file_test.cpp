@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "support/gltf_files.h"
 
 namespace prelight {
@@ -24,7 +24,10 @@ Bake makeBake(const CompiledScene& scene) {
     for (int i = 0; i < 12; ++i)
       bake.sh->coefficients.push_back(static_cast<float>(v) + 0.01f * static_cast<float>(i));
   }
-  bake.info = {"Prelight test", 7, 1000, 0.25, 1, Json{{"passes", 3}}, "no device", 1.5};
+  Plan plan;
+  plan.passes = {{Pass::Cast, true, "any hit is enough"}, {Pass::Bounces, false, "none are asked for"}};
+  plan.hostBytes = 12;
+  bake.info = {"Prelight test", 7, 1000, 0.25, 1, plan, "no device", 1.5};
   return bake;
 }
 
@@ -62,6 +65,20 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   EXPECT_EQ(copy->info.plan, bake.info.plan);
   EXPECT_EQ(copy->info.device, "no device");
   EXPECT_TRUE(warnings.empty()) << "a baked file needs no complaint: " << warnings.front();
+}
+
+/// Files of a later version may name passes that this one does not know.
+TEST(BakedFile, PassesOfUnknownNames_AreLeftOut) {
+  GltfDocument document = makeBuiltinScene("cornell");
+  const CompiledScene scene = test::compileDocument(document);
+  embedBake(document, scene, makeBake(scene));
+  Json& plan = document.json["extensions"]["PRELIGHT_transfer"]["plan"];
+  plan["passes"].push_back({{"name", "teleportation"}, {"runs", true}, {"reason", "why not"}});
+  const std::optional<Bake> read = readBake(document, scene);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->info.plan, makeBake(scene).info.plan);
+  plan["passes"] = 3;
+  EXPECT_THROW((void)readBake(document, scene), InputError);
 }
 
 /// What a reader would refuse is not written.

@@ -5,13 +5,13 @@
 #include <functional>
 #include <limits>
 
+#include "images/picture.h"
 #include "io/baked_file.h"
 #include "io/light_map_file.h"
-#include "io/picture.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -7,7 +7,7 @@
 
 #include "basis/cube_map.h"
 #include "io/baked_file.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

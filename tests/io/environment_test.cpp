@@ -1,4 +1,4 @@
-#include "io/environment.h"
+#include "images/environment.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>

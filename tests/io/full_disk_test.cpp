@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "base/error.h"
-#include "io/picture.h"
+#include "images/picture.h"
 #include "support/file_limit.h"
 
 namespace prelight {

@@ -1,4 +1,4 @@
-#include "io/pending_file.h"
+#include "base/pending_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 #include <set>
 #include <string>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
-#include "io/atomic_file.h"
-#include "io/special_file.h"
-#include "io/state_file.h"
+#include "base/special_file.h"
+#include "base/state_file.h"
 #include "support/file_limit.h"
 
 namespace prelight {

@@ -1,4 +1,4 @@
-#include "io/picture.h"
+#include "images/picture.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "io/state_file.h"
+#include "base/state_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "lightmap/light_map_charts.h"
-#include "lightmap/light_map_layout.h"
 #include "scene/compiled_scene.h"
+#include "transfer/light_map_layout.h"
 
 namespace prelight::test {
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
-#include "lightmap/direct_light_part.h"
 #include "lightmap/layout_places.h"
 #include "lightmap/mapped_irradiance.h"
-#include "lightmap/sky_light_part.h"
+#include "projectors/lightmap/direct_light_part.h"
+#include "projectors/lightmap/sky_light_part.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -13,8 +13,8 @@
 #include "base/error.h"
 #include "lightmap/check_layout.h"
 #include "lightmap/make_light_map_layout.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 #include "support/scenes.h"
 

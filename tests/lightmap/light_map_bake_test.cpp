@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "lightmap/direct_light_part.h"
-#include "lightmap/inside_part.h"
 #include "lightmap/layout_places.h"
 #include "lightmap/light_map_lookup.h"
-#include "lightmap/sky_light_part.h"
+#include "projectors/lightmap/direct_light_part.h"
+#include "projectors/lightmap/inside_part.h"
+#include "projectors/lightmap/sky_light_part.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

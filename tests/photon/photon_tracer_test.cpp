@@ -8,8 +8,8 @@
 
 #include "base/octahedral.h"
 #include "photon/caustic_light.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -1,4 +1,5 @@
 #include "plan/plan.h"
+#include "bake/make_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -15,63 +16,63 @@ BakeRequest fullRequest() {
   return request;
 }
 
-std::string reasonOf(const Plan& plan, const std::string& name) {
+std::string reasonOf(const Plan& plan, Pass name) {
   for (const auto& pass : plan.passes)
-    if (pass.name == name) return pass.reason;
+    if (pass.pass == name) return pass.reason;
   return "no such pass";
 }
 
 TEST(Plan, EveryPass_HasAReason) {
   const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), fullRequest());
   ASSERT_FALSE(plan.passes.empty());
-  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << pass.name;
+  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << nameOf(pass.pass);
 }
 
 TEST(Plan, FullRequest_RunsWhatItAsksFor) {
   const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), fullRequest());
-  for (const char* pass : {"cast", "ambient occlusion", "sh transfer", "bounces"})
-    EXPECT_TRUE(plan.runs(pass)) << pass;
-  for (const char* pass : {"alpha test", "albedo textures", "specular transport"})
-    EXPECT_FALSE(plan.runs(pass)) << pass;
+  for (const Pass pass : {Pass::Cast, Pass::AmbientOcclusion, Pass::ShTransfer, Pass::Bounces})
+    EXPECT_TRUE(plan.runs(pass)) << nameOf(pass);
+  for (const Pass pass : {Pass::AlphaTest, Pass::AlbedoTextures, Pass::SpecularTransport})
+    EXPECT_FALSE(plan.runs(pass)) << nameOf(pass);
 }
 
 TEST(Plan, NoBounces_NeedsAnyHitsOnlyAndNoRows) {
   BakeRequest request = fullRequest();
   request.bounces = 0;
   const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), request);
-  EXPECT_FALSE(plan.runs("bounces"));
+  EXPECT_FALSE(plan.runs(Pass::Bounces));
   EXPECT_EQ(plan.transportBytes, 0u);
-  EXPECT_NE(reasonOf(plan, "cast").find("any hit"), std::string::npos);
+  EXPECT_NE(reasonOf(plan, Pass::Cast).find("any hit"), std::string::npos);
 }
 
 TEST(Plan, BlackScene_SkipsBouncesAndSaysWhy) {
   const Plan plan =
       makePlan(Scene(), test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, 0.0f), fullRequest());
-  EXPECT_FALSE(plan.runs("bounces"));
-  EXPECT_NE(reasonOf(plan, "bounces").find("albedo"), std::string::npos);
+  EXPECT_FALSE(plan.runs(Pass::Bounces));
+  EXPECT_NE(reasonOf(plan, Pass::Bounces).find("albedo"), std::string::npos);
 }
 
 TEST(Plan, Radiosity_NeedsLightAndSurfacesThatReflect) {
   BakeRequest request;
   request.radiosity = true;
   CompiledScene scene = test::ground(4, 1.0f);
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("radiosity"));
-  EXPECT_NE(reasonOf(makePlan(Scene(), scene, request), "radiosity").find("nothing in the scene shines"),
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::Radiosity));
+  EXPECT_NE(reasonOf(makePlan(Scene(), scene, request), Pass::Radiosity).find("nothing in the scene shines"),
             std::string::npos);
   scene.lights.emplace_back();
   const Plan plan = makePlan(Scene(), scene, request);
-  EXPECT_TRUE(plan.runs("radiosity"));
-  EXPECT_TRUE(plan.runs("form factors"));
-  EXPECT_FALSE(plan.runs("cast"));
+  EXPECT_TRUE(plan.runs(Pass::Radiosity));
+  EXPECT_TRUE(plan.runs(Pass::FormFactors));
+  EXPECT_FALSE(plan.runs(Pass::Cast));
   scene.materials[0].albedo = glm::vec3(0.0f);
-  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("radiosity"));
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("form factors"));
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs(Pass::Radiosity));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::FormFactors));
 }
 
 TEST(Plan, EmptyScene_RunsNothing) {
   const Plan plan = makePlan(Scene(), CompiledScene(), fullRequest());
   ASSERT_FALSE(plan.passes.empty());
-  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << pass.name;
+  for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << nameOf(pass.pass);
 }
 
 TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
@@ -91,14 +92,14 @@ TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {
   test::append(scene, test::sphere(8, 0.2f, {0, 1, 0}));
   BakeRequest request = fullRequest();
   const Plan whole = makePlan(Scene(), scene, request);
-  EXPECT_FALSE(whole.runs("shadow sets"));
+  EXPECT_FALSE(whole.runs(Pass::ShadowSets));
   request.shadowSets = {{{"node 0"}, {"node 0"}}};
   const Plan part = makePlan(Scene(), scene, request);
-  EXPECT_TRUE(part.runs("shadow sets"));
-  EXPECT_NE(reasonOf(part, "shadow sets").find("32 triangles"), std::string::npos);
+  EXPECT_TRUE(part.runs(Pass::ShadowSets));
+  EXPECT_NE(reasonOf(part, Pass::ShadowSets).find("32 triangles"), std::string::npos);
   EXPECT_GT(part.deviceBytes, whole.deviceBytes);
   request.shadowSets = {{{"*"}, {"*"}}};
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("shadow sets"));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::ShadowSets));
 }
 
 TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
@@ -106,19 +107,21 @@ TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   BakeRequest request;
   request.occluders = true;
   const Plan plain = makePlan(Scene(), scene, request);
-  EXPECT_TRUE(plain.runs("vector occluders"));
-  EXPECT_FALSE(plain.runs("caustic vectors"));
-  EXPECT_FALSE(plain.runs("specular vectors"));
+  EXPECT_TRUE(plain.runs(Pass::VectorOccluders));
+  EXPECT_FALSE(plain.runs(Pass::CausticVectors));
+  EXPECT_FALSE(plain.runs(Pass::SpecularVectors));
   EXPECT_EQ(plain.transportBytes, 0u);
-  EXPECT_NE(reasonOf(plain, "caustic vectors").find("no material lets light through"), std::string::npos);
+  EXPECT_NE(reasonOf(plain, Pass::CausticVectors).find("no material lets light through"), std::string::npos);
   scene.materials[0].transmission = 0.5f;
-  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("caustic vectors"));
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("specular vectors")) << "rough";
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs(Pass::CausticVectors));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::SpecularVectors)) << "rough";
   scene.materials[0].metallic = 1.0f;
   scene.materials[0].roughness = 0.3f;
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("caustic vectors")) << "metal lets nothing through";
-  EXPECT_TRUE(makePlan(Scene(), scene, request).runs("specular vectors"));
-  const auto specularReason = [&] { return reasonOf(makePlan(Scene(), scene, request), "specular vectors"); };
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::CausticVectors)) << "metal lets nothing through";
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs(Pass::SpecularVectors));
+  const auto specularReason = [&] {
+    return reasonOf(makePlan(Scene(), scene, request), Pass::SpecularVectors);
+  };
   EXPECT_NE(specularReason().find("from outside"), std::string::npos);
   scene.lights.emplace_back();
   scene.lights[0].position = {0.5, 0.0, 0.5};
@@ -126,7 +129,7 @@ TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   scene.lights[0].position.y = 3.0;
   EXPECT_NE(specularReason().find("from outside"), std::string::npos);
   request.occluders = false;
-  EXPECT_FALSE(makePlan(Scene(), scene, request).runs("specular vectors"));
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::SpecularVectors));
 }
 
 TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
@@ -135,7 +138,7 @@ TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
   scene.materials[0].transmission = 1.0f;
   scene.materials[1].roughness = 0.0f;
   const Plan plan = makePlan(scene, test::ground(4, 1.0f), fullRequest());
-  EXPECT_NE(reasonOf(plan, "specular transport").find("1 transmissive"), std::string::npos);
+  EXPECT_NE(reasonOf(plan, Pass::SpecularTransport).find("1 transmissive"), std::string::npos);
 }
 
 }  // namespace

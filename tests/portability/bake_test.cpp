@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "portability/devices.h"
 #include "stress/closed_meshes.h"
 

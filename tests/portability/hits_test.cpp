@@ -3,9 +3,10 @@
 
 #include <cmath>
 
-#include "bvh/tracer.h"
+#include "gpu/self_test.h"
+#include "gpu/tracer.h"
 #include "portability/devices.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "stress/closed_meshes.h"
 #include "stress/hit_bounds.h"
 #include "stress/rays.h"

@@ -7,8 +7,8 @@
 
 #include "device/buffer.h"
 #include "device/context.h"
+#include "gpu/light_buffers.h"
 #include "reference/bsdf_probe.h"
-#include "shade/light_buffers.h"
 #include "shared/shade_types.h"
 #include "support/devices.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "reference/film_state.h"
+#include "integrators/film_state.h"
 #include "reference/shot.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gpu/light_tables.h"
 #include "reference/shot.h"
-#include "shade/light_tables.h"
 
 // Light from each kind of light source against closed forms.
 namespace prelight::test {

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "reference/reference.h"
+#include "integrators/reference.h"
 #include "support/materials.h"
 #include "support/scenes.h"
 

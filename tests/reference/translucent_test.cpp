@@ -145,8 +145,8 @@ TEST(Furnace, TranslucentBallThatAbsorbsNothing_IsNotSeen) {
   }
 }
 
-/// What a layer without roughness does not reflect enters, and all of that leaves again; a rough one loses what
-/// scatters more than once.
+/// What a layer without roughness does not reflect enters, and all of that leaves again; a rough one loses
+/// what scatters more than once.
 TEST(Furnace, TranslucentBallWithALayer_GainsNothing) {
   CompiledMaterial waxed = translucent(1.0f, 1.0f, 1.0f);
   waxed.specular = 1.0f;

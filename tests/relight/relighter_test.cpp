@@ -4,13 +4,13 @@
 #include <random>
 
 #include "base/error.h"
-#include "compress/compressed_light.h"
 #include "compress/compression_error.h"
+#include "oracle/relighting.h"
 #include "relight/cluster_relighter.h"
+#include "relight/compressed_light.h"
 #include "relight/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
-#include "relight/reference.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -1,4 +1,4 @@
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "scene/loader.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -1,13 +1,13 @@
-#include "scene/charts.h"
+#include "scene/gltf/charts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "scene/gltf_embed.h"
-#include "scene/image_encode.h"
-#include "scene/loader.h"
+#include "images/image_encode.h"
+#include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

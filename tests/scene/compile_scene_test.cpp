@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/compile_parts.h"
+#include "scene/compile/compile_parts.h"
 #include "scene/lobes.h"
 #include "support/gltf_files.h"
 

@@ -1,4 +1,4 @@
-#include "scene/file_reference.h"
+#include "scene/gltf/file_reference.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

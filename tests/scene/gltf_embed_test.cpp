@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "scene/gltf_document.h"
-#include "scene/loader.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
-#include "scene/loader.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/loader.h"
 #include "scene/pose.h"
 #include "support/gltf_files.h"
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "scene/gltf_document.h"
-#include "scene/loader.h"
+#include "scene/gltf/gltf_document.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

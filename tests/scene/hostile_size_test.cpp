@@ -4,8 +4,8 @@
 #include <string>
 
 #include "images/picture_header.h"
-#include "scene/image_decode.h"
-#include "scene/loader.h"
+#include "scene/gltf/image_decode.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/json_cursor.h"
+#include "scene/gltf/json_cursor.h"
 
 namespace prelight {
 namespace {

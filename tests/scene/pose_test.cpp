@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "scene/compiled_scene.h"
-#include "scene/loader.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

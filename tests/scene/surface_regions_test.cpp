@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "scene/accessor.h"
-#include "scene/loader.h"
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 
 namespace prelight {

@@ -1,4 +1,4 @@
-#include "scene/uri.h"
+#include "scene/gltf/uri.h"
 
 #include <gtest/gtest.h>
 

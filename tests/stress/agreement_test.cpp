@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "bvh/tracer.h"
-#include "scene/builtin.h"
+#include "gpu/tracer.h"
+#include "scene/builtin/builtin.h"
 #include "stress/closed_meshes.h"
 #include "stress/hit_bounds.h"
 #include "stress/rays.h"

@@ -7,8 +7,8 @@
 #include <map>
 #include <tuple>
 
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "stress/rays.h"
 #include "support/scenes.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "bvh/builder.h"
-#include "bvh/tracer.h"
-#include "reference/brute_force.h"
+#include "gpu/tracer.h"
+#include "oracle/brute_force.h"
 #include "stress/closed_meshes.h"
 #include "stress/hit_bounds.h"
 #include "stress/rays.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "stress/hit_bounds.h"
 #include "stress/rays.h"
 #include "support/devices.h"

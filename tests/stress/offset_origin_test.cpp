@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "bvh/tracer.h"
 #include "device/buffer.h"
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
+#include "gpu/tracer.h"
 #include "stress/rays.h"
 #include "support/devices.h"
 #include "support/scenes.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "photon/photon_tracer.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "stress/rays.h"
 #include "support/devices.h"
 

@@ -5,8 +5,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "bake/baker.h"
-#include "bake/surface_sampler.h"
-#include "bvh/tracer.h"
+#include "bake/make_plan.h"
+#include "gpu/tracer.h"
+#include "receivers/surface_sampler.h"
 #include "stress/closed_meshes.h"
 #include "stress/rays.h"
 #include "support/devices.h"

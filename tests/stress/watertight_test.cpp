@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/parallel.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "stress/closed_meshes.h"
 #include "stress/rays.h"
 #include "support/devices.h"

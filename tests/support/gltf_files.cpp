@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
-#include "scene/loader.h"
+#include "scene/gltf/loader.h"
 
 namespace prelight::test {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/compiled_scene.h"
-#include "scene/gltf_document.h"
+#include "scene/gltf/gltf_document.h"
 #include "scene/scene.h"
 
 namespace prelight::test {
@@ -52,7 +52,8 @@ std::string inputErrorOf(const std::function<void()>& action);
 /// True when a warning contains `text`.
 bool anyContains(const Warnings& warnings, std::string_view text);
 
-/// Replaces every float of a document's buffer that is `marker`: what the writer refuses reaches the reader so.
+/// Replaces every float of a document's buffer that is `marker`: what the writer refuses reaches the reader
+/// so.
 void replaceFloats(GltfDocument& document, float marker, float value);
 
 }  // namespace prelight::test

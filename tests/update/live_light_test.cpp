@@ -1,11 +1,11 @@
-#include "update/live_light.h"
+#include "gi/update/live_light.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/luminance.h"
-#include "gather/indirect_light.h"
+#include "gi/indirect_light.h"
 #include "support/devices.h"
 #include "update/live_scenes.h"
 

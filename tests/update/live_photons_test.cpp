@@ -1,4 +1,4 @@
-#include "update/live_photons.h"
+#include "gi/update/live_photons.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "update/live_scene.h"
+#include "gi/update/live_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/error.h"
-#include "bvh/tracer.h"
+#include "gpu/tracer.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 #include "update/live_scenes.h"

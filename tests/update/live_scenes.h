@@ -3,9 +3,9 @@
 #include <string>
 
 #include "occluders/rigid_motion.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "scene/compiled_scene.h"
-#include "scene/loader.h"
+#include "scene/gltf/loader.h"
 #include "scene/scene.h"
 
 namespace prelight::test {

@@ -1,4 +1,4 @@
-#include "update/moved_boxes.h"
+#include "gi/update/moved_boxes.h"
 
 #include <gtest/gtest.h>
 

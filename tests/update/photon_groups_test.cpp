@@ -1,11 +1,11 @@
-#include "update/photon_groups.h"
+#include "gi/update/photon_groups.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "bake/sampling.h"
+#include "receivers/sampling.h"
 
 namespace prelight::test {
 namespace {

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "base/error.h"
-#include "full/full_light.h"
+#include "gi/full_light.h"
 #include "lightmap/make_light_map_layout.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/scenes.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"

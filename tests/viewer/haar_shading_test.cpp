@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "basis/cube_light.h"
-#include "basis/haar_model.h"
-#include "basis/haar_relight.h"
 #include "basis/random_occluders.h"
+#include "relight/haar_model.h"
+#include "relight/haar_relight.h"
 #include "viewer/illumination.h"
 #include "viewer/open_transfers.h"
 #include "viewer/picture_checks.h"

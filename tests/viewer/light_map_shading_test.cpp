@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
-#include "scene/normal_maps.h"
+#include "scene/gltf/normal_maps.h"
 #include "support/scenes.h"
 #include "viewer/camera.h"
 #include "viewer/quad_scene.h"

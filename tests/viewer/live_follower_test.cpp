@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gi/update/live_full_light.h"
 #include "support/devices.h"
-#include "update/live_full_light.h"
 #include "update/live_scenes.h"
 
 namespace prelight::viewer {

@@ -7,9 +7,10 @@
 #include <numbers>
 
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 #include "relight/occluder_relighter.h"
-#include "scene/builtin.h"
-#include "scene/loader.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "viewer/gl/egl_context.h"

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "basis/haar.h"
-#include "basis/haar_relight.h"
 #include "basis/sh.h"
 #include "basis/sh_products.h"
+#include "relight/haar_relight.h"
 
 namespace prelight::test {
 

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "io/picture.h"
+#include "images/picture.h"
 
 /// Comparing pictures and their pixels.
 namespace prelight::test {

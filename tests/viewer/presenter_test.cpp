@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "io/picture.h"
+#include "images/picture.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/resolve.h"
 

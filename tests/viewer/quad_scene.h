@@ -3,9 +3,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "bake/bake.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
+#include "transfer/bake.h"
 #include "viewer/render.h"
 
 namespace prelight::test {

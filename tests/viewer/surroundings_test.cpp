@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "full/full_light.h"
+#include "gi/full_light.h"
 #include "lightmap/make_light_map_layout.h"
 #include "support/scenes.h"
 #include "viewer/gl/egl_context.h"

@@ -38,4 +38,6 @@ std::vector<glm::vec4> Framebuffer::read() const {
   return pixels;
 }
 
+void Framebuffer::finish() { glFinish(); }
+
 }  // namespace prelight::viewer::gl

@@ -23,6 +23,9 @@ class Framebuffer {
   /// The colours, rows BOTTOM to top as OpenGL has them.
   std::vector<glm::vec4> read() const;
 
+  /// Waits until all that was drawn so far, to any target, is there.
+  static void finish();
+
  private:
   int width_;
   int height_;

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+namespace prelight {
+
+/// Decides what a bake does. A scene without triangles gives a plan that runs nothing. Throws UsageError for
+/// a shadow set that names no node of the scene, and nothing else.
+Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);
+
+}  // namespace prelight

@@ -1,0 +1,154 @@
+#include "base/pending_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+
+namespace prelight {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int mostLinks = 40;  // as Linux follows
+constexpr mode_t permissionBits = 0777;
+
+[[noreturn]] void failToWrite(const std::string& shown, const std::string& reason) {
+  throw Error(ExitCode::RuntimeFailure, shown, "cannot write: " + reason,
+              "check the folder, its permissions and free space");
+}
+
+/// What a chain of symbolic links leads to, whether that exists or not.
+fs::path withoutLinks(const fs::path& path, const std::string& shown) {
+  fs::path target = path;
+  for (int i = 0; i < mostLinks; ++i) {
+    std::error_code error;
+    if (!fs::is_symlink(target, error)) return target;
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) failToWrite(shown, error.message());
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  failToWrite(shown, std::strerror(ELOOP));
+}
+
+fs::path folderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// The status of what is to be replaced, if anything is.
+std::optional<struct stat> statusOf(const std::string& shown, const fs::path& target) {
+  struct stat status {};
+  if (target.filename().empty()) failToWrite(shown, "no file name");
+  if (::stat(target.c_str(), &status) != 0) {
+    if (errno != ENOENT) failToWrite(shown, std::strerror(errno));
+    return std::nullopt;
+  }
+  if (S_ISDIR(status.st_mode)) failToWrite(shown, "it is a folder");
+  if (!S_ISREG(status.st_mode)) failToWrite(shown, "it is not a regular file");
+  return status;
+}
+
+/// The name's length is the target's to be within, too: a temporary's name is short.
+void checkName(const std::string& shown, const fs::path& target) {
+  const long most = ::pathconf(folderOf(target).c_str(), _PC_NAME_MAX);
+  if (most > 0 && target.filename().string().size() > static_cast<std::size_t>(most))
+    failToWrite(shown, std::strerror(ENAMETOOLONG));
+}
+
+}  // namespace
+
+PendingFile::PendingFile(const fs::path& path, std::optional<mode_t> permissions, const std::string& shown)
+    : shown_(shown.empty() ? path.string() : shown), target_(withoutLinks(path, shown_)) {
+  std::error_code ignored;
+  const fs::path folder = folderOf(target_);
+  if (!fs::is_directory(folder, ignored)) failToWrite(shown_, "no such folder " + folder.string());
+  const std::optional<struct stat> older = statusOf(shown_, target_);
+  checkName(shown_, target_);
+  const mode_t narrow = S_IRUSR | S_IWUSR, usual = narrow | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+  for (int number = 0; descriptor_ < 0; ++number) {
+    temporary_ = folder / (".prelight-" + std::to_string(::getpid()) + '-' + std::to_string(number));
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                         older || permissions ? narrow : usual);
+    if (descriptor_ < 0 && errno != EEXIST) fail(errno);
+  }
+  // Whose file it was is kept where the system allows it: root may.
+  if (older && (older->st_uid != ::geteuid() || older->st_gid != ::getegid()) &&
+      ::fchown(descriptor_, older->st_uid, older->st_gid) != 0)
+    errno = 0;
+  if (permissions || older)
+    ::fchmod(descriptor_, permissions.value_or(older ? older->st_mode & permissionBits : narrow));
+}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : shown_(std::move(other.shown_)),
+      target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      state_(std::exchange(other.state_, State::Gone)) {}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (state_ == State::Open || state_ == State::Complete || state_ == State::Exchanged)
+    ::unlink(temporary_.c_str());
+}
+
+void PendingFile::fail(int error) const {
+  failToWrite(shown_, error != 0 ? std::strerror(error) : "the file system refused");
+}
+
+void PendingFile::write(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail(count < 0 ? errno : ENOSPC);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+void PendingFile::overwrite(std::uint64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail(count < 0 ? errno : ENOSPC);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += static_cast<std::uint64_t>(count);
+  }
+}
+
+void PendingFile::close() {
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+  state_ = State::Complete;
+}
+
+void PendingFile::moveIn(bool revocable) {
+  const bool replaces = statusOf(shown_, target_).has_value();  // exchanging would take a folder, too
+  if (revocable && replaces &&
+      ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
+    state_ = State::Exchanged;
+    return;
+  }
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  state_ = replaces ? State::Replaced : State::Created;
+}
+
+void PendingFile::moveOut() noexcept {
+  if (state_ == State::Exchanged &&
+      ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0)
+    state_ = State::Complete;
+  if (state_ == State::Created && ::unlink(target_.c_str()) == 0) state_ = State::Gone;
+}
+
+void checkWritable(const fs::path& path, const std::string& shown) {
+  const PendingFile file(path, std::nullopt, shown);
+}
+
+}  // namespace prelight

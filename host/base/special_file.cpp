@@ -1,0 +1,32 @@
+#include "base/special_file.h"
+
+#include <string>
+#include <system_error>
+
+#include "base/error.h"
+
+namespace prelight {
+
+void refuseSpecialFile(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const char* kind = nullptr;
+  switch (fs::status(path, ignored).type()) {
+    case fs::file_type::fifo:
+      kind = "a pipe";
+      break;
+    case fs::file_type::socket:
+      kind = "a socket";
+      break;
+    case fs::file_type::character:
+    case fs::file_type::block:
+      kind = "a device";
+      break;
+    default:
+      return;
+  }
+  throw InputError(path.string(), std::string("is ") + kind + ", expected a file",
+                   "write what it holds into a file");
+}
+
+}  // namespace prelight

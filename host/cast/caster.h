@@ -1,0 +1,157 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/state_file.h"
+#include "cast/light_caster.h"
+#include "cast/occluder_caster.h"
+#include "gpu/tracer.h"
+#include "shared/cast_types.h"
+
+namespace prelight {
+
+/// Where rays begin and end, and how occlusion fades; metres, as in BakeRequest.
+struct CastLimits {
+  double nearLimit = 0.0;
+  double farLimit = 0.0;
+  double obscurance = 0.0;
+};
+
+/// Where rays end: nothing that obscures lies farther than where obscurance has faded out. 0: nowhere.
+double reachOf(const CastLimits& limits);
+
+/// [triangle][3], orientedNormal of each.
+std::vector<float> orientedNormals(const CompiledScene& scene);
+
+/// [triangle], 1 where both sides are fronts, or light comes through from one to the other.
+std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene);
+
+/// Receivers a block, of that many rays each: what one round of launches takes.
+std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerReceiver);
+
+struct CastOptions {
+  int shOrder = 0;                        ///< 0: no SH
+  std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256
+  std::uint32_t storedReceivers = 0;      ///< rows of senders to keep room for; 0: no bounces follow
+  std::size_t bounceColumns = 0;          ///< values a channel that bounces carry
+  int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
+  const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
+  bool incident = false;                  ///< of the lights: incident radiance in SH of order 2 as well
+  CastLimits limits;
+  const OccluderGroups* occluders =
+      nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
+  bool marksInside = false;           ///< tell which receivers lie inside objects
+  const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
+  std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
+};
+
+/// What a block's receivers saw.
+struct CastValues {
+  std::vector<float> values;  ///< [receiver][valueCount]
+  std::vector<std::uint32_t>
+      texels;                 ///< [receiver][raysPerReceiver], texel x 256 + blocked part of 255; or empty
+  std::vector<float> lights;  ///< [receiver][3][group], with `incident` [..][5], see LightCaster; or empty
+  std::vector<std::uint8_t> inside;  ///< [receiver], 1: rays met nothing but backs of one-sided surfaces; or
+                                     ///< empty
+  OccluderValues occluders;          ///< where they were asked for
+};
+
+/// What a block is cast for, besides the values that are projected for all.
+struct CastPurpose {
+  const std::uint32_t* storedRow =
+      nullptr;             ///< rows of senders are kept from this one on; nullptr: they are not
+  std::uint32_t set = 0;   ///< of occluders, that all receivers are of
+  bool occluders = false;  ///< tell occluders apart; after setAccessibility()
+};
+
+/// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored
+/// rows of senders that bounces read instead of casting again.
+class Caster {
+ public:
+  /// The tracer must outlive the caster.
+  Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options);
+
+  /// Receivers a block at most: what one round of launches takes.
+  std::uint32_t blockSize() const { return blockSize_; }
+
+  /// Floats a receiver that cast() yields: open fraction, 3 of the bent normal, order^2 of SH; see
+  /// kernels/project/project_kernels.cl.
+  std::uint32_t valueCount() const { return valueCount_; }
+
+  /// Casts a block of receivers of one set of occluders.
+  void cast(std::span<const device::Receiver> receivers, CastValues& values, const CastPurpose& purpose);
+
+  /// AO of every vertex, which what occluders send is damped by. Only with CastOptions::occluders.
+  void setAccessibility(const CompiledScene& scene, std::span<const float> accessibility) {
+    occluders_.value().setAccessibility(scene, accessibility);
+  }
+
+  /// Rays cast so far besides those of the hemispheres and to lights.
+  std::uint64_t furtherRays() const { return occluders_ ? occluders_->rays() : 0; }
+
+  std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
+  DeviceContext& device() const { return device_; }
+  std::uint32_t groupCount() const { return lights_ ? lights_->groupCount() : 0; }
+
+  /// The first `rows` stored rows and the marks, for a bake that will go on later.
+  void save(StateWriter& state, std::uint32_t rows) const;
+
+  /// `backs`: rows may hold them although no triangle is marked.
+  void load(StateReader& state, std::uint32_t rows, bool backs);
+
+  /// [triangle], 1 where a stored ray hit a back.
+  std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
+
+  /// Transfer that gather() reads: [slot][3][columns], slots are vertices, then vertices' backs.
+  void setTransfer(const std::vector<float>& transfer);
+
+  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
+  /// [row][3][bounceColumns].
+  void gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values);
+
+  /// The same into transfer matrices: mean of Y_i(direction) x albedo x transfer, [row][i][3][columns] with i
+  /// below order^2. `receivers` are those of the rows from `first` on, at most a block; the transfer has
+  /// `columns` values a channel, at most 8.
+  void gatherGlossy(std::span<const device::Receiver> receivers, std::uint32_t first, int order,
+                    std::size_t columns, std::vector<float>& values);
+
+ private:
+  void setParameters(std::uint32_t receivers, std::uint32_t firstStored);
+  BuildOptions transportOptions(std::size_t columns) const;
+  void generate(std::span<const device::Receiver> receivers);
+  void markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside);
+  void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
+  void project(std::uint32_t receivers);
+  void store(std::uint32_t receivers);
+
+  Tracer& tracer_;
+  DeviceContext& device_;
+  CastOptions options_;
+  std::uint32_t vertexCount_;
+  bool translucent_;
+  std::uint32_t valueCount_;
+  std::uint32_t blockSize_;
+  Buffer<device::CastParameters> parameters_;
+  Buffer<float> shTable_;
+  Buffer<device::Receiver> receivers_;
+  Buffer<device::Ray> rays_;
+  Buffer<device::Hit> hits_;
+  Buffer<float> values_;
+  Buffer<float> geometricNormals_;
+  Buffer<device::Sender> senders_;
+  Buffer<std::uint8_t> marks_;
+  Buffer<std::uint8_t> twoSided_;
+  Buffer<std::uint8_t> inside_;
+  Buffer<float> transfer_;
+  Buffer<std::uint32_t> texels_;
+  std::optional<LightCaster> lights_;
+  std::optional<OccluderCaster> occluders_;
+  cl::Kernel generate_, project_, store_, gather_, texelCodes_, insideMarks_, glossy_;
+  Buffer<float> glossyTable_;
+  Buffer<float> glossyValues_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cast/cast_block.h"
+#include "cast/light_groups.h"
+#include "gpu/tracer.h"
+#include "plan/shadow_sets.h"
+
+namespace prelight {
+
+/// Direct light of groups of lights at receivers: shadow rays to every light, and the hemisphere's rays that
+/// meet an emitter by themselves, weighed by the balance heuristic (Veach 1997).
+class LightCaster {
+ public:
+  /// `blockSize` receivers at most are cast at once. Receivers of a set get nothing from emitters that it
+  /// leaves out. `incident`: keep the light by direction, too.
+  LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
+              DeviceContext& device, std::uint32_t blockSize, bool incident);
+
+  std::uint32_t groupCount() const { return groupCount_; }
+  bool hasEmitters() const { return hasEmitters_; }
+  std::uint32_t raysPerReceiver() const { return slotCount_; }
+
+  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][5],
+  /// incident radiance in SH of order 2 as well (kernels/project/incident_funcs.cl). All receivers are of the
+  /// set, whose triangles the tracer holds. Where the lights have emitters, the block's hits are
+  /// the closest ones.
+  void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer, std::uint32_t set,
+            std::vector<float>& values);
+
+ private:
+  DeviceContext& device_;
+  std::uint32_t groupCount_;
+  std::uint32_t slotCount_;
+  std::uint32_t valueCount_;  ///< a group and channel
+  bool hasEmitters_;
+  Buffer<device::LightSlot> slots_;
+  Buffer<device::PunctualLight> lights_;
+  Buffer<float> factors_;
+  std::vector<Buffer<device::GroupEmitter>> emitters_;  ///< [set]
+  Buffer<std::uint32_t> emitterOfTriangle_;
+  Buffer<std::uint32_t> samplesOfGroup_;
+  Buffer<float> positions_;
+  Buffer<float> geometricNormals_;
+  Buffer<device::Ray> rays_;
+  Buffer<device::Hit> hits_;
+  Buffer<float> rayValues_;
+  Buffer<float> values_;
+  cl::Kernel generate_, project_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,163 @@
+#include "cast/light_groups.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/pattern.h"
+#include "scene/light_sources.h"
+#include "scene/punctual_light.h"
+
+namespace prelight {
+
+namespace {
+
+/// Shadow rays to the emitters of all groups together from a receiver, which has 16 to 64 rays of its own,
+/// and their bounds for one group.
+constexpr std::uint32_t emitterSamples = 64, leastSamples = 4, mostSamples = 16;
+
+/// What is dealt to a group: a punctual light, or an emissive node.
+struct Source {
+  std::string name;
+  glm::vec3 color{0.0f};  ///< greatest intensity a channel
+  std::vector<std::size_t> lights;
+  std::vector<std::uint32_t> triangles;
+};
+
+void addLights(const CompiledScene& scene, std::vector<Source>& sources) {
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    if (!shines(light.intensity)) continue;
+    const std::string name = light.name.empty() ? fmt::format("light {}", i) : light.name;
+    sources.push_back({name, light.intensity, {i}, {}});
+  }
+}
+
+void addEmissiveNodes(const CompiledScene& scene, std::vector<Source>& sources) {
+  int lastNode = -1;
+  for (const PrimitiveRange& range : scene.primitives) {
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+      const glm::vec3 emission = scene.materials[scene.triangleMaterials[t]].emission;
+      if (!shines(emission)) continue;
+      if (range.node != lastNode) {
+        sources.push_back({range.name.empty() ? fmt::format("node {}", range.node) : range.name, {}, {}, {}});
+        lastNode = range.node;
+      }
+      sources.back().triangles.push_back(t);
+      sources.back().color = glm::max(sources.back().color, emission);
+    }
+  }
+}
+
+/// Sources of every group, in the groups' order.
+std::vector<Source> dealToGroups(std::vector<Source> sources, const std::vector<LightGroupRequest>& named) {
+  std::vector<Source> groups;
+  std::vector<bool> dealt(sources.size(), false);
+  for (const LightGroupRequest& request : named) {
+    Source group{request.name, {}, {}, {}};
+    bool any = false;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const bool matches = std::any_of(request.patterns.begin(), request.patterns.end(),
+                                       [&](const auto& p) { return matchesPattern(sources[i].name, p); });
+      if (dealt[i] || !matches) continue;
+      dealt[i] = any = true;
+      group.color = glm::max(group.color, sources[i].color);
+      group.lights.insert(group.lights.end(), sources[i].lights.begin(), sources[i].lights.end());
+      group.triangles.insert(group.triangles.end(), sources[i].triangles.begin(), sources[i].triangles.end());
+    }
+    if (!any) {
+      std::string names;
+      for (const Source& source : sources) names += (names.empty() ? "" : ", ") + source.name;
+      throw UsageError("--light-group " + request.name,
+                       "the group is empty: no light has a name that it asks for",
+                       "the scene's lights are: " + names);
+    }
+    groups.push_back(std::move(group));
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (!dealt[i]) groups.push_back(std::move(sources[i]));
+  return groups;
+}
+
+glm::vec3 over(const glm::vec3& intensity, const glm::vec3& color) {
+  glm::vec3 factor(0.0f);
+  // A lamp without blue still says where its blue would go.
+  for (int c = 0; c < 3; ++c) factor[c] = color[c] > 0.0f ? intensity[c] / color[c] : 1.0f;
+  return factor;
+}
+
+void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t group, GroupedLights& out) {
+  for (const std::size_t i : source.lights) {
+    out.slots.push_back({group, static_cast<std::uint32_t>(out.punctual.size()), 0, 0, 0, 0, {}});
+    out.punctual.push_back(deviceLight(scene.lights[i], scene));
+    const glm::vec3 factor = over(scene.lights[i].intensity, source.color);
+    out.factors.insert(out.factors.end(), {factor.x, factor.y, factor.z});
+  }
+}
+
+void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t group, std::uint32_t samples,
+                 GroupedLights& out) {
+  if (source.triangles.empty()) return;
+  std::vector<double> powers, areas;
+  double total = 0.0;
+  for (const std::uint32_t t : source.triangles) {
+    const glm::vec3 e = scene.materials[scene.triangleMaterials[t]].emission;
+    areas.push_back(0.5 * glm::length(geometricNormal(scene, t)));
+    powers.push_back(areas.back() * (double(e.x) + e.y + e.z));
+    total += powers.back();
+  }
+  const auto first = static_cast<std::uint32_t>(out.emitters.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < source.triangles.size(); ++i) {
+    const std::uint32_t t = source.triangles[i];
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
+    const glm::vec3 factor = over(material.emission, source.color);
+    sum += powers[i];
+    out.emitterOfTriangle[t] = static_cast<std::uint32_t>(out.emitters.size());
+    out.emitters.push_back({t,
+                            group,
+                            static_cast<float>(sum / total),
+                            static_cast<float>(powers[i] / total / areas[i]),
+                            {factor.x, factor.y, factor.z},
+                            material.doubleSided ? 1u : 0u});
+  }
+  out.emitters.back().bound = 1.0f;
+  out.samplesOfGroup[group] = samples;
+  for (std::uint32_t s = 0; s < samples; ++s)
+    out.slots.push_back({group,
+                         PRELIGHT_NO_EMITTER,
+                         first,
+                         static_cast<std::uint32_t>(source.triangles.size()),
+                         s,
+                         samples,
+                         {}});
+}
+
+}  // namespace
+
+GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named) {
+  std::vector<Source> sources;
+  addLights(scene, sources);
+  addEmissiveNodes(scene, sources);
+  if (sources.empty())
+    throw InputError("light groups", "the scene has no light and nothing emissive",
+                     "leave --light-groups out, or add lights to the scene");
+  GroupedLights out;
+  const std::vector<Source> groups = dealToGroups(std::move(sources), named);
+  out.emitterOfTriangle.assign(scene.triangleCount(), PRELIGHT_NO_EMITTER);
+  out.samplesOfGroup.assign(groups.size(), 0);
+  const auto withEmitters = static_cast<std::uint32_t>(
+      std::count_if(groups.begin(), groups.end(), [](const Source& g) { return !g.triangles.empty(); }));
+  const std::uint32_t samples =
+      std::clamp(emitterSamples / std::max(1u, withEmitters), leastSamples, mostSamples);
+  for (const Source& group : groups) {
+    const auto index = static_cast<std::uint32_t>(out.groups.size());
+    out.groups.push_back({group.name, group.color});
+    addPunctual(scene, group, index, out);
+    addEmitters(scene, group, index, samples, out);
+  }
+  return out;
+}
+
+}  // namespace prelight

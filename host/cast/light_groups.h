@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "shared/light_group_types.h"
+#include "shared/shade_types.h"
+#include "transfer/bake.h"
+
+namespace prelight {
+
+/// The scene's own lights, dealt to groups, as kernels/cast/light_kernels.cl reads them.
+struct GroupedLights {
+  std::vector<LightGroup> groups;
+  std::vector<device::PunctualLight> punctual;
+  std::vector<float> factors;                    ///< [punctual][3], intensity over its group's colour
+  std::vector<device::GroupEmitter> emitters;    ///< those of a group are consecutive
+  std::vector<std::uint32_t> emitterOfTriangle;  ///< [triangle], or PRELIGHT_NO_EMITTER
+  std::vector<std::uint32_t> samplesOfGroup;     ///< [group], emitter samples a receiver
+  std::vector<device::LightSlot> slots;          ///< shadow rays of a receiver
+
+  bool empty() const { return groups.empty(); }
+};
+
+/// Deals lights and emissive nodes to the groups that are named, in their order, and every other one to a
+/// group of its own: punctual lights first, then nodes, each in the file's order. A textured emitter counts
+/// with its mean radiance. Throws UsageError for a named group that no light matches, InputError when nothing
+/// in the scene shines.
+GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGroupRequest>& named);
+
+}  // namespace prelight

@@ -1,0 +1,141 @@
+#include "fit/error_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace prelight {
+
+namespace {
+
+/// Mean of each slot's value and its neighbours': eight groups alone make a variance that is good to a factor
+/// of 2.
+std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>& values) {
+  std::vector<double> means(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double sum = values[i];
+    for (std::uint32_t e = mesh.rowStart[i]; e < mesh.rowStart[i + 1]; ++e) sum += values[mesh.columns[e]];
+    means[i] = sum / static_cast<double>(1 + mesh.rowStart[i + 1] - mesh.rowStart[i]);
+  }
+  return means;
+}
+
+/// [slot][group], deviations of AO whose squares sum to its variance.
+using Deviations = std::vector<double>;
+
+/// Takes the groups' mean off every slot's values, and scales them.
+Deviations centred(std::vector<double> values, double factor) {
+  for (std::size_t first = 0; first < values.size(); first += errorGroups) {
+    double mean = 0.0;
+    for (std::size_t g = 0; g < errorGroups; ++g) mean += values[first + g] / errorGroups;
+    for (std::size_t g = 0; g < errorGroups; ++g) values[first + g] = factor * (values[first + g] - mean);
+  }
+  return values;
+}
+
+void addRecord(VertexFit& fit, const SampleRecord& record) {
+  const double value = double(record.open) - 1.0;
+  fit.add(record.sample, std::span(&value, 1));
+}
+
+/// How far the residuals of each group alone move the fit. What all groups share is the pull of the
+/// smoothing, not noise.
+Deviations sandwich(const FitMesh& mesh, const VertexFit& empty, const std::vector<SampleRecord>& records) {
+  VertexFit fit = empty;
+  for (const auto& record : records) addRecord(fit, record);
+  const std::vector<double> fitted = fit.solve(defaultSmoothing);
+  std::vector<double> scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0);
+  for (const auto& record : records) {
+    const auto& slots = mesh.triangles[record.sample.triangle];
+    const auto b = cornerWeights(record.sample);
+    const double expected = b[0] * fitted[slots[0]] + b[1] * fitted[slots[1]] + b[2] * fitted[slots[2]];
+    const double residual = double(record.open) - 1.0 - expected;
+    for (std::size_t k = 0; k < 3; ++k)
+      scores[slots[k] * errorGroups + record.group] += fit.weightOf(record.sample) * b[k] * residual;
+  }
+  constexpr double groups = errorGroups;
+  return centred(fit.solve(defaultSmoothing, scores, errorGroups), std::sqrt(groups / (groups - 1.0)));
+}
+
+/// How far leaving each group out moves the fit.
+Deviations jackknife(const FitMesh& mesh, const VertexFit& empty, const std::vector<SampleRecord>& records) {
+  std::vector<double> values(std::size_t{mesh.slotCount()} * errorGroups);
+  for (std::uint32_t group = 0; group < errorGroups; ++group) {
+    VertexFit fit = empty;
+    for (const auto& record : records)
+      if (record.group != group) addRecord(fit, record);
+    const std::vector<double> fitted = fit.solve(defaultSmoothing);
+    for (std::size_t s = 0; s < fitted.size(); ++s) values[s * errorGroups + group] = fitted[s];
+  }
+  constexpr double groups = errorGroups;
+  return centred(std::move(values), std::sqrt((groups - 1.0) / groups));
+}
+
+/// Mean square over the surface of the interpolated deviations. The mean of a linear function's square over a
+/// triangle is (a^2 + b^2 + c^2 + ab + bc + ca) / 6.
+double surfaceMeanSquare(const FitMesh& mesh, const std::vector<double>& areas,
+                         const Deviations& deviations) {
+  double sum = 0.0, total = 0.0;
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    const auto& slots = mesh.triangles[t];
+    double squares = 0.0;
+    for (std::size_t g = 0; g < errorGroups; ++g) {
+      const double a = deviations[slots[0] * errorGroups + g], b = deviations[slots[1] * errorGroups + g],
+                   c = deviations[slots[2] * errorGroups + g];
+      squares += (a * a + b * b + c * c + a * b + b * c + c * a) / 6.0;
+    }
+    sum += areas[t] * squares;
+    total += areas[t];
+  }
+  return total > 0.0 ? sum / total : 0.0;
+}
+
+/// How much smaller the variance of all groups together is than their scatter says. The scatter of m groups,
+/// each with an m-th of the receivers, exceeds the variance (m^(1 + b) - 1) / (m - 1) times when that falls
+/// like n^-(1 + b); consecutive groups make up the halves.
+double complementFactor(const FitMesh& mesh, const std::vector<double>& areas, const Deviations& groups) {
+  Deviations halves(groups.size(), 0.0);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    halves[i - i % errorGroups] += i % errorGroups < errorGroups / 2 ? groups[i] : -groups[i];
+  const double unscale = (errorGroups - 1.0) / errorGroups;  // deviations carry the root of its inverse
+  const double ofGroups = surfaceMeanSquare(mesh, areas, groups);
+  const double ofHalves = unscale * surfaceMeanSquare(mesh, areas, halves);
+  const auto excess = [](double m, double b) { return (std::pow(m, 1.0 + b) - 1.0) / (m - 1.0); };
+  double low = 0.0, high = 1.0;  // from independent samples to the best that (0,2)-sequences do for edges
+  for (int i = 0; i < 30; ++i) {
+    const double b = 0.5 * (low + high);
+    (ofGroups * excess(2.0, b) > ofHalves * excess(errorGroups, b) ? low : high) = b;
+  }
+  return 1.0 / excess(errorGroups, low);
+}
+
+/// [slot], sums of squares.
+std::vector<double> variances(const Deviations& deviations) {
+  std::vector<double> sums(deviations.size() / errorGroups, 0.0);
+  for (std::size_t i = 0; i < deviations.size(); ++i) sums[i / errorGroups] += deviations[i] * deviations[i];
+  return sums;
+}
+
+}  // namespace
+
+ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& empty, const std::vector<double>& areas,
+                              const std::vector<SampleRecord>& records, std::uint64_t receivers,
+                              bool independent) {
+  const Deviations low = sandwich(mesh, empty, records), high = jackknife(mesh, empty, records);
+  // The receivers without a record make the variance smaller in proportion.
+  double share = receivers > 0 ? static_cast<double>(records.size()) / static_cast<double>(receivers) : 1.0;
+  if (!independent) share *= complementFactor(mesh, areas, low);
+  ErrorEstimate estimate;
+  estimate.rms = std::sqrt(
+      share * std::sqrt(surfaceMeanSquare(mesh, areas, low) * surfaceMeanSquare(mesh, areas, high)));
+  const std::vector<double> lowSlots = neighbourMean(mesh, variances(low)),
+                            highSlots = neighbourMean(mesh, variances(high));
+  for (std::size_t s = 0; s < lowSlots.size(); ++s) {
+    estimate.slots.push_back(std::sqrt(share * std::sqrt(lowSlots[s] * highSlots[s])));
+    estimate.max = std::max(estimate.max, estimate.slots.back());
+  }
+  return estimate;
+}
+
+}  // namespace prelight

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fit/vertex_fit.h"
+#include "receivers/fit_mesh.h"
+#include "receivers/surface_sampler.h"
+
+namespace prelight {
+
+/// What is kept of a receiver after its block: its place, and its open fraction for the error estimate.
+struct SampleRecord {
+  SurfaceSample sample;
+  float open = 0.0f;
+  std::uint32_t group = 0;  ///< of the error estimate, below errorGroups
+};
+
+/// Passes are dealt to this many groups, whose scatter gives the standard error.
+constexpr std::uint32_t errorGroups = 8;
+
+struct ErrorEstimate {
+  std::vector<double> slots;  ///< standard error of AO at every slot, averaged with its neighbours
+  double rms = 0.0;           ///< over the surface, of the interpolated value
+  double max = 0.0;           ///< at the worst slot
+};
+
+/// Standard error of the AO fitted to `records`, from the scatter of groups of passes. Two estimators bracket
+/// it: what the residuals of each group alone would move the result by (a sandwich, too small where the fit
+/// follows its own noise), and what leaving each group out does move it by (a jackknife, too large there,
+/// because fewer samples fit worse). Their geometric mean is taken: with a sample of leverage h, whose
+/// squared residual r^2 has the mean (1 - h) sigma^2, it stands between HC0 = r^2 and HC3 = r^2 / (1 - h)^2
+/// as HC2 = r^2 / (1 - h), whose mean is sigma^2 (MacKinnon and White 1985). `empty` is a fit without samples
+/// that weighs them as the bake's does; `areas` are the triangles', m2; of `receivers` in all, the records
+/// are a representative part.
+ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& empty, const std::vector<double>& areas,
+                              const std::vector<SampleRecord>& records, std::uint64_t receivers,
+                              bool independent);
+
+}  // namespace prelight

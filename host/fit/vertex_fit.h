@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/state_file.h"
+#include "fit/normal_equations.h"
+#include "receivers/fit_mesh.h"
+#include "receivers/surface_sampler.h"
+
+namespace prelight {
+
+/// Weighted least squares of per-vertex values to samples inside the triangles: minimises
+///   sum_s w_s |sum_i b_i(s) x_i - f_s|^2 + lambda |L x|^2,
+/// L the graph Laplacian scaled by each slot's weight. What is fitted is what a rasteriser will interpolate
+/// (Kavan et al. 2011, "Least Squares Vertex Baking").
+class VertexFit {
+ public:
+  /// `columns` values a sample.
+  VertexFit(const FitMesh& mesh, std::size_t columns);
+
+  /// A fit for samples that crowd where they are needed: the samples of a triangle together weigh its entry
+  /// of `triangleWeights`, however many there are, so that what is minimised stays the error over the
+  /// surface. Keeps its sums a triangle corner, six times as much memory.
+  VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights);
+
+  void add(const SurfaceSample& sample, std::span<const double> values);
+
+  std::size_t columns() const { return columns_; }
+
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
+
+  /// What a sample weighs in the fit.
+  double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
+
+  /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
+  std::vector<double> solve(double lambda) const;
+
+  /// [slot], of one column alone.
+  std::vector<double> solveColumn(double lambda, std::size_t column) const;
+
+  /// The equations that solve() solves, for those who want rows of their inverse.
+  NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda, stiffness_}; }
+
+  /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
+  void stiffen(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
+  const std::vector<double>& stiffness() const { return stiffness_; }
+
+  /// Solves for another right-hand side [slot][column] with this fit's samples.
+  std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
+
+ private:
+  double scaleOf(std::size_t triangle) const;
+  std::vector<double> rightSide(std::size_t firstColumn, std::size_t count) const;
+  std::vector<std::array<double, 6>> scaledMass() const;
+
+  const FitMesh& mesh_;
+  std::size_t columns_;
+  std::vector<double> stiffness_;            ///< [slot], or empty: 1
+  std::vector<double> triangleWeights_;      ///< [triangle], or empty: samples weigh what they say
+  std::vector<std::array<double, 6>> mass_;  ///< [triangle]: sum w b_i b_j of 00 11 22 01 12 20
+  std::vector<double> right_;                ///< [slot][column], or [triangle][corner][column]: sum w b f
+};
+
+/// The strength that served best over the built-in scenes, see docs/accuracy.md.
+constexpr double defaultSmoothing = 0.03;
+
+}  // namespace prelight

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "gi/irradiance_map.h"
+#include "gpu/transport_scene.h"
+#include "shared/cast_types.h"
+#include "shared/gather_types.h"
+
+namespace prelight {
+
+struct GatherRequest {
+  static constexpr std::uint32_t mostRaysPerReceiver = 256;
+
+  std::uint32_t raysPerReceiver = 128;  ///< a power of two, 8 to mostRaysPerReceiver
+  std::uint64_t seed = 0;
+  int depth = 32;  ///< surfaces that a ray meets at most, mirrors and glass before the last one
+  std::uint32_t longWay =
+      1u << 20;  ///< mirrors and glass after which half of the rays pass one more: few bring much from there
+};
+
+/// Final gathering (Jensen 2001, ch. 8): indirect irradiance of receivers from an approximation of the full
+/// irradiance on the surfaces that they see. Everything but direct light and caustics arrives.
+class FinalGather {
+ public:
+  /// The arguments outlive it.
+  FinalGather(const CompiledScene& compiled, TransportScene& scene, const IrradianceMap& irradiance,
+              const GatherRequest& request);
+
+  /// Irradiance, W/m2, [receiver]. Each looks along request.raysPerReceiver directions of its sequence.
+  /// `seen`, where it is asked for, becomes the triangles that rays met first, [receiver][ray], or
+  /// PRELIGHT_NO_TRIANGLE.
+  std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress,
+                                std::vector<std::uint32_t>* seen = nullptr);
+
+  /// The same with directions: irradiance, W/m2, and incident radiance in SH of order 2,
+  /// [receiver][channel][5].
+  std::vector<float> gatherIncident(std::span<const device::Receiver> receivers, Progress& progress);
+
+  std::uint64_t rays() const { return rays_; }
+
+ private:
+  /// Traces block by block; sumBlock(first, count) then reads what the rays brought.
+  template <typename Summing>
+  void gatherBlocks(std::span<const device::Receiver> receivers, Progress& progress,
+                    std::vector<std::uint32_t>* seen, const Summing& sumBlock);
+  void traceBlock(std::span<const device::Receiver> receivers, std::vector<std::uint32_t>* seen);
+  std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
+
+  TransportScene& scene_;
+  DeviceContext& device_;
+  const IrradianceMap& irradiance_;
+  GatherRequest request_;
+  std::uint32_t blockSize_;
+  bool follows_;
+  std::uint64_t rays_ = 0;
+  device::GatherParameters values_{};
+  Buffer<device::CastParameters> castParameters_;
+  Buffer<device::GatherParameters> parameters_;
+  Buffer<device::Receiver> receivers_;
+  std::array<Buffer<device::Ray>, 2> rayBuffers_;
+  std::array<Buffer<device::GatherPath>, 2> paths_;
+  std::size_t current_ = 0;  ///< of the two, the one to trace
+  Buffer<device::Hit> hits_;
+  Buffer<float> radiances_, sums_, incident_;
+  Buffer<std::uint32_t> counter_;
+  cl::Kernel generate_, gather_, sum_, sumIncident_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "gi/final_gather.h"
+#include "gi/irradiance_map.h"
+#include "gpu/transport_scene.h"
+#include "photon/density_surface.h"
+#include "photon/photon_tracer.h"
+#include "transfer/light_map_layout.h"
+
+namespace prelight {
+
+struct IndirectRequest {
+  std::uint64_t photons = 50000;  ///< that leave lights, for the approximation that is gathered from
+  int nearestPhotons = 15;        ///< of an estimate, at least leastNearestOfAll where photons tell all light
+  std::uint32_t rays = 128;       ///< a place, a power of two from 8 on
+  std::uint64_t seed = 0;
+  std::uint32_t longWay = GatherRequest{}.longWay;  ///< as GatherRequest
+  /// Light that reaches the texels that are gathered from straight from its source is found by shadow rays,
+  /// so that shadows stay dark; true: by photons like the rest, which blur them (Larsen 2004, ch. 10).
+  bool directByPhotons = false;
+};
+
+/// Photons of an estimate of all light. Those straight from a light lie so evenly that fewer tell too little.
+constexpr int leastNearestOfAll = 40;
+
+/// Photons where they landed, and how many there were.
+struct SentPhotons {
+  PhotonHits hits;
+  PhotonReport report;
+};
+
+/// Sends the photons of a request. Throws Interrupted.
+SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& scene,
+                                const IndirectRequest& request, Progress& progress);
+
+/// Indirect light at places of the surface: everything but direct light and caustics. A final gathering from
+/// what photons left in the texels of a light map (Larsen 2004, ch. 11, over the whole hemisphere).
+class IndirectLight {
+ public:
+  /// Sends the photons. `lit` is what `scene` is made of. Scene and device outlive it.
+  IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
+                const DensitySurface& surface, const IndirectRequest& request, const Device& device,
+                Progress& progress);
+
+  /// From photons that sendIndirectPhotons() has sent for the same request.
+  IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
+                const DensitySurface& surface, const IndirectRequest& request, const Device& device,
+                const SentPhotons& photons);
+
+  /// Irradiance, W/m2, [place].
+  std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);
+
+  /// The same with directions: irradiance and incident radiance in SH of order 2, [place][channel][5].
+  std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress);
+
+  const PhotonReport& photons() const { return photons_; }
+  std::uint64_t rays() const { return photons_.rays + directRays_ + gather_.rays(); }
+
+ private:
+  const CompiledScene& compiled_;
+  IndirectRequest request_;
+  PhotonReport photons_;
+  std::uint64_t directRays_ = 0;
+  IrradianceMap approximation_;
+  FinalGather gather_;
+};
+
+/// `count` receivers at every place, for FinalGather, whose rays go on in the place's sequence.
+std::vector<device::Receiver> gatherReceivers(const CompiledScene& compiled,
+                                              std::span<const LightMapTexel> places, std::uint32_t count,
+                                              std::uint32_t rays, std::uint64_t seed);
+
+/// Radius of a density estimate at most, m: photons farther away tell nothing of a texel.
+double widestEstimate(const CompiledScene& scene);
+
+/// Queries of a density estimate at places of the surface, with a largest radius in metres.
+std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
+                                                 std::span<const LightMapTexel> places, double radius);
+
+}  // namespace prelight

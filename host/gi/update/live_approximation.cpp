@@ -1,0 +1,157 @@
+#include "gi/update/live_approximation.h"
+
+#include <algorithm>
+
+#include "base/luminance.h"
+#include "gi/indirect_light.h"
+#include "receivers/texel_receiver.h"
+
+namespace prelight {
+
+namespace {
+
+using device::Photon;
+
+DensityOptions optionsOf(int nearest) {
+  DensityOptions options;
+  options.nearest = nearest;
+  return options;
+}
+
+double powerOf(const Photon& photon) {
+  return luminance(glm::dvec3(photon.power[0], photon.power[1], photon.power[2]));
+}
+
+}  // namespace
+
+LiveApproximation::LiveApproximation(const CompiledScene& scene, const LightMapLayout& layout,
+                                     const SurfaceRegions& regions, int nearest, const Device& device)
+    : scene_(scene),
+      places_(layout.texels),
+      radius_(widestEstimate(scene)),
+      surface_(makeDensitySurface(scene, regions)),
+      estimator_(surface_, optionsOf(nearest), device),
+      surfaces_(2 * std::size_t{regions.count()}),
+      values_(layout.texels.size(), glm::vec3(0.0f)),
+      grid_(layout.texelCount(), glm::vec3(0.0f)),
+      map_(device.context(), layout) {
+  for (std::uint32_t i = 0; i < places_.size(); ++i) {
+    const std::uint32_t triangle = triangleOf(scene, places_[i]);
+    surfaces_[2 * regions.regionOf[triangle] + (triangle == places_[i].face ? 0 : 1)].places.push_back(i);
+  }
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) surfaces_[s].area = regions.areas[s / 2];
+  map_.set(grid_);
+}
+
+void LiveApproximation::follow(std::span<const std::uint32_t> triangles) {
+  std::vector<std::uint32_t> regions;
+  for (const std::uint32_t t : triangles)
+    regions.push_back(surface_.places[t].region & ~PRELIGHT_PLANAR_REGION);
+  std::sort(regions.begin(), regions.end());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  for (const std::uint32_t r : regions)  // photons that lie there may count for the other side now
+    for (Surface* side : {&surfaces_[2 * r], &surfaces_[2 * r + 1]}) side->remaining = side->places.size();
+  followDensitySurface(surface_, scene_, regions);
+  estimator_.follow(surface_);
+}
+
+void LiveApproximation::photonsChanged(const PhotonDelta& delta) {
+  for (const auto* photons : {&delta.removed, &delta.added}) {
+    const std::vector<std::uint32_t> maps = mapsOfPhotons(*photons, surface_);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      Surface& surface = surfaces_[maps[i]];
+      surface.power += powerOf((*photons)[i]);
+      surface.remaining = surface.places.size();
+    }
+  }
+}
+
+/// Surfaces that wait, by power over area, until their texels are enough.
+std::vector<std::uint32_t> LiveApproximation::choose(std::uint32_t texels) {
+  std::vector<std::uint32_t> waiting;
+  for (std::uint32_t s = 0; s < surfaces_.size(); ++s)
+    if (surfaces_[s].remaining > 0) waiting.push_back(s);
+  std::sort(waiting.begin(), waiting.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const double left = surfaces_[a].power * surfaces_[b].area,
+                 right = surfaces_[b].power * surfaces_[a].area;
+    return left != right ? left > right : a < b;
+  });
+  if (texels == 0) return waiting;
+  std::size_t sum = 0;
+  const auto end = std::find_if(waiting.begin(), waiting.end(), [&](std::uint32_t s) {
+    const bool enough = sum >= texels;
+    sum += surfaces_[s].remaining;
+    return enough;
+  });
+  waiting.erase(end, waiting.end());
+  return waiting;
+}
+
+/// The places of a surface that come next, `most` of them.
+std::vector<std::uint32_t> LiveApproximation::takePlaces(Surface& surface, std::size_t most) {
+  const std::size_t count = std::min(surface.remaining, most);
+  std::vector<std::uint32_t> taken;
+  for (std::size_t i = 0; i < count; ++i) {
+    taken.push_back(surface.places[surface.next]);
+    surface.next = (surface.next + 1) % surface.places.size();
+  }
+  surface.remaining -= count;
+  if (surface.remaining == 0) surface.power = 0.0;
+  return taken;
+}
+
+ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, std::uint32_t texels) {
+  ApproximationFrame frame;
+  const std::vector<std::uint32_t> chosen = choose(texels);
+  if (chosen.empty()) return frame;
+  std::vector<std::uint8_t> wanted(surfaces_.size(), 0);
+  for (const std::uint32_t s : chosen) wanted[s] = 1;
+  const std::vector<std::uint32_t> maps = mapsOfPhotons(photons, surface_);
+  std::vector<Photon> landed;
+  for (std::size_t i = 0; i < photons.size(); ++i)
+    if (wanted[maps[i]] != 0) landed.push_back(photons[i]);
+  estimator_.setPhotons(makePhotonMaps(landed, surface_));
+  std::vector<std::uint32_t> places;
+  std::vector<std::size_t> ends;  // [chosen surface], among places
+  for (const std::uint32_t s : chosen) {
+    const std::vector<std::uint32_t> taken = takePlaces(
+        surfaces_[s], texels == 0 ? places_.size() : texels - std::min<std::size_t>(texels, places.size()));
+    places.insert(places.end(), taken.begin(), taken.end());
+    ends.push_back(places.size());
+  }
+  const std::vector<double> changes = estimate(places);
+  for (std::size_t c = 0, i = 0; c < chosen.size(); ++c) {
+    double sum = 0.0;
+    for (; i < ends[c]; ++i) sum += changes[i];
+    frame.changes.push_back({chosen[c] / 2, sum / static_cast<double>(surfaces_[chosen[c]].places.size())});
+  }
+  frame.surfaces = static_cast<std::uint32_t>(chosen.size());
+  frame.texels = static_cast<std::uint32_t>(places.size());
+  return frame;
+}
+
+/// How much the texels at places change, luminance.
+std::vector<double> LiveApproximation::estimate(std::span<const std::uint32_t> places) {
+  std::vector<LightMapTexel> texels;
+  for (const std::uint32_t place : places) texels.push_back(places_[place]);
+  const std::vector<glm::vec3> found = estimator_.estimate(densityQueries(scene_, texels, radius_));
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    changes.push_back(luminance(glm::abs(glm::dvec3(found[i]) - glm::dvec3(values_[places[i]]))));
+    values_[places[i]] = grid_[texels[i].texel] = found[i];
+  }
+  map_.set(grid_);
+  return changes;
+}
+
+double LiveApproximation::meanIrradiance() const {
+  double sum = 0.0;
+  for (const glm::vec3& e : values_) sum += luminance(glm::dvec3(e));
+  return sum / static_cast<double>(std::max<std::size_t>(1, values_.size()));
+}
+
+bool LiveApproximation::settled() const {
+  return std::none_of(surfaces_.begin(), surfaces_.end(), [](const Surface& s) { return s.remaining > 0; });
+}
+
+}  // namespace prelight

@@ -1,0 +1,247 @@
+#include "gi/update/live_gather.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/luminance.h"
+#include "gi/indirect_light.h"
+#include "receivers/texel_receiver.h"
+#include "scene/lobes.h"
+
+namespace prelight {
+
+namespace {
+
+/// Of a moved mirror, or the like, that looks for what sees it.
+constexpr std::size_t raysOfLooks = 8192;
+
+/// Of the least change that a texel is gathered again for: less is not passed on by mirrors.
+constexpr double relayedShare = 0.1;
+
+GatherRequest requestOf(const LiveGatherOptions& options) {
+  GatherRequest request;
+  request.raysPerReceiver = std::min(options.rays, GatherRequest::mostRaysPerReceiver);
+  request.seed = options.seed;
+  return request;
+}
+
+glm::dvec3 pointOf(const CompiledScene& scene, const LightMapTexel& place) {
+  const glm::uvec3 t = scene.triangles[triangleOf(scene, place)];
+  return (1.0 - double(place.b1) - double(place.b2)) * glm::dvec3(scene.positions[t.x]) +
+         double(place.b1) * glm::dvec3(scene.positions[t.y]) +
+         double(place.b2) * glm::dvec3(scene.positions[t.z]);
+}
+
+/// [region], 1: no texel lies on it.
+std::vector<std::uint8_t> regionsWithoutTexels(const CompiledScene& scene, const LightMapLayout& layout,
+                                               const SurfaceRegions& regions) {
+  std::vector<std::uint8_t> without(regions.count(), 1);
+  for (const LightMapTexel& place : layout.texels) without[regions.regionOf[triangleOf(scene, place)]] = 0;
+  return without;
+}
+
+/// Those without texels, and those that show other surfaces in some lobe.
+std::vector<std::uint8_t> reflectingRegions(const CompiledScene& scene, const SurfaceRegions& regions,
+                                            std::vector<std::uint8_t> reflecting) {
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
+    if (isGlass(material) || reflectsSpecularly(material)) reflecting[regions.regionOf[t]] = 1;
+  }
+  return reflecting;
+}
+
+/// Largest form factor of the ball around a box from a point.
+double ballShare(const Box& box, const glm::dvec3& point) {
+  const glm::dvec3 centre = 0.5 * (glm::dvec3(box.lower) + glm::dvec3(box.upper));
+  const glm::dvec3 half = 0.5 * (glm::dvec3(box.upper) - glm::dvec3(box.lower));
+  const double radius2 = glm::dot(half, half), distance2 = glm::dot(point - centre, point - centre);
+  return distance2 > radius2 ? radius2 / distance2 : 1.0;
+}
+
+}  // namespace
+
+LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, const LightMapLayout& layout,
+                       const SurfaceRegions& regions, const IrradianceMap& approximation,
+                       const LiveGatherOptions& options)
+    : scene_(scene),
+      options_(options),
+      rays_(requestOf(options).raysPerReceiver),
+      receivers_(std::max(1u, options.rays / rays_)),
+      gather_(scene, transport, approximation, requestOf(options)),
+      places_(layout.texels),
+      triangleRegions_(regions.regionOf),
+      bare_(regionsWithoutTexels(scene, layout, regions)),
+      links_(regions, reflectingRegions(scene, regions, bare_)),
+      expected_(regions.count(), 0.0),
+      seenExpected_(places_.size(), 0.0),
+      near_(places_.size(), 0.0),
+      first_(places_.size(), 0),
+      boxes_(regions.count()),
+      gathered_(places_.size(), glm::vec3(0.0f)),
+      shown_(places_.size(), glm::vec3(0.0f)),
+      blendLeft_(places_.size(), 0) {
+  for (const LightMapTexel& place : places_) regionOf_.push_back(regions.regionOf[triangleOf(scene, place)]);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) growBy(t);
+}
+
+double LiveGather::meanIrradiance() const {
+  double sum = 0.0;
+  for (const glm::vec3& e : gathered_) sum += luminance(glm::dvec3(e));
+  return sum / static_cast<double>(std::max<std::size_t>(1, gathered_.size()));
+}
+
+void LiveGather::moved(std::span<const std::uint32_t> triangles, double irradiance, Progress& progress) {
+  movedIrradiance_ = irradiance;
+  std::vector<std::uint8_t> regions(expected_.size(), 0);
+  for (const std::uint32_t t : triangles) regions[triangleRegions_[t]] = 1;
+  std::vector<Box> boxes;  // where the regions were, and where they are
+  for (std::uint32_t r = 0; r < regions.size(); ++r) {
+    if (regions[r] == 0) continue;
+    boxes.push_back(boxes_[r]);
+    boxes_[r] = Box();
+    if (std::find(movedRegions_.begin(), movedRegions_.end(), r) == movedRegions_.end())
+      movedRegions_.push_back(r);
+  }
+  for (const std::uint32_t t : triangles) growBy(t);
+  for (std::uint32_t r = 0; r < regions.size(); ++r)
+    if (regions[r] != 0) boxes.push_back(boxes_[r]);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (regions[regionOf_[i]] != 0) {
+      first_[i] = 1;
+      continue;
+    }
+    const glm::dvec3 point = pointOf(scene_, places_[i]);
+    double share = 0.0;
+    for (const Box& box : boxes) share += ballShare(box, point);
+    near_[i] += std::min(share, 1.0) * luminance(glm::dvec3(gathered_[i]));
+  }
+  lookAround(triangles, progress);
+  announceMoved();
+}
+
+/// Widens the box of a triangle's region to where it is now.
+void LiveGather::growBy(std::uint32_t triangle) {
+  for (int k = 0; k < 3; ++k)
+    boxes_[triangleRegions_[triangle]].grow(scene_.positions[scene_.triangles[triangle][k]]);
+}
+
+/// Mirrors and glass have no texels whose rays would tell what sees them: a few places on them look instead.
+void LiveGather::lookAround(std::span<const std::uint32_t> triangles, Progress& progress) {
+  std::vector<std::uint32_t> relays;
+  for (const std::uint32_t t : triangles)
+    if (bare_[triangleRegions_[t]] != 0) relays.push_back(t);
+  std::vector<LightMapTexel> looks;
+  const std::size_t count = std::min(std::max<std::size_t>(1, raysOfLooks / rays_), relays.size());
+  for (std::size_t i = 0; i < count; ++i)
+    looks.push_back(
+        {static_cast<std::uint32_t>(i), relays[i * relays.size() / count], 1.0f / 3.0f, 1.0f / 3.0f});
+  if (looks.empty()) return;
+  std::vector<std::uint32_t> seen;
+  gather_.gather(gatherReceivers(scene_, looks, 1, rays_, options_.seed), progress, &seen);
+  for (std::size_t i = 0; i < count; ++i)
+    links_.add(triangleRegions_[looks[i].face], std::span(seen).subspan(i * rays_, rays_));
+}
+
+/// What moves takes light away and brings other light, of the scene's mean each: also of lights that glossy
+/// surfaces show.
+void LiveGather::announceMoved() {
+  std::vector<RegionChange> changes;
+  for (const std::uint32_t r : movedRegions_) changes.push_back({r, movedIrradiance_});
+  approximationChanged(changes);
+}
+
+void LiveGather::approximationChanged(std::span<const RegionChange> changes) {
+  links_.spread(changes, relayedShare * options_.leastChange * meanIrradiance(), expected_);
+}
+
+/// Change that is expected at a texel, W/m2; nothing is near what no changed surface sees.
+double LiveGather::priority(std::size_t place) const {
+  if (first_[place] != 0) return std::numeric_limits<double>::infinity();
+  const double base = expected_[regionOf_[place]] - seenExpected_[place];
+  return base > 0.0 ? base + near_[place] : 0.0;
+}
+
+/// Whether so much has changed at a texel that it is gathered again; `mean`: meanIrradiance().
+bool LiveGather::waits(std::size_t place, double mean) const {
+  return priority(place) > options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
+}
+
+/// Texels that wait, greatest change first.
+std::vector<std::uint32_t> LiveGather::choose() const {
+  const double mean = meanIrradiance();
+  std::vector<std::pair<double, std::uint32_t>> waiting;
+  for (std::uint32_t i = 0; i < places_.size(); ++i)
+    if (waits(i, mean)) waiting.emplace_back(-priority(i), i);
+  std::sort(waiting.begin(), waiting.end());
+  std::vector<std::uint32_t> places;
+  for (const auto& entry : waiting) places.push_back(entry.second);
+  return places;
+}
+
+void LiveGather::gather(std::span<const std::uint32_t> places, Progress& progress) {
+  std::vector<LightMapTexel> texels;
+  for (const std::uint32_t place : places) texels.push_back(places_[place]);
+  std::vector<std::uint32_t> seen;
+  const std::vector<glm::vec3> found =
+      gather_.gather(gatherReceivers(scene_, texels, receivers_, rays_, options_.seed), progress, &seen);
+  const std::size_t raysOfTexel = std::size_t{rays_} * receivers_;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t k = 0; k < receivers_; ++k) sum += glm::dvec3(found[i * receivers_ + k]);
+    const std::uint32_t place = places[i];
+    gathered_[place] = glm::vec3(sum / double(receivers_));
+    links_.add(regionOf_[place], std::span(seen).subspan(i * raysOfTexel, raysOfTexel));
+    seenExpected_[place] = expected_[regionOf_[place]];
+    near_[place] = 0.0;
+    first_[place] = 0;
+    blendLeft_[place] = options_.blendFrames;
+  }
+}
+
+void LiveGather::gatherAll(Progress& progress) {
+  std::vector<std::uint32_t> all(places_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  gather(all, progress);
+  shown_ = gathered_;
+  links_.endPass();
+  countedRays_ = gather_.rays();
+  std::fill(blendLeft_.begin(), blendLeft_.end(), 0u);
+  movedRegions_.clear();
+}
+
+void LiveGather::blend(GatherFrame& frame) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (blendLeft_[i] == 0) continue;
+    shown_[i] += (gathered_[i] - shown_[i]) / static_cast<float>(blendLeft_[i]--);
+    ++frame.blending;
+  }
+}
+
+GatherFrame LiveGather::advance(Progress& progress) {
+  GatherFrame frame;
+  std::vector<std::uint32_t> places = choose();
+  const std::size_t waiting = places.size();
+  if (options_.texelsPerFrame > 0 && waiting > options_.texelsPerFrame)
+    places.resize(options_.texelsPerFrame);
+  if (!places.empty()) gather(places, progress);
+  if (!movedRegions_.empty() && std::find(first_.begin(), first_.end(), 1) == first_.end()) {
+    announceMoved();  // now that their texels have told who sees them
+    movedRegions_.clear();
+  }
+  frame.rays = gather_.rays() - std::exchange(countedRays_, gather_.rays());
+  frame.texels = static_cast<std::uint32_t>(places.size());
+  frame.waiting = static_cast<std::uint32_t>(waiting - places.size());
+  blend(frame);
+  return frame;
+}
+
+bool LiveGather::settled() const {
+  const double mean = meanIrradiance();
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (blendLeft_[i] > 0 || waits(i, mean)) return false;
+  return true;
+}
+
+}  // namespace prelight

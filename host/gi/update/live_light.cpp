@@ -1,0 +1,177 @@
+#include "gi/update/live_light.h"
+
+#include <algorithm>
+
+#include "base/stage_clock.h"
+#include "gi/light_passes.h"
+#include "lightmap/make_light_map_layout.h"
+#include "photon/caustic_light.h"
+
+namespace prelight {
+
+namespace {
+
+LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::uint32_t texels) {
+  LightMapRequest request;
+  request.texels = texels;
+  return makeLightMapLayout(scene, compiled, request);
+}
+
+}  // namespace
+
+LiveLight::LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
+                     const LiveLightOptions& options, std::span<const int> movable, const Device& device,
+                     Progress& progress)
+    : scene_(scene, std::move(compiled)),
+      options_(options),
+      device_(device),
+      layout_(layoutOf(scene, scene_.compiled(), options.texels)),
+      regions_(splitByPrimitive(makeSurfaceRegions(scene_.compiled(), usualCreaseAngle), scene_.compiled())),
+      transport_({scene_.compiled(), scene.images, scene_.compiled().lights, sky, skyRotation}, device),
+      skyRotation_(skyRotation) {
+  std::vector<std::uint32_t> triangles;
+  for (const int node : movable) {
+    const std::vector<std::uint32_t> own = scene_.trianglesOf(node);
+    triangles.insert(triangles.end(), own.begin(), own.end());
+  }
+  separate(triangles);
+  makeLight(progress);
+}
+
+LiveLight::~LiveLight() = default;
+
+void LiveLight::moveNode(int node, const RigidMotion& motion) { scene_.moveNode(node, motion); }
+void LiveLight::setLight(std::size_t index, const Light& light) { scene_.setLight(index, light); }
+
+void LiveLight::setSkyRotation(double angle) {
+  transport_.setSkyRotation(angle);
+  skyRotation_ = angle;
+  skyTurned_ = true;
+}
+
+SceneChange LiveLight::takeChanges() {
+  SceneChange change = scene_.takeChanges();
+  change.sky = std::exchange(skyTurned_, false);
+  return change;
+}
+
+/// Gives triangles that move a tree of their own, once.
+void LiveLight::separate(std::span<const std::uint32_t> triangles) {
+  const std::size_t before = separated_.size();
+  separated_.insert(separated_.end(), triangles.begin(), triangles.end());
+  std::sort(separated_.begin(), separated_.end());
+  separated_.erase(std::unique(separated_.begin(), separated_.end()), separated_.end());
+  if (separated_.size() > before) transport_.tracer().separate(scene_.compiled(), separated_);
+}
+
+void LiveLight::makeLight(Progress& progress) {
+  plan_ = lightPasses(scene_.compiled(), transport_);
+  gather_.reset();  // refers to the approximation
+  approximation_.reset();
+  photons_.reset();
+  caustics_.reset();
+  if (plan_[0].runs) {
+    LivePhotonOptions photons;
+    photons.request.kind = PhotonKind::All;
+    photons.request.photons = options_.photons;
+    photons.request.seed = options_.seed;
+    photons.groupSize = options_.groupSize;
+    photons.detection = options_.detection;
+    photons.photonsPerFrame = options_.photonsPerFrame;
+    photons_ = std::make_unique<LivePhotons>(scene_, transport_, photons, progress);
+    approximation_ = std::make_unique<LiveApproximation>(scene_.compiled(), layout_, regions_,
+                                                         options_.nearestPhotons, device_);
+    const std::vector<device::Photon> all = photons_->photons();
+    approximation_->photonsChanged({.removed = {}, .added = all});
+    approximation_->advance(all, 0);
+    LiveGatherOptions gather = options_.gather;
+    gather.seed = options_.seed;
+    gather_ = std::make_unique<LiveGather>(scene_.compiled(), transport_, layout_, regions_,
+                                           approximation_->map(), gather);
+    gather_->gatherAll(progress);
+  }
+  if (plan_[1].runs) {
+    LivePhotonOptions caustics;
+    caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
+    caustics.groupSize = 0;
+    caustics.photonsPerFrame =
+        static_cast<std::uint32_t>(options_.causticPhotons / std::max(1u, options_.causticFrames));
+    caustics_ = std::make_unique<LivePhotons>(scene_, transport_, caustics, progress);
+  }
+}
+
+void LiveLight::recompute(Progress& progress) {
+  follow(takeChanges());
+  makeLight(progress);
+}
+
+/// Takes everything that knows where things are to where they are now, and has it look for what has changed.
+/// True: what was kept is of no use, as lights of a kind that the programs do not know shine now.
+bool LiveLight::follow(const SceneChange& change) {
+  if (change.empty()) return false;
+  const bool grown = scene_.growBounds();
+  if (!change.triangles.empty()) {
+    separate(change.triangles);
+    transport_.follow(scene_.compiled());
+  }
+  if ((!change.lights.empty() || grown) && transport_.setLights(scene_.compiled(), scene_.compiled().lights))
+    return true;
+  if (photons_) photons_->changed(change);
+  if (caustics_) caustics_->changed(change);
+  if (approximation_ && !change.triangles.empty()) approximation_->follow(change.triangles);
+  return false;
+}
+
+LiveFrame LiveLight::advance(Progress& progress) {
+  LiveFrame frame;
+  StageClock stages(frame.stageSeconds);
+  const SceneChange change = takeChanges();
+  if (follow(change)) {
+    makeLight(progress);
+    frame.shownChanged = frame.causticsChanged = true;
+    stages.mark("everything anew");
+    return frame;
+  }
+  if (gather_ && !change.triangles.empty())
+    gather_->moved(change.triangles, approximation_->meanIrradiance(), progress);
+  stages.mark("scene");
+  if (photons_) {
+    PhotonDelta delta;
+    frame.photons = photons_->advance(delta, progress);
+    if (!delta.removed.empty() || !delta.added.empty()) approximation_->photonsChanged(delta);
+    stages.mark("photons");
+    if (!approximation_->settled()) {
+      const ApproximationFrame estimated =
+          approximation_->advance(photons_->photons(), options_.estimatesPerFrame);
+      frame.surfaces = estimated.surfaces;
+      frame.estimates = estimated.texels;
+      gather_->approximationChanged(estimated.changes);
+    }
+    stages.mark("density");
+    frame.gather = gather_->advance(progress);
+    frame.shownChanged = frame.gather.texels > 0 || frame.gather.blending > 0;
+    stages.mark("gather");
+  }
+  if (caustics_) {
+    PhotonDelta delta;
+    frame.caustics = caustics_->advance(delta, progress);
+    frame.causticsChanged = !delta.removed.empty() || !delta.added.empty();
+    stages.mark("caustics");
+  }
+  return frame;
+}
+
+bool LiveLight::settled() const {
+  return (!photons_ || (photons_->settled() && approximation_->settled() && gather_->settled())) &&
+         (!caustics_ || caustics_->settled());
+}
+
+std::span<const glm::vec3> LiveLight::indirect() const {
+  return gather_ ? gather_->shown() : std::span<const glm::vec3>();
+}
+
+std::vector<device::Photon> LiveLight::caustics() const {
+  return caustics_ ? caustics_->photons() : std::vector<device::Photon>();
+}
+
+}  // namespace prelight

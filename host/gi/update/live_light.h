@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "gi/indirect_light.h"
+#include "gi/update/live_approximation.h"
+#include "gi/update/live_gather.h"
+#include "gi/update/live_photons.h"
+#include "gi/update/live_scene.h"
+#include "images/environment.h"
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "transfer/light_map_layout.h"
+
+namespace prelight {
+
+struct LiveLightOptions {
+  std::uint64_t photons = 20000;  ///< of the approximation that is gathered from
+  std::uint32_t groupSize = 40;   ///< photons
+  ChangeDetection detection = ChangeDetection::Flights;
+  std::uint32_t photonsPerFrame = 0;  ///< sent again at most; 0: all that change
+  int nearestPhotons = leastNearestOfAll;
+  std::uint32_t texels = 4096;             ///< of the light map, about
+  std::uint32_t estimatesPerFrame = 1024;  ///< texels of the approximation, about; 0: all that change
+  LiveGatherOptions gather;
+  std::uint64_t causticPhotons = 10000;
+  std::uint32_t causticFrames = 8;  ///< in which about all of them are sent again
+  std::uint64_t seed = 0;
+};
+
+/// What a frame did.
+struct LiveFrame {
+  PhotonFrame photons, caustics;
+  std::uint32_t surfaces = 0;   ///< whose approximation was estimated again
+  std::uint32_t estimates = 0;  ///< texels of it
+  GatherFrame gather;
+  bool causticsChanged = false;
+  bool shownChanged = false;
+  std::vector<std::pair<std::string, double>> stageSeconds;
+
+  std::uint64_t rays() const { return photons.rays + caustics.rays + gather.rays; }
+};
+
+/// Indirect light and caustics of a scene whose objects and lights move, kept up to date a little a frame
+/// (Larsen 2004): photons whose ways have changed are sent again, the approximated illumination is estimated
+/// again where they came or went, and texels are gathered again by greatest change. What no change reaches
+/// costs nothing.
+class LiveLight {
+ public:
+  /// Computes everything. The scene must have a triangle. `movable`: nodes that will move, for which room is
+  /// made in the tree at once; others may move, too. The sky may be null; all but the scene's copies outlive
+  /// it. Throws Interrupted.
+  LiveLight(const Scene& scene, CompiledScene compiled, const Environment* sky, double skyRotation,
+            const LiveLightOptions& options, std::span<const int> movable, const Device& device,
+            Progress& progress);
+  ~LiveLight();
+
+  /// Changes that the next frame sees: LiveScene's.
+  void moveNode(int node, const RigidMotion& motion);
+  void setLight(std::size_t index, const Light& light);
+  void setSkyRotation(double angle);  ///< radians, as LitScene::skyRotation
+  double skyRotation() const { return skyRotation_; }
+
+  LiveFrame advance(Progress& progress);
+
+  /// Everything again, at once: what frames come to.
+  void recompute(Progress& progress);
+
+  /// Nothing waits: further frames change nothing and cost nothing.
+  bool settled() const;
+
+  const LiveScene& scene() const { return scene_; }
+  const LightMapLayout& layout() const { return layout_; }
+  /// Shown, W/m2, [place of the layout's texels]; empty where the plan has none.
+  std::span<const glm::vec3> indirect() const;
+  std::vector<device::Photon> caustics() const;
+  const LivePhotons* photons() const { return photons_.get(); }
+  const LivePhotons* causticPhotons() const { return caustics_.get(); }
+
+  /// Which passes run, with reasons.
+  const std::vector<PlannedPass>& plan() const { return plan_; }
+
+ private:
+  SceneChange takeChanges();
+  bool follow(const SceneChange& change);
+  void separate(std::span<const std::uint32_t> triangles);
+  void makeLight(Progress& progress);
+
+  LiveScene scene_;
+  LiveLightOptions options_;
+  const Device& device_;
+  LightMapLayout layout_;
+  SurfaceRegions regions_;
+  TransportScene transport_;
+  std::vector<std::uint32_t> separated_;  ///< triangles, ascending
+  double skyRotation_;
+  bool skyTurned_ = false;
+  std::vector<PlannedPass> plan_;
+  std::unique_ptr<LivePhotons> photons_, caustics_;
+  std::unique_ptr<LiveApproximation> approximation_;
+  std::unique_ptr<LiveGather> gather_;
+};
+
+}  // namespace prelight

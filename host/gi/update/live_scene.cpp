@@ -1,0 +1,132 @@
+#include "gi/update/live_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace prelight {
+
+namespace {
+
+void keepOnce(std::vector<std::uint32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+std::vector<std::size_t> nodesOfPrimitives(const Scene& scene, const CompiledScene& compiled) {
+  std::vector<std::size_t> found;
+  for (const PrimitiveRange& range : compiled.primitives) {
+    const auto node = std::find_if(scene.meshNodes.begin(), scene.meshNodes.end(),
+                                   [&](const MeshNode& n) { return n.node == range.node; });
+    found.push_back(node == scene.meshNodes.end() ? scene.nodes.size() : node->sceneNode);
+  }
+  return found;
+}
+
+/// Lights that are not the file's hang on no node.
+std::vector<std::size_t> nodesOfLights(const Scene& scene, const CompiledScene& compiled) {
+  std::vector<std::size_t> found(compiled.lights.size(), scene.nodes.size());
+  for (std::size_t i = 0; i < std::min(found.size(), scene.lights.size()); ++i)
+    if (compiled.lights[i].position == scene.lights[i].position &&
+        compiled.lights[i].direction == scene.lights[i].direction)
+      found[i] = scene.lights[i].sceneNode;
+  return found;
+}
+
+}  // namespace
+
+LiveScene::LiveScene(const Scene& scene, CompiledScene compiled)
+    : nodes_(scene.nodes),
+      primitiveNodes_(nodesOfPrimitives(scene, compiled)),
+      compiled_(std::move(compiled)),
+      restPositions_(compiled_.positions),
+      restNormals_(compiled_.normals),
+      restLights_(compiled_.lights),
+      lightNodes_(nodesOfLights(scene, compiled_)),
+      lightMotions_(compiled_.lights.size()) {}
+
+/// [node of the scene], 1: it is the one, or hangs on it.
+std::vector<std::uint8_t> LiveScene::hangsOn(int node) const {
+  std::vector<std::uint8_t> hangs(nodes_.size() + 1, 0);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    hangs[i] = nodes_[i].node == node ||
+               (nodes_[i].parent >= 0 && hangs[static_cast<std::size_t>(nodes_[i].parent)] != 0);
+  return hangs;
+}
+
+std::vector<std::uint32_t> LiveScene::trianglesOf(int node) const {
+  const std::vector<std::uint8_t> hangs = hangsOn(node);
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t p = 0; p < compiled_.primitives.size(); ++p) {
+    const PrimitiveRange& range = compiled_.primitives[p];
+    if (hangs[primitiveNodes_[p]] == 0) continue;
+    for (std::uint32_t i = 0; i < range.triangleCount; ++i) triangles.push_back(range.firstTriangle + i);
+  }
+  keepOnce(triangles);
+  return triangles;
+}
+
+void LiveScene::moveNode(int node, const RigidMotion& motion) {
+  const std::vector<std::uint8_t> hangs = hangsOn(node);
+  bool found = false;
+  for (std::size_t p = 0; p < compiled_.primitives.size(); ++p) {
+    const PrimitiveRange& range = compiled_.primitives[p];
+    if (hangs[primitiveNodes_[p]] == 0 || range.triangleCount == 0) continue;
+    found = true;
+    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+      const glm::dvec3 rest = glm::dvec3(restPositions_[v]) + compiled_.origin;
+      compiled_.positions[v] = glm::vec3(motion.point(rest) - compiled_.origin);
+      compiled_.normals[v] = glm::vec3(motion.direction(glm::dvec3(restNormals_[v])));
+    }
+    for (std::uint32_t i = 0; i < range.triangleCount; ++i)
+      changes_.triangles.push_back(range.firstTriangle + i);
+  }
+  for (std::size_t i = 0; i < restLights_.size(); ++i) {
+    if (hangs[lightNodes_[i]] == 0) continue;
+    found = true;
+    lightMotions_[i] = motion;
+    compiled_.lights[i].position = motion.point(restLights_[i].position);
+    compiled_.lights[i].direction = motion.direction(restLights_[i].direction);
+    changes_.lights.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (!found)
+    throw UsageError(fmt::format("node {}", node),
+                     "nothing that is drawn or shines hangs on it; expected a node that can be moved");
+}
+
+void LiveScene::setLight(std::size_t index, const Light& light) {
+  if (index >= compiled_.lights.size() || compiled_.lights[index].type != light.type)
+    throw UsageError(
+        fmt::format("light {}", index),
+        fmt::format("there are {} lights; expected one of them, of the same type", compiled_.lights.size()));
+  compiled_.lights[index] = restLights_[index] = light;
+  restLights_[index].position = lightMotions_[index].pointBefore(light.position);
+  restLights_[index].direction = glm::transpose(lightMotions_[index].rotation) * light.direction;
+  changes_.lights.push_back(static_cast<std::uint32_t>(index));
+}
+
+SceneChange LiveScene::takeChanges() {
+  SceneChange changes = std::move(changes_);
+  changes_ = {};
+  keepOnce(changes.triangles);
+  keepOnce(changes.lights);
+  return changes;
+}
+
+bool LiveScene::growBounds() {
+  const glm::vec3 centre = 0.5f * (compiled_.boundsMin + compiled_.boundsMax);
+  const float radius = 0.5f * glm::length(compiled_.boundsMax - compiled_.boundsMin);
+  const std::vector<glm::vec3>& all = compiled_.positions;
+  if (std::all_of(all.begin(), all.end(),
+                  [&](const glm::vec3& p) { return glm::length(p - centre) <= radius * 1.000001f; }))
+    return false;
+  for (const glm::vec3& p : all) {
+    compiled_.boundsMin = glm::min(compiled_.boundsMin, p);
+    compiled_.boundsMax = glm::max(compiled_.boundsMax, p);
+  }
+  return true;
+}
+
+}  // namespace prelight

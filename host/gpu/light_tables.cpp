@@ -1,0 +1,176 @@
+#include "gpu/light_tables.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/luminance.h"
+#include "scene/light_sources.h"
+#include "scene/punctual_light.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double wholeRange = 4294967296.0;
+
+/// Half of the choice follows the lights' power, half is even: a weak light may be the nearest one.
+constexpr double evenShare = 0.5;
+
+double power(const Light& light, double sceneRadius) {
+  const double strength = luminance(glm::dvec3(light.intensity)) +
+                          1e-6 * (light.intensity.x + light.intensity.y + light.intensity.z);
+  switch (light.type) {
+    case LightType::Directional:
+      return strength * pi * sceneRadius * sceneRadius;
+    case LightType::Spot:
+      return strength * 2.0 * pi * (1.0 - std::cos(light.outerConeAngle));
+    case LightType::Point:
+      break;
+  }
+  return strength * 4.0 * pi;
+}
+
+std::uint32_t append(std::vector<std::uint32_t>& tables, const std::vector<std::uint32_t>& bounds) {
+  const auto first = static_cast<std::uint32_t>(tables.size());
+  tables.insert(tables.end(), bounds.begin(), bounds.end());
+  return first;
+}
+
+void listEmitters(const CompiledScene& scene, LightTables& result) {
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
+    if (!shines(m.emissionFactor)) continue;
+    const double area = 0.5 * glm::length(geometricNormal(scene, t));
+    result.emitters.push_back(t);
+    result.emitterPowers.push_back(pi * area * luminance(glm::dvec3(m.emissionFactor)) *
+                                   (m.doubleSided ? 2.0 : 1.0));
+  }
+}
+
+void addEmitters(const CompiledScene& scene, LightTables& result) {
+  const std::vector<std::uint32_t> bounds = makeIntervals(result.emitterPowers);
+  result.emitterTable = append(result.tables, bounds);
+  result.emitterDensities.assign(scene.triangleCount(), 0.0f);
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const std::uint32_t t = result.emitters[i];
+    const double area = 0.5 * glm::length(geometricNormal(scene, t));
+    result.emitterDensities[t] =
+        static_cast<float>(std::clamp(intervalProbability(bounds, i) / area, 1e-30, 1e30));
+  }
+}
+
+/// Weight of a texel: the mean luminance over it of the sky between texel centres, and its solid angle. Exact
+/// for the bilinear look-up: 1/8, 3/4, 1/8 along each axis.
+class SkyWeights {
+ public:
+  explicit SkyWeights(const Environment& sky) : sky_(sky), luminance_(sky.radiance.size()) {
+    for (std::size_t i = 0; i < luminance_.size(); ++i)
+      luminance_[i] = luminance(glm::dvec3(sky.radiance[i]));
+  }
+
+  double at(int column, int row) const {
+    const double solidAngle = std::cos(pi * row / sky_.height) - std::cos(pi * (row + 1) / sky_.height);
+    return solidAngle * (0.125 * blurred(column, std::max(row - 1, 0)) + 0.75 * blurred(column, row) +
+                         0.125 * blurred(column, std::min(row + 1, sky_.height - 1)));
+  }
+
+ private:
+  double blurred(int column, int row) const {
+    const std::size_t width = static_cast<std::size_t>(sky_.width),
+                      first = static_cast<std::size_t>(row) * width;
+    const auto x = static_cast<std::size_t>(column);
+    return 0.125 * luminance_[first + (x + width - 1) % width] + 0.75 * luminance_[first + x] +
+           0.125 * luminance_[first + (x + 1) % width];
+  }
+
+  const Environment& sky_;
+  std::vector<double> luminance_;
+};
+
+/// Adds the sky's tables; returns its mean radiance times the sphere.
+double addSky(const Environment& sky, LightTables& result) {
+  result.skyWidth = static_cast<std::uint32_t>(sky.width);
+  result.skyHeight = static_cast<std::uint32_t>(sky.height);
+  const SkyWeights weights(sky);
+  std::vector<double> rows;
+  std::vector<std::uint32_t> columns;
+  columns.reserve(sky.radiance.size());
+  for (int y = 0; y < sky.height; ++y) {
+    std::vector<double> row;
+    for (int x = 0; x < sky.width; ++x) row.push_back(weights.at(x, y));
+    rows.push_back(std::accumulate(row.begin(), row.end(), 0.0));
+    append(columns, makeIntervals(row));
+  }
+  result.rowTable = append(result.tables, makeIntervals(rows));
+  result.columnTable = append(result.tables, columns);
+  result.sky.reserve(sky.radiance.size());
+  for (const glm::vec3& radiance : sky.radiance) result.sky.emplace_back(radiance, 0.0f);
+  return 2.0 * pi / sky.width * std::accumulate(rows.begin(), rows.end(), 0.0);
+}
+
+void evenOut(std::vector<double>& groups) {
+  const double sum = std::accumulate(groups.begin(), groups.end(), 0.0);
+  for (double& group : groups)
+    group =
+        (sum > 0.0 ? (1.0 - evenShare) * group / sum : 0.0) + evenShare / static_cast<double>(groups.size());
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> makeIntervals(std::span<const double> weights) {
+  assert(!weights.empty() && weights.size() < (std::size_t{1} << 31));
+  double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const bool even = !(sum > 0.0);
+  if (even) sum = static_cast<double>(weights.size());
+  // One count is everybody's; the rest goes by weight.
+  const double spare = wholeRange - static_cast<double>(weights.size());
+  std::vector<std::uint32_t> bounds;
+  bounds.reserve(weights.size());
+  double before = 0.0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double share = std::min(std::floor(before / sum * spare), spare);
+    bounds.push_back(static_cast<std::uint32_t>(share + static_cast<double>(i)));
+    before += even ? 1.0 : weights[i];
+  }
+  return bounds;
+}
+
+double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t entry) {
+  const double end = entry + 1 < bounds.size() ? bounds[entry + 1] : wholeRange;
+  return (end - bounds[entry]) / wholeRange;
+}
+
+LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
+                            const Environment* sky, bool choosePunctual) {
+  LightTables result;
+  const double radius = 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
+  std::vector<double> groups;
+  for (const Light& light : lights) {
+    if (!shines(light.intensity)) continue;
+    result.punctual.push_back(deviceLight(light, scene));
+    result.punctualPowers.push_back(power(light, radius));
+  }
+  if (choosePunctual) groups = result.punctualPowers;
+  result.emitterGroup = static_cast<std::uint32_t>(groups.size());
+  listEmitters(scene, result);
+  result.emitterPower = std::accumulate(result.emitterPowers.begin(), result.emitterPowers.end(), 0.0);
+  if (!result.emitters.empty()) groups.push_back(result.emitterPower);
+  const bool skyShines = sky != nullptr && std::any_of(sky->radiance.begin(), sky->radiance.end(),
+                                                       [](const auto& r) { return shines(r); });
+  result.groupCount = static_cast<std::uint32_t>(groups.size()) + (skyShines ? 1 : 0);
+  result.tables.resize(result.groupCount);  // filled last: the sky's power comes with its tables
+  if (!result.emitters.empty()) addEmitters(scene, result);
+  if (skyShines) result.skyPower = addSky(*sky, result) * pi * radius * radius;
+  if (skyShines) groups.push_back(result.skyPower);
+  if (groups.empty()) return result;
+  evenOut(groups);
+  const std::vector<std::uint32_t> bounds = makeIntervals(groups);
+  std::copy(bounds.begin(), bounds.end(), result.tables.begin());
+  return result;
+}
+
+}  // namespace prelight

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "images/environment.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+#include "shared/shade_types.h"
+
+namespace prelight {
+
+/// Lower bounds in [0, 2^32) of intervals whose lengths are in proportion to `weights`, each at least 1, so
+/// that nothing that shines is ever left out. Weights are finite and >= 0; at least one entry, fewer than
+/// 2^31.
+std::vector<std::uint32_t> makeIntervals(std::span<const double> weights);
+
+/// Probability of an entry of makeIntervals().
+double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t entry);
+
+/// What kernels choose lights by; kernels/transport/light_table_funcs.cl says how. Lights without power are left
+/// out.
+struct LightTables {
+  std::vector<std::uint32_t> tables;    ///< groups, emitters, sky rows, sky columns a row
+  std::vector<std::uint32_t> emitters;  ///< [emitter] triangle
+  std::vector<float> emitterDensities;  ///< [triangle] 1/m2; empty without emitters
+  std::vector<device::PunctualLight> punctual;
+  std::vector<glm::vec4> sky;          ///< [row][column]; empty without a sky
+  std::vector<double> punctualPowers;  ///< [light] luminance of its power, W
+  std::vector<double> emitterPowers;   ///< [emitter] the same
+  double emitterPower = 0.0;           ///< their sum
+  double skyPower = 0.0;
+  std::uint32_t groupCount = 0;
+  std::uint32_t emitterGroup = 0;
+  std::uint32_t emitterTable = 0;
+  std::uint32_t rowTable = 0;
+  std::uint32_t columnTable = 0;
+  std::uint32_t skyWidth = 0;
+  std::uint32_t skyHeight = 0;
+};
+
+/// Light from afar has the power that enters the sphere around the scene's bounds. With `choosePunctual` the
+/// groups hold the punctual lights one by one; without, they are visited in turn and the groups hold only
+/// emitters and sky. `sky` may be null.
+LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
+                            const Environment* sky, bool choosePunctual);
+
+}  // namespace prelight

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "device/device.h"
+
+namespace prelight {
+
+/// One line of `prelight devices --test`.
+struct SelfTestResult {
+  std::string name;
+  bool passed = false;
+  std::string detail;
+};
+
+/// Runs the device's self-test: kernels build, struct layouts agree, rays hit what they must, sums agree with
+/// the host. Never throws: a failure is a result.
+std::vector<SelfTestResult> selfTest(const Device& device);
+
+}  // namespace prelight

@@ -1,0 +1,56 @@
+#include "gpu/shade_features.h"
+
+#include "scene/lobes.h"
+
+namespace prelight {
+
+namespace {
+
+/// As PRELIGHT_SMOOTH_BELOW in kernels/transport/lobe_funcs.cl.
+constexpr float smoothBelow = 0.05f;
+
+/// With a texture of roughness a surface may be either.
+bool mayBeSmooth(const CompiledMaterial& m) {
+  return m.roughness < smoothBelow || m.surfaceTexture.image >= 0;
+}
+
+void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
+  const bool specular = reflectsSpecularly(m);
+  f.glass = f.glass || isGlass(m);
+  f.mirror = f.mirror || (specular && mayBeSmooth(m));
+  f.glossy = f.glossy || (specular && m.roughness >= smoothBelow);
+  f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
+  f.layerTextures = f.layerTextures || m.baseColorTexture.image >= 0 || m.surfaceTexture.image >= 0 ||
+                    m.emissionTexture.image >= 0;
+  f.translucent = f.translucent || isTranslucent(m);
+  f.scatters = f.scatters || isTranslucent(m) ||
+               (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
+}
+
+}  // namespace
+
+ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights) {
+  ShadeFeatures f;
+  f.punctual = !lights.punctual.empty();
+  f.emitters = !lights.emitters.empty();
+  f.sky = !lights.sky.empty();
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const std::uint32_t material : scene.triangleMaterials) used[material] = true;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) addMaterial(scene.materials[i], f);
+  return f;
+}
+
+BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
+  return options.defineIf(f.punctual, "PRELIGHT_PUNCTUAL")
+      .defineIf(f.emitters, "PRELIGHT_EMITTERS")
+      .defineIf(f.sky, "PRELIGHT_SKY")
+      .defineIf(f.glass, "PRELIGHT_GLASS")
+      .defineIf(f.mirror, "PRELIGHT_MIRROR")
+      .defineIf(f.glossy, "PRELIGHT_GLOSSY")
+      .defineIf(f.absorption, "PRELIGHT_ABSORPTION")
+      .defineIf(f.layerTextures, "PRELIGHT_LAYER_TEXTURES")
+      .defineIf(f.translucent, "PRELIGHT_TRANSLUCENT");
+}
+
+}  // namespace prelight

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "device/build_options.h"
+#include "gpu/light_tables.h"
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+/// What a scene needs of the kernels that follow light (kernels/transport): they are built with no more.
+struct ShadeFeatures {
+  bool punctual = false;
+  bool emitters = false;
+  bool sky = false;
+  bool glass = false;
+  bool mirror = false;
+  bool glossy = false;
+  bool absorption = false;
+  bool layerTextures = false;
+  bool translucent = false;  ///< some surface lets light through diffusely
+  bool scatters = false;     ///< some surface sends light on
+
+  /// Some surface sends light on otherwise than diffusely.
+  bool specularLobes() const { return glass || mirror || glossy; }
+};
+
+ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights);
+
+/// Adds the options of kernels/transport.
+BuildOptions& defineFeatures(const ShadeFeatures& features, BuildOptions& options);
+
+}  // namespace prelight

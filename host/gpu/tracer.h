@@ -1,0 +1,104 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "bvh/builder.h"
+#include "device/buffer.h"
+#include "device/device.h"
+#include "scene/compiled_scene.h"
+#include "shared/bvh_types.h"
+#include "shared/ray_types.h"
+#include "shared/scene_types.h"
+
+namespace prelight {
+
+/// Which tree a device traverses. Automatic: wide on CPUs, narrow elsewhere.
+enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
+
+/// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
+/// Objects that move have a tree of their own, and rays go through both.
+/// This header and cast/caster.h are the ones outside device/ that show OpenCL types.
+class Tracer {
+ public:
+  /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
+  Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic,
+         BuildQuality quality = BuildQuality::High);
+
+  /// Another tracer's surface with a tree over a part of its triangles, whose indices stay the scene's; none:
+  /// every ray misses. `scene` is the one that `whole` was made of.
+  Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+         BuildQuality quality = BuildQuality::High);
+
+  /// Gives triangles a tree of their own, so that follow() builds no other when they move. `scene` is the one
+  /// that this was made of. Replaces an earlier choice; none: all are in one tree again.
+  void separate(const CompiledScene& scene, std::span<const std::uint32_t> moving);
+
+  /// Takes separated triangles to where the scene has them now. No other may have moved.
+  void follow(const CompiledScene& scene);
+
+  /// Closest hits on separated triangles alone.
+  std::vector<device::Hit> traceSeparated(std::span<const device::Ray> rays);
+
+  /// Closest hit of each of the first `count` rays.
+  void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+
+  /// As traceClosest, but a hit carries no more than that there is one (triangle 0).
+  void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+
+  /// For tests and tools: uploads, traces, downloads.
+  std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
+  std::vector<device::Hit> traceAny(std::span<const device::Ray> rays);
+
+  /// Sets the surface's buffers (triangles, materials, texture coordinates, colours, texels) as five kernel
+  /// arguments from `index` on.
+  void setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const;
+
+  /// [triangle] of the surface.
+  const Buffer<device::DeviceTriangle>& surfaceTriangles() const { return surfaceTriangles_; }
+
+  /// Options that programs which look at the surface are built with.
+  BuildOptions surfaceOptions() const;
+
+  std::size_t bvhBytes() const {
+    return nodeBytes_ + triangleBytes_ + (separated_ ? separated_->bvhBytes() : 0);
+  }
+  BvhLayout layout() const { return layout_; }
+  DeviceContext& context() const { return *context_; }
+
+ private:
+  enum class Query : std::uint8_t { Closest, Any };
+
+  void uploadTree(const CompiledScene& scene, BuildQuality quality,
+                  std::span<const std::uint32_t> triangles = {});
+  void uploadSurface(const CompiledScene& scene);
+  cl::Kernel& kernel(Query query);
+  void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  void traceTree(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  std::vector<device::Hit> traceFromHost(Query query, std::span<const device::Ray> rays);
+
+  DeviceContext* context_;
+  BvhLayout layout_;
+  bool alphaTest_ = false;
+  bool vertexColors_ = false;
+  bool treeless_ = false;
+  std::uint32_t stackSize_ = 0;
+  std::size_t nodeBytes_ = 0;
+  std::size_t triangleBytes_ = 0;
+  cl::Buffer nodes_;
+  cl::Buffer triangles_;
+  Buffer<device::DeviceTriangle> surfaceTriangles_;
+  Buffer<device::DeviceMaterial> materials_;
+  Buffer<glm::vec2> texCoords_;
+  Buffer<glm::vec4> colors_;
+  Buffer<glm::u16vec4> texels_;
+  cl::Kernel closest_;  // built when first asked for
+  cl::Kernel any_;
+  std::vector<std::uint32_t> separatedTriangles_;
+  std::unique_ptr<Tracer> separated_;  ///< the tree over them; none: there are none
+  Buffer<device::Hit> separatedHits_;
+  cl::Kernel keepNearer_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,60 @@
+#include "images/decode_picture.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "base/error.h"
+#include "images/image_library.h"
+
+namespace prelight {
+
+bool isDecoded(PictureFormat format) {
+  return format == PictureFormat::Png || format == PictureFormat::Jpeg || format == PictureFormat::WebP;
+}
+
+void requireDecodable(const PictureExtent& extent, const std::string& where) {
+  if (extent.width <= longestSide && extent.height <= longestSide && extent.texels() <= mostTexels) return;
+  throw InputError(where,
+                   fmt::format("a picture of {} x {} texels, expected at most {} along a side and {} in all",
+                               extent.width, extent.height, longestSide, mostTexels),
+                   "scale the picture down");
+}
+
+std::string imageMimeType(std::span<const std::uint8_t> bytes) {
+  switch (pictureFormat(bytes)) {
+    case PictureFormat::Png:
+      return "image/png";
+    case PictureFormat::Jpeg:
+      return "image/jpeg";
+    case PictureFormat::WebP:
+      return "image/webp";
+    case PictureFormat::Ktx2:
+      return "image/ktx2";
+    case PictureFormat::Dds:
+      return "image/vnd-ms.dds";
+    case PictureFormat::Bmp:
+      return "image/bmp";
+    default:
+      return {};
+  }
+}
+
+void checkExtent(std::span<const std::uint8_t> bytes, const std::string& where) {
+  const std::optional<PictureExtent> extent = pictureExtent(bytes);
+  if (!extent) throw InputError(where, "cannot decode the picture: its header is broken or cut short");
+  requireDecodable(*extent, where);
+  if (bytes.size() < extent->leastBytes)
+    throw InputError(where, fmt::format("cannot decode the picture: {} x {} texels in {} bytes, they take {} "
+                                        "at least",
+                                        extent->width, extent->height, bytes.size(), extent->leastBytes));
+}
+
+Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where) {
+  const PictureFormat format = pictureFormat(bytes);
+  if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG or WebP picture");
+  checkExtent(bytes, where);
+  return imageLibrary().decodeImage(bytes, format, where);
+}
+
+}  // namespace prelight

@@ -1,0 +1,147 @@
+#include "images/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "images/image_library.h"
+#include "images/pixels.h"
+#include "images/plain_exr.h"
+
+namespace prelight {
+namespace {
+
+// [1] Khronos, "PBR Neutral tone mapper", specification 1.0, 2024.
+// [2] IEC 61966-2-1 (sRGB).
+
+/// [1]: leaves colours below 0.8 - 0.04 as they are but for the offset, compresses and desaturates
+/// highlights.
+glm::dvec3 pbrNeutral(glm::dvec3 color) {
+  constexpr double f90 = 0.04;
+  constexpr double startCompression = 0.8 - f90;
+  constexpr double desaturation = 0.15;
+  const double least = std::min({color.r, color.g, color.b});
+  color -= least < 2.0 * f90 ? least - least * least / (4.0 * f90) : f90;
+  const double peak = std::max({color.r, color.g, color.b});
+  if (peak < startCompression) return color;
+  constexpr double headroom = 1.0 - startCompression;
+  const double newPeak = 1.0 - headroom * headroom / (peak + headroom - startCompression);
+  const double grey = 1.0 - 1.0 / (desaturation * (peak - newPeak) + 1.0);
+  return glm::mix(color * (newPeak / peak), glm::dvec3(newPeak), grey);
+}
+
+/// [2] from linear to encoded, both in [0,1].
+double encodeSrgb(double value) {
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+double decodeSrgb(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+/// Largest radiance that the display transform tells apart from infinity; keeps inf / inf out of it.
+constexpr float brightest = 1e6f;
+
+std::vector<std::uint8_t> encode(const Picture& picture) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.pixels.size() * 3);
+  for (const glm::vec3& pixel : picture.pixels) {
+    const glm::vec3 shown = toneMap(pixel);
+    for (int c = 0; c < 3; ++c) bytes.push_back(static_cast<std::uint8_t>(std::lround(shown[c] * 255.0f)));
+  }
+  return bytes;
+}
+
+std::string layerOf(const PictureChannel& channel) { return channel.name.substr(0, channel.name.rfind('.')); }
+
+/// Channels of one layer, texel by texel.
+std::vector<float> interleaved(std::span<const PictureChannel> channels) {
+  std::vector<float> values(channels.size() * channels[0].values.size());
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t i = 0; i < channels[c].values.size(); ++i)
+      values[i * channels.size() + c] = channels[c].values[i];
+  return values;
+}
+
+/// R, G, B alone are the first part, so that readers of plain pictures open the file; each further layer is a
+/// part of its own, of its name.
+std::vector<std::uint8_t> encodeLayers(const std::filesystem::path& shown, const Picture& picture,
+                                       std::span<const PictureChannel> channels) {
+  const std::span<const float> rgb(&picture.pixels.data()->x, 3 * picture.pixels.size());
+  std::vector<ExrPart> parts{{"rgb", {"R", "G", "B"}, rgb}};
+  std::vector<std::vector<float>> values;
+  values.reserve(channels.size());
+  for (std::size_t first = 0, end = 0; first < channels.size(); first = end) {
+    const std::string layer = layerOf(channels[first]);
+    for (end = first + 1; end < channels.size() && layerOf(channels[end]) == layer;) ++end;
+    const auto part = channels.subspan(first, end - first);
+    std::vector<std::string> names;
+    for (const PictureChannel& channel : part) names.push_back(channel.name);
+    values.push_back(interleaved(part));
+    parts.push_back({layer, std::move(names), values.back()});
+  }
+  return imageLibrary().encodeExr(shown, picture.width, picture.height, parts);
+}
+
+}  // namespace
+
+void writePicture(const std::filesystem::path& path, const Picture& picture) {
+  OutputFiles files;
+  addPicture(files, path, picture, {});
+  files.commit();
+}
+
+void writePicture(const std::filesystem::path& path, const Picture& picture,
+                  const std::vector<PictureChannel>& channels) {
+  const std::string extension = lowerExtension(path);
+  if (extension != ".exr")
+    throw UsageError(path.string(),
+                     "a picture of several layers is written as .exr, got '" + extension + "'");
+  OutputFiles files;
+  addPicture(files, path, picture, channels);
+  files.commit();
+}
+
+void addPicture(OutputFiles& files, const std::filesystem::path& path, const Picture& picture,
+                const std::vector<PictureChannel>& channels) {
+  const std::string extension = lowerExtension(path);
+  if (extension != ".exr" && extension != ".png")
+    throw UsageError(path.string(), "a picture is written as .exr or .png, got '" + extension + "'");
+  if (extension == ".exr" && channels.empty()) return files.add(path, encodePlainExr(path, picture));
+  const std::vector<std::uint8_t> bytes =
+      extension == ".exr"
+          ? encodeLayers(path, picture, channels)
+          : imageLibrary().encodePicturePng(path, picture.width, picture.height, encode(picture));
+  files.add(path, std::as_bytes(std::span(bytes)));
+}
+
+Picture readPicture(const std::filesystem::path& path) {
+  const std::string extension = lowerExtension(path);
+  const bool linear = extension == ".exr" || extension == ".hdr";
+  if (!linear && extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
+    throw InputError(path.string(), "a picture is an .exr, .hdr, .png or .jpg file, got '" + extension + "'");
+  }
+  Pixels pixels = readPixels(path);
+  if (!linear) {
+    for (glm::vec3& pixel : pixels.rgb) {
+      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(decodeSrgb(pixel[c]));
+    }
+  }
+  return {pixels.width, pixels.height, std::move(pixels.rgb)};
+}
+
+glm::vec3 toneMap(const glm::vec3& radiance) {
+  glm::dvec3 color(0.0);
+  for (int c = 0; c < 3; ++c) {
+    if (radiance[c] > 0.0f) color[c] = std::min(radiance[c], brightest);  // false for NaN
+  }
+  color = pbrNeutral(color);
+  return {encodeSrgb(std::clamp(color.r, 0.0, 1.0)), encodeSrgb(std::clamp(color.g, 0.0, 1.0)),
+          encodeSrgb(std::clamp(color.b, 0.0, 1.0))};
+}
+
+}  // namespace prelight

@@ -1,0 +1,46 @@
+#include "images/pixels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/error.h"
+#include "base/read_file.h"
+#include "base/special_file.h"
+#include "images/decode_picture.h"
+#include "images/image_library.h"
+
+namespace prelight {
+
+Pixels readPixels(const std::filesystem::path& path) {
+  const PictureFormat format = requirePictureFile(
+      path, {PictureFormat::Exr, PictureFormat::Hdr, PictureFormat::Png, PictureFormat::Jpeg});
+  return imageLibrary().readPixels(path, format);
+}
+
+PictureFormat requirePictureFile(const std::filesystem::path& path,
+                                 std::initializer_list<PictureFormat> formats) {
+  refuseSpecialFile(path);
+  const std::string where = path.string();
+  constexpr std::uint64_t magicBytes = 16;
+  const PictureFormat format = pictureFormat(readFileBytes(path, where, magicBytes));
+  if (std::find(formats.begin(), formats.end(), format) == formats.end()) {
+    std::vector<std::string> names;
+    for (const PictureFormat taken : formats) names.emplace_back(nameOf(taken));
+    throw InputError(where, fmt::format("cannot be read as a picture: it is {}, expected {}", nameOf(format),
+                                        fmt::join(names, ", ")));
+  }
+  if (format == PictureFormat::Png || format == PictureFormat::Jpeg)
+    checkExtent(readFileBytes(path, where), where);
+  return format;
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace prelight

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gi/irradiance_map.h"
+#include "gpu/transport_scene.h"
+#include "photon/caustic_light.h"
+
+namespace prelight::reference {
+
+/// Light computed beforehand, which paths of a camera find where they meet a surface instead of being
+/// followed on. The referents outlive it.
+struct CachedLight {
+  const IrradianceMap* indirect = nullptr;  ///< of everything but direct light and caustics
+  const CausticLight* caustics = nullptr;   ///< nullptr: there are none
+  bool meetsLights = false;  ///< diffuse rays look for lights as well: where these are near, samples of them
+                             ///< alone have no bound
+};
+
+/// Options of a program of reference/cached_path_kernels.cl, added to those of its paths.
+BuildOptions cachedLightOptions(const CachedLight& light, BuildOptions options);
+
+/// The kernel that takes paths on by a surface, which lacks its first `firstOfScene` arguments: what changes
+/// from surface to surface. `samples`: paths a pixel.
+cl::Kernel followPathsKernel(const cl::Program& program, const TransportScene& scene,
+                             const CompiledScene& compiled, const CachedLight& light, std::uint32_t samples);
+constexpr cl_uint firstOfScene = 14;
+
+}  // namespace prelight::reference

@@ -1,0 +1,67 @@
+#include "integrators/film.h"
+
+#include "base/luminance.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace prelight::reference {
+
+Film::Film(int pictureWidth, int pictureHeight)
+    : width(pictureWidth),
+      height(pictureHeight),
+      sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), glm::dvec3(0.0)),
+      means(sums.size(), 0.0),
+      squares(sums.size(), 0.0) {}
+
+void Film::add(std::span<const glm::vec4> passMeans) {
+  assert(blockPixels + passMeans.size() <= pixelCount());
+  const double n = static_cast<double>(passes + 1);
+  for (std::size_t i = 0; i < passMeans.size(); ++i) {
+    const std::size_t pixel = blockPixels + i;
+    const glm::dvec3 radiance{glm::vec3(passMeans[i])};
+    const double y = luminance(radiance);
+    const double deviation = y - means[pixel];
+    sums[pixel] += radiance;
+    means[pixel] += deviation / n;
+    squares[pixel] += deviation * (y - means[pixel]);
+  }
+  blockPixels += passMeans.size();
+  if (blockPixels == pixelCount()) {
+    ++passes;
+    blockPixels = 0;
+  }
+}
+
+Picture Film::picture() const {
+  Picture picture{width, height, std::vector<glm::vec3>(pixelCount())};
+  for (std::size_t i = 0; i < pixelCount(); ++i)
+    picture.pixels[i] = glm::vec3(sums[i] / static_cast<double>(count(i)));
+  return picture;
+}
+
+std::vector<float> Film::variance() const {
+  if (passes < 2) return {};
+  std::vector<float> variance(pixelCount());
+  for (std::size_t i = 0; i < pixelCount(); ++i) {
+    const auto n = static_cast<double>(count(i));
+    variance[i] = static_cast<float>(squares[i] / (n * (n - 1.0)));
+  }
+  return variance;
+}
+
+double Film::relativeError() const {
+  if (passes < 2) return std::numeric_limits<double>::infinity();
+  double variance = 0.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < pixelCount(); ++i) {
+    const auto n = static_cast<double>(count(i));
+    variance += squares[i] / (n * (n - 1.0));
+    mean += means[i];
+  }
+  if (mean == 0.0) return 0.0;
+  return std::sqrt(variance / static_cast<double>(pixelCount())) / (mean / static_cast<double>(pixelCount()));
+}
+
+}  // namespace prelight::reference

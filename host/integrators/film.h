@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "images/picture.h"
+
+namespace prelight::reference {
+
+/// A picture as it grows pass by pass. Every pass adds one mean a pixel that is independent of the other
+/// passes, so that their scatter tells the variance. Sums are doubles: what a pass adds is not lost after
+/// 10^5 of them.
+struct Film {
+  int width = 0;
+  int height = 0;
+  std::uint64_t passes = 0;       ///< complete ones
+  std::uint64_t blockPixels = 0;  ///< pixels, row by row, that already hold the pass after those
+  std::vector<glm::dvec3> sums;   ///< [pixel] sum over passes
+  std::vector<double> means;      ///< [pixel] mean luminance
+  std::vector<double> squares;    ///< [pixel] sum of squared deviations from it (Welford 1962)
+
+  Film() = default;
+  Film(int pictureWidth, int pictureHeight);
+
+  std::size_t pixelCount() const { return sums.size(); }
+
+  /// Adds the current pass' mean of the pixels from blockPixels on. The pass is complete with the last pixel.
+  void add(std::span<const glm::vec4> means);
+
+  /// Mean radiance. Needs a complete pass; takes pixels of an incomplete one with it.
+  Picture picture() const;
+
+  /// [pixel] estimated variance of the pixel's mean luminance; empty before the second pass.
+  std::vector<float> variance() const;
+
+  /// Root mean square over pixels of the standard error of luminance, over the picture's mean luminance.
+  /// Infinite before the second pass, 0 for a black picture.
+  double relativeError() const;
+
+ private:
+  std::uint64_t count(std::size_t pixel) const { return passes + (pixel < blockPixels ? 1 : 0); }
+};
+
+}  // namespace prelight::reference

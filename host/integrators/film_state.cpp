@@ -1,0 +1,131 @@
+#include "integrators/film_state.h"
+
+namespace prelight::reference {
+
+namespace {
+
+constexpr const char* kind = "reference";
+
+void addLayer(StateHash& hash, const LayerTexture& layer) {
+  hash.value(layer.image).value(static_cast<int>(layer.wrapS)).value(static_cast<int>(layer.wrapT));
+}
+
+void addVector(StateHash& hash, const glm::dvec3& v) { hash.value(v.x).value(v.y).value(v.z); }
+
+void addMaterial(StateHash& hash, const CompiledMaterial& m) {
+  for (const glm::vec3& v :
+       {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption, m.specularColor})
+    addVector(hash, glm::dvec3(v));
+  for (const float v :
+       {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior, m.specular})
+    hash.value(v);
+  for (const int v : {m.albedoImage, static_cast<int>(m.wrapS), static_cast<int>(m.wrapT),
+                      m.doubleSided ? 1 : 0, m.solid ? 1 : 0, m.unlit ? 1 : 0})
+    hash.value(v);
+  addLayer(hash, m.baseColorTexture);
+  addLayer(hash, m.surfaceTexture);
+  addLayer(hash, m.emissionTexture);
+}
+
+std::uint64_t sceneHash(const ReferenceInputs& inputs) {
+  const CompiledScene& s = inputs.scene;
+  StateHash hash;
+  addVector(hash, s.origin);
+  hash.values(s.positions).values(s.normals).values(s.texCoords).values(s.colors).values(s.triangles);
+  hash.values(s.triangleMaterials).values(s.triangleFlat);
+  for (const CompiledMaterial& m : s.materials) addMaterial(hash, m);
+  for (const auto* images : {&inputs.images, &s.albedoImages})
+    for (const Image& image : *images) hash.value(image.width).value(image.height).values(image.rgba);
+  return hash.result();
+}
+
+std::uint64_t lightsHash(const std::vector<Light>& lights) {
+  StateHash hash;
+  for (const Light& light : lights) {
+    hash.value(static_cast<int>(light.type));
+    addVector(hash, glm::dvec3(light.intensity));
+    addVector(hash, light.position);
+    addVector(hash, light.direction);
+    hash.value(light.range).value(light.innerConeAngle).value(light.outerConeAngle);
+  }
+  return hash.result();
+}
+
+std::uint64_t cameraHash(const Camera& camera) {
+  StateHash hash;
+  for (int column = 0; column < 4; ++column) addVector(hash, glm::dvec3(camera.world[column]));
+  hash.value(camera.perspective ? 1 : 0);
+  for (const double v : {camera.yFov, camera.zNear, camera.zFar, camera.xMag, camera.yMag}) hash.value(v);
+  return hash.result();
+}
+
+std::uint64_t skyHash(const ReferenceInputs& inputs) {
+  StateHash hash;
+  hash.value(inputs.skyRotation);
+  if (inputs.sky != nullptr)
+    hash.value(inputs.sky->width).value(inputs.sky->height).values(inputs.sky->radiance);
+  return hash.result();
+}
+
+std::uint64_t effortHash(const ReferenceRequest& request) {
+  return StateHash()
+      .value(request.samples)
+      .value(request.error.value_or(0.0))
+      .value(request.seconds.value_or(0.0))
+      .result();
+}
+
+}  // namespace
+
+StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request, const DeviceInfo& device) {
+  const auto number = [](auto value) { return StateHash().value(value).result(); };
+  return {{"the scene", sceneHash(inputs)},
+          {"its lights or --light", lightsHash(inputs.lights)},
+          {"--camera", cameraHash(inputs.camera)},
+          {"--env or --rotate-env", skyHash(inputs)},
+          {"--size", StateHash().value(request.width).value(request.height).result()},
+          {"--integrator",
+           number(static_cast<int>(request.integrator) + 4 * static_cast<int>(request.estimator))},
+          {"--light-paths", number(request.lightPaths)},
+          {"--depth", number(request.depth + 65536 * request.rouletteDepth)},
+          {"--spp, --error or --time", effortHash(request)},
+          {"--seed", number(request.seed)},
+          {"--device", StateHash().text(device.name).text(device.driverVersion).result()},
+          {"the program's version", StateHash().text(PRELIGHT_VERSION).result()}};
+}
+
+void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film) {
+  writeStateFile(path, kind, key, [&](StateWriter& writer) {
+    writer.value(film.width);
+    writer.value(film.height);
+    writer.value(film.passes);
+    writer.value(film.blockPixels);
+    writer.values(film.sums);
+    writer.values(film.means);
+    writer.values(film.squares);
+  });
+}
+
+std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key) {
+  std::optional<StateReader> reader = readStateFile(path, kind, key);
+  if (!reader) return std::nullopt;
+  int width = 0;
+  int height = 0;
+  reader->value(width);
+  reader->value(height);
+  if (width < 1 || height < 1 || width > 32768 || height > 32768) reader->damaged();
+  Film film(width, height);
+  reader->value(film.passes);
+  reader->value(film.blockPixels);
+  reader->sameSize(film.sums);
+  reader->sameSize(film.means);
+  reader->sameSize(film.squares);
+  reader->require(film.blockPixels < film.pixelCount() && film.passes <= ReferenceRequest::maxSamples);
+  for (const glm::dvec3& sum : film.sums) reader->requireFinite(std::span(&sum.x, 3));
+  reader->requireFinite(film.means);
+  reader->requireFinite(film.squares);
+  for (const double square : film.squares) reader->require(square >= 0.0);
+  return film;
+}
+
+}  // namespace prelight::reference

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "base/state_file.h"
+#include "integrators/film.h"
+#include "integrators/reference.h"
+
+namespace prelight::reference {
+
+/// All that the bytes of a picture depend on, part by part.
+StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request, const DeviceInfo& device);
+
+/// Keeps an unfinished picture (base/state_file.h).
+void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film);
+
+/// The unfinished picture; nothing when there is no such file. Throws InputError when the file is damaged,
+/// UsageError when it belongs to another key.
+std::optional<Film> readFilmState(const std::filesystem::path& path, const StateKey& key);
+
+}  // namespace prelight::reference

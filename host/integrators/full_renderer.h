@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "gi/indirect_light.h"
+#include "images/picture.h"
+#include "lightmap/light_map_charts.h"
+#include "photon/density_surface.h"
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+#include "transfer/light_map_layout.h"
+
+namespace prelight {
+
+/// A picture with all light: direct light and mirrors traced at every pixel, indirect light gathered
+/// beforehand, caustics from photons.
+struct FullRequest {
+  int width = 0;
+  int height = 0;
+  std::uint32_t samples = 8;  ///< a pixel, 1 to 64
+  std::optional<std::uint32_t>
+      texels;  ///< of the light map that holds indirect light, about; none: by pixels
+  IndirectRequest indirect{.longWay = 4};
+  std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
+  int depth = 16;                               ///< mirrors and glass before a camera's path ends
+  std::uint64_t seed = 0;
+
+  /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for
+  /// each, 160,000 to a million, so that a larger picture is sharper at a cost that stays in proportion.
+  std::uint32_t mapTexels() const;
+  std::uint64_t photonsOfCaustics() const;
+};
+
+struct FullReport {
+  std::vector<PlannedPass> plan;
+  std::vector<std::pair<std::string, double>> stageSeconds;
+  std::uint64_t rays = 0;
+  PhotonReport photons;
+  PhotonReport causticPhotons;
+  std::size_t texels = 0;
+};
+
+/// What the light of a picture lies on.
+struct FullSurface {
+  LightMapCharts charts;
+  LightMapLayout layout;  ///< of these
+  DensitySurface density;
+};
+
+/// Of the scene and FullRequest::mapTexels() alone: it may be made while a device is opened. Throws
+/// UsageError when the light map would be too large.
+FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, const FullRequest& request);
+
+/// `surface`: may still be in the making, when photons fly meanwhile. Throws what making it does, and
+/// Interrupted between blocks.
+Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
+                   std::future<FullSurface> surface, const Device& device, Progress& progress,
+                   FullReport& report);
+
+/// With a surface of its own.
+Picture renderFull(const Scene& scene, const LitScene& lit, const Camera& camera, const FullRequest& request,
+                   const Device& device, Progress& progress, FullReport& report);
+
+}  // namespace prelight

@@ -1,0 +1,129 @@
+#include "integrators/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.h"
+#include "integrators/path_tracer.h"
+
+namespace prelight::reference {
+
+namespace {
+
+constexpr std::uint32_t openEndedSamples = 8;  ///< a pass, where nobody knows how many there will be
+constexpr std::uint32_t mostSamples = 64;
+constexpr std::uint64_t leastPasses = 32;        ///< of a picture of known samples, where it has so many
+constexpr std::uint64_t passesBeforeError = 16;  ///< an error from fewer is itself too uncertain to stop by
+constexpr auto checkpointInterval = std::chrono::seconds(30);
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+class Goal {
+ public:
+  explicit Goal(const ReferenceRequest& request)
+      : request_(request), passes_(std::max<std::uint64_t>(1, request.samples / samplesPerPass(request))) {}
+
+  bool isMet(const Film& film, double seconds) const {
+    if (request_.error) return film.passes >= passesBeforeError && film.relativeError() <= *request_.error;
+    if (request_.seconds) return film.passes >= 1 && seconds >= *request_.seconds;
+    return film.passes >= passes_;
+  }
+
+  /// Share of the work that is done, in [0,1].
+  double fraction(const Film& film, double seconds) const {
+    const double within = static_cast<double>(film.blockPixels) / static_cast<double>(film.pixelCount());
+    if (request_.seconds) return std::min(1.0, seconds / *request_.seconds);
+    if (!request_.error) return (static_cast<double>(film.passes) + within) / static_cast<double>(passes_);
+    if (film.passes < 2) return 0.0;
+    const double ratio = *request_.error / film.relativeError();  // the error falls with the root of the work
+    return std::min({1.0, ratio * ratio, static_cast<double>(film.passes) / passesBeforeError});
+  }
+
+ private:
+  const ReferenceRequest& request_;
+  std::uint64_t passes_;
+};
+
+void noteApproximations(const ReferenceInputs& inputs, Warnings& notes) {
+  bool roughGlass = false;
+  for (const std::uint32_t material : inputs.scene.triangleMaterials) {
+    const CompiledMaterial& m = inputs.scene.materials[material];
+    roughGlass = roughGlass || (m.transmission > 0.0f && m.roughness > 0.0f && !m.unlit);
+  }
+  if (roughGlass) notes.push_back("transmission is drawn as clear glass, whatever its roughness");
+}
+
+}  // namespace
+
+Integrator parseIntegrator(std::string_view name) {
+  for (const Integrator i :
+       {Integrator::Whitted, Integrator::Distributed, Integrator::Path, Integrator::Instant})
+    if (name == integratorName(i)) return i;
+  throw UsageError("--integrator",
+                   fmt::format("got '{}', expected whitted, distributed, path or instant", name));
+}
+
+std::string_view integratorName(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::Whitted:
+      return "whitted";
+    case Integrator::Distributed:
+      return "distributed";
+    case Integrator::Instant:
+      return "instant";
+    case Integrator::Path:
+      break;
+  }
+  return "path";
+}
+
+std::uint32_t samplesPerPass(const ReferenceRequest& request) {
+  if (request.integrator == Integrator::Instant) return 1;  // every pass has virtual lights of its own
+  if (request.samplesPerPass > 0) return request.samplesPerPass;
+  if (request.error || request.seconds) return openEndedSamples;
+  const std::uint64_t most = std::clamp<std::uint64_t>(request.samples / leastPasses, 1, mostSamples);
+  for (std::uint64_t samples = most; samples > 1; --samples)
+    if (request.samples % samples == 0) return static_cast<std::uint32_t>(samples);
+  return 1;
+}
+
+void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device,
+                     Progress& progress, const std::function<void()>& checkpoint, Film& film,
+                     ReferenceReport& report) {
+  noteApproximations(inputs, report.notes);
+  TransportScene scene({inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation}, device,
+                       request.integrator != Integrator::Whitted);
+  PathTracer tracer(scene, inputs.scene, inputs.camera, request);
+  report.plan = explainFeatures(scene.features(), request);
+  const Goal goal(request);
+  const Clock::time_point start = Clock::now();
+  Clock::time_point saved = start;
+  const auto account = [&] {
+    report.rays = tracer.rays();
+    report.seconds = secondsSince(start);
+  };
+  while (!goal.isMet(film, secondsSince(start))) {
+    do {
+      progress.report("reference", goal.fraction(film, secondsSince(start)));
+      account();
+      progress.check();
+      const std::uint64_t left = film.pixelCount() - film.blockPixels;
+      film.add(tracer.trace(film.passes, static_cast<std::uint32_t>(film.blockPixels),
+                            static_cast<std::uint32_t>(std::min<std::uint64_t>(left, tracer.blockPixels()))));
+      if (Clock::now() - saved > checkpointInterval) {
+        checkpoint();
+        saved = Clock::now();
+      }
+    } while (film.blockPixels != 0);
+  }
+  account();
+}
+
+}  // namespace prelight::reference

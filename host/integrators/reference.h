@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/progress.h"
+#include "device/device.h"
+#include "images/environment.h"
+#include "integrators/film.h"
+#include "plan/plan.h"
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+
+namespace prelight::reference {
+
+/// Which paths of light a picture holds; docs/reference.md defines them.
+enum class Integrator : std::uint8_t { Whitted, Distributed, Path, Instant };
+
+/// Reads "whitted", "distributed", "path" or "instant". Throws UsageError naming the known ones.
+Integrator parseIntegrator(std::string_view name);
+std::string_view integratorName(Integrator integrator);
+
+/// How light is found: both ways weighted against each other, or one of them alone. All have the same mean
+/// where one alone can find all light.
+enum class Estimator : std::uint8_t { Both, LightsOnly, ScatterOnly };
+
+struct ReferenceRequest {
+  Integrator integrator = Integrator::Path;
+  Estimator estimator = Estimator::Both;
+  int depth = 16;  ///< most segments of a path, camera to light: 1 shows lights alone, 2 adds direct light
+  int rouletteDepth = 8;        ///< from this vertex on, paths that carry little end by chance, without bias
+  std::uint64_t samples = 256;  ///< a pixel; ignored with error or seconds
+  std::optional<double> error;  ///< stop when Film::relativeError() is below this
+  std::optional<double> seconds;     ///< stop at the end of the first pass beyond this time
+  std::uint32_t samplesPerPass = 0;  ///< of a pixel, a divisor of `samples`; 0: chosen
+  std::uint64_t lightPaths = 32;     ///< a pass, that leave virtual lights; Instant
+  std::uint64_t seed = 0;
+  int width = 0;
+  int height = 0;
+
+  static constexpr int maxDepth = 1024;
+  static constexpr std::uint64_t maxSamples = std::uint64_t{1} << 32;
+};
+
+/// What is drawn. The referents outlive the call.
+struct ReferenceInputs {
+  const CompiledScene& scene;
+  const std::vector<Image>& images;  ///< Scene::images
+  std::vector<Light> lights;         ///< punctual ones, world space
+  Camera camera;
+  const Environment* sky = nullptr;
+  double skyRotation = 0.0;  ///< radians, counter-clockwise about +Y seen from above
+};
+
+struct ReferenceReport {
+  std::vector<PlannedPass> plan;  ///< which code the scene needs, and why the rest is left out
+  std::uint64_t rays = 0;         ///< traced since the start, not before a resumption
+  double seconds = 0.0;           ///< of tracing
+  Warnings notes;
+};
+
+/// Samples a pixel that one pass takes: a divisor of `samples`, so that all passes are alike, and small
+/// enough that there are passes to estimate the variance from.
+std::uint32_t samplesPerPass(const ReferenceRequest& request);
+
+/// Draws until the request is met, from where `film` stands. `checkpoint` is called now and then, between
+/// blocks of work, with the film in a state from which drawing can go on. Throws Interrupted between blocks;
+/// the film then holds what was done.
+void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device,
+                     Progress& progress, const std::function<void()>& checkpoint, Film& film,
+                     ReferenceReport& report);
+
+}  // namespace prelight::reference

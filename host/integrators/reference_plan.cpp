@@ -1,0 +1,45 @@
+#include "integrators/reference_plan.h"
+
+namespace prelight::reference {
+
+std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const ReferenceRequest& request) {
+  const auto pass = [](Pass name, bool runs, const char* why, const char* whyNot) {
+    return PlannedPass{name, runs, runs ? why : whyNot};
+  };
+  const bool deep = request.depth > 1;
+  return {pass(Pass::DirectLight, deep && f.scatters && (f.punctual || f.emitters || f.sky),
+               "lights are sampled at every vertex",
+               !deep        ? "--depth 1 shows lights alone"
+               : f.scatters ? "nothing gives light"
+                            : "no surface scatters light"),
+          pass(Pass::FurtherVertices, request.depth > 2 && f.scatters, "paths go on up to --depth",
+               f.scatters ? "--depth ends paths before" : "no surface scatters light"),
+          pass(Pass::VirtualLights, request.integrator == Integrator::Instant && request.depth > 2,
+               "they stand for diffuse bounces", "paths go on instead"),
+          pass(Pass::PunctualLights, f.punctual, "the scene or --light has some", "there are none"),
+          pass(Pass::Emitters, f.emitters, "some triangles emit", "no triangle emits"),
+          pass(Pass::Sky, f.sky, "--env gives light", "no --env, or it is black"),
+          pass(Pass::Mirrors, f.mirror, "some surface reflects without roughness",
+               "no surface reflects without roughness"),
+          pass(Pass::GlossyLobes, f.glossy, "some surface reflects with roughness",
+               "no surface reflects with roughness"),
+          pass(Pass::Glass, f.glass, "some material transmits", "no material transmits"),
+          pass(Pass::LightThroughSurfaces, f.translucent, "some material transmits light diffusely",
+               "no material transmits light diffusely"),
+          pass(Pass::Absorption, f.absorption, "some solid glass attenuates", "no solid glass attenuates"),
+          pass(Pass::Textures, f.layerTextures, "some material has one", "no material has one")};
+}
+
+BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> cachedLight,
+                          BuildOptions options) {
+  const bool whitted = request.integrator == Integrator::Whitted;
+  if (cachedLight)
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", *cachedLight ? 1 : 0);
+  else if (request.integrator != Integrator::Path)
+    options.define("PRELIGHT_DIFFUSE_BOUNCES", request.integrator == Integrator::Distributed ? 1 : 0);
+  return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")
+      .defineIf(whitted || request.estimator == Estimator::LightsOnly, "PRELIGHT_LIGHTS_ONLY")
+      .defineIf(!whitted && request.estimator == Estimator::ScatterOnly, "PRELIGHT_SCATTER_ONLY");
+}
+
+}  // namespace prelight::reference

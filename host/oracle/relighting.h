@@ -1,0 +1,25 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "transfer/lit_wavelet.h"
+#include "transfer/transfer.h"
+
+/// Slow answers in double precision that the kernels are compared with. Colours are radiance before albedo,
+/// [vertex]. For transfer in spherical harmonics see relight() in compress/compression_error.h.
+namespace prelight::reference {
+
+std::vector<glm::dvec3> relightGroups(const LightGroupTransfer& transfer, std::span<const glm::dvec3> colors);
+
+std::vector<glm::dvec3> relightHaar(const HaarTransfer& transfer, std::span<const LitWavelet> light);
+
+/// Coefficients of what arrives at glossy receivers, [vertex][3][i].
+std::vector<double> lightMatrices(const GlossyTransfer& transfer, std::span<const double> light);
+
+/// `arriving` as lightMatrices() yields it; directions and lobe as in GlossyRelighter::shade.
+std::vector<glm::dvec3> shadeGlossy(std::span<const double> arriving, int order,
+                                    std::span<const glm::dvec3> directions, std::span<const double> lobe);
+
+}  // namespace prelight::reference

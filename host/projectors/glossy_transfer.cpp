@@ -1,0 +1,94 @@
+#include "projectors/glossy_transfer.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "basis/sh.h"
+
+namespace prelight {
+
+namespace {
+
+/// Columns of the light that are gathered at once: what a fit holds in memory is these times order^2.
+constexpr std::size_t lightColumns = 4;
+
+void addDirect(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted, int order,
+               int channels, std::vector<float>& matrices) {
+  const int transferOrder = 2 * order - 1;
+  const std::size_t n = static_cast<std::size_t>(order * order), columns = front.baseline().columns();
+  const sh::ShProduct product(order, transferOrder);
+  parallelRanges(mesh.slotCount(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> transfer(static_cast<std::size_t>(transferOrder * transferOrder)), matrix(n * n);
+    for (std::size_t s = begin; s < end; ++s) {
+      for (std::size_t k = 0; k < transfer.size(); ++k)
+        transfer[k] = front.baseline().row(s)[1 + k] + fitted[s * columns + 1 + k];
+      product.matrix(transfer, matrix);
+      for (int c = 0; c < channels; ++c)
+        std::transform(matrix.begin(), matrix.end(),
+                       &matrices[(s * static_cast<std::size_t>(channels) + c) * n * n],
+                       [](double v) { return static_cast<float>(v); });
+    }
+  });
+}
+
+/// Device transfer of some columns of the light, [vertex][3][column] and then the backs.
+std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const SlotTransfer& transfer,
+                          std::size_t first) {
+  const bool backs = !transfer.backReflected.empty();
+  std::vector<float> part(std::size_t{scene.vertexCount()} * 3 * lightColumns * (backs ? 2 : 1), 0.0f);
+  const auto fill = [&](const std::vector<double>& slots, float* out) {
+    for (std::size_t v = 0; v < scene.vertexCount(); ++v)
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t j = 0; j < lightColumns && first + j < transfer.shColumns(); ++j)
+          out[(v * 3 + c) * lightColumns + j] =
+              static_cast<float>(slots[(mesh.slotOfVertex[v] * 3 + c) * transfer.columns() + first + j]);
+  };
+  fill(transfer.reflected, part.data());
+  if (backs) fill(transfer.backReflected, part.data() + part.size() / 2);
+  return part;
+}
+
+/// Fits the rows of a gather to the slots: [slot][i][3][column].
+std::vector<double> fitPart(Caster& caster, const SideCast& front, int order, Progress& progress) {
+  const std::size_t width = static_cast<std::size_t>(order * order) * 3 * lightColumns;
+  VertexFit fit = front.emptyFit(width);
+  std::vector<float> values;
+  std::vector<double> row(width);
+  for (std::uint32_t first = 0; first < front.storedCount(); first += caster.blockSize()) {
+    progress.check();
+    const std::uint32_t count = std::min(caster.blockSize(), front.storedCount() - first);
+    caster.gatherGlossy(std::span(front.storedReceivers()).subspan(first, count), front.storedFirst() + first,
+                        order, lightColumns, values);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * width), width, row.begin());
+      fit.add(front.records()[first + i].sample, row);
+    }
+  }
+  return fit.solve(defaultSmoothing);
+}
+
+}  // namespace
+
+std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                                      const SceneCast& cast, const std::vector<double>& fitted,
+                                      const SlotTransfer& transfer, int order, Progress& progress) {
+  const auto n = static_cast<std::size_t>(order * order);
+  const int channels = transfer.channels();
+  std::vector<float> matrices(std::size_t{mesh.slotCount()} * static_cast<std::size_t>(channels) * n * n);
+  addDirect(mesh, cast.front(), fitted, order, channels, matrices);
+  if (transfer.reflected.empty()) return matrices;
+  for (std::size_t first = 0; first < n; first += lightColumns) {
+    caster.setTransfer(partOf(scene, mesh, transfer, first));
+    const std::vector<double> part = fitPart(caster, cast.front(), order, progress);
+    for (std::size_t s = 0; s < mesh.slotCount(); ++s)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+          for (std::size_t j = 0; j < lightColumns && first + j < n; ++j)
+            matrices[((s * 3 + c) * n + i) * n + first + j] +=
+                static_cast<float>(part[((s * n + i) * 3 + c) * lightColumns + j]);
+    progress.report("glossy", double(std::min(n, first + lightColumns)) / double(n));
+  }
+  return matrices;
+}
+
+}  // namespace prelight

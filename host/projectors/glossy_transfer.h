@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "cast/caster.h"
+#include "projectors/scene_cast.h"
+#include "projectors/slot_transfer.h"
+#include "receivers/fit_mesh.h"
+
+namespace prelight {
+
+/// Transfer matrices of the fit's slots, [slot][channel][i][j] of `order`. The direct part is exact algebra:
+/// the integral of V cos Y_i Y_j over pi is sum_k Gamma_ijk T_k with the diffuse transfer T up to order 2
+/// `order` - 1, which `fitted` (the front's solution) holds. Bounces, where `transfer` has any, are gathered
+/// from the stored rows.
+std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                                      const SceneCast& cast, const std::vector<double>& fitted,
+                                      const SlotTransfer& transfer, int order, Progress& progress);
+
+}  // namespace prelight

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/progress.h"
+#include "projectors/slot_transfer.h"
+#include "projectors/texel_transfer.h"
+#include "receivers/fit_mesh.h"
+#include "transfer/bake.h"
+
+namespace prelight {
+
+/// Wavelet transfer of every vertex, sparse up to a relative L2 error of `error` a row. The direct part has
+/// the full detail of `direct`; what bounces add is smooth in the direction of the light, and comes from the
+/// SH transfer of as many bands as that has (docs/wavelets.md has what this leaves out).
+HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
+                              int faceSize, double error, Progress& progress);
+
+}  // namespace prelight

@@ -1,0 +1,86 @@
+#include "projectors/scene_cast.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t maxBackRounds =
+    4;  // backs seen from backs, and so on; what lies deeper reflects nothing
+
+}  // namespace
+
+SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                     const Schedule& schedule, const Projections& projections, std::uint32_t capacity)
+    : scene_(scene),
+      mesh_(mesh),
+      caster_(caster),
+      schedule_(schedule),
+      projections_(projections),
+      capacity_(capacity),
+      front_(scene, mesh, caster, schedule, projections, Side::Front) {}
+
+void SceneCast::run(Progress& progress) {
+  if (!frontDone_) front_.run(progress, 0, capacity_);
+  frontDone_ = true;
+  for (; projections_.backs && capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
+    const bool goesOn = back_ && back_->running();
+    if (!goesOn && !markFreshBacks()) return;
+    back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
+  }
+}
+
+void SceneCast::makeBack() {
+  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections_, Side::Back);
+  backSeen_.assign(scene_.triangleCount(), 0);
+}
+
+// Makes the backs active that no round has cast from yet; false when there are none.
+bool SceneCast::markFreshBacks() {
+  std::vector<std::uint8_t> fresh = caster_.backMarks();
+  for (std::size_t t = 0; back_ && t < fresh.size(); ++t) fresh[t] = fresh[t] && !backSeen_[t];
+  if (std::count(fresh.begin(), fresh.end(), 1) == 0) return false;
+  if (!back_) makeBack();
+  for (std::size_t t = 0; t < fresh.size(); ++t) backSeen_[t] |= fresh[t];
+  back_->active() = std::move(fresh);
+  return true;
+}
+
+void SceneCast::save(StateWriter& state) const {
+  state.value(frontDone_);
+  state.value(backRounds_);
+  state.value(static_cast<std::uint8_t>(back_ != nullptr));
+  front_.save(state);
+  if (back_) {
+    state.values(backSeen_);
+    back_->save(state);
+  }
+  caster_.save(state, front_.storedCount() + (back_ ? back_->storedCount() : 0));
+}
+
+void SceneCast::load(StateReader& state) {
+  std::uint8_t withBack = 0;
+  state.value(frontDone_);
+  state.value(backRounds_);
+  state.value(withBack);
+  front_.load(state);
+  if (withBack != 0) {
+    makeBack();
+    state.sameSize(backSeen_);
+    back_->load(state);
+  }
+  std::uint32_t rows = front_.storedCount();
+  state.require(front_.storedFirst() == 0 && rows <= capacity_);
+  if (back_) {
+    state.require(back_->storedFirst() == rows && back_->storedCount() <= capacity_ - rows);
+    rows += back_->storedCount();
+  }
+  // Rounds begin with a side, and stop at one that has nothing to cast from.
+  state.require(backRounds_ <= maxBackRounds && (back_ || backRounds_ == 0) &&
+                frontDone_ != front_.running());
+  for (const std::uint8_t seen : backSeen_) state.require(seen <= 1);
+  caster_.load(state, rows, back_ != nullptr);
+}
+
+}  // namespace prelight

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "cast/caster.h"
+#include "projectors/schedule.h"
+#include "projectors/side_cast.h"
+#include "receivers/fit_mesh.h"
+
+namespace prelight {
+
+/// Casts from the fronts of a scene and, where light bounces, from the backs that rays have met and from
+/// those that these meet. Can be saved after an interruption and go on elsewhere.
+class SceneCast {
+ public:
+  /// Keeps up to `capacity` receivers' rows of senders for bounces; 0: none follow, backs stay out.
+  SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
+            const Projections& projections, std::uint32_t capacity);
+
+  /// Throws Interrupted; run() again goes on.
+  void run(Progress& progress);
+
+  const SideCast& front() const { return front_; }
+
+  /// nullptr when no back is seen.
+  const SideCast* back() const { return back_.get(); }
+
+  /// [triangle], 1 where the back is seen; empty without back().
+  const std::vector<std::uint8_t>& backSeen() const { return backSeen_; }
+
+  std::uint64_t receivers() const { return front_.receivers() + (back_ ? back_->receivers() : 0); }
+  std::uint64_t rays() const { return front_.rays() + (back_ ? back_->rays() : 0); }
+
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
+
+ private:
+  void makeBack();
+  bool markFreshBacks();
+
+  const CompiledScene& scene_;
+  const FitMesh& mesh_;
+  Caster& caster_;
+  const Schedule& schedule_;
+  Projections projections_;
+  std::uint32_t capacity_;
+  SideCast front_;
+  std::unique_ptr<SideCast> back_;
+  std::vector<std::uint8_t> backSeen_;
+  bool frontDone_ = false;
+  std::uint32_t backRounds_ = 0;  ///< finished
+};
+
+}  // namespace prelight

@@ -1,0 +1,57 @@
+#include "projectors/schedule.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "fit/error_estimate.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double castShareOfTime = 0.75;   // the rest is for fits and bounces
+constexpr double mostSeconds = 1e9;        // clocks count to 292 years
+constexpr double timedPassRays = 1 << 18;  // about a tenth of a second on two cores
+
+/// Several receivers a vertex beat one with many rays, as long as each has enough for low discrepancy to
+/// show: 64 rays do up to the point where a vertex has 64 receivers of twice as many.
+std::uint32_t raysOfReceiver(std::uint64_t raysOfVertex) {
+  std::uint32_t rays = 16;  // below, the control variate is visibly biased (docs/accuracy.md)
+  while (rays < 64 && 32ull * rays <= raysOfVertex) rays *= 2;
+  return raysOfVertex >= 64ull * 128 ? 128 : rays;
+}
+
+}  // namespace
+
+Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
+                      std::chrono::steady_clock::time_point start) {
+  Schedule schedule;
+  schedule.seed = request.seed;
+  schedule.passes = errorGroups;
+  if (request.error || request.seconds) schedule.replicates = errorGroups;
+  if (request.error) {
+    // Small receivers and a small first round: what is easy costs little.
+    schedule.raysPerReceiver = 16;
+    schedule.receiversPerPass = vertices;
+    schedule.error = request.error;
+  } else if (request.seconds) {
+    schedule.raysPerReceiver = 64;
+    schedule.receiversPerPass = std::min<double>(vertices, timedPassRays / schedule.raysPerReceiver);
+    schedule.deadline =
+        start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                    std::chrono::duration<double>(castShareOfTime * std::min(*request.seconds, mostSeconds)));
+  } else {
+    schedule.raysPerReceiver = raysOfReceiver(request.rays);
+    schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.rays) /
+                                (schedule.raysPerReceiver * static_cast<double>(schedule.passes));
+  }
+  return schedule;
+}
+
+std::uint32_t raysEach(const BakeRequest& request) {
+  const std::uint64_t rays = request.error || request.seconds ? 1024 : request.rays;
+  return static_cast<std::uint32_t>(std::bit_floor(std::clamp<std::uint64_t>(rays, 16, 4096)));
+}
+
+}  // namespace prelight

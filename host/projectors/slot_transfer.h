@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "cast/caster.h"
+#include "projectors/scene_cast.h"
+#include "receivers/fit_mesh.h"
+
+namespace prelight {
+
+/// Transfer of the fit's slots in three channels. A channel's columns are order^2 of SH and then the groups
+/// of lights.
+struct SlotTransfer {
+  int order = 0;
+  std::uint32_t groups = 0;
+  std::vector<double> direct;  ///< [slot][3][column]
+  std::vector<double> total;   ///< the same with bounces
+  std::vector<double>
+      reflected;  ///< the total without the last bounce: what was reflected last. Empty: no bounce
+  std::vector<double> backReflected;  ///< the same of the vertices' backs; empty: none is seen
+  int bounces = 0;                    ///< as asked for
+
+  std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
+  std::size_t columns() const { return shColumns() + groups; }
+  int channels() const {
+    return bounces > 0 ? 3 : 1;
+  }  ///< that differ: without bounces nothing colours the light
+};
+
+/// Direct transfer from a cast that has run, and `bounces` of it from the caster's stored rows. `fitted` is
+/// the front's solution; `order` is at most that of the cast.
+SlotTransfer makeTransfer(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
+                          const SceneCast& cast, const std::vector<double>& fitted, int order, int bounces,
+                          Progress& progress, std::vector<std::string>& notes);
+
+/// What is reflected last, in the layout of the kernels: [vertex][3][columns], then, where any is seen, the
+/// vertices' backs alike. `columns` is at most shColumns().
+std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns);
+
+}  // namespace prelight

@@ -1,0 +1,141 @@
+#include "projectors/volume_caster.h"
+
+#include <algorithm>
+
+#include "basis/sh_table.h"
+#include "receivers/surface_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::size_t groupSize = 64;
+
+class VolumeCaster {
+ public:
+  VolumeCaster(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer, const SlotTransfer& surface,
+               const VolumeGrid& grid, const VolumeOptions& options)
+      : tracer_(tracer),
+        device_(tracer.context()),
+        grid_(grid),
+        options_(options),
+        columns_(static_cast<std::size_t>(options.order * options.order)),
+        blockSize_(receiversPerBlock(device_.info(), options.rays)),
+        vertexCount_(scene.vertexCount()),
+        lower_(grid.min - scene.origin),
+        parameters_(device_, 1),
+        shTable_(device_, std::span<const float>(makeShTable(options.order))),
+        rays_(device_, std::size_t{blockSize_} * options.rays),
+        hits_(device_, std::size_t{blockSize_} * options.rays),
+        geometricNormals_(device_, std::span<const float>(orientedNormals(scene))),
+        twoSided_(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene))),
+        values_(device_, blockSize_ * (1 + columns_)) {
+    const auto& program = device_.program("cast/volume_kernels.cl",
+                                          tracer.surfaceOptions()
+                                              .define("PRELIGHT_SH_ORDER", options.order)
+                                              .define("PRELIGHT_COLUMNS", static_cast<int>(columns_)));
+    generate_ = cl::Kernel(program, "generateVolumeRays");
+    project_ = cl::Kernel(program, "projectVolume");
+    if (options.bounces == 0) return;
+    gather_ = cl::Kernel(program, "gatherVolume");
+    backs_ = surface.backReflected.empty() ? 0 : 1;
+    transfer_ = Buffer<float>(device_, std::span<const float>(sentTransfer(mesh, surface, columns_)));
+    reflected_ = Buffer<float>(device_, blockSize_ * 3 * columns_);
+  }
+
+  VolumeTransfer run(Progress& progress) {
+    VolumeTransfer volume{grid_, options_.order, options_.bounces > 0 ? 3 : 1, options_.bounces, {}, {}, {}};
+    const auto count = static_cast<std::uint32_t>(grid_.count());
+    for (std::uint32_t first = 0; first < count; first += blockSize_) {
+      progress.check();
+      castBlock(first, std::min(blockSize_, count - first), volume);
+      progress.report("volume", double(first) / count);
+    }
+    return volume;
+  }
+
+ private:
+  void castBlock(std::uint32_t first, std::uint32_t count, VolumeTransfer& volume) {
+    const CastParameters parameters{count,
+                                    options_.rays,
+                                    0,
+                                    vertexCount_,
+                                    0,
+                                    static_cast<float>(options_.limits.nearLimit),
+                                    static_cast<float>(reachOf(options_.limits)),
+                                    static_cast<float>(options_.limits.obscurance)};
+    parameters_.write(std::span(&parameters, 1));
+    const cl_float4 lower = {{float(lower_.x), float(lower_.y), float(lower_.z), float(grid_.cell())}};
+    const cl_uint4 size = {
+        {cl_uint(grid_.size.x), cl_uint(grid_.size.y), cl_uint(grid_.size.z), cl_uint(first)}};
+    const auto seed = static_cast<cl_uint>(options_.seed ^ options_.seed >> 32);
+    setArguments(generate_, parameters_.get(), lower, size, seed, rays_.get());
+    device_.launch(generate_, std::size_t{count} * options_.rays / 8, groupSize);
+    tracer_.traceClosest(rays_, hits_, std::size_t{count} * options_.rays);
+    setArguments(project_, parameters_.get(), shTable_.get(), rays_.get(), hits_.get(),
+                 geometricNormals_.get(), twoSided_.get(), values_.get());
+    device_.launch(project_, count, groupSize);
+    std::vector<float> values(count * (1 + columns_)), reflected;
+    values_.read(std::span(values));
+    if (options_.bounces > 0) gather(count, reflected);
+    append(values, reflected, volume);
+  }
+
+  void gather(std::uint32_t count, std::vector<float>& reflected) {
+    gather_.setArg(0, parameters_.get());
+    gather_.setArg(1, rays_.get());
+    gather_.setArg(2, hits_.get());
+    tracer_.setSurfaceArguments(gather_, 3);
+    gather_.setArg(8, geometricNormals_.get());
+    gather_.setArg(9, transfer_.get());
+    gather_.setArg(10, backs_);
+    gather_.setArg(11, reflected_.get());
+    device_.launch(gather_, count, groupSize);
+    reflected.resize(count * 3 * columns_);
+    reflected_.read(std::span(reflected));
+  }
+
+  void append(const std::vector<float>& values, const std::vector<float>& reflected, VolumeTransfer& volume) {
+    const bool bounces = !reflected.empty();
+    for (std::size_t v = 0; v < values.size() / (1 + columns_); ++v) {
+      const float* direct = &values[v * (1 + columns_) + 1];
+      volume.air.push_back(values[v * (1 + columns_)] == 0.0f ? 1 : 0);
+      auto& kept = bounces ? volume.direct : volume.coefficients;
+      kept.insert(kept.end(), direct, direct + columns_);
+      for (std::size_t i = 0; bounces && i < 3 * columns_; ++i)
+        volume.coefficients.push_back(direct[i % columns_] + reflected[v * 3 * columns_ + i]);
+    }
+  }
+
+  Tracer& tracer_;
+  DeviceContext& device_;
+  VolumeGrid grid_;
+  VolumeOptions options_;
+  std::size_t columns_;
+  std::uint32_t blockSize_;
+  std::uint32_t vertexCount_;
+  glm::dvec3 lower_;
+  Buffer<CastParameters> parameters_;
+  Buffer<float> shTable_;
+  Buffer<Ray> rays_;
+  Buffer<Hit> hits_;
+  Buffer<float> geometricNormals_;
+  Buffer<std::uint8_t> twoSided_;
+  Buffer<float> values_;
+  Buffer<float> transfer_;
+  Buffer<float> reflected_;
+  cl_uint backs_ = 0;
+  cl::Kernel generate_, project_, gather_;
+};
+
+}  // namespace
+
+VolumeTransfer makeVolume(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer,
+                          const SlotTransfer& surface, const VolumeGrid& grid, const VolumeOptions& options,
+                          Progress& progress) {
+  return VolumeCaster(scene, mesh, tracer, surface, grid, options).run(progress);
+}
+
+}  // namespace prelight

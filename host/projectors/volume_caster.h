@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/progress.h"
+#include "cast/caster.h"
+#include "gpu/tracer.h"
+#include "projectors/slot_transfer.h"
+#include "transfer/volume_transfer.h"
+
+namespace prelight {
+
+struct VolumeOptions {
+  int order = 3;             ///< bands; at most that of the surface's transfer when there are bounces
+  int bounces = 0;           ///< 0: what surfaces reflect is left out
+  std::uint32_t rays = 256;  ///< a voxel, a power of two, 8 and more
+  std::uint64_t seed = 0;
+  CastLimits limits;
+};
+
+/// Casts from the centres of a grid's cells. `surface` is the fit's transfer with bounces; read only when
+/// options.bounces is above 0. Voxels that see nothing but backs are dark and are not air.
+VolumeTransfer makeVolume(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer,
+                          const SlotTransfer& surface, const VolumeGrid& grid, const VolumeOptions& options,
+                          Progress& progress);
+
+}  // namespace prelight

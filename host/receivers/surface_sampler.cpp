@@ -1,0 +1,195 @@
+#include "receivers/surface_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "receivers/sampling.h"
+
+namespace prelight {
+
+namespace {
+
+/// Rounding of a point of a triangle and of the test against it, in units of the largest coordinate: a few
+/// ulp.
+constexpr double liftPerMagnitude = 0x1p-19;
+
+/// Samples are drawn this share of the way to the centroid at least: one that rounding put beyond the edge
+/// would see past the wall that meets it there.
+constexpr double leastInset = 0x1p-10;
+
+/// Rounding of a position, in units of the largest coordinate.
+constexpr double roundingPerMagnitude = 0x1p-22;
+
+double largestCoordinate(const CompiledScene& scene, std::uint32_t triangle) {
+  const auto& t = scene.triangles[triangle];
+  const glm::vec3 most = glm::max(glm::abs(scene.positions[t.x]),
+                                  glm::max(glm::abs(scene.positions[t.y]), glm::abs(scene.positions[t.z])));
+  return std::max({most.x, most.y, most.z});
+}
+
+/// The share that keeps samples of a triangle off its edges by more than rounding: a sample with the share i
+/// is at least i / 3 of a height off each.
+double insetOf(const CompiledScene& scene, std::uint32_t triangle, double area) {
+  const auto& t = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[t.x]), b(scene.positions[t.y]), c(scene.positions[t.z]);
+  const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+  const double leastHeight = 2.0 * area / longest;
+  const double share = 3.0 * roundingPerMagnitude * largestCoordinate(scene, triangle) / leastHeight;
+  return std::clamp(share, leastInset, 0.5);
+}
+
+glm::dvec2 insetBy(double share, const glm::dvec2& weights) {
+  return glm::mix(weights, glm::dvec2(1.0 / 3.0), share);
+}
+
+/// Bits 0, 1, 2 ... of x to places 0, stride, 2 stride ...
+std::uint64_t spread(std::uint64_t x, unsigned bits, unsigned stride) {
+  std::uint64_t code = 0;
+  for (unsigned i = 0; i < bits; ++i) code |= ((x >> i) & 1u) << (i * stride);
+  return code;
+}
+
+std::uint64_t mortonCode(const glm::dvec2& u) {
+  constexpr unsigned bits = 8;
+  const glm::uvec2 cell(u * double(1u << bits));
+  return spread(cell.x, bits, 2) << 1 | spread(cell.y, bits, 2);
+}
+
+/// Triangles by the Morton code of their centroids in a cube around all; equal codes keep their order.
+std::vector<std::uint32_t> mortonOrder(const CompiledScene& scene) {
+  constexpr unsigned bits = 16;
+  std::vector<glm::vec3> centroids;
+  glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+  for (const auto& t : scene.triangles) {
+    centroids.push_back(scene.positions[t.x] / 3.0f + scene.positions[t.y] / 3.0f +
+                        scene.positions[t.z] / 3.0f);
+    low = glm::min(low, centroids.back());
+    high = glm::max(high, centroids.back());
+  }
+  const glm::dvec3 extent = glm::dvec3(high) - glm::dvec3(low);
+  const double size = std::max({extent.x, extent.y, extent.z, 1e-300});
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  for (std::uint32_t t = 0; t < centroids.size(); ++t) {
+    const glm::uvec3 cell((glm::dvec3(centroids[t]) - glm::dvec3(low)) / size * double((1u << bits) - 1));
+    keys.emplace_back(spread(cell.x, bits, 3) << 2 | spread(cell.y, bits, 3) << 1 | spread(cell.z, bits, 3),
+                      t);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  for (const auto& key : keys) order.push_back(key.second);
+  return order;
+}
+
+}  // namespace
+
+SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side,
+                               std::uint32_t replicates)
+    : scene_(scene),
+      seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
+                                  sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) +
+                                                        2u * static_cast<std::uint32_t>(side)))),
+      side_(side),
+      areas_(scene.triangleCount()),
+      order_(mortonOrder(scene)),
+      active_(scene.triangleCount(), 1),
+      replicates_(replicates),
+      thinned_(scene.triangleCount(), 0),
+      position_{std::vector<std::uint32_t>(std::size_t{scene.triangleCount()} * replicates, 0), 0} {
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    areas_[t] = 0.5 * glm::length(geometricNormal(scene, t));
+    totalArea_ += areas_[t];
+  }
+  for (const double area : areas_)
+    shares_.push_back(0.5 * (area / totalArea_ + 1.0 / static_cast<double>(areas_.size())));
+}
+
+void SurfaceSampler::coverComponents(const FitMesh& mesh, double receivers, double least) {
+  const std::vector<std::uint32_t> components = componentsOf(mesh);
+  std::vector<double> sums(mesh.slotCount(), 0.0);
+  const auto sumOf = [&](std::size_t t) -> double& { return sums[components[mesh.triangles[t][0]]]; };
+  for (std::size_t t = 0; t < shares_.size(); ++t) sumOf(t) += shares_[t];
+  std::vector<double> raised = shares_;
+  for (std::size_t t = 0; t < shares_.size(); ++t) raised[t] *= std::max(1.0, least / (receivers * sumOf(t)));
+  shares_ = std::move(raised);
+}
+
+glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
+  const glm::dvec3 normal = glm::normalize(geometricNormal(scene, triangle));
+  const auto& t = scene.triangles[triangle];
+  const glm::dvec3 shading(scene.normals[t.x] + scene.normals[t.y] + scene.normals[t.z]);
+  return glm::dot(normal, shading) < 0.0 ? -normal : normal;
+}
+
+glm::dvec2 keptOffEdges(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec2& weights) {
+  const double area = 0.5 * glm::length(geometricNormal(scene, triangle));
+  return insetBy(insetOf(scene, triangle, area), weights);
+}
+
+device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sample, Side side) {
+  const auto& t = scene.triangles[sample.triangle];
+  const double sign = side == Side::Front ? 1.0 : -1.0;
+  const auto [b0, b1, b2] = cornerWeights(sample);
+  const glm::dvec3 p0(scene.positions[t.x]), p1(scene.positions[t.y]), p2(scene.positions[t.z]);
+  const glm::dvec3 geometric = orientedNormal(scene, sample.triangle) * sign;
+  glm::dvec3 normal = geometric;
+  if (!scene.triangleFlat[sample.triangle]) {
+    normal = b0 * glm::dvec3(scene.normals[t.x]) + b1 * glm::dvec3(scene.normals[t.y]) +
+             b2 * glm::dvec3(scene.normals[t.z]);
+    const double length = glm::length(normal);
+    normal = length > 1e-6 ? normal / length * sign : geometric;
+  }
+  const double lift = liftPerMagnitude * largestCoordinate(scene, sample.triangle);
+  const glm::vec3 position(b0 * p0 + b1 * p1 + b2 * p2 + lift * geometric);
+  const glm::vec3 n(normal), g(geometric);
+  return {{position.x, position.y, position.z}, sample.triangle, {n.x, n.y, n.z}, 0, {g.x, g.y, g.z}, 0};
+}
+
+void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink) {
+  // Systematic sampling: a comb of unit spacing over the running sum of expected counts, shifted a pass.
+  const double shift = sampling::sobol(position_.passes, seed_).x;
+  double sum = shift;
+  const std::uint32_t replicate = position_.passes % replicates_;
+  ++position_.passes;
+  for (const std::uint32_t t : order_) {
+    if (!active_[t]) continue;
+    const double share = thinned_[t] ? shares_[t] / thinning : shares_[t];
+    const double expected = receivers * share;
+    const auto before = static_cast<std::uint64_t>(sum);
+    sum += expected;
+    const auto chosen = static_cast<std::uint64_t>(sum) - before;
+    const std::uint32_t sequence = t * replicates_ + replicate;
+    choosePlaces(sequence, chosen);
+    const double inset = insetOf(scene_, t, areas_[t]);
+    for (const Place& chosenPlace : places_) {
+      const glm::dvec2 b = insetBy(inset, sampling::uniformTriangle(chosenPlace.point));
+      const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
+                                 static_cast<float>(areas_[t] / (totalArea_ * share))};
+      device::Receiver receiver = receiverAt(scene_, sample, side_);
+      setSequence(sequence, chosenPlace.index, raysPerReceiver, receiver);
+      sink(sample, receiver);
+    }
+  }
+}
+
+void SurfaceSampler::choosePlaces(std::uint32_t sequence, std::uint64_t count) {
+  places_.clear();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint32_t index = position_.taken[sequence]++;
+    const glm::dvec2 point = sampling::sobol(index, seed_ ^ sampling::hashInteger(2 * sequence));
+    places_.push_back({index, mortonCode(point), point});
+  }
+  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+    return a.code != b.code ? a.code < b.code : a.index < b.index;
+  });
+}
+
+void SurfaceSampler::setSequence(std::uint32_t sequence, std::uint32_t index, std::uint32_t raysPerReceiver,
+                                 device::Receiver& receiver) const {
+  receiver.seed = seed_ ^ sampling::hashInteger(2 * sequence + 1);
+  receiver.firstSample =
+      sampling::shuffledIndex(index, seed_ ^ sampling::hashInteger(~sequence)) * raysPerReceiver;
+}
+
+}  // namespace prelight

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "transfer/compressed_transfer.h"
+
+namespace prelight {
+
+/// A light made ready for compressed transfer, once a light: all products with what vertices share are in it
+/// (Kautz 2004), so that a vertex only sums its own numbers.
+///
+///   Half          terms[i] = L_i;
+///                 exit[c] = sum_i terms[i][c] half[v][c'][i], c' = c, or 0 with one channel
+///   Band8         terms[0] = sum_i L_i offset_l, terms[1 + i] = L_i scale_l;
+///                 exit[c] = terms[0][c] + sum_i terms[1 + i][c] byte[v][c'][i]
+///   Pca, Vq, Cpca terms[k (1 + K) + 0] = L . mean_k, terms[k (1 + K) + 1 + j] = L . basis_kj, ranges of byte
+///                 weights multiplied in; exit[c] = terms[k (1 + K)][c] + sum_j terms[.. + 1 + j][c]
+///                 stored[v][j]
+///
+/// exit is the radiance before the receiver's albedo.
+struct CompressedLight {
+  std::vector<glm::vec3> terms;
+};
+
+/// `light` holds the light's coefficients, [channel][i], 3 x order^2, as sh::projectEnvironment yields them.
+/// Throws UsageError when their number is another.
+CompressedLight lightOf(const CompressedTransfer& compressed, std::span<const double> light);
+
+/// Radiance before albedo of every vertex, in double on the host: [vertex].
+std::vector<glm::dvec3> relight(const CompressedTransfer& compressed, const CompressedLight& light);
+
+}  // namespace prelight

@@ -1,0 +1,276 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/magnitudes.h"
+#include "scene/compile/compile_parts.h"
+#include "scene/compiled_scene.h"
+
+namespace prelight {
+
+namespace {
+
+/// One drawing of one primitive: the unit that is flattened.
+struct Draw {
+  const MeshNode* node = nullptr;
+  const Primitive* primitive = nullptr;
+  PrimitiveRange range;
+  glm::dmat4 transform{1.0};
+};
+
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  bool empty() const { return low.x > high.x; }
+  void add(const glm::dvec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+};
+
+std::string placeOf(const Draw& draw) {
+  return fmt::format("node \"{}\" (/nodes/{}), primitive {}", draw.node->name, draw.range.node,
+                     draw.range.primitive);
+}
+
+std::vector<Draw> listDraws(const Scene& scene) {
+  std::vector<Draw> draws;
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+  for (const MeshNode& node : scene.meshNodes) {
+    const Mesh& mesh = scene.meshes[static_cast<std::size_t>(node.mesh)];
+    for (std::size_t instance = 0; instance < node.transforms.size(); ++instance) {
+      for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+        const Primitive& primitive = mesh.primitives[p];
+        Draw draw{&node, &primitive, {}, node.transforms[instance]};
+        draw.range.node = node.node;
+        draw.range.name = node.name;
+        draw.range.mesh = node.mesh;
+        draw.range.primitive = static_cast<int>(p);
+        draw.range.instance = static_cast<int>(instance);
+        draw.range.firstVertex = static_cast<std::uint32_t>(vertices);
+        // Points and lines have vertices but no surface to bake on.
+        const std::size_t used = primitive.triangles.empty() ? 0 : primitive.positions.size();
+        draw.range.vertexCount = static_cast<std::uint32_t>(used);
+        vertices += used;
+        triangles += primitive.triangles.size();
+        draws.push_back(draw);
+      }
+    }
+    if (std::max(vertices, triangles) >= std::numeric_limits<std::uint32_t>::max()) {
+      throw InputError(
+          fmt::format("node \"{}\" (/nodes/{})", node.name, node.node),
+          fmt::format("{} vertices and {} triangles so far, expected fewer than 2^32", vertices, triangles));
+    }
+  }
+  return draws;
+}
+
+glm::dvec3 worldPosition(const Draw& draw, std::size_t vertex) {
+  return glm::dvec3(draw.transform * glm::dvec4(glm::dvec3(draw.primitive->positions[vertex]), 1.0));
+}
+
+Bounds worldBounds(const std::vector<Draw>& draws) {
+  Bounds bounds;
+  for (const Draw& draw : draws) {
+    for (const glm::uvec3& triangle : draw.primitive->triangles) {
+      for (int corner = 0; corner < 3; ++corner) bounds.add(worldPosition(draw, triangle[corner]));
+    }
+  }
+  return bounds;
+}
+
+/// Cofactors of the upper 3 x 3, which are det(M) inverse(M)^T: they turn normals like the inverse transpose
+/// does, and still do where a scale of 0 leaves no inverse.
+glm::dmat3 normalMatrix(const glm::dmat4& m) {
+  const glm::dvec3 x(m[0]);
+  const glm::dvec3 y(m[1]);
+  const glm::dvec3 z(m[2]);
+  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
+  return glm::dot(x, cofactors[0]) < 0.0 ? -cofactors : cofactors;
+}
+
+bool mirrors(const glm::dmat4& m) {
+  return glm::dot(glm::dvec3(m[0]), glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2]))) < 0.0;
+}
+
+class Flattener {
+ public:
+  Flattener(const CompiledMaterials& materials, CompiledScene& scene)
+      : materials_(materials), scene_(scene) {}
+
+  void add(Draw& draw) {
+    addPositions(draw);
+    addTriangles(draw);
+    addNormals(draw);
+    addTexCoords(draw);
+    if (scene_.hasVertexColors()) addColors(draw);
+    scene_.primitives.push_back(draw.range);
+  }
+
+ private:
+  std::size_t materialOf(const Draw& draw) const {
+    const int material = draw.primitive->material;
+    return material < 0 ? materials_.materials.size() - 1 : static_cast<std::size_t>(material);
+  }
+
+  void addPositions(const Draw& draw) {
+    for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
+      const glm::dvec3 world = worldPosition(draw, i);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(world[axis]) <= largestInput) continue;
+        throw InputError(
+            placeOf(draw),
+            fmt::format("vertex {} is at ({:g}, {:g}, {:g}) m, expected coordinates within {:g} m", i,
+                        world.x, world.y, world.z, largestInput),
+            "check the transforms of the node and its ancestors");
+      }
+      scene_.positions.emplace_back(world - scene_.origin);
+    }
+  }
+
+  void addTriangles(Draw& draw) {
+    draw.range.firstTriangle = scene_.triangleCount();
+    const bool flip = mirrors(draw.transform);
+    const auto material = static_cast<std::uint32_t>(materialOf(draw));
+    for (glm::uvec3 triangle : draw.primitive->triangles) {
+      if (flip) std::swap(triangle.y, triangle.z);
+      triangle += glm::uvec3(draw.range.firstVertex);
+      scene_.triangles.push_back(triangle);
+      // Below float's normal range the device would see zero as well.
+      if (!(glm::length(geometricNormal(scene_, scene_.triangleCount() - 1)) >
+            std::numeric_limits<float>::min())) {
+        scene_.triangles.pop_back();
+        ++scene_.droppedTriangles;
+        continue;
+      }
+      scene_.triangleMaterials.push_back(material);
+      scene_.triangleFlat.push_back(draw.primitive->normals.empty() ? 1 : 0);
+    }
+    draw.range.triangleCount = scene_.triangleCount() - draw.range.firstTriangle;
+  }
+
+  void addNormals(const Draw& draw) {
+    const bool flat = draw.primitive->normals.empty();
+    const glm::dmat3 matrix = normalMatrix(draw.transform);
+    std::vector<glm::dvec3> normals(draw.range.vertexCount, glm::dvec3(0.0));
+    bool complete = !flat;
+    for (std::size_t i = 0; !flat && i < normals.size(); ++i) {
+      normals[i] = unit(matrix * glm::dvec3(draw.primitive->normals[i]));
+      complete = complete && normals[i] != glm::dvec3(0.0);
+    }
+    if (!complete) fillFromFaces(draw, normals);
+    for (const glm::dvec3& normal : normals) scene_.normals.emplace_back(normal);
+  }
+
+  /// Normals that are still zero become the area-weighted mean of the faces around; +Y where there are none.
+  void fillFromFaces(const Draw& draw, std::vector<glm::dvec3>& normals) const {
+    std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0.0));
+    for (std::uint32_t t = 0; t < draw.range.triangleCount; ++t) {
+      const std::uint32_t triangle = draw.range.firstTriangle + t;
+      const glm::dvec3 normal = geometricNormal(scene_, triangle);
+      for (int corner = 0; corner < 3; ++corner) {
+        sums[scene_.triangles[triangle][corner] - draw.range.firstVertex] += normal;
+      }
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      if (normals[i] == glm::dvec3(0.0)) normals[i] = unit(sums[i]);
+      if (normals[i] == glm::dvec3(0.0)) normals[i] = {0.0, 1.0, 0.0};
+    }
+  }
+
+  static glm::dvec3 unit(const glm::dvec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0.0) || !std::isfinite(largest)) return glm::dvec3(0.0);
+    return glm::normalize(v / largest);
+  }
+
+  void addTexCoords(const Draw& draw) {
+    const TextureRef& ref = materials_.coordinates[materialOf(draw)];
+    const Primitive& primitive = *draw.primitive;
+    const std::vector<glm::vec2>& source = ref.texCoord == 1 ? primitive.texCoords1 : primitive.texCoords0;
+    for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
+      const bool used = ref.image >= 0 && !source.empty();
+      const glm::vec2 coordinate =
+          used ? glm::vec2(ref.transform * glm::vec3(source[i], 1.0f)) : glm::vec2(0.0f);
+      const bool finite = std::isfinite(coordinate.x) && std::isfinite(coordinate.y);
+      scene_.texCoords.push_back(finite ? coordinate : glm::vec2(0.0f));
+    }
+  }
+
+  void addColors(const Draw& draw) {
+    const std::vector<glm::vec4>& source = draw.primitive->colors;
+    for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
+      scene_.colors[draw.range.firstVertex + i] = source.empty() ? glm::vec4(1.0f) : source[i];
+    }
+  }
+
+  const CompiledMaterials& materials_;
+  CompiledScene& scene_;
+};
+
+void reserveArrays(const std::vector<Draw>& draws, CompiledScene& scene) {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  bool colored = false;
+  for (const Draw& draw : draws) {
+    vertices += draw.range.vertexCount;
+    triangles += draw.primitive->triangles.size();
+    colored = colored || (draw.range.vertexCount > 0 && !draw.primitive->colors.empty());
+  }
+  scene.positions.reserve(vertices);
+  scene.normals.reserve(vertices);
+  scene.texCoords.reserve(vertices);
+  if (colored) scene.colors.resize(vertices, glm::vec4(1.0f));
+  scene.triangles.reserve(triangles);
+  scene.triangleMaterials.reserve(triangles);
+  scene.triangleFlat.reserve(triangles);
+}
+
+}  // namespace
+
+bool CompiledScene::hasAlphaMask() const {
+  return std::any_of(triangleMaterials.begin(), triangleMaterials.end(),
+                     [&](std::uint32_t material) { return materials[material].alphaCutoff >= 0.0f; });
+}
+
+bool CompiledScene::hasDiffuseTransmission() const {
+  return std::any_of(triangleMaterials.begin(), triangleMaterials.end(), [&](std::uint32_t material) {
+    const glm::vec3 t = materials[material].diffuseTransmission;
+    return t.x > 0.0f || t.y > 0.0f || t.z > 0.0f;
+  });
+}
+
+glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
+  const glm::uvec3& t = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[t.x]);
+  return glm::cross(glm::dvec3(scene.positions[t.y]) - a, glm::dvec3(scene.positions[t.z]) - a);
+}
+
+CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
+  CompiledScene compiled;
+  compiled.lights = scene.lights;
+  CompiledMaterials materials = compileMaterials(scene, warnings);
+  std::vector<Draw> draws = listDraws(scene);
+  const Bounds bounds = worldBounds(draws);
+  if (!bounds.empty()) compiled.origin = bounds.low + 0.5 * (bounds.high - bounds.low);
+  reserveArrays(draws, compiled);
+  Flattener flattener(materials, compiled);
+  for (Draw& draw : draws) flattener.add(draw);
+  if (!bounds.empty()) {
+    compiled.boundsMin = glm::vec3(bounds.low - compiled.origin);
+    compiled.boundsMax = glm::vec3(bounds.high - compiled.origin);
+  }
+  if (compiled.droppedTriangles > 0) {
+    warnings.push_back(fmt::format("scene: {} triangles of no area are left out", compiled.droppedTriangles));
+  }
+  compiled.materials = std::move(materials.materials);
+  compiled.albedoImages = std::move(materials.albedoImages);
+  return compiled;
+}
+
+}  // namespace prelight

@@ -1,0 +1,72 @@
+#include "scene/gltf/gltf_document.h"
+
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+#include "base/read_file.h"
+#include "scene/gltf/file_reference.h"
+#include "scene/gltf/glb_container.h"
+#include "scene/gltf/glb_output.h"
+#include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/gltf_validate.h"
+#include "scene/gltf/json_cursor.h"
+
+namespace prelight {
+
+GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings, const ReadOptions& options) {
+  const std::string file = path.string();
+  const std::vector<std::uint8_t> bytes = readFileBytes(path, file);
+  if (bytes.empty()) throw InputError(file, "the file is empty, expected glTF");
+  GlbChunks chunks;
+  if (isGlb(bytes)) {
+    chunks = splitGlb(bytes, file, warnings);
+  } else {
+    chunks.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+  GltfDocument document;
+  document.path = path;
+  document.outsideAllowed = options.allowOutside;
+  document.json = parseJson(chunks.json, file);
+  try {
+    checkFileReferences(document);
+    validateGltf(JsonCursor(file, document.json), warnings);
+    embedBuffers(document, chunks.bin, warnings);
+    validateBinaryData(document);
+    embedImages(document, warnings);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file, error.what());
+  }
+  return document;
+}
+
+void writeGlb(const std::filesystem::path& path, const GltfDocument& document) {
+  OutputFiles files;
+  addGlb(files, path, document);
+  files.commit();
+}
+
+void addGlb(OutputFiles& files, const std::filesystem::path& path, const GltfDocument& document) {
+  using Json = nlohmann::ordered_json;
+  const std::string json = document.json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::vector<std::uint8_t> prefix = makeGlbPrefix(json, document.bin.size(), path.string());
+  const std::array<std::uint8_t, 3> zeros{};
+  const std::size_t padding = (4 - document.bin.size() % 4) % 4;
+  const std::array<std::span<const std::byte>, 3> pieces = {std::as_bytes(std::span(prefix)),
+                                                            std::as_bytes(std::span(document.bin)),
+                                                            std::as_bytes(std::span(zeros).first(padding))};
+  files.add(path, pieces);
+}
+
+int appendAccessor(GltfDocument& document, std::span<const std::byte> data, const std::string& type,
+                   int componentType, std::size_t count) {
+  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
+  const int view = appendBufferView(document, bytes);
+  auto& accessors = document.json["accessors"];
+  nlohmann::ordered_json accessor = {
+      {"bufferView", view}, {"componentType", componentType}, {"count", count}, {"type", type}};
+  accessors.push_back(std::move(accessor));
+  return static_cast<int>(accessors.size()) - 1;
+}
+
+}  // namespace prelight

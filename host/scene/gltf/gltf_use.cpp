@@ -1,0 +1,108 @@
+#include "scene/gltf/gltf_use.h"
+
+#include <array>
+#include <string_view>
+
+#include "scene/gltf/json_cursor.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Indices = std::set<std::size_t>;
+
+/// A member of an object; null of anything else, and where there is none.
+const Json& memberOf(const Json& object, std::string_view key) {
+  static const Json none;
+  if (!object.is_object()) return none;
+  const auto found = object.find(std::string(key));
+  return found == object.end() ? none : *found;
+}
+
+/// An element of an array, or null.
+const Json& elementOf(const Json& array, std::size_t index) {
+  static const Json none;
+  return array.is_array() && index < array.size() ? array[index] : none;
+}
+
+void addIndex(const Json& json, Indices& indices) {
+  if (const auto index = unsignedValue(json)) indices.insert(*index);
+}
+
+template <class Visit>
+void forEachElement(const Json& array, Visit visit) {
+  if (!array.is_array()) return;
+  for (const Json& element : array) visit(element);
+}
+
+/// The attributes that meshes are loaded with; others are not read.
+void addMeshes(const Json& root, GltfUse& use) {
+  constexpr std::array<std::string_view, 6> read = {"POSITION",   "NORMAL",     "TANGENT",
+                                                    "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
+  forEachElement(memberOf(root, "meshes"), [&](const Json& mesh) {
+    forEachElement(memberOf(mesh, "primitives"), [&](const Json& primitive) {
+      const Json& attributes = memberOf(primitive, "attributes");
+      for (const std::string_view name : read) addIndex(memberOf(attributes, name), use.accessors);
+      addIndex(memberOf(primitive, "indices"), use.accessors);
+    });
+  });
+}
+
+void addAnimations(const Json& root, GltfUse& use) {
+  forEachElement(memberOf(root, "animations"), [&](const Json& animation) {
+    forEachElement(memberOf(animation, "samplers"), [&](const Json& sampler) {
+      addIndex(memberOf(sampler, "input"), use.accessors);
+      addIndex(memberOf(sampler, "output"), use.accessors);
+    });
+  });
+}
+
+/// Any number in baked data may be an accessor.
+void addNumbers(const Json& json, Indices& indices) {
+  addIndex(json, indices);
+  if (!json.is_structured()) return;
+  for (const Json& part : json) addNumbers(part, indices);
+}
+
+void addNodes(const Json& root, GltfUse& use) {
+  forEachElement(memberOf(root, "nodes"), [&](const Json& node) {
+    addIndex(memberOf(node, "camera"), use.cameras);
+    const Json& extensions = memberOf(node, "extensions");
+    addIndex(memberOf(memberOf(extensions, "KHR_lights_punctual"), "light"), use.lights);
+    const Json& instances = memberOf(memberOf(extensions, "EXT_mesh_gpu_instancing"), "attributes");
+    for (const std::string_view name : {"TRANSLATION", "ROTATION", "SCALE"})
+      addIndex(memberOf(instances, name), use.accessors);
+    addNumbers(memberOf(extensions, "PRELIGHT_transfer"), use.accessors);
+  });
+  addNumbers(memberOf(memberOf(root, "extensions"), "PRELIGHT_transfer"), use.accessors);
+}
+
+void addViews(const Json& root, GltfUse& use) {
+  for (const std::size_t index : use.accessors) {
+    const Json& accessor = elementOf(memberOf(root, "accessors"), index);
+    const Json& sparse = memberOf(accessor, "sparse");
+    addIndex(memberOf(accessor, "bufferView"), use.bufferViews);
+    addIndex(memberOf(memberOf(sparse, "indices"), "bufferView"), use.bufferViews);
+    addIndex(memberOf(memberOf(sparse, "values"), "bufferView"), use.bufferViews);
+  }
+  for (const std::size_t index : use.images)
+    addIndex(memberOf(elementOf(memberOf(root, "images"), index), "bufferView"), use.bufferViews);
+  for (const std::size_t index : use.bufferViews)
+    addIndex(memberOf(elementOf(memberOf(root, "bufferViews"), index), "buffer"), use.buffers);
+}
+
+}  // namespace
+
+GltfUse findUse(const Json& root) {
+  GltfUse use;
+  addMeshes(root, use);
+  addAnimations(root, use);
+  addNodes(root, use);
+  forEachElement(memberOf(root, "textures"),
+                 [&](const Json& texture) { addIndex(memberOf(texture, "source"), use.images); });
+  addViews(root, use);
+  return use;
+}
+
+}  // namespace prelight

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+
+#include "scene/gltf/gltf_validate.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint64_t uint32 = 5125;
+
+/// What an attribute may be made of; Prelight reads no others and only checks their index.
+struct AttributeRule {
+  std::string_view prefix;
+  std::array<std::string_view, 2> types;
+};
+
+constexpr std::array<AttributeRule, 5> attributeRules = {{{"POSITION", {"VEC3", "VEC3"}},
+                                                          {"NORMAL", {"VEC3", "VEC3"}},
+                                                          {"TANGENT", {"VEC4", "VEC4"}},
+                                                          {"TEXCOORD_", {"VEC2", "VEC2"}},
+                                                          {"COLOR_", {"VEC3", "VEC4"}}}};
+
+/// nullptr for attributes that Prelight does not read.
+const AttributeRule* ruleOf(const std::string& name) {
+  const auto rule = std::find_if(attributeRules.begin(), attributeRules.end(),
+                                 [&](const AttributeRule& r) { return name.starts_with(r.prefix); });
+  return rule == attributeRules.end() ? nullptr : &*rule;
+}
+
+void validateAttributeType(const JsonCursor& attribute, const std::string& name, const AttributeRule& rule,
+                           const JsonCursor& accessor) {
+  const std::string& type = accessor.at("type").asString();
+  if (type != rule.types[0] && type != rule.types[1]) {
+    attribute.fail(fmt::format("expected an accessor of type {}, got {}", rule.types[1], type));
+  }
+  const std::uint64_t component = accessor.at("componentType").asUnsigned();
+  if (component == uint32) {  // 8 and 16 bits are normalised or come through KHR_mesh_quantization
+    attribute.fail(fmt::format("component type {} does not fit {}", component, name));
+  }
+}
+
+/// Checks every attribute and returns the common number of vertices of those that are read.
+std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const JsonCursor& attributes) {
+  attributes.expectObject();
+  const std::size_t accessors = root.countOf("accessors");
+  std::optional<std::uint64_t> vertices;
+  std::string first;
+  attributes.forEachMember([&](const JsonCursor& attribute, const std::string& name) {
+    const std::size_t index = attribute.asIndex(accessors, "accessor");
+    const AttributeRule* rule = ruleOf(name);
+    if (rule == nullptr) return;
+    const JsonCursor accessor = root.at("accessors").at(index);
+    validateAttributeType(attribute, name, *rule, accessor);
+    const std::uint64_t count = accessor.at("count").asUnsigned();
+    if (!vertices) {
+      vertices = count;
+      first = name;
+    } else if (count != *vertices) {
+      attribute.fail(fmt::format("{} vertices, but {} has {}", count, first, *vertices));
+    }
+  });
+  return vertices;
+}
+
+void validateIndices(const JsonCursor& root, const JsonCursor& indices) {
+  const JsonCursor accessor = root.at("accessors").at(indices.asIndex(root.countOf("accessors"), "accessor"));
+  const std::uint64_t component = accessor.at("componentType").asUnsigned();
+  if (component != 5121 && component != 5123 && component != 5125) {
+    indices.fail(
+        fmt::format("expected unsigned integers (5121, 5123, 5125), got component type {}", component));
+  }
+  if (accessor.at("type").asString() != "SCALAR") {
+    indices.fail("expected an accessor of type SCALAR, got " + accessor.at("type").asString());
+  }
+}
+
+void validatePrimitive(const JsonCursor& root, const JsonCursor& primitive) {
+  const auto vertices = validateAttributes(root, primitive.at("attributes"));
+  if (const auto indices = primitive.find("indices")) validateIndices(root, *indices);
+  if (const auto material = primitive.find("material"))
+    material->asIndex(root.countOf("materials"), "material");
+  if (const auto mode = primitive.find("mode"); mode && mode->asUnsigned() > 6) {
+    mode->fail(fmt::format("expected 0..6, got {}", mode->asUnsigned()));
+  }
+  primitive.forEachObject("targets", [&](const JsonCursor& target, std::size_t) {
+    const auto count = validateAttributes(root, target);
+    if (count && vertices && *count != *vertices) {
+      target.fail(fmt::format("a morph target of {} vertices for {}", *count, *vertices));
+    }
+  });
+}
+
+}  // namespace
+
+void validateMeshes(const JsonCursor& root) {
+  root.forEachObject("meshes", [&](const JsonCursor& mesh, std::size_t) {
+    mesh.stringOr("name", "");
+    mesh.at("primitives").arraySize();
+    mesh.forEachObject("primitives",
+                       [&](const JsonCursor& primitive, std::size_t) { validatePrimitive(root, primitive); });
+  });
+}
+
+}  // namespace prelight

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/magnitudes.h"
+#include "scene/gltf/load_parts.h"
+#include "scene/pose.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double halfPi = 1.57079632679489662;
+
+float nonNegativeOr(const LoadContext& context, const JsonCursor& object, const char* name, float fallback) {
+  const auto number = object.find(name);
+  if (!number) return fallback;
+  const float value = finiteFloat(*number);
+  if (value >= 0.0f) return value;
+  context.warnings.push_back(fmt::format("{}: {} is negative; taken as 0", number->where(), value));
+  return 0.0f;
+}
+
+void warnAboutDirection(const LoadContext& context, int node) {
+  context.warn(fmt::format("/nodes/{}", node), "a scale of 0 leaves no direction; the world's axis is taken");
+}
+
+void requireNear(const LoadContext& context, int node, const glm::dvec3& position) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(position[axis]) <= largestInput) continue;
+    throw InputError(
+        context.where(fmt::format("/nodes/{}", node)),
+        fmt::format("its light or camera is at ({:g}, {:g}, {:g}) m, expected coordinates within "
+                    "{:g} m",
+                    position.x, position.y, position.z, largestInput),
+        "check the transforms of the node and its ancestors");
+  }
+}
+
+void loadCone(const LoadContext& context, const JsonCursor& spot, Light& light) {
+  light.innerConeAngle = nonNegativeOr(context, spot, "innerConeAngle", 0.0f);
+  light.outerConeAngle = nonNegativeOr(context, spot, "outerConeAngle", light.outerConeAngle);
+  if (light.outerConeAngle > halfPi) {
+    context.warnings.push_back(spot.where() + "/outerConeAngle: beyond pi/2; clamped");
+    light.outerConeAngle = static_cast<float>(halfPi);
+  }
+  if (light.innerConeAngle > light.outerConeAngle) {
+    context.warnings.push_back(spot.where() + "/innerConeAngle: beyond outerConeAngle; clamped");
+    light.innerConeAngle = light.outerConeAngle;
+  }
+}
+
+}  // namespace
+
+std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world) {
+  const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(node));
+  const auto reference = LoadContext::extension(json, "KHR_lights_punctual");
+  if (!reference) return std::nullopt;
+  const JsonCursor lights = LoadContext::extension(context.root, "KHR_lights_punctual")->at("lights");
+  const JsonCursor source = lights.at(reference->at("light").asUnsigned());
+
+  Light light;
+  const std::string& type = source.at("type").asString();
+  light.type = type == "directional" ? LightType::Directional
+               : type == "spot"      ? LightType::Spot
+                                     : LightType::Point;
+  light.name = source.stringOr("name", json.stringOr("name", ""));
+  light.intensity = glm::vec3(nonNegativeOr(context, source, "intensity", 1.0f));
+  if (const auto color = source.find("color")) {
+    for (int i = 0; i < 3; ++i) {
+      const JsonCursor component = color->at(static_cast<std::size_t>(i));
+      light.intensity[i] *= std::max(finiteFloat(component), 0.0f);
+      if (component.asNumber() < 0.0)
+        context.warnings.push_back(component.where() + ": negative; taken as 0");
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (!(light.intensity[i] <= largestInput))
+      source.fail(
+          fmt::format("colour x intensity is {:g}, expected at most {:g}", light.intensity[i], largestInput),
+          "dim the light");
+  }
+  light.range = nonNegativeOr(context, source, "range", 0.0f);
+  if (!placeLight(light, world)) warnAboutDirection(context, node);
+  requireNear(context, node, light.position);
+  if (light.type == LightType::Spot) loadCone(context, source.at("spot"), light);
+  return light;
+}
+
+Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world) {
+  const tinygltf::Node& source = context.model.nodes[static_cast<std::size_t>(node)];
+  const JsonCursor json = context.root.at("cameras").at(static_cast<std::size_t>(source.camera));
+  Camera camera;
+  camera.name = json.stringOr("name", source.name);
+  if (!placeCamera(camera, world)) warnAboutDirection(context, node);
+  requireNear(context, node, glm::dvec3(camera.world[3]));
+  camera.perspective = json.at("type").asString() == "perspective";
+  if (camera.perspective) {
+    const JsonCursor lens = json.at("perspective");
+    camera.yFov = lens.at("yfov").asNumber();
+    camera.aspect = lens.numberOr("aspectRatio", 0.0);
+    camera.zNear = lens.at("znear").asNumber();
+    camera.zFar = lens.numberOr("zfar", 0.0);
+  } else {
+    const JsonCursor lens = json.at("orthographic");
+    camera.xMag = std::abs(lens.at("xmag").asNumber());
+    camera.yMag = std::abs(lens.at("ymag").asNumber());
+    camera.zNear = lens.at("znear").asNumber();
+    camera.zFar = lens.at("zfar").asNumber();
+  }
+  return camera;
+}
+
+}  // namespace prelight

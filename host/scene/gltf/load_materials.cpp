@@ -1,0 +1,234 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/magnitudes.h"
+#include "scene/gltf/image_decode.h"
+#include "scene/gltf/load_parts.h"
+
+namespace prelight {
+
+namespace {
+
+/// Clamps a value to what the specification allows, saying so once for each number.
+float clampWithWarning(const LoadContext& context, const JsonCursor& number, float low, float high) {
+  const float value = finiteFloat(number);
+  const float clamped = std::clamp(value, low, high);
+  if (clamped != value) {
+    context.warnings.push_back(
+        fmt::format("{}: {} lies outside {}..{}; clamped", number.where(), value, low, high));
+  }
+  return clamped;
+}
+
+/// Where the specification sets none: products stay finite.
+constexpr auto noLimit = static_cast<float>(largestInput);
+
+float clampedOr(const LoadContext& context, const JsonCursor& object, const char* name, float fallback,
+                float high = 1.0f) {
+  const auto number = object.find(name);
+  return number ? clampWithWarning(context, *number, 0.0f, high) : fallback;
+}
+
+template <int N>
+glm::vec<N, float> clampedColor(const LoadContext& context, const JsonCursor& object, const char* name,
+                                const glm::vec<N, float>& fallback, float high = 1.0f) {
+  const auto color = object.find(name);
+  if (!color) return fallback;
+  glm::vec<N, float> result;
+  for (int i = 0; i < N; ++i) {
+    result[i] = clampWithWarning(context, color->at(static_cast<std::size_t>(i)), 0.0f, high);
+  }
+  return result;
+}
+
+WrapMode wrapMode(int mode) {
+  if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return WrapMode::ClampToEdge;
+  if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return WrapMode::MirroredRepeat;
+  return WrapMode::Repeat;
+}
+
+/// KHR_texture_transform: translation x rotation x scale, with the rotation of its specification.
+glm::mat3 textureTransform(const JsonCursor& transform) {
+  const float rotation = transform.find("rotation") ? finiteFloat(transform.at("rotation")) : 0.0f;
+  const auto pair = [&](const char* name, const glm::vec2& fallback) {
+    const auto values = transform.find(name);
+    return values ? glm::vec2(finiteFloat(values->at(0)), finiteFloat(values->at(1))) : fallback;
+  };
+  const glm::vec2 offset = pair("offset", glm::vec2(0.0f));
+  const glm::vec2 scale = pair("scale", glm::vec2(1.0f));
+  const float c = std::cos(rotation);
+  const float s = std::sin(rotation);
+  return {glm::vec3(c * scale.x, -s * scale.x, 0.0f), glm::vec3(s * scale.y, c * scale.y, 0.0f),
+          glm::vec3(offset, 1.0f)};
+}
+
+TextureRef loadTexture(const LoadContext& context, const JsonCursor& holder, const char* name) {
+  TextureRef ref;
+  const auto info = holder.find(name);
+  if (!info) return ref;
+  const tinygltf::Texture& texture = context.model.textures[info->at("index").asUnsigned()];
+  std::uint64_t texCoord = info->unsignedOr("texCoord", 0);
+  if (const auto transform = LoadContext::extension(*info, "KHR_texture_transform")) {
+    ref.transform = textureTransform(*transform);
+    texCoord = transform->unsignedOr("texCoord", texCoord);
+  }
+  if (texture.source < 0) {
+    context.warnings.push_back(info->where() + ": the texture names no image; it is ignored");
+    return {};
+  }
+  if (texCoord > 1) {
+    context.warnings.push_back(
+        fmt::format("{}: TEXCOORD_{} is beyond the two sets that are read; the texture is ignored",
+                    info->where(), texCoord));
+    return {};
+  }
+  ref.image = texture.source;
+  ref.texCoord = static_cast<int>(texCoord);
+  if (texture.sampler >= 0) {
+    const tinygltf::Sampler& sampler = context.model.samplers[static_cast<std::size_t>(texture.sampler)];
+    ref.wrapS = wrapMode(sampler.wrapS);
+    ref.wrapT = wrapMode(sampler.wrapT);
+  }
+  return ref;
+}
+
+void loadVolume(const LoadContext& context, const JsonCursor& volume, Material& material) {
+  material.thickness = clampedOr(context, volume, "thicknessFactor", 0.0f, noLimit);
+  material.attenuationColor = clampedColor<3>(context, volume, "attenuationColor", glm::vec3(1.0f));
+  const auto distance = volume.find("attenuationDistance");
+  if (!distance) return;
+  if (distance->asNumber() > 0.0) {
+    material.attenuationDistance =
+        static_cast<float>(distance->asNumber());  // beyond float's range is infinite
+  } else {
+    context.warnings.push_back(distance->where() + ": expected a positive distance; taken as infinite");
+  }
+}
+
+void loadExtensions(const LoadContext& context, const JsonCursor& json, Material& material) {
+  if (const auto e = LoadContext::extension(json, "KHR_materials_emissive_strength")) {
+    const float strength = clampedOr(context, *e, "emissiveStrength", 1.0f, noLimit);
+    material.emission *= strength;
+    for (int i = 0; i < 3; ++i) {
+      if (!(material.emission[i] <= noLimit))
+        e->fail(fmt::format("emissive factor x strength is {:g}, expected at most {:g}", material.emission[i],
+                            noLimit),
+                "dim the material");
+    }
+  }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_transmission")) {
+    material.transmission = clampedOr(context, *e, "transmissionFactor", 0.0f);
+    if (const auto texture = e->find("transmissionTexture")) {
+      context.warnings.push_back(texture->where() + ": only transmissionFactor is used, the texture is not");
+    }
+  }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_diffuse_transmission")) {
+    material.diffuseTransmission = clampedOr(context, *e, "diffuseTransmissionFactor", 0.0f);
+    material.diffuseTransmissionTexture = loadTexture(context, *e, "diffuseTransmissionTexture");
+    material.diffuseTransmissionColor =
+        clampedColor<3>(context, *e, "diffuseTransmissionColorFactor", glm::vec3(1.0f));
+    material.diffuseTransmissionColorTexture = loadTexture(context, *e, "diffuseTransmissionColorTexture");
+  }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_volume")) loadVolume(context, *e, material);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_ior")) {
+    material.ior = clampedOr(context, *e, "ior", 1.5f, noLimit);
+    if (material.ior > 0.0f && material.ior < 1.0f) {
+      context.warnings.push_back(
+          fmt::format("{}: {} lies below 1; clamped", e->at("ior").where(), material.ior));
+      material.ior = 1.0f;
+    }
+  }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_specular")) {
+    material.specular = clampedOr(context, *e, "specularFactor", 1.0f);
+    material.specularColor = clampedColor<3>(context, *e, "specularColorFactor", glm::vec3(1.0f), noLimit);
+    for (const char* name : {"specularTexture", "specularColorTexture"}) {
+      if (const auto texture = e->find(name)) {
+        context.warnings.push_back(texture->where() + ": only the factor is used, the texture is not");
+      }
+    }
+  }
+  material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
+}
+
+/// KHR_materials_pbrSpecularGlossiness as the dielectric nearest to it: the diffuse colour as it is,
+/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour; its texture is
+/// not used.
+void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, Material& material) {
+  material.metallic = 0.0f;
+  material.baseColor = clampedColor<4>(context, json, "diffuseFactor", glm::vec4(1.0f));
+  material.baseColorTexture = loadTexture(context, json, "diffuseTexture");
+  material.roughness = 1.0f - clampedOr(context, json, "glossinessFactor", 1.0f);
+  material.specularColor = clampedColor<3>(context, json, "specularFactor", glm::vec3(1.0f)) / 0.04f;
+  if (const auto texture = json.find("specularGlossinessTexture"))
+    context.warnings.push_back(texture->where() + ": only the factors are used, the texture is not");
+}
+
+Material loadMaterial(const LoadContext& context, std::size_t index) {
+  const JsonCursor json = context.root.at("materials").at(index);
+  const tinygltf::Material& source = context.model.materials[index];
+  Material material;
+  material.name = source.name;
+  material.doubleSided = source.doubleSided;
+  material.alphaMode = source.alphaMode == "MASK"    ? AlphaMode::Mask
+                       : source.alphaMode == "BLEND" ? AlphaMode::Blend
+                                                     : AlphaMode::Opaque;
+  material.alphaCutoff = clampedOr(context, json, "alphaCutoff", 0.5f, noLimit);
+  // Exporters older than KHR_materials_emissive_strength write radiances above 1 here, and mean them.
+  material.emission = clampedColor<3>(context, json, "emissiveFactor", glm::vec3(0.0f), noLimit);
+  if (glm::any(glm::greaterThan(material.emission, glm::vec3(1.0f)))) {
+    context.warnings.push_back(json.at("emissiveFactor").where() +
+                               ": above 1; taken as radiance all the same");
+  }
+  material.emissiveTexture = loadTexture(context, json, "emissiveTexture");
+  material.normalTexture = loadTexture(context, json, "normalTexture");
+  if (const auto info = json.find("normalTexture"))
+    material.normalScale = info->find("scale") ? finiteFloat(info->at("scale")) : 1.0f;
+  if (const auto pbr = json.find("pbrMetallicRoughness")) {
+    material.baseColor = clampedColor<4>(context, *pbr, "baseColorFactor", glm::vec4(1.0f));
+    material.metallic = clampedOr(context, *pbr, "metallicFactor", 1.0f);
+    material.roughness = clampedOr(context, *pbr, "roughnessFactor", 1.0f);
+    material.baseColorTexture = loadTexture(context, *pbr, "baseColorTexture");
+    material.metallicRoughnessTexture = loadTexture(context, *pbr, "metallicRoughnessTexture");
+  }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness"))
+    loadSpecularGlossiness(context, *e, material);
+  loadExtensions(context, json, material);
+  return material;
+}
+
+}  // namespace
+
+std::vector<Material> loadMaterials(const LoadContext& context) {
+  std::vector<Material> materials;
+  materials.reserve(context.model.materials.size());
+  for (std::size_t i = 0; i < context.model.materials.size(); ++i)
+    materials.push_back(loadMaterial(context, i));
+  return materials;
+}
+
+std::vector<Image> loadImages(const LoadContext& context, const std::vector<Material>& materials) {
+  std::vector<bool> used(context.root.countOf("images"), false);
+  std::vector<bool> checked = used;  // with normal maps, which are decoded when a bake needs them
+  for (const Material& material : materials) {
+    if (material.normalTexture.image >= 0)
+      checked[static_cast<std::size_t>(material.normalTexture.image)] = true;
+    for (const TextureRef* ref :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture,
+          &material.diffuseTransmissionTexture, &material.diffuseTransmissionColorTexture}) {
+      if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
+    }
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) checked[i] = checked[i] || used[i];
+  checkImages(context.document, checked);
+  std::vector<Image> images;
+  images.reserve(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
+                             : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
+  }
+  return images;
+}
+
+}  // namespace prelight

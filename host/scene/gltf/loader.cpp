@@ -1,0 +1,130 @@
+#include "scene/gltf/loader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "scene/gltf/load_parts.h"
+#include "scene/gltf/scene_size.h"
+#include "scene/pose.h"
+
+namespace prelight {
+
+namespace {
+
+/// Numbers that stand for indices may be written as 1.0, which tinygltf does not take.
+void makeIntegers(nlohmann::ordered_json& tree) {
+  if (tree.is_structured()) {
+    for (auto& part : tree) makeIntegers(part);
+  } else if (tree.is_number_float() && !std::signbit(tree.get<double>())) {
+    if (const auto integer = unsignedValue(tree)) tree = *integer;
+  }
+}
+
+/// Accessors that tinygltf accepts, as many as there are: it only asks whether they exist.
+void standInForAccessors(nlohmann::ordered_json& tree) {
+  if (!tree.contains("accessors")) return;
+  nlohmann::ordered_json stub = {
+      {"bufferView", 0}, {"componentType", 5121}, {"count", 1}, {"type", "SCALAR"}};
+  for (auto& accessor : tree["accessors"]) accessor = stub;
+  tree["bufferViews"] = nlohmann::ordered_json::array({{{"buffer", 0}, {"byteLength", 1}}});
+}
+
+/// tinygltf parses a tree without the parts it would open, copy or judge by itself: their bytes are embedded
+/// in the document already, others are read from the JSON tree, and what is not used may be broken.
+tinygltf::Model parseModel(const GltfDocument& document, const std::string& file) {
+  nlohmann::ordered_json tree = document.json;
+  for (const char* part :
+       {"buffers", "images", "animations", "skins", "cameras", "bufferViews", "extensions", "extras"})
+    tree.erase(part);
+  standInForAccessors(tree);
+  makeIntegers(tree);
+  const std::string text = tree.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  tinygltf::TinyGLTF parser;
+  tinygltf::Model model;
+  std::string error;
+  std::string ignoredWarning;
+  bool parsed = false;
+  try {
+    parsed = parser.LoadASCIIFromString(&model, &error, &ignoredWarning, text.c_str(),
+                                        static_cast<unsigned int>(text.size()), "");
+  } catch (const std::exception& exception) {
+    error = exception.what();
+  }
+  if (!parsed) throw InputError(file, "tinygltf cannot read it: " + error);
+  return model;
+}
+
+}  // namespace
+
+LoadContext::LoadContext(const GltfDocument& source, Warnings& out)
+    : document(source),
+      warnings(out),
+      file(source.path.string()),
+      root(file, source.json),
+      model(parseModel(source, file)) {}
+
+std::optional<JsonCursor> LoadContext::extension(const JsonCursor& object, std::string_view name) {
+  const auto extensions = object.find("extensions");
+  return extensions ? extensions->find(name) : std::nullopt;
+}
+
+float finiteFloat(const JsonCursor& number) {
+  const auto value = static_cast<float>(number.asNumber());
+  if (!std::isfinite(value)) number.fail(fmt::format("{} does not fit a 32-bit float", number.asNumber()));
+  return value;
+}
+
+const Material& Scene::materialOf(const Primitive& primitive) const {
+  static const Material defaultMaterial;
+  return primitive.material < 0 ? defaultMaterial : materials[static_cast<std::size_t>(primitive.material)];
+}
+
+Scene loadScene(const GltfDocument& document, Warnings& warnings) {
+  const LoadContext context(document, warnings);
+  const tinygltf::Model& model = context.model;
+  Scene scene;
+  scene.materials = loadMaterials(context);
+  scene.images = loadImages(context, scene.materials);
+  scene.meshes.resize(model.meshes.size());
+  std::vector<bool> loaded(model.meshes.size(), false);
+
+  scene.nodes = loadNodes(context);
+  checkSceneSize(context, scene.nodes);
+  const std::vector<glm::dmat4> world = restTransforms(context, scene.nodes);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int index = scene.nodes[i].node;
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
+    if (node.mesh >= 0) {
+      const auto mesh = static_cast<std::size_t>(node.mesh);
+      if (!loaded[mesh]) scene.meshes[mesh] = loadMesh(context, mesh);
+      loaded[mesh] = true;
+      if (node.skin >= 0) {
+        context.warn(fmt::format("/nodes/{}/skin", index), "the skin is not applied; the bind pose is used");
+      }
+      scene.meshNodes.push_back({index, node.name, node.mesh, {}, i, loadInstances(context, index)});
+    }
+    if (node.camera >= 0) {
+      scene.cameras.push_back(loadCamera(context, index, world[i]));
+      scene.cameras.back().sceneNode = i;
+    }
+    if (auto light = loadLight(context, index, world[i])) {
+      light->sceneNode = i;
+      scene.lights.push_back(*std::move(light));
+    }
+  }
+  placeMeshes(scene, world, context.file + ": ");
+  scene.animations = loadAnimations(context, scene.nodes);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (!loaded[i]) {
+      scene.meshes[i].name = model.meshes[i].name;
+      scene.meshes[i].primitives.resize(model.meshes[i].primitives.size());
+    }
+  }
+  const std::size_t chosen = model.defaultScene >= 0 ? static_cast<std::size_t>(model.defaultScene) : 0;
+  if (chosen < model.scenes.size()) scene.name = model.scenes[chosen].name;
+  return scene;
+}
+
+}  // namespace prelight

@@ -1,0 +1,107 @@
+#include "transfer/animated_transfer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "basis/sh_rotation.h"
+#include "scene/pose.h"
+
+namespace prelight {
+
+namespace {
+
+using Transforms = std::vector<std::vector<glm::dmat4>>;
+
+double greatestDifference(const glm::dmat3& a, const glm::dmat3& b) {
+  double greatest = 0.0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      greatest = std::max(greatest, std::abs(a[column][row] - b[column][row]));
+  return greatest;
+}
+
+/// How a node turned between two of its transforms; none when the first has no inverse.
+glm::dmat3 turnBetween(const glm::dmat4& from, const glm::dmat4& to) {
+  const glm::dmat3 linear(from);
+  const double size = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+  if (!(std::abs(glm::determinant(linear)) > 1e-9 * size)) return glm::dmat3(1.0);
+  return rotationOf(glm::dmat4(glm::dmat3(to) * glm::inverse(linear)));
+}
+
+/// Adds `weight` times the transfer of some vertices, turned.
+void addTurned(std::span<const float> transfer, int order, const glm::dmat3& turn, double weight,
+               std::span<double> sum) {
+  constexpr double negligible = 1e-12;
+  if (greatestDifference(turn, glm::dmat3(1.0)) < negligible) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * double(transfer[i]);
+    return;
+  }
+  const sh::ShRotation rotation(order, turn);
+  std::vector<double> turned(transfer.begin(), transfer.end());
+  rotation.apply(turned, turned);
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * turned[i];
+}
+
+}  // namespace
+
+glm::dmat3 rotationOf(const glm::dmat4& map) {
+  glm::dmat3 rotation(map);
+  if (!(glm::determinant(rotation) > 0.0)) return glm::dmat3(1.0);
+  // Newton's iteration for the orthogonal polar factor (Higham 1986, Eq. 3.4); quadratic once it is near.
+  constexpr int mostSteps = 64;
+  for (int step = 0; step < mostSteps; ++step) {
+    const glm::dmat3 next = 0.5 * (rotation + glm::transpose(glm::inverse(rotation)));
+    const double change = greatestDifference(next, rotation);
+    rotation = next;
+    if (change < 1e-15) break;
+  }
+  const double error = greatestDifference(rotation * glm::transpose(rotation), glm::dmat3(1.0));
+  return error < 1e-9 ? rotation : glm::dmat3(1.0);
+}
+
+HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& last, double blend,
+                              const Transforms& transforms, const Scene& scene, const CompiledScene& compiled,
+                              KeyMix mix) {
+  assert(first.transfer.coefficients.size() == last.transfer.coefficients.size());
+  HarmonicTransfer result = first.transfer;
+  const auto width = static_cast<std::size_t>(result.channels * result.order * result.order);
+  std::map<int, std::size_t> meshNodes;
+  for (std::size_t i = 0; i < scene.meshNodes.size(); ++i) meshNodes[scene.meshNodes[i].node] = i;
+  std::vector<double> sum;
+  for (const PrimitiveRange& range : compiled.primitives) {
+    const std::size_t node = meshNodes.at(range.node), begin = range.firstVertex * width;
+    const auto instance = static_cast<std::size_t>(range.instance);
+    sum.assign(range.vertexCount * width, 0.0);
+    const auto add = [&](const PosedTransfer& key, double weight) {
+      const glm::dmat3 turn = mix == KeyMix::Linear
+                                  ? glm::dmat3(1.0)
+                                  : turnBetween(key.transforms[node][instance], transforms[node][instance]);
+      addTurned(std::span(key.transfer.coefficients).subspan(begin, sum.size()), result.order, turn, weight,
+                sum);
+    };
+    add(first, 1.0 - blend);
+    add(last, blend);
+    for (std::size_t i = 0; i < sum.size(); ++i) result.coefficients[begin + i] = static_cast<float>(sum[i]);
+  }
+  return result;
+}
+
+HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,
+                            const CompiledScene& compiled, double seconds, KeyMix mix) {
+  const std::vector<double>& times = animated.times;
+  const auto next = std::upper_bound(times.begin(), times.end(), seconds);
+  if (next == times.begin()) return animated.keys.front();
+  const auto key = static_cast<std::size_t>(next - times.begin()) - 1;
+  if (next == times.end() || seconds == times[key]) return animated.keys[key];
+  const auto posed = [&](std::size_t k) {
+    return PosedTransfer{animated.keys[k], transformsAt(scene, animated.animation, times[k])};
+  };
+  const double blend = (seconds - times[key]) / (times[key + 1] - times[key]);
+  return mixTransfers(posed(key), posed(key + 1), blend, transformsAt(scene, animated.animation, seconds),
+                      scene, compiled, mix);
+}
+
+}  // namespace prelight

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "scene/scene.h"
+#include "transfer/transfer.h"
+
+namespace prelight {
+
+/// How transfer between two keys is made of them.
+enum class KeyMix : std::uint8_t {
+  Linear,  ///< coefficients in world space, mixed linearly
+  Turned,  ///< first turned with the node from where it was at the key, then mixed linearly
+};
+
+/// A key of an animation and the transforms of the mesh nodes then, [meshNode][instance].
+struct PosedTransfer {
+  const HarmonicTransfer& transfer;
+  std::vector<std::vector<glm::dmat4>> transforms;
+};
+
+/// The rotation nearest to the linear part of an affine map: the factor of its polar decomposition. The
+/// identity when the map flattens or mirrors.
+glm::dmat3 rotationOf(const glm::dmat4& map);
+
+/// (1 - blend) first + blend last, both of one shape, for the transforms at the moment between. `compiled` is
+/// the scene flattened in any pose.
+HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& last, double blend,
+                              const std::vector<std::vector<glm::dmat4>>& transforms, const Scene& scene,
+                              const CompiledScene& compiled, KeyMix mix);
+
+/// Transfer at a moment of the animation, from the two keys around it; before the first key and after the
+/// last it is theirs, and at a key exactly the key's. `scene` and `compiled` may be in any pose.
+HarmonicTransfer transferAt(const AnimatedTransfer& animated, const Scene& scene,
+                            const CompiledScene& compiled, double seconds, KeyMix mix = KeyMix::Turned);
+
+}  // namespace prelight

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace prelight {
+
+/// A light's wavelet coefficient that is kept, for all colours.
+struct LitWavelet {
+  std::uint32_t index = 0;  ///< below 6 faceSize^2
+  glm::vec3 color{0.0f};
+};
+
+}  // namespace prelight

@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace prelight {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An include of another file of the project.
+struct Include {
+  std::string file;  ///< from the root, "host/cast/caster.h"
+  std::string included;
+};
+
+/// A room is a folder of sources; "host/scene" and "host/scene/gltf" are two.
+std::string roomOf(const std::string& file) { return file.substr(0, file.rfind('/')); }
+
+bool startsWith(const std::string& text, const std::string& beginning) {
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+std::vector<std::string> sourcesBelow(const std::string& folder) {
+  std::vector<std::string> files;
+  const fs::path root = PRELIGHT_SOURCE_DIR;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".h" || extension == ".cpp")
+      files.push_back(fs::relative(entry.path(), root).generic_string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Includes of a file, in quotes or angle brackets as `form` says, as they are written.
+std::vector<std::string> writtenIncludes(const std::string& file, const char* form) {
+  std::ifstream in(fs::path(PRELIGHT_SOURCE_DIR) / file);
+  EXPECT_TRUE(in) << file;
+  const std::regex pattern(form);
+  std::vector<std::string> includes;
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, pattern)) includes.push_back(match[1]);
+  }
+  return includes;
+}
+
+/// Includes of the project's own files. What host/ includes is relative to host/, viewer/ and benchmarks/ to the root.
+std::vector<Include> includesOf(const std::string& file) {
+  std::vector<Include> includes;
+  for (const std::string& included : writtenIncludes(file, "^#include \"([^\"]+)\"")) {
+    for (const char* base : {"host/", ""}) {
+      if (fs::exists(fs::path(PRELIGHT_SOURCE_DIR) / (base + included))) {
+        includes.push_back({file, base + included});
+        break;
+      }
+    }
+  }
+  return includes;
+}
+
+using Graph = std::map<std::string, std::map<std::string, Include>>;  ///< [room][other room], one include of it
+
+Graph graphOfHost() {
+  Graph graph;
+  for (const std::string& file : sourcesBelow("host")) {
+    for (const Include& include : includesOf(file)) {
+      const std::string from = roomOf(file), to = roomOf(include.included);
+      if (from != to && startsWith(to, "host/")) graph[from].emplace(to, include);
+    }
+  }
+  return graph;
+}
+
+/// The rooms of a cycle from `room` on, as text; empty: there is none.
+std::string cycleFrom(const Graph& graph, const std::string& room, std::vector<std::string>& way,
+                      std::set<std::string>& done) {
+  if (done.count(room) > 0) return {};
+  const auto before = std::find(way.begin(), way.end(), room);
+  if (before != way.end()) {
+    std::string text;
+    way.push_back(room);
+    for (auto at = std::find(way.begin(), way.end(), room); at + 1 != way.end(); ++at) {
+      const Include& include = graph.at(*at).at(*(at + 1));
+      text += "  " + include.file + " includes " + include.included + "\n";
+    }
+    return text;
+  }
+  way.push_back(room);
+  if (const auto found = graph.find(room); found != graph.end())
+    for (const auto& [other, include] : found->second)
+      if (std::string cycle = cycleFrom(graph, other, way, done); !cycle.empty()) return cycle;
+  way.pop_back();
+  done.insert(room);
+  return {};
+}
+
+std::string firstCycle(const Graph& graph) {
+  std::set<std::string> done;
+  for (const auto& [room, others] : graph) {
+    std::vector<std::string> way;
+    if (std::string cycle = cycleFrom(graph, room, way, done); !cycle.empty()) return cycle;
+  }
+  return {};
+}
+
+TEST(Rooms, Includes_FormNoCycle) {
+  const Graph graph = graphOfHost();
+  ASSERT_GT(graph.size(), 20u) << "the sources were not found";
+  EXPECT_EQ(firstCycle(graph), "");
+}
+
+/// The search finds what it is for.
+TEST(Rooms, CycleOfThree_IsFound) {
+  Graph graph;
+  graph["a"].emplace("b", Include{"a/1.h", "b/1.h"});
+  graph["b"].emplace("c", Include{"b/2.h", "c/1.h"});
+  graph["b"].emplace("d", Include{"b/2.h", "d/1.h"});
+  EXPECT_EQ(firstCycle(graph), "");
+  graph["c"].emplace("a", Include{"c/3.h", "a/1.h"});
+  EXPECT_EQ(firstCycle(graph),
+            "  a/1.h includes b/1.h\n  b/2.h includes c/1.h\n  c/3.h includes a/1.h\n");
+}
+
+/// The program joins library, viewer and benchmarks; nothing else of host/ knows the other two.
+TEST(Rooms, HostButTheProgram_IncludesNeitherViewerNorBenchmarks) {
+  for (const std::string& file : sourcesBelow("host")) {
+    if (startsWith(file, "host/cli/")) continue;
+    for (const Include& include : includesOf(file))
+      EXPECT_TRUE(startsWith(include.included, "host/")) << file << " includes " << include.included;
+  }
+}
+
+TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
+  for (const char* top : {"host", "viewer", "benchmarks"}) {
+    for (const std::string& file : sourcesBelow(top)) {
+      if (startsWith(file, "host/cli/")) continue;
+      for (const Include& include : includesOf(file))
+        EXPECT_FALSE(startsWith(include.included, "host/cli/")) << file << " includes " << include.included;
+    }
+  }
+}
+
+TEST(Rooms, OpenGl_IsTheViewersAlone) {
+  const std::regex gl("^(epoxy|GL|GLES[0-9]?|EGL|GLFW)/");
+  for (const char* top : {"host", "benchmarks"}) {
+    for (const std::string& file : sourcesBelow(top))
+      for (const std::string& include : writtenIncludes(file, "^#include <([^>]+)>"))
+        EXPECT_FALSE(std::regex_search(include, gl)) << file << " includes " << include;
+  }
+}
+
+/// Slow truths that share code with what they judge would share its faults: they know the scene, the layout of stored
+/// transfer and the basis functions, whose own tests are closed forms.
+TEST(Rooms, Oracle_KnowsDataAlone) {
+  const std::set<std::string> allowed = {"host/base",  "host/images",   "host/scene",
+                                         "host/basis", "host/transfer", "host/oracle"};
+  for (const std::string& file : sourcesBelow("host/oracle"))
+    for (const Include& include : includesOf(file))
+      EXPECT_TRUE(allowed.count(roomOf(include.included)) > 0) << file << " includes " << include.included;
+}
+
+}  // namespace
+}  // namespace prelight
