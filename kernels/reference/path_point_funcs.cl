@@ -97,14 +97,7 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
   if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, a.distance);
 #endif
   if (largest(radiance) <= 0.0f) return false;
-  *shadow = rayFrom(at.surface, a.direction, a.distance);
-  if (a.surface) {
-    // The light's own triangle, whose distance is subject to rounding, must not count as in the way.
-    const float3 way = a.target - vload3(0, shadow->origin);
-    const bool ahead = dot(way, a.direction) > 0.0f;  // else rounding has carried the origin beyond the light
-    if (ahead) vstore3(way, 0, shadow->direction);
-    shadow->tMax = ahead ? 0.99998f : 0.0f;
-  }
+  *shadow = a.surface ? rayTo(at.surface, a.direction, a.target, 0.99998f) : rayFrom(at.surface, a.direction, a.distance);
   vstore3(radiance, 0, item->radiance);
   item->path = at.path;
   return true;

@@ -1,5 +1,5 @@
-// How a surface scatters light: evalBsdf, sampleBsdf and pdfBsdf. What they say of a direction, each other and nobody else
-// has to know which lobes there are, nor in which of its two directions light is followed.
+// How a surface scatters light: evalBsdf says how much, sampleBsdf draws a direction, pdfBsdf tells with which density. A caller
+// chooses lobes and whether it follows radiance or importance; what that makes of the result happens here.
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", ch. 5.
 // Options: those of transport/lobe_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_BSDF_FUNCS_CL
@@ -8,7 +8,7 @@
 #include "transport/adjoint_funcs.cl"
 #include "transport/microfacet_funcs.cl"
 
-// Of the lobes that a sample is asked of: each weighs by itself, so that the sample's lobe tells which light it carries.
+// With a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
 #define PRELIGHT_LOBES_APART 64u
 
 // Light that is scattered to a direction, times its cosine, but for what mirrors and glass do.
@@ -73,8 +73,8 @@ float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
   return density;
 }
 
-// Radiance: `direction` is where light comes from, which leaves to i.wo. Importance: light comes from i.wo and leaves to
-// `direction`. False: none can.
+// Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and leaves to `direction`. False:
+// none does.
 bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
   const float3 wi = toFrame(i.frame, direction);
   if (i.woLocal.z <= 0.0f || !maySee(b, wi.z, dot(direction, i.geometric))) return false;
@@ -87,7 +87,7 @@ bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* sca
   return true;
 }
 
-// Density, 1/sr, with which sampleBsdf draws a direction that evalBsdf says light of; both modes draw alike.
+// Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds light. Both modes draw alike.
 float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
   return pdfLobes(b, lobeChances(b, i.woLocal.z, lobes), i.woLocal, toFrame(i.frame, direction));
 }

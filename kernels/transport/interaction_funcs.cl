@@ -87,4 +87,15 @@ Ray rayFrom(Interaction i, float3 direction, float tMax) {
   return ray;
 }
 
+// A ray that leaves in a direction to meet what is in the way of a target there, but for the last share of the way: the target's
+// own triangle, whose distance is subject to rounding, must not count.
+Ray rayTo(Interaction i, float3 direction, float3 target, float reach) {
+  Ray ray = rayFrom(i, direction, 0.0f);
+  const float3 way = target - vload3(0, ray.origin);
+  if (!(dot(way, direction) > 0.0f)) return ray;  // rounding has carried the origin beyond the target
+  vstore3(way, 0, ray.direction);
+  ray.tMax = reach;
+  return ray;
+}
+
 #endif

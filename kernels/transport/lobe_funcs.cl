@@ -53,12 +53,15 @@ typedef struct LobeChances {
 #endif
 } LobeChances;
 
-// Schlick 1994.
-float3 schlick(Bsdf b, float cosine) {
+// Schlick 1994: how far reflectance has risen from that along the normal to that at grazing angles.
+float schlickRise(float cosine) {
   const float k = clamp(1.0f - cosine, 0.0f, 1.0f);
   const float k2 = k * k;
-  return b.f0 + (b.f90 - b.f0) * (k2 * k2 * k);
+  return k2 * k2 * k;
 }
+
+// Reflectance of the layer.
+float3 schlick(Bsdf b, float cosine) { return b.f0 + (b.f90 - b.f0) * schlickRise(cosine); }
 
 // Its mean over directions, weighted by the cosine: that of the rise is 1/21.
 float3 meanLayer(Bsdf b) { return b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f); }
