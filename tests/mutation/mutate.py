@@ -18,9 +18,11 @@ import mutations
 import suite
 
 # Rooms of tests that know a folder's code best, where the name alone does not say so.
-NEAR = {"host/cli": ["cli"], "host/images": ["io"], "host/shade": ["reference", "photon"], "kernels/core": ["device", "bake", "bvh"],
-        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/shade": ["reference", "photon"],
-        "kernels/shared": ["device"]}
+NEAR = {"host/cast": ["bake"], "host/cli": ["cli"], "host/fit": ["bake"], "host/gi": ["gather", "update"],
+        "host/gpu": ["bvh", "reference"], "host/images": ["io"], "host/integrators": ["reference", "full"],
+        "host/oracle": ["reference", "relight"], "host/projectors": ["bake", "lightmap"], "host/receivers": ["bake"],
+        "host/transfer": ["bake", "io"], "kernels/core": ["device", "bake", "bvh"], "kernels/cast": ["bake"],
+        "kernels/project": ["bake"], "kernels/shade": ["reference", "photon"], "kernels/shared": ["device"]}
 
 
 def parse():
