@@ -7,6 +7,7 @@
 #include "bake/make_plan.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "lightmap/texel_sizes.h"
 #include "projectors/lightmap/light_map_sources.h"
 #include "receivers/sampling.h"
 

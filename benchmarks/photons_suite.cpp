@@ -13,7 +13,7 @@
 #include "benchmarks/photon_samples.h"
 #include "benchmarks/suites.h"
 #include "benchmarks/take_turns.h"
-#include "photon/progressive_irradiance.h"
+#include "benchmarks/lab/progressive_irradiance.h"
 
 namespace prelight::benchmarks {
 

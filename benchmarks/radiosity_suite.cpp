@@ -6,7 +6,7 @@
 
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
-#include "radiosity/hemicube.h"
+#include "benchmarks/lab/hemicube.h"
 #include "radiosity/radiosity.h"
 
 namespace prelight::benchmarks {

@@ -8,7 +8,7 @@
 
 #include "basis/cube_rotation.h"
 #include "basis/haar.h"
-#include "basis/quincunx.h"
+#include "benchmarks/lab/quincunx.h"
 #include "benchmarks/flicker.h"
 #include "benchmarks/wavelet_turns.h"
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "basis/cube_rotation.h"
-#include "basis/haar_rotation.h"
+#include "benchmarks/lab/haar_rotation.h"
 #include "benchmarks/flicker.h"
 
 namespace prelight::benchmarks {

@@ -4,7 +4,7 @@
 
 #include "basis/cube_rotation.h"
 #include "basis/haar.h"
-#include "basis/haar_rotation.h"
+#include "benchmarks/lab/haar_rotation.h"
 #include "benchmarks/flicker.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"

@@ -5,7 +5,7 @@
 #include "basis/ch.h"
 #include "basis/haar.h"
 #include "basis/quadrature.h"
-#include "basis/quincunx.h"
+#include "benchmarks/lab/quincunx.h"
 #include "benchmarks/stability/cases.h"
 
 namespace prelight::benchmarks::stability {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "basis/cube_light.h"
-#include "basis/haar_rotation.h"
+#include "benchmarks/lab/haar_rotation.h"
 #include "basis/random_occluders.h"
 #include "relight/haar_model.h"
 

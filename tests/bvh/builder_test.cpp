@@ -9,6 +9,7 @@
 
 #include "bvh/bvh_report.h"
 #include "bvh/collapse.h"
+#include "bvh/morton_tree.h"
 #include "bvh/parallel_partition.h"
 #include "bvh/top_down.h"
 #include "support/scenes.h"
@@ -338,6 +339,38 @@ TEST(ParallelPartition, AnySizeAndShare_SeparatesAsThePredicateSays) {
       std::sort(expected.begin(), expected.end());
       EXPECT_EQ(items, expected);
     }
+}
+
+/// Bits of a cell's coordinates in turn, x first, the highest bits first.
+std::uint64_t interleaved(const glm::uvec3& cell) {
+  std::uint64_t code = 0;
+  for (int bit = 15; bit >= 0; --bit)
+    for (int axis = 0; axis < 3; ++axis) code = code << 1 | (cell[axis] >> bit & 1u);
+  return code;
+}
+
+// Triangles in cells of a grid of 2^16 along each side, half of them beside another in the next cell.
+TEST(MortonTree, Triangles_AreInTheOrderOfTheirCodes) {
+  std::mt19937 random(31);
+  std::vector<glm::uvec3> cells{glm::uvec3(0), glm::uvec3(65535)};
+  for (int i = 0; i < 2000; ++i) {
+    const glm::uvec3 cell(random() % 65534, random() % 65534, random() % 65534);
+    glm::uvec3 next = cell;
+    next[static_cast<int>(random() % 3)] ^= 1u;
+    cells.insert(cells.end(), {next, cell});
+  }
+  std::vector<glm::vec3> positions;
+  std::vector<glm::uvec3> triangles;
+  for (const glm::uvec3& cell : cells) {
+    const auto first = static_cast<std::uint32_t>(positions.size());
+    const glm::vec3 centre(cell);
+    positions.insert(positions.end(), {centre - 0.125f, centre + 0.125f, centre + glm::vec3(0.125f, 0, 0)});
+    triangles.push_back({first, first + 1, first + 2});
+  }
+  const BinaryBvh bvh = buildMortonTree(test::sceneOf(std::move(positions), std::move(triangles)), 2);
+  ASSERT_EQ(bvh.triangleOrder.size(), cells.size());
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    ASSERT_LE(interleaved(cells[bvh.triangleOrder[i - 1]]), interleaved(cells[bvh.triangleOrder[i]])) << i;
 }
 
 }  // namespace

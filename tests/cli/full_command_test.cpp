@@ -41,6 +41,23 @@ TEST_F(CliFull, DiffuseScene_SkipsCausticsAndSaysWhy) {
   EXPECT_GT(compare("a.exr", "a.exr")["picture"]["meanA"], 0.05);
 }
 
+TEST_F(CliFull, Summary_NamesThePassesThatAreSkippedAndNoOthers) {
+  prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+  const nlohmann::json report = render({"cornell.glb", "-o", "a.exr"});
+  const std::string messages =
+      prelightDone({"render", "cornell.glb", "-o", "a.exr", "--shading", "full", "--size", "24x24", "--spp",
+                    "4", "--photons", "2000", "--map-texels", "512"})
+          .output;
+  std::size_t skipped = 0;
+  for (const nlohmann::json& pass : report["plan"]) {
+    const std::string line = pass["name"].get<std::string>() + ": " + pass["reason"].get<std::string>();
+    EXPECT_EQ(messages.find(line) == std::string::npos, pass["runs"].get<bool>()) << line;
+    skipped += pass["runs"] ? 0 : 1;
+  }
+  EXPECT_GT(skipped, 0u);
+  EXPECT_LT(skipped, report["plan"].size());
+}
+
 TEST_F(CliFull, SameSeed_GivesTheSameBytesAndAnotherSeedDoesNot) {
   prelightDone({"scene", "caustics", "-o", "scene.glb"});
   EXPECT_TRUE(

@@ -108,6 +108,8 @@ TEST_F(CliUsage, PictureValues_NegativeOrAbsurd_AreRefusedByName) {
        {"lamp", "point:0,0,0", "point:0,0:1,1,1", "directional:0,0,0:1,1,1", "point:0,0,0:1,nan,1"})
     expectFailure(badUsage, {"render", "x.glb", "-o", "y.png", "--light", light}, {"--light", light});
   expectFailure(badUsage, {"view", "x.glb", "--frames", "0"}, {"--frames"});
+  expectFailure(badUsage, {"view", "x.glb", "--frames", "1000001"}, {"--frames", "1000000"});
+  expectFailure(3, {"view", "x.glb", "--frames", "1000000"}, {"x.glb"});
   expectFailure(badUsage, {"view", "x.glb", "--screenshot", "a.png"}, {"--screenshot", "--frames"});
 }
 

@@ -47,7 +47,7 @@ FullShot builtinShot(const std::string& name, int size) {
 bool runs(const FullReport& report, Pass pass) {
   for (const PlannedPass& p : report.plan)
     if (p.pass == pass) return p.runs;
-  ADD_FAILURE() << pass;
+  ADD_FAILURE() << nameOf(pass);
   return false;
 }
 

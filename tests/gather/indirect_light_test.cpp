@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "lightmap/make_light_map_layout.h"
-#include "lightmap/mapped_irradiance.h"
+#include "support/mapped_irradiance.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "receivers/texel_receiver.h"
 #include "scene/builtin/builtin.h"

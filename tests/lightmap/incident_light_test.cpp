@@ -7,7 +7,7 @@
 #include <random>
 
 #include "lightmap/layout_places.h"
-#include "lightmap/mapped_irradiance.h"
+#include "support/mapped_irradiance.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "projectors/lightmap/sky_light_part.h"
 #include "support/devices.h"

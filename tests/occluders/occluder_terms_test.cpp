@@ -7,6 +7,8 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <span>
+#include <utility>
 
 #include "occluders/wave_table.h"
 #include "support/scenes.h"
@@ -241,6 +243,35 @@ TEST(WaveTable, IsItsTrainAndClosesOnItself) {
     for (int k = 0; k < 63; ++k) inside = std::max(inside, glm::distance(at(i, k), at(i, k + 1)));
   }
   EXPECT_LE(seam, inside * 1.5);
+}
+
+/// Length of a wave's displacement and of its flicker, by Fourier's transform of the table.
+std::pair<double, double> amplitudesOf(std::span<const glm::vec4> table, int first, int second) {
+  glm::dvec4 cosines(0.0), sines(0.0);
+  for (int row = 0; row < waveTableSide; ++row)
+    for (int column = 0; column < waveTableSide; ++column) {
+      const double angle = 2.0 * std::numbers::pi * (first * column + second * row) / waveTableSide;
+      const glm::dvec4 texel(table[static_cast<std::size_t>(row * waveTableSide + column)]);
+      cosines += texel * std::cos(angle);
+      sines += texel * std::sin(angle);
+    }
+  return {std::hypot(glm::length(glm::dvec3(cosines)), glm::length(glm::dvec3(sines))),
+          std::hypot(cosines.w, sines.w)};
+}
+
+// Waves displace along unit vectors and flicker alike, and both fall with the frequency.
+TEST(WaveTable, Waves_FallWithTheirFrequency) {
+  const std::vector<glm::vec4> table = makeWaveTable();
+  const auto [displacement, flicker] = amplitudesOf(table, 1, 0);
+  EXPECT_GT(displacement, 1.0);
+  EXPECT_GT(flicker, 1.0);
+  for (int i = 0; i <= 3; ++i)
+    for (int j = -3; j <= 3; ++j) {
+      if (i == 0 && j <= 0) continue;
+      const auto [length, strength] = amplitudesOf(table, i, j);
+      EXPECT_NEAR(length * std::hypot(i, j), displacement, 1e-4 * displacement) << i << ' ' << j;
+      EXPECT_NEAR(strength * std::hypot(i, j), flicker, 1e-4 * flicker) << i << ' ' << j;
+    }
 }
 
 TEST(WaveTable, LookUp_RepeatsEveryPeriodExactly) {

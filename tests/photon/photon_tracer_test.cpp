@@ -472,5 +472,35 @@ TEST(CausticPhotons, UsualRequest_LetsADarkMirrorWeakenPhotonsAndNotEndThem) {
     EXPECT_NEAR(photon.power[0], 0.1 * sent, 0.01 * sent);
 }
 
+// In a white sphere round a point light the first photons come along the radius, and those that were
+// reflected once or more along chords. How steep a chord is has nothing to do with where on the sphere it
+// begins, which follows from its end and direction: each mean of a product of the two is 0.
+TEST(PhotonTracer, Directions_AreIndependentOfThoseBefore) {
+  CompiledScene scene = sphere(48, 1.0f, glm::vec3(0.0f));
+  for (glm::uvec3& t : scene.triangles) std::swap(t.y, t.z);
+  for (glm::vec3& n : scene.normals) n = -n;
+  scene.materials[0] = lambert(0.5f);
+  PhotonRequest request = requestOf(PhotonKind::Indirect, 40000);
+  const Flight flight = fly(scene, {pointLight(glm::dvec3(0.0), glm::vec3(1.0f))}, request);
+  std::size_t count = 0;
+  glm::dvec3 first(0.0), second(0.0);
+  for (const device::Photon& p : flight.hits.photons) {
+    const glm::dvec3 end(p.position[0], p.position[1], p.position[2]);
+    const glm::dvec3 from(unpackDirection(p.direction));
+    const double cosine = -glm::dot(end, from);
+    const glm::dvec3 begin = end + 2.0 * cosine * from;
+    ++count;
+    // The square of the cosine of Lambert's law is uniform in [0, 1].
+    first += (cosine * cosine - 0.5) * begin;
+    second += (cosine * cosine - 0.5) * (begin * begin - 1.0 / 3.0);
+  }
+  ASSERT_GT(count, 10000u);
+  const double bound = 5.0 * 0.29 * 0.58 / std::sqrt(double(count));  // of five standard errors
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_LE(std::abs(first[c]) / double(count), bound) << c;
+    EXPECT_LE(std::abs(second[c]) / double(count), bound) << c;
+  }
+}
+
 }  // namespace
 }  // namespace prelight::test

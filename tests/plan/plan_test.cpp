@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "projectors/lightmap/light_map_plan.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -85,6 +86,26 @@ TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
   const Plan plan = makePlan(Scene(), scene, request);
   EXPECT_GT(plan.transportBytes, 0u);
   EXPECT_LE(plan.transportBytes, allowed);
+}
+
+// Texels of one size over 4 m2, of 300 and of 30 000 triangles.
+TEST(Plan, MemoryOfALightMap_GrowsWithTexelsValuesAndTriangles) {
+  BakeRequest request;
+  request.lightMapTexel = 0.01;
+  const CompiledScene coarse = test::ground(10, 1.0f), fine = test::ground(100, 1.0f);
+  const double triangles = double(fine.triangleCount()) - double(coarse.triangleCount());
+  const auto bytes = [&](const CompiledScene& scene, double texel, int coefficients) {
+    request.lightMapTexel = texel;
+    return double(lightMapBytes(scene, request, coefficients));
+  };
+  // Six corners of two faces and a chart each, at least.
+  const double aTriangle = (bytes(fine, 0.01, 1) - bytes(coarse, 0.01, 1)) / triangles;
+  EXPECT_GE(aTriangle, 2.0 * (3 * sizeof(glm::vec2) + sizeof(std::uint32_t)));
+  EXPECT_LE(aTriangle, 1000.0);
+  // Three float channels a coefficient and texel, at least, of 40 000 texels and three times as many more.
+  const double values = bytes(coarse, 0.01, 5) - bytes(coarse, 0.01, 1);
+  EXPECT_GE(values, 4 * 3 * sizeof(float) * 40000.0);
+  EXPECT_NEAR(bytes(coarse, 0.005, 5) - bytes(coarse, 0.005, 1), 4.0 * values, 1e-3 * values);
 }
 
 TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {

@@ -138,6 +138,25 @@ TEST_P(Bsdf, Sampling_FollowsItsDensity) {
   }
 }
 
+// What a coloured layer mirrors is taken off the body by its largest channel, whichever that is: no channel
+// reflects more than arrives.
+TEST(BsdfLayer, Colours_TakeTheirLargestChannelOffTheBody) {
+  const std::vector<glm::vec4> wo{directionOf(0.9, 0.0), directionOf(0.3, 1.0)},
+      wi{directionOf(0.5, 2.0), directionOf(0.2, 4.0)};
+  const auto layer = [](double cosine) { return 0.5 + 0.5 * std::pow(1.0 - cosine, 5.0); };
+  for (const glm::vec3 f0 :
+       {glm::vec3(0.5f, 0.1f, 0.02f), glm::vec3(0.02f, 0.5f, 0.1f), glm::vec3(0.1f, 0.02f, 0.5f)}) {
+    const BsdfProbe surface(BuildOptions().define("PRELIGHT_GLOSSY"),
+                            {1, 1, 1, 0, 0, 0, f0.x, f0.y, f0.z, 1, 1, 0.5f});
+    const Probed probed = surface.probe(wo, wi);
+    for (std::size_t i = 0; i < wo.size(); ++i) {
+      const double expected =
+          double(wi[i].z) / pi * (1.0 - layer(double(wo[i].z))) * (1.0 - layer(double(wi[i].z)));
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(probed.scattered[2 * i][c], expected, 1e-5 * expected) << i;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Surfaces, Bsdf, ::testing::ValuesIn(surfaces), [](const auto& test) {
   std::string name = test.param.name;
   name.erase(std::remove(name.begin(), name.end(), ' '), name.end());

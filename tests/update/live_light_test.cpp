@@ -110,6 +110,16 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LiveLightMove,
                                            Move{"caustics", "Mirror box", shifted(0.2, 0.0, 0.1)}),
                          [](const auto& test) { return test.param.scene; });
 
+// Twice the rays that start at one place: those of a texel come from two.
+TEST(LiveLight, MoreRaysThanAReceiverTakes_AreAllGathered) {
+  const LoadedScene loaded("cornell");
+  LiveLightOptions options = smallOptions();
+  options.texels = 200;
+  options.gather.rays = 2 * GatherRequest::mostRaysPerReceiver;
+  LiveLight live = makeLive(loaded, options);
+  EXPECT_LT(difference(live.indirect(), gatheredAnew(live, loaded.scene.images, options)), 0.02);
+}
+
 TEST(LiveLight, TurnedObject_SettlesToComputingAllAgain) {
   const LoadedScene loaded("cornell");
   LiveLight live = makeLive(loaded, smallOptions());

@@ -1,4 +1,4 @@
-#include "basis/quincunx.h"
+#include "benchmarks/lab/quincunx.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "photon/progressive_irradiance.h"
+#include "benchmarks/lab/progressive_irradiance.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lightmap/mapped_irradiance.h"
+#include "support/mapped_irradiance.h"
 
 #include <algorithm>
 #include <cmath>

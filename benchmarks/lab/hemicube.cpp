@@ -1,4 +1,4 @@
-#include "radiosity/hemicube.h"
+#include "benchmarks/lab/hemicube.h"
 
 #include <cmath>
 #include <limits>

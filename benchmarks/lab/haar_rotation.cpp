@@ -1,4 +1,4 @@
-#include "basis/haar_rotation.h"
+#include "benchmarks/lab/haar_rotation.h"
 
 #include <algorithm>
 

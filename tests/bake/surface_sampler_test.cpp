@@ -1,0 +1,40 @@
+#include "receivers/surface_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+/// A right triangle with sides of 1 m along x and y whose corners' largest coordinate is `far` and a metre.
+CompiledScene triangleAt(float far) {
+  return test::sceneOf({{far, 0, 0}, {far + 1, 0, 0}, {far, 1, 0}}, {{0, 1, 2}});
+}
+
+/// Metres from each edge of that triangle at weights of its corners 1 and 2.
+double leastDistance(const glm::dvec2& b) { return std::min({b.x, b.y, (1.0 - b.x - b.y) / std::sqrt(2.0)}); }
+
+TEST(SurfaceSampler, PlacesInside_StayWithinAThousandth) {
+  const glm::dvec2 place(0.2, 0.3);
+  EXPECT_LE(glm::distance(keptOffEdges(triangleAt(0.0f), 0, place), place), 1e-3);
+}
+
+// Float coordinates are rounded to half their last place: an edge and a place on it may be a whole one apart.
+// Places are moved by more than that, and by no more than a few.
+TEST(SurfaceSampler, PlacesOnEdges_AreMovedOffByMoreThanRounding) {
+  for (const float far : {4096.0f, 10000.0f, 50000.0f}) {
+    const CompiledScene scene = triangleAt(far);
+    const double lastPlace = double(std::nextafter(far + 1.0f, 1e9f)) - double(far + 1.0f);
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+      const double distance = leastDistance(keptOffEdges(scene, 0, corner));
+      EXPECT_GE(distance, lastPlace) << far;
+      EXPECT_LE(distance, 5.0 * lastPlace) << far;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prelight
