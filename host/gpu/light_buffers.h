@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// Light tables on the device, as the members of a kernel's Lights (kernels/shade/light_funcs.cl).
+/// Light tables on the device, as the members of a kernel's Lights (kernels/transport/light_table_funcs.cl).
 class LightBuffers {
  public:
   static constexpr cl_uint argumentCount = 5;

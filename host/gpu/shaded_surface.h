@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// What kernels/shade/vertex_funcs.cl reads of the surface, on the device: shading normals, materials and
+/// What kernels/transport/interaction_funcs.cl reads of the surface, on the device: shading normals, materials and
 /// their textures. This header and light_buffers.h show OpenCL types, as the tracer's does.
 class ShadedSurface {
  public:

@@ -4,10 +4,10 @@
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS
-#include "shade/glass_funcs.cl"
-#include "shade/vertex_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/occluder_types.h"
+#include "transport/material_funcs.cl"
+#include "transport/medium_funcs.cl"
 
 #define PRELIGHT_ALWAYS 0.99999994f      // a chance that only total reflection is above
 #define PRELIGHT_LEAST_THROUGHPUT 1e-3f  // what is darker is as good as blocked
@@ -29,21 +29,20 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __global
   mirrored[i].share = 0.0f;
   if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_SHINY)) return;
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
-  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
-  if (!vertex.front && (flags[vertex.material] & PRELIGHT_OCCLUDER_TWO_SIDED) == 0u) return;
-  const Bsdf bsdf = loadBsdf(s, vertex);
-  const float cosine = dot(vertex.wo, vertex.shading);
-  const float3 direction = 2.0f * cosine * vertex.shading - vertex.wo;
-  if (cosine <= 0.0f || dot(direction, vertex.geometric) <= 0.0f) return;
+  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  if (!surface.front && (flags[surface.material] & PRELIGHT_OCCLUDER_TWO_SIDED) == 0u) return;
+  const Bsdf bsdf = loadBsdf(s, surface);
+  const float cosine = surface.woLocal.z;
+  const float3 direction = mirrorAbout(surface.wo, surface.frame.z);
+  if (cosine <= 0.0f || dot(direction, surface.geometric) <= 0.0f) return;
   OccluderWay way;
-  vstore3(vertex.shading, 0, way.vector);
+  vstore3(surface.frame.z, 0, way.vector);
   way.share = 1.0f;
-  const bool solid = (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u;
-  const float glass = bsdf.glass * glassReflectance(bsdf, solid, vertex.front, glassCosine(vertex.wo, vertex.shading));
-  vstore3(clamp(bsdf.metal + bsdf.layer * schlick(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
+  const float glass = bsdf.glass * sampleGlassAbout(surface, bsdf, surface.frame.z, PRELIGHT_ALWAYS).reflected;
+  vstore3(clamp(specularReflectance(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
   way.slot = atomic_inc(counter);
   mirrored[i] = way;
-  mirrorRays[way.slot] = rayFrom(vertex, direction, reach);
+  mirrorRays[way.slot] = rayFrom(surface, direction, reach);
 }
 
 // A ray a work-item. rays, hits [ray] -> through [ray], blocked as yet, and the paths of those that met glass with their
@@ -85,28 +84,21 @@ __kernel void followGlass(const uint count, __global const GlassPath* paths, __g
   }
   if (!glass) return;
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
-  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
-  const Bsdf bsdf = loadBsdf(s, vertex);
-  const bool solid = (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u;
-  float3 n = dot(vertex.wo, vertex.shading) > 0.0f ? vertex.shading : vertex.geometric, weight;
-  bool passes;
-  float relativeIor2;
-  float3 direction = throughGlass(bsdf, solid, vertex.front, vertex.wo, n, PRELIGHT_ALWAYS, &weight, &passes, &relativeIor2);
-  if ((dot(direction, vertex.geometric) < 0.0f) != passes) {
-    n = vertex.geometric;
-    direction = throughGlass(bsdf, solid, vertex.front, vertex.wo, n, PRELIGHT_ALWAYS, &weight, &passes, &relativeIor2);
-  }
+  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  const Bsdf bsdf = loadBsdf(s, surface);
+  const GlassSample sample = sampleGlassRadiance(surface, bsdf, PRELIGHT_ALWAYS);
   // Light that is reflected off the outside never was on its way through.
-  if (!passes && (vertex.front || !solid)) return;
-  if (passes) weight *= bsdf.glass * (1.0f - glassReflectance(bsdf, solid, vertex.front, glassCosine(vertex.wo, n)));
+  if (!sample.passes && (surface.front || !isSolid(surface))) return;
+  float3 weight = sample.weight;
+  if (sample.passes) weight *= bsdf.glass * (1.0f - sample.reflected);
   // A receiver may lie within glass.
-  const uint medium = path.medium == PRELIGHT_NO_MEDIUM && solid && !vertex.front ? vertex.material : path.medium;
-  if (medium != PRELIGHT_NO_MEDIUM) weight *= exp(-vload3(0, materials[medium].absorption) * hits[i].t);
-  if (passes && solid) path.medium = vertex.front ? vertex.material : PRELIGHT_NO_MEDIUM;
+  const uint medium = mediumBefore(surface, path.medium);
+  if (medium != PRELIGHT_NO_MEDIUM) weight *= transmittance(s, medium, hits[i].t);
+  if (sample.passes) path.medium = mediumAfter(surface, PRELIGHT_LOBE_GLASS_TRANSMISSION, path.medium);
   const float3 left = throughput * weight;
   if (!(largest(left) > PRELIGHT_LEAST_THROUGHPUT)) return;
   vstore3(left, 0, path.throughput);
   const uint slot = atomic_inc(counter);
   nextPaths[slot] = path;
-  nextRays[slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
+  nextRays[slot] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
 }

@@ -1,10 +1,11 @@
 // Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
-// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (shade/light_funcs.cl);
+// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (transport/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
 #include "project/incident_funcs.cl"
-#include "shade/light_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
+#include "transport/aim_funcs.cl"
+#include "transport/light_funcs.cl"
 
 // Terms of a sum that are added up by themselves. A million of one size in a row would be off by a hundredth.
 #define PRELIGHT_SUM_RUN 1024u
@@ -12,30 +13,6 @@
 // A triangle is far where it is this many times as far off as it is large: Lambert's formula loses digits with the square
 // of that, as the parts of its edges cancel.
 #define PRELIGHT_FAR_SIZES 32.0f
-
-// Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
-#define PRELIGHT_SHADOW_REACH 0.9999f
-
-typedef struct Aim {
-  float3 way;    // from the point; a shadow ray's direction
-  float reach;   // in lengths of `way`
-  float3 value;  // W/m2, if nothing is in the way
-} Aim;
-
-#ifdef PRELIGHT_PUNCTUAL
-bool aimAtPunctual(__global const PunctualLight* light, float3 point, float3 normal, Aim* aim) {
-  float3 direction;
-  float distance, falloff;
-  if (!seePunctual(light, point, &direction, &distance, &falloff)) return false;
-  const float cosine = dot(direction, normal);
-  if (cosine <= 0.0f) return false;
-  const bool afar = distance == MAXFLOAT;
-  aim->way = afar ? direction : direction * distance;
-  aim->reach = afar ? MAXFLOAT : PRELIGHT_SHADOW_REACH;
-  aim->value = cosine * falloff * vload3(0, light->intensity);
-  return true;
-}
-#endif
 
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
 void loadCorners(uint triangle, __global const DeviceTriangle* triangles, __global const float* positions, float3 corner[3]) {
@@ -52,8 +29,7 @@ bool aimAtEmitter(Lights l, __constant const LightLayout* layout, __global const
   const RadiosityEmitter e = emitters[entry];
   float3 corner[3];
   loadCorners(e.triangle, triangles, positions, corner);
-  const float root = sqrt(place.x);
-  const float3 p = corner[0] + root * (1.0f - place.y) * (corner[1] - corner[0]) + root * place.y * (corner[2] - corner[0]);
+  const float3 p = pointBetween(corner[0], corner[1], corner[2], sampleTriangle(place));
   const float3 across = cross(corner[1] - corner[0], corner[2] - corner[0]);  // twice the area long
   const float3 way = p - point;
   const float squared = dot(way, way);
@@ -134,8 +110,8 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
               Aim* aim) {
   float3 direction;
   if ((sample & 1u) != 0u) {
-    Arrival a;
-    if (!arriveFromSky(l, layout, bits, &a)) return false;
+    LightSample a;
+    if (!sampleSky(l, layout, bits, &a)) return false;
     direction = a.direction;
   } else {
     direction = sampleCosineHemisphere((float2)(unitFloat(bits.x), unitFloat(bits.y)), normal);
@@ -143,10 +119,10 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
   const float cosine = dot(direction, normal);
   if (cosine <= 0.0f) return false;
   const float2 uv = skyCoordinates(layout, direction);
-  const float density = (float)((samples + 1u) / 2u) * cosine * M_1_PI_F + (float)(samples / 2u) * skyDensity(l, layout, uv);
+  const float density = (float)((samples + 1u) / 2u) * cosine * M_1_PI_F + (float)(samples / 2u) * pdfSky(l, layout, uv);
   aim->way = direction;
   aim->reach = MAXFLOAT;
-  aim->value = skyRadiance(l, layout, uv) * (cosine / density);
+  aim->value = evalSky(l, layout, uv) * (cosine / density);
   return true;
 }
 #endif
@@ -171,7 +147,11 @@ __kernel void aimAtLights(uint pointCount, uint punctualCount, uint emitterSampl
   Aim aim;
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (slot < punctualCount) arrives = aimAtPunctual(punctual + slot, point, normal, &aim);
+  if (slot < punctualCount) {
+    float share;
+    arrives = aimAtPunctual(punctual + slot, point, normal, &aim, &share);
+    if (arrives) aim.value = share * vload3(0, punctual[slot].intensity);
+  }
 #endif
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
   if (slot >= punctualCount && slot < punctualCount + emitterSamples) {
@@ -191,12 +171,7 @@ __kernel void aimAtLights(uint pointCount, uint punctualCount, uint emitterSampl
     arrives = aimAtSky(lights, layout, sample, skySamples, bits, normal, &aim);
   }
 #endif
-  Ray ray;
-  vstore3(point, 0, ray.origin);
-  vstore3(arrives ? aim.way : normal, 0, ray.direction);
-  ray.sourceTriangle = r.triangle;
-  ray.tMax = arrives ? aim.reach : 0.0f;
-  rays[i] = ray;
+  rays[i] = shadowRay(receivers + i / slots, aim, arrives);
   vstore3(arrives ? aim.value : (float3)(0.0f), i, values);
 }
 

@@ -3,12 +3,12 @@
 //   generatePaths -> [trace -> followPaths -> trace -> addArrivals] ... -> averageSamples
 // Options: those of the included files, PRELIGHT_CACHED_CAUSTICS (there are caustic photons).
 #include "gather/irradiance_map_funcs.cl"
-#include "reference/path_ends_kernels.cl"
-#include "reference/path_point_funcs.cl"
-#include "shade/diffuse_funcs.cl"
 #ifdef PRELIGHT_CACHED_CAUSTICS
 #include "photon/density_funcs.cl"
 #endif
+#include "reference/path_ends_kernels.cl"
+#include "reference/path_point_funcs.cl"
+#include "transport/irradiance_funcs.cl"
 
 // A ray a work-item. Caustics are smooth over a pixel, as their filter is wider, and cost most: of a pixel's samples that meet
 // a surface straight, causticSamples look them up for all. Glass and mirrors send a pixel's samples to places far apart.
@@ -46,17 +46,17 @@ __kernel void followPaths(__constant const ReferenceParameters* p, const uint co
   const Hit hit = hits[i];
   const uint number = queue[i];
   PathState path = paths[number];
-  PathVertex vertex;
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE) vertex = loadVertex(s, ray, hit);
-  collectAt(p, depth, s, lights, ray, hit, vertex, &path);
+  Interaction surface;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
+  collectAt(p, depth, s, lights, ray, hit, surface, &path);
   // A ray of a diffuse lobe looks for lights alone.
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && meets != 0u && path.diffuseBounces == 0u) {
-    const PathPoint at = pathPointAt(s, vertex, number);
+    const PathPoint at = pathPointAt(s, surface, number);
     if (isDiffuse(at.bsdf)) {
       const IrradianceMap map = {corners, irradiances, (int2)((int)mapWidth, (int)mapHeight), triangleCount};
-      float3 irradiance = irradianceAt(map, hit.triangle, vertex.front, hit.u, hit.v);
+      float3 irradiance = irradianceAt(map, hit.triangle, surface.front, hit.u, hit.v);
 #ifdef PRELIGHT_TRANSLUCENT
-      float3 beyond = irradianceAt(map, hit.triangle, !vertex.front, hit.u, hit.v);
+      float3 beyond = irradianceAt(map, hit.triangle, !surface.front, hit.u, hit.v);
 #endif
 #ifdef PRELIGHT_CACHED_CAUSTICS
       const DensityMaps maps = {densityParameters, photonTrees, photonBoxes, photonBlocks,
@@ -64,16 +64,16 @@ __kernel void followPaths(__constant const ReferenceParameters* p, const uint co
       const bool shared = depth == 0u;
       if (!shared || number % samples < causticSamples) {
         const float share = shared ? (float)samples / (float)causticSamples : 1.0f;
-        irradiance += photonIrradiance(maps, vertex.position, vertex.geometric, hit.triangle, causticRadius) * share;
+        irradiance += photonIrradiance(maps, surface.position, surface.geometric, hit.triangle, causticRadius) * share;
 #ifdef PRELIGHT_TRANSLUCENT
         if (largest(at.bsdf.transmitted) > 0.0f)
-          beyond += photonIrradiance(maps, vertex.position, -vertex.geometric, hit.triangle, causticRadius) * share;
+          beyond += photonIrradiance(maps, surface.position, -surface.geometric, hit.triangle, causticRadius) * share;
 #endif
       }
 #endif
-      float3 radiance = reflectIrradiance(at.bsdf, dot(vertex.wo, vertex.shading), irradiance);
+      float3 radiance = reflectIrradiance(at.bsdf, surface.woLocal.z, irradiance);
 #ifdef PRELIGHT_TRANSLUCENT
-      radiance += transmitIrradiance(at.bsdf, dot(vertex.wo, vertex.shading), beyond);
+      radiance += transmitIrradiance(at.bsdf, surface.woLocal.z, beyond);
 #endif
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
     }
@@ -85,7 +85,7 @@ __kernel void followPaths(__constant const ReferenceParameters* p, const uint co
       items[slot] = item;
     }
     Ray next;
-    if (goesOn != 0u && scatterAt(p, depth, s, at, &path, &next)) {
+    if (goesOn != 0u && scatterAt(p, depth, at, &path, &next)) {
       const uint slot = atomic_inc(counters + 1);
       nextRays[slot] = next;
       nextQueue[slot] = number;

@@ -1,4 +1,4 @@
-// The reference path tracer, a wavefront: rays are traced elsewhere (bvh/trace_kernels.cl), these kernels do the rest.
+// The reference path tracer, a wavefront: bvh/wide_kernels.cl or bvh/narrow_kernels.cl trace rays, these kernels do the rest.
 //   generatePaths -> [trace -> collectRadiance -> sampleLights -> trace -> addArrivals -> scatterPaths] ... -> averageSamples
 // queue [ray] tells which path a ray belongs to. The order within a queue is left to chance; nothing depends on it,
 // because every path has random numbers and a state of its own.
@@ -24,9 +24,9 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const uin
   const Ray ray = rays[i];
   const Hit hit = hits[i];
   PathState path = paths[queue[i]];
-  PathVertex vertex;
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE) vertex = loadVertex(s, ray, hit);
-  collectAt(p, depth, s, lights, ray, hit, vertex, &path);
+  Interaction surface;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
+  collectAt(p, depth, s, lights, ray, hit, surface, &path);
   paths[queue[i]] = path;
 }
 
@@ -49,7 +49,7 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const uint c
   const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
   Ray shadow;
   ShadowItem item;
-  const PathPoint at = pathPointAt(s, loadVertex(s, rays[i], hits[i]), queue[i]);
+  const PathPoint at = pathPointAt(s, loadInteraction(s, rays[i], hits[i]), queue[i]);
   if (!sampleLightAt(p, depth, s, lights, at, paths[queue[i]], light, &shadow, &item)) return;
   const uint slot = atomic_inc(counters);
   shadowRays[slot] = shadow;
@@ -71,7 +71,7 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const uint c
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
   PathState path = paths[queue[i]];
   Ray next;
-  if (!scatterAt(p, depth, s, pathPointAt(s, loadVertex(s, rays[i], hits[i]), queue[i]), &path, &next)) return;
+  if (!scatterAt(p, depth, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), queue[i]), &path, &next)) return;
   paths[queue[i]] = path;
   const uint slot = atomic_inc(counters + 1);
   nextRays[slot] = next;

@@ -4,6 +4,7 @@
 #include "core/octahedral_funcs.cl"
 #include "reference/path_funcs.cl"
 #include "shared/photon_types.h"
+#include "transport/virtual_light_funcs.cl"
 
 // Barycentric weights of a triangle's vertices 1 and 2 of a point in its plane.
 float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
@@ -35,26 +36,8 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   hit.triangle = photon.triangle;
   hit.u = place.x;
   hit.v = place.y;
-  const PathVertex vertex = loadVertex(s, ray, hit);
-  const Bsdf bsdf = loadBsdf(s, vertex);
-  const float arrives = fmax(dot(vertex.wo, vertex.shading), 0.0f);
-  const float enters = 1.0f - largest(schlick(bsdf, arrives));
-  // Shading normals of light traced from its source: Veach 1997, eq. 5.19.
-  const float bent = arrives / fmax(dot(vertex.wo, vertex.geometric), 1e-6f);
-  VirtualLight light;
-  vstore3(vertex.position, 0, light.position);
-  light.triangle = photon.triangle;
-  vstore3(vertex.shading, 0, light.normal);
-  light.f0 = largest(bsdf.f0);
-  vstore3(vload3(0, photon.power) * bsdf.diffuse * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.intensity);
-  vstore3((float3)(0.0f), 0, light.through);
-#ifdef PRELIGHT_TRANSLUCENT
-  vstore3(vload3(0, photon.power) * bsdf.transmitted * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.through);
-#endif
-  light.f90 = bsdf.f90;
-  vstore3(vertex.geometric, 0, light.geometric);
-  light.pad = light.pad2 = 0u;
-  lights[i] = light;
+  const Interaction surface = loadInteraction(s, ray, hit);
+  lights[i] = virtualLightAt(surface, loadBsdf(s, surface), vload3(0, photon.power));
 }
 
 // A ray a work-item. Light that could arrive from virtual light `index` where the ray ends; nearer than the square root
@@ -73,39 +56,17 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   if (i >= count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const VirtualLight light = lights[index];
   const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
-  const float3 way = vload3(0, light.position) - vertex.position;
-  const float square = dot(way, way);
-  if (!(square > 1e-18f)) return;
-  const float3 direction = way * rsqrt(square);
-  float cosine = -dot(direction, vload3(0, light.normal)), leaving = -dot(direction, vload3(0, light.geometric));
-  float3 intensity = vload3(0, light.intensity);
-#ifdef PRELIGHT_TRANSLUCENT
-  if (cosine < 0.0f && leaving < 0.0f) {
-    intensity = vload3(0, light.through);
-    cosine = -cosine;
-    leaving = -leaving;
-  }
-#endif
-  if (cosine <= 0.0f || leaving <= 0.0f) return;
-  const Bsdf bsdf = loadBsdf(s, vertex);
+  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  VirtualSample sample;
+  if (!sampleVirtual(light, surface.position, leastSquare, &sample)) return;
+  const Bsdf bsdf = loadBsdf(s, surface);
   if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
-  const Frame frame = frameAround(vertex.shading);
-  const float3 wo = toFrame(frame, vertex.wo), wi = toFrame(frame, direction);
-  if (wo.z <= 0.0f || !maySee(bsdf, wi.z, dot(direction, vertex.geometric))) return;
-  const Reflection f = evaluateBsdf(bsdf, wo, wi);
-  const float grazing = 1.0f - clamp(cosine, 0.0f, 1.0f), g2 = grazing * grazing;
-  const float leaves = 1.0f - (light.f0 + (light.f90 - light.f0) * (g2 * g2 * grazing));
-  const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) *
-                          intensity * (leaving * leaves / fmax(square, leastSquare));
+  Scattered f;
+  if (!evalBsdf(surface, bsdf, sample.direction, PRELIGHT_RADIANCE, &f)) return;
+  const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) * sample.intensity * sample.falloff;
   if (largest(radiance) <= 0.0f) return;
   const uint slot = atomic_inc(counters);
-  Ray shadow = rayFrom(vertex, direction, 0.0f);
-  const float3 span = vload3(0, light.position) - vload3(0, shadow.origin);
-  const bool ahead = dot(span, direction) > 0.0f;
-  if (ahead) vstore3(span, 0, shadow.direction);
-  shadow.tMax = ahead ? 0.9999f : 0.0f;
-  shadowRays[slot] = shadow;
+  shadowRays[slot] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
   ShadowItem item;
   vstore3(radiance, 0, item.radiance);
   item.path = queue[i];
