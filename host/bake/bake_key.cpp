@@ -1,5 +1,6 @@
 #include "bake/baker.h"
 #include "images/environment.h"
+#include "projectors/registry/plannings.h"
 
 namespace prelight {
 
@@ -28,32 +29,43 @@ std::uint64_t hashOf(const CompiledScene& scene) {
   return hash.result();
 }
 
-std::uint64_t hashOf(const BakeRequest& request) {
-  StateHash hash;
-  hash.value(request.ao).value(request.shOrder).value(request.bounces).value(request.maxMemory);
-  hash.value(request.chOrder).value(request.chNaive).value(request.haarSize).value(request.haarError);
-  hash.value(request.volumeSize).value(request.texelSize);
-  hash.value(request.glossyOrder).value(request.lightGroups).value(request.occluders);
-  hash.value(request.occluderKind).value(request.occluderRecords).value(request.leastFormFactor);
-  for (const LightGroupRequest& group : request.namedGroups) {
-    hash.text(group.name);
-    for (const std::string& pattern : group.patterns) hash.text(pattern);
-  }
+/// Irradiance of the scene's own lights depends on how it is solved, and on the sky.
+void addStaticLight(const BakeRequest& request, StateHash& hash) {
+  if (!request.radiosity && !request.lightMap) return;
+  const RadiosityRequest& shape = request.radiosityShape;
+  hash.value(shape.patchSize).value(shape.method).value(shape.tolerance).value(shape.skyRotation);
+  hash.value(shape.environment != nullptr);
+  if (shape.environment) hash.values(shape.environment->radiance);
+}
+
+/// Receivers of some nodes see a part of the scene, and all of them what is neither too near nor too far.
+void addVisibility(const BakeRequest& request, StateHash& hash) {
   for (const ShadowSetRequest& set : request.shadowSets) {
     hash.value(set.receivers.size()).value(set.occluders.size());
     for (const std::string& pattern : set.receivers) hash.text(pattern);
     for (const std::string& pattern : set.occluders) hash.text(pattern);
   }
   hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
-  hash.value(request.radiosity);
-  hash.value(request.lightMap).value(request.lightMapTexel).value(request.lightMapError);
-  hash.value(request.caustics).value(request.photons);
-  if (request.radiosity || request.lightMap) {
-    const RadiosityRequest& shape = request.radiosityShape;
-    hash.value(shape.patchSize).value(shape.method).value(shape.tolerance).value(shape.skyRotation);
-    hash.value(shape.environment != nullptr);
-    if (shape.environment) hash.values(shape.environment->radiance);
+}
+
+constexpr std::size_t techniquesBeforeBounces = 2;
+
+std::uint64_t hashOf(const BakeRequest& request) {
+  StateHash hash;
+  const std::vector<Planning> techniques = plannings(PlanningOrder::Key);
+  std::size_t keyed = 0;
+  for (const Planning& technique : techniques) {
+    if (technique.staticLight) continue;
+    // The key of equal options stays what it was.
+    if (keyed++ == techniquesBeforeBounces) hash.value(request.bounces).value(request.maxMemory);
+    if (technique.addToKey != nullptr) technique.addToKey(request, hash);
   }
+  for (const Planning& technique : techniques)
+    if (technique.addListsToKey != nullptr) technique.addListsToKey(request, hash);
+  addVisibility(request, hash);
+  for (const Planning& technique : techniques)
+    if (technique.staticLight && technique.addToKey != nullptr) technique.addToKey(request, hash);
+  addStaticLight(request, hash);
   // Rays a vertex are ignored beside the two others.
   hash.value(request.error.value_or(0.0)).value(request.seconds.value_or(0.0));
   hash.value(request.error || request.seconds ? 0 : request.rays);

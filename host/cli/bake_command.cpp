@@ -16,7 +16,7 @@
 #include "images/environment.h"
 #include "io/baked_file.h"
 #include "io/finite_results.h"
-#include "io/light_map_file.h"
+#include "projectors/lightmap/light_map_file.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"

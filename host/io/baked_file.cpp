@@ -4,12 +4,10 @@
 
 #include "io/bake_reader.h"
 #include "io/bake_writer.h"
-#include "io/baked_ranges.h"
 #include "io/baked_strip.h"
 #include "io/finite_results.h"
-#include "io/light_map_file.h"
 #include "io/plan_json.h"
-#include "io/volume_file.h"
+#include "io/values/transfer_extension.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {
@@ -17,7 +15,6 @@ namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* extensionName = "PRELIGHT_transfer";
 
 Json infoToJson(const BakeInfo& info) {
   return {{"version", 1},
@@ -55,31 +52,32 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   // Asked for at once: where it grows bit by bit, it is copied as often.
   const std::size_t bytes = storedBytes(bake);
   document.bin.reserve(document.bin.size() + bytes + bytes / 16);
+  const BakedOutput output{document, scene, bake, occluders};
   for (const auto& [key, ranges] : groupRanges(scene)) {
     const auto node = static_cast<std::size_t>(key.first);
-    Json primitive = bakeToJson(document, scene, bake, ranges, occluders);
-    auto& extension = document.json["nodes"][node]["extensions"][extensionName];
-    extension["primitives"].push_back(std::move(primitive));
+    Json entry = entryToJson(output, ranges);
+    auto& extension = document.json["nodes"][node]["extensions"][transferExtensionName];
+    extension["primitives"].push_back(std::move(entry));
   }
   auto& used = document.json["extensionsUsed"];
-  if (std::find(used.begin(), used.end(), extensionName) == used.end()) used.push_back(extensionName);
+  if (std::find(used.begin(), used.end(), transferExtensionName) == used.end())
+    used.push_back(transferExtensionName);
   Json root = infoToJson(bake.info);
-  addSharedData(document, bake, occluders, root);
-  if (bake.volume) root["volume"] = volumeToJson(document, *bake.volume);
-  document.json["extensions"][extensionName] = std::move(root);
+  addRootMembers(output, root);
+  document.json["extensions"][transferExtensionName] = std::move(root);
   requireFiniteBake(document, ownAccessors);
 }
 
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
-  const auto extension = transferExtension(root);
-  std::optional<Bake> bake = readBakedVertices(document, root, scene, extension.has_value());
-  if (bake && extension) {
-    bake->info = infoFromJson(*extension);
-    if (const auto volume = extension->find("volume")) bake->volume = readVolume(document, root, *volume);
-  }
-  if (bake) bake->lightMap = readLightMap(document, root, scene);
+  const BakedInput input{document, root, scene, transferExtension(root)};
+  BakeReader reader(input);
+  if (!reader.readVertices()) return std::nullopt;
+  BakeInfo info;
+  if (input.extension) info = infoFromJson(*input.extension);
+  std::optional<Bake> bake = reader.finish();
+  bake->info = std::move(info);
   return bake;
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/values/transfer_extension.h"
+#include "projectors/registry/registry.h"
 #include "scene/gltf/gltf_embed.h"
 #include "scene/gltf/json_cursor.h"
 
@@ -17,22 +19,23 @@ namespace prelight {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* extensionName = "PRELIGHT_transfer";
+
+using Names = std::set<std::string, std::less<>>;
 
 /// The members of the extension whose values are accessors, at whatever depth.
-constexpr std::array<std::string_view, 22> accessorMembers = {
-    "ao",         "bentNormal", "coefficients", "offsets",      "indices", "values", "vectors",  "occluders",
-    "irradiance", "texCoord",   "accessor",     "matrices",     "halves",  "bytes",  "clusters", "weights",
-    "ranges",     "means",      "basis",        "weightRanges", "direct",  "air"};
+Names accessorMembers() {
+  Names names;
+  for (const Technique& technique : techniques(Order::Entry))
+    names.insert(technique.accessors.begin(), technique.accessors.end());
+  return names;
+}
 
-void collectBaked(const Json& json, std::set<std::size_t>& accessors) {
+void collectBaked(const Json& json, const Names& names, std::set<std::size_t>& accessors) {
   for (const auto& member : json.items()) {
-    const bool named =
-        std::find(accessorMembers.begin(), accessorMembers.end(), member.key()) != accessorMembers.end();
-    if (json.is_object() && named && unsignedValue(member.value())) {
+    if (json.is_object() && names.contains(member.key()) && unsignedValue(member.value())) {
       accessors.insert(*unsignedValue(member.value()));
     } else if (member.value().is_structured()) {
-      collectBaked(member.value(), accessors);
+      collectBaked(member.value(), names, accessors);
     }
   }
 }
@@ -69,12 +72,12 @@ std::set<std::size_t> referencesIn(const Json& json, Reference kind) {
 }
 
 /// Takes PRELIGHT_transfer off an object and adds the accessors it refers to.
-void takeExtension(Json& object, std::set<std::size_t>& accessors) {
+void takeExtension(Json& object, const Names& names, std::set<std::size_t>& accessors) {
   if (!object.is_object() || !object.contains("extensions") || !object["extensions"].is_object()) return;
   Json& extensions = object["extensions"];
-  if (!extensions.contains(extensionName)) return;
-  collectBaked(extensions[extensionName], accessors);
-  extensions.erase(extensionName);
+  if (!extensions.contains(transferExtensionName)) return;
+  collectBaked(extensions[transferExtensionName], names, accessors);
+  extensions.erase(transferExtensionName);
   if (extensions.empty()) object.erase("extensions");
 }
 
@@ -100,11 +103,12 @@ std::size_t reachedBytes(const Json& json) {
 
 void stripBake(GltfDocument& document) {
   Json& json = document.json;
+  const Names names = accessorMembers();
   std::set<std::size_t> baked;
   if (json.contains("nodes")) {
-    for (Json& node : json["nodes"]) takeExtension(node, baked);
+    for (Json& node : json["nodes"]) takeExtension(node, names, baked);
   }
-  takeExtension(json, baked);
+  takeExtension(json, names, baked);
   if (baked.empty()) return;
 
   const std::set<std::size_t> keptAccessors = referencesIn(json, Reference::Accessor);

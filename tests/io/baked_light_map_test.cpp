@@ -7,9 +7,9 @@
 
 #include "images/picture.h"
 #include "io/baked_file.h"
-#include "io/light_map_file.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "projectors/lightmap/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

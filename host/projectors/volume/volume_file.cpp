@@ -1,11 +1,11 @@
-#include "io/volume_file.h"
+#include "projectors/volume/volume_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/value_reader.h"
+#include "io/values/value_reader.h"
 #include "scene/gltf/gltf_embed.h"
 
 namespace prelight {

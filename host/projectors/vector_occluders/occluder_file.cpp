@@ -1,10 +1,10 @@
-#include "io/occluder_file.h"
+#include "projectors/vector_occluders/occluder_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "io/value_reader.h"
+#include "io/values/value_reader.h"
 #include "scene/gltf/gltf_embed.h"
 
 namespace prelight {

@@ -1,4 +1,4 @@
-#include "io/light_map_file.h"
+#include "projectors/lightmap/light_map_file.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,9 @@
 #include "base/error.h"
 #include "base/magnitudes.h"
 #include "images/picture_layers.h"
-#include "io/bake_reader.h"
-#include "io/baked_ranges.h"
-#include "io/value_reader.h"
+#include "io/values/baked_ranges.h"
+#include "io/values/transfer_extension.h"
+#include "io/values/value_reader.h"
 #include "lightmap/layout_places.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/file_triangles.h"

@@ -1,4 +1,4 @@
-#include "io/value_reader.h"
+#include "io/values/value_reader.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "io/baked_ranges.h"
+#include "io/values/baked_ranges.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
 #include "transfer/transfer.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compress/quantized_occluders.h"
-#include "io/baked_ranges.h"
+#include "io/values/baked_ranges.h"
 #include "scene/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"

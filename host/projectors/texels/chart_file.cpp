@@ -1,9 +1,9 @@
-#include "io/chart_file.h"
+#include "projectors/texels/chart_file.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "io/value_reader.h"
+#include "io/values/value_reader.h"
 #include "scene/gltf/gltf_embed.h"
 
 namespace prelight {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "scene/gltf/json_cursor.h"
+
+namespace prelight {
+
+/// Of the glTF extension that holds baked data.
+constexpr const char* transferExtensionName = "PRELIGHT_transfer";
+
+/// The PRELIGHT_transfer object of a glTF object, if it has one.
+std::optional<JsonCursor> transferExtension(const JsonCursor& object);
+
+}  // namespace prelight

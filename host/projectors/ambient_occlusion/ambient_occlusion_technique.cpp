@@ -1,0 +1,56 @@
+#include "projectors/ambient_occlusion/ambient_occlusion_technique.h"
+
+#include "io/values/append_values.h"
+#include "io/values/vertex_values.h"
+#include "projectors/summary_text.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = Technique::Json;
+
+std::size_t storedBytes(const Bake& bake) { return bytesOf(bake.ao) + bytesOf(bake.bentNormals); }
+
+void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+  const Bake& bake = output.bake;
+  if (!bake.ao.empty()) entry["ao"] = appendVertices(output.document, bake.ao, ranges, 1);
+  if (!bake.bentNormals.empty())
+    entry["bentNormal"] = appendVectors(output.document, bake.bentNormals, ranges);
+}
+
+class Reader final : public TechniqueReader {
+ public:
+  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+
+  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
+    if (const auto ao = entry.find("ao"))
+      placeVertices(values_.floats(*ao, "SCALAR", vertexCount(ranges)), ranges, 1, input_.scene, bake.ao);
+    if (const auto bent = entry.find("bentNormal"))
+      placeVertices(readVectors(values_, *bent, ranges), ranges, 1, input_.scene, bake.bentNormals);
+  }
+
+ private:
+  const BakedInput& input_;
+  ValueReader values_;
+};
+
+void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+  if (!bake.ao.empty()) found.push_back({"ao", "AO", bytesOf(bake.ao), true, true});
+  if (!bake.bentNormals.empty())
+    found.push_back({"bentNormal", "bent normals", bytesOf(bake.bentNormals), true, true});
+}
+
+}  // namespace
+
+Technique ambientOcclusionTechnique() {
+  return {.name = "ambient_occlusion",
+          .members = {"ao", "bentNormal"},
+          .accessors = {"ao", "bentNormal"},
+          .storedBytes = storedBytes,
+          .writeEntry = writeEntry,
+          .makeReader = makeTechniqueReader<Reader>,
+          .summarize = summarize};
+}
+
+}  // namespace prelight

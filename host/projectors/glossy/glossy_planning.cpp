@@ -1,0 +1,35 @@
+#include "projectors/glossy/glossy_planning.h"
+
+#include <fmt/format.h>
+
+namespace prelight {
+
+namespace {
+
+/// Entries of a matrix.
+template <typename T>
+T entriesOf(T order) {
+  return order * order * order * order;
+}
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  const int order = input.request.glossyOrder;
+  if (order == 0) return {{Pass::GlossyTransfer, false, "not asked for"}};
+  return {{Pass::GlossyTransfer, true,
+           fmt::format("order {}, {} entries a matrix, {}; from SH transfer of order {}", order,
+                       entriesOf(order), plannedChannels(input.bounces), 2 * order - 1)}};
+}
+
+void addMemory(const PlanInput& input, Plan& plan) {
+  plan.hostBytes += input.scene.vertexCount() *
+                    entriesOf(static_cast<std::uint64_t>(input.request.glossyOrder)) * 4 *
+                    (input.bounces ? 6 : 2);
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.glossyOrder); }
+
+}  // namespace
+
+Planning glossyPlanning() { return {.passes = passes, .addMemory = addMemory, .addToKey = addToKey}; }
+
+}  // namespace prelight

@@ -1,0 +1,38 @@
+#include "projectors/haar/haar_planning.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint64_t texelCodeBytes = 4;  // of a ray that is kept texel by texel
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  const BakeRequest& request = input.request;
+  if (request.haarSize == 0) return {{Pass::HaarTransfer, false, "not asked for"}};
+  return {{Pass::HaarTransfer, true,
+           fmt::format("cube map of 6 x {0} x {0}, {1}, from the rays of the same cast{2}", request.haarSize,
+                       plannedChannels(input.bounces),
+                       input.bounces ? fmt::format("; bounces through SH of order {}", transferOrder(request))
+                                     : "")}};
+}
+
+void addMemory(const PlanInput& input, Plan& plan) {
+  const BakeRequest& request = input.request;
+  if (request.haarSize == 0) return;
+  plan.texelBytes = std::min(plannedRays(input.scene, request) * texelCodeBytes, request.maxMemory / 4);
+  plan.hostBytes += plan.texelBytes;
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) {
+  hash.value(request.haarSize).value(request.haarError);
+}
+
+}  // namespace
+
+Planning haarPlanning() { return {.passes = passes, .addMemory = addMemory, .addToKey = addToKey}; }
+
+}  // namespace prelight

@@ -1,0 +1,34 @@
+#include "projectors/light_groups/light_groups_planning.h"
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  if (!input.request.lightGroups) return {{Pass::LightGroups, false, "not asked for"}};
+  return {{Pass::LightGroups, true, "shadow rays from every receiver to every light"}};
+}
+
+const char* closestHitsOfSome(const BakeRequest& request) {
+  return request.lightGroups ? "closest hits where a group has emitters" : nullptr;
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.lightGroups); }
+
+void addListsToKey(const BakeRequest& request, StateHash& hash) {
+  for (const LightGroupRequest& group : request.namedGroups) {
+    hash.text(group.name);
+    for (const std::string& pattern : group.patterns) hash.text(pattern);
+  }
+}
+
+}  // namespace
+
+Planning lightGroupsPlanning() {
+  return {.passes = passes,
+          .closestHitsOfSome = closestHitsOfSome,
+          .addToKey = addToKey,
+          .addListsToKey = addListsToKey};
+}
+
+}  // namespace prelight

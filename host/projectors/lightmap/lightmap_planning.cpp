@@ -1,0 +1,29 @@
+#include "projectors/lightmap/lightmap_planning.h"
+
+#include "projectors/lightmap/light_map_plan.h"
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  return planLightMap(input.source, input.scene, input.request);
+}
+
+void addMemory(const PlanInput& input, Plan& plan) {
+  if (plan.runs(Pass::LightMap))
+    plan.hostBytes += lightMapBytes(input.scene, input.request, lightMapCoefficients(plan));
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) {
+  hash.value(request.lightMap).value(request.lightMapTexel).value(request.lightMapError);
+  hash.value(request.caustics).value(request.photons);
+}
+
+}  // namespace
+
+Planning lightMapPlanning() {
+  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+}
+
+}  // namespace prelight

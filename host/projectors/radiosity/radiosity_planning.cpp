@@ -1,0 +1,29 @@
+#include "projectors/radiosity/radiosity_planning.h"
+
+#include <algorithm>
+
+#include "radiosity/radiosity_plan.h"
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> passes(const PlanInput& input) { return planRadiosity(input.scene, input.request); }
+
+void addMemory(const PlanInput& input, Plan& plan) {
+  if (!plan.runs(Pass::Radiosity)) return;
+  const std::uint64_t bytes =
+      std::min(input.request.maxMemory, radiosityScale(input.scene, input.request).bytes());
+  plan.hostBytes += bytes;
+  plan.deviceBytes += bytes / 3;
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.radiosity); }
+
+}  // namespace
+
+Planning radiosityPlanning() {
+  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+}
+
+}  // namespace prelight

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/values/vertex_values.h"
+#include "projectors/sh/harmonic_file.h"
+#include "projectors/sh/sh_technique.h"
+#include "projectors/summary_text.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = Technique::Json;
+
+constexpr std::uint64_t maxKeys = 1024;
+
+void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+  if (!output.bake.animation) return;
+  entry["keys"] = Json::array();
+  for (const HarmonicTransfer& key : output.bake.animation->keys)
+    entry["keys"].push_back({{"sh", harmonicToJson(output.document, key, ranges)}});
+}
+
+void writeRoot(const BakedOutput& output, Json& root) {
+  const auto& animation = output.bake.animation;
+  if (animation) root["animation"] = {{"index", animation->animation}, {"times", animation->times}};
+}
+
+class Reader final : public TechniqueReader {
+ public:
+  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+
+  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
+    const auto json = entry.find("keys");
+    if (!json) return;
+    if (!bake.animation) bake.animation = readTimes(*json);
+    const std::size_t count = bake.animation->times.size();
+    if (json->arraySize() != count)
+      json->fail(fmt::format("{} keys, but the root gives {} times", json->arraySize(), count), rebake);
+    keys_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const JsonCursor sh = json->at(k).at("sh");
+      readHarmonic(values_, sh, ranges, input_.scene, keys_[k]);
+      expectSame(sh,
+                 keys_[k]->order == keys_[0]->order && keys_[k]->channels == keys_[0]->channels &&
+                     keys_[k]->bounces == keys_[0]->bounces,
+                 "order, channels and bounces (of the first key)");
+    }
+  }
+
+  void finish(Bake& bake) override {
+    for (std::optional<HarmonicTransfer>& key : keys_) bake.animation->keys.push_back(*std::move(key));
+  }
+
+ private:
+  /// The animation and the times of its keys, from the root.
+  AnimatedTransfer readTimes(const JsonCursor& json) const {
+    const auto root = input_.extension ? input_.extension->find("animation") : std::nullopt;
+    if (!root) json.fail("the root's extension does not give the times of the keys", rebake);
+    AnimatedTransfer animation;
+    animation.animation = root->at("index").asIndex(input_.root.countOf("animations"), "animation");
+    const JsonCursor times = root->at("times");
+    const std::size_t count = times.arraySize();
+    if (count == 0 || count > maxKeys)
+      times.fail(fmt::format("expected 1..{} times, got {}", maxKeys, count), rebake);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double time = times.at(k).asNumber();
+      if (!std::isfinite(time) || time < 0.0 || (k > 0 && time <= animation.times.back()))
+        times.at(k).fail(fmt::format("expected seconds >= 0 that ascend, got {}", time), rebake);
+      animation.times.push_back(time);
+    }
+    return animation;
+  }
+
+  const BakedInput& input_;
+  ValueReader values_;
+  std::vector<std::optional<HarmonicTransfer>> keys_;
+};
+
+void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+  if (!bake.animation) return;
+  const AnimatedTransfer& transfer = *bake.animation;
+  std::size_t bytes = 0;
+  for (const HarmonicTransfer& key : transfer.keys) bytes += bytesOf(key.coefficients);
+  std::string times;
+  for (const double time : transfer.times) times += fmt::format("{}{:g}", times.empty() ? "" : ", ", time);
+  found.push_back({"animation",
+                   fmt::format("{} of animation {} at {} s", counted(transfer.times.size(), "key"),
+                               transfer.animation, times),
+                   bytes,
+                   true,
+                   {{"index", transfer.animation}, {"times", transfer.times}, {"bytes", bytes}}});
+}
+
+}  // namespace
+
+Technique animationTechnique() {
+  return {.name = "animation",
+          .members = {"keys"},
+          .accessors = {"coefficients"},
+          .writeEntry = writeEntry,
+          .writeRoot = writeRoot,
+          .makeReader = makeTechniqueReader<Reader>,
+          .summarize = summarize};
+}
+
+}  // namespace prelight

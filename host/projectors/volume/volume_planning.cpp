@@ -1,0 +1,37 @@
+#include "projectors/volume/volume_planning.h"
+
+#include <fmt/format.h>
+
+namespace prelight {
+
+namespace {
+
+/// Values a voxel.
+std::uint64_t valuesOf(const PlanInput& input) {
+  const int order = input.request.shOrder;
+  return static_cast<std::uint64_t>(order * order) * (input.bounces ? 4 : 1);
+}
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  const BakeRequest& request = input.request;
+  if (request.volumeSize == 0) return {{Pass::Volume, false, "not asked for"}};
+  if (request.shOrder == 0) return {{Pass::Volume, false, "no SH transfer is asked for, whose order it has"}};
+  return {{Pass::Volume, true,
+           fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel; moving objects "
+                       "are not in it, and everything in the scene shadows it",
+                       request.volumeSize, request.shOrder, plannedChannels(input.bounces),
+                       input.bounces ? " and one without bounces" : "", 4 * valuesOf(input))}};
+}
+
+void addMemory(const PlanInput& input, Plan& plan) {
+  const auto side = static_cast<std::uint64_t>(input.request.volumeSize);
+  plan.hostBytes += side * side * side * (4 * valuesOf(input) + 1);
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.volumeSize); }
+
+}  // namespace
+
+Planning volumePlanning() { return {.passes = passes, .addMemory = addMemory, .addToKey = addToKey}; }
+
+}  // namespace prelight

@@ -1,0 +1,68 @@
+#include "projectors/volume/volume_technique.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "projectors/summary_text.h"
+#include "projectors/volume/volume_file.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = Technique::Json;
+
+void writeRoot(const BakedOutput& output, Json& root) {
+  if (output.bake.volume) root["volume"] = volumeToJson(output.document, *output.bake.volume);
+}
+
+class Reader final : public TechniqueReader {
+ public:
+  explicit Reader(const BakedInput& input) : input_(input) {}
+
+  void finish(Bake& bake) override {
+    if (!input_.extension) return;
+    if (const auto volume = input_.extension->find("volume"))
+      bake.volume = readVolume(input_.document, input_.root, *volume);
+  }
+
+ private:
+  const BakedInput& input_;
+};
+
+void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+  if (!bake.volume) return;
+  const VolumeTransfer& transfer = *bake.volume;
+  const VolumeGrid& grid = transfer.grid;
+  const std::size_t bytes = bytesOf(transfer.coefficients) + bytesOf(transfer.direct) + bytesOf(transfer.air);
+  const auto inside = static_cast<std::size_t>(
+      std::count(transfer.air.begin(), transfer.air.end(), static_cast<std::uint8_t>(0)));
+  found.push_back(
+      {"volume",
+       fmt::format("volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}",
+                   grid.size.x, grid.size.y, grid.size.z, grid.cell(), inside, transfer.order,
+                   channelsText(transfer.channels, transfer.bounces)),
+       bytes,
+       false,
+       {{"size", {grid.size.x, grid.size.y, grid.size.z}},
+        {"min", {grid.min.x, grid.min.y, grid.min.z}},
+        {"max", {grid.max.x, grid.max.y, grid.max.z}},
+        {"insideCells", inside},
+        {"order", transfer.order},
+        {"channels", transfer.channels},
+        {"bounces", transfer.bounces},
+        {"bytes", bytes}}});
+}
+
+}  // namespace
+
+Technique volumeTechnique() {
+  return {.name = "volume",
+          .accessors = {"coefficients", "direct", "air"},
+          .writeRoot = writeRoot,
+          .makeReader = makeTechniqueReader<Reader>,
+          .summarize = summarize};
+}
+
+}  // namespace prelight

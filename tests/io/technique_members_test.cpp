@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+
+#include "io/bake_writer.h"
+#include "io/baked_file.h"
+#include "io/values/transfer_extension.h"
+#include "lightmap/make_light_map_layout.h"
+#include "projectors/lightmap/light_map_file.h"
+#include "projectors/registry/registry.h"
+#include "scene/gltf/loader.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Names = std::set<std::string>;
+
+/// Members that the schema names in a primitive's entry, or in the root's extension.
+Names membersOfSchema(const char* definition) {
+  std::ifstream in(std::string(PRELIGHT_SOURCE_DIR) + "/docs/PRELIGHT_transfer.schema.json");
+  const Json schema = Json::parse(in);
+  Names names;
+  for (const auto& member : schema["$defs"][definition]["properties"].items()) names.insert(member.key());
+  return names;
+}
+
+Names membersOf(const Json& object) {
+  Names names;
+  for (const auto& member : object.items()) names.insert(member.key());
+  return names;
+}
+
+Names membersOf(const Technique& technique) { return {technique.members.begin(), technique.members.end()}; }
+
+std::vector<float> numbers(std::size_t count) { return std::vector<float>(count, 0.5f); }
+
+/// Something of everything for a triangle.
+Bake everything(const Scene& source, const CompiledScene& scene) {
+  const std::size_t vertices = scene.vertexCount();
+  const HarmonicTransfer harmonics{2, 1, 0, numbers(4 * vertices)};
+  Bake bake;
+  bake.ao = numbers(vertices);
+  bake.bentNormals.assign(vertices, {0, 1, 0});
+  bake.sh = bake.ch = harmonics;
+  bake.compressedSh = compress(harmonics, parseCompression("half"));
+  bake.animation = AnimatedTransfer{0, {0.0}, {harmonics}};
+  bake.haar = HaarTransfer{1, 1, 0, {0, 1, 1, 1}, {0}, {1.0f}};
+  bake.glossy = GlossyTransfer{1, 1, 0, numbers(vertices)};
+  bake.lightGroups = LightGroupTransfer{{{"lamp", {1, 1, 1}}}, 1, 0, numbers(vertices)};
+  bake.occluders = OccluderTransfer{
+      {"wall"}, {OccluderVector::Occlusion}, {0, 1, 1, 1}, {0}, {glm::vec4(0, 0.5f, 0, 0.5f)}};
+  bake.texels = ChartTransfer{1, 1, 0, {{0, 1, 1, {{0, 0}, {1, 0}, {0, 1}}, {0.5f}}}};
+  bake.irradiance.emplace(vertices, glm::vec3(1.0f));
+  bake.volume = VolumeTransfer{{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}}, 1, 1, 0, {0.5f}, {}, {1}};
+  bake.lightMap.emplace();
+  bake.lightMap->layout = makeLightMapLayout(source, scene, {.texels = 64});
+  bake.lightMap->values = numbers(3 * bake.lightMap->layout.texelCount());
+  return bake;
+}
+
+/// A triangle with everything baked, its picture beside it.
+struct Baked {
+  test::TemporaryFolder folder;
+  GltfDocument document = test::triangleDocument();
+  CompiledScene scene;
+  Bake bake;
+
+  Baked() {
+    document.path = folder / "triangle.glb";
+    document.json["materials"] = Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}}});
+    document.json["meshes"][0]["primitives"][0]["material"] = 0;
+    document.json["animations"] = Json::array({Json::object()});
+    Warnings warnings;
+    const Scene source = loadScene(document, warnings);
+    scene = compileScene(source, warnings);
+    bake = everything(source, scene);
+    embed(document, bake);
+  }
+
+  void embed(GltfDocument& into, const Bake& what) const {
+    embedBake(into, scene, what);
+    if (!what.lightMap) return;
+    const std::filesystem::path picture = lightMapPath(into.path);
+    embedLightMap(into, scene, what.lightMap->layout, picture.filename().string());
+    writeLightMap(picture, *what.lightMap);
+  }
+
+  static const Json& rootOf(const GltfDocument& from) {
+    return from.json["extensions"][transferExtensionName];
+  }
+  static const Json& entryOf(const GltfDocument& from) {
+    return from.json["nodes"][0]["extensions"][transferExtensionName]["primitives"][0];
+  }
+
+  /// What the reader of a technique makes of the file alone.
+  Bake readBy(const Technique& technique) const {
+    const std::string file = document.path.string();
+    const JsonCursor root(file, document.json);
+    const BakedInput input{document, root, scene, transferExtension(root)};
+    Bake read;
+    const auto reader = technique.makeReader(input);
+    const JsonCursor node = root.at("nodes").at(0);
+    for (const auto& [key, ranges] : groupRanges(scene))
+      reader->read(transferExtension(node)->at("primitives").at(0), ranges, read);
+    reader->finish(read);
+    return read;
+  }
+};
+
+TEST(TechniqueMembers, OfTheSchema_BelongToOneTechniqueEach) {
+  std::map<std::string, int> owners;
+  for (const std::string& member : membersOfSchema("primitive")) owners[member] = 0;
+  ASSERT_GE(owners.size(), 13u);
+  for (const Technique& technique : techniques(Order::Entry))
+    for (const std::string_view member : technique.members) ++owners[std::string(member)];
+  for (const auto& [member, count] : owners) EXPECT_EQ(count, 1) << member;
+  Names known;
+  for (const auto& [member, count] : owners) known.insert(member);
+  EXPECT_EQ(known, membersOfSchema("primitive"));
+}
+
+TEST(TechniqueMembers, OfTheSchema_AreAllWritten) {
+  const Baked baked;
+  EXPECT_EQ(membersOf(Baked::entryOf(baked.document)), membersOfSchema("primitive"));
+  const Names schema = membersOfSchema("root");
+  for (const std::string& member : membersOf(Baked::rootOf(baked.document)))
+    EXPECT_EQ(schema.count(member), 1u) << member;
+}
+
+TEST(TechniqueMembers, EachTechnique_WritesItsOwnAlone) {
+  Baked baked;
+  const BakedOutput output{baked.document, baked.scene, baked.bake, nullptr};
+  for (const Technique& technique : techniques(Order::Entry)) {
+    if (technique.writeEntry == nullptr) continue;
+    Json entry = Json::object();
+    technique.writeEntry(output, groupRanges(baked.scene).begin()->second, entry);
+    EXPECT_EQ(membersOf(entry), membersOf(technique)) << technique.name;
+  }
+}
+
+TEST(TechniqueMembers, EachReader_ReadsItsOwnAlone) {
+  const Baked baked;
+  for (const Technique& technique : techniques(Order::Entry)) {
+    ASSERT_NE(technique.makeReader, nullptr) << technique.name;
+    const Bake read = baked.readBy(technique);
+    GltfDocument again = test::triangleDocument();
+    again.path = baked.folder / "again.glb";
+    baked.embed(again, read);
+    EXPECT_EQ(membersOf(Baked::entryOf(again)), membersOf(technique)) << technique.name;
+    EXPECT_EQ(read.volume.has_value(), technique.name == "volume") << technique.name;
+  }
+}
+
+/// Were one missing, baking a baked file again would leave its numbers in it.
+TEST(TechniqueMembers, OfAccessors_AreAllTakenOff) {
+  Baked baked;
+  const std::size_t own = test::triangleDocument().json["accessors"].size();
+  ASSERT_GT(baked.document.json["accessors"].size(), own + 15);
+  embedBake(baked.document, baked.scene, Bake{});
+  EXPECT_EQ(baked.document.json["accessors"].size(), own);
+}
+
+}  // namespace
+}  // namespace prelight
