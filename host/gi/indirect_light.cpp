@@ -127,7 +127,7 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const L
       request_(request),
       photons_(photons.report),
       approximation_(scene.context(), layout),
-      gather_(compiled_, scene, approximation_, gatherRequest(request)) {
+      gather_(scene, approximation_, gatherRequest(request)) {
   const bool all = directByPhotons(scene, request);
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =

@@ -2,6 +2,7 @@
 #ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
 #define PRELIGHT_BVH_ALPHA_FUNCS_CL
 
+#include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 
 typedef struct Surface {
@@ -11,6 +12,15 @@ typedef struct Surface {
   __global const float4* colors;              // [vertex], linear; read only with PRELIGHT_VERTEX_COLORS
   __global const ushort4* texels;             // linear RGBA in 1/65535: decoded once, not at every hit
 } Surface;
+
+Surface surfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface) {
+  const Surface s = {(__global const DeviceTriangle*)(surface + layout->triangles),
+                     (__global const DeviceMaterial*)(surface + layout->materials),
+                     (__global const float2*)(surface + layout->texCoords),
+                     (__global const float4*)(surface + layout->colors),
+                     (__global const ushort4*)(surface + layout->texels)};
+  return s;
+}
 
 // Texel coordinate of u in [0, size): IEC-free integer wrapping as in glTF samplers.
 uint wrapTexel(int i, uint size, uint mode) {

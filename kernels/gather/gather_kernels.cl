@@ -8,8 +8,8 @@
 #include "project/incident_funcs.cl"
 #include "shade/diffuse_funcs.cl"
 #include "shade/glass_funcs.cl"
-#include "shade/light_funcs.cl"
 #include "shade/lobe_class_funcs.cl"
+#include "shade/scene_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
 
@@ -27,7 +27,7 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
 // Light that a ray finds where it ends, without what its surface reflects diffusely.
 float3 findLamp(__constant const GatherParameters* p, PathScene s, Lights l, Ray ray, Hit hit) {
 #ifdef PRELIGHT_SKY
-  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return skyRadiance(l, &p->lights, skyCoordinates(&p->lights, vload3(0, ray.direction)));
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return skyRadiance(l, &p->scene.lights, skyCoordinates(&p->scene.lights, vload3(0, ray.direction)));
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
@@ -78,41 +78,33 @@ bool follow(__constant const GatherParameters* p, __global const Receiver* recei
 }
 #endif
 
-// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays, hits
-// [count], paths [count] of them;
-// radiance [ray of the block][3] is set at depth 0 and added to beyond -> nextRays, nextPaths [counter].
-__kernel void gatherRadiance(__constant const GatherParameters* p, const uint count, const uint depth,
-                             __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                             __global const float2* texCoords, __global const float4* colors,
-                             __global const ushort4* texels, __global const float* vertices,
-                             __global const uchar* flat, __global const ShadeMaterial* materials,
-                             __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                             __global const uint* tables, __global const uint* emitters,
-                             __global const float* emitterDensities, __global const PunctualLight* punctual,
-                             __global const float4* sky, __global const float2* corners,
-                             __global const float4* irradiances, __global const Receiver* receivers,
-                             __global const Ray* rays, __global const Hit* hits, __global const GatherPath* paths,
-                             __global float* radiances, __global Ray* nextRays, __global GatherPath* nextPaths,
-                             __global uint* counter) {
+// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays
+// and paths lie where the step says, hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond ->
+// rays and paths of those that go on [counter].
+__kernel void gatherRadiance(__constant const GatherParameters* p, const GatherStep step,
+                             __global const SurfaceLine* surface, __global const ShadingLine* shading,
+                             __global const LightLine* lights, __global const IrradianceLine* irradiances,
+                             __global const Receiver* receivers, __global Ray* rays, __global const Hit* hits,
+                             __global GatherPath* paths, __global float* radiances, __global uint* counter) {
   const size_t i = get_global_id(0);
-  if (i >= count) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
-  const IrradianceMap map = {corners, irradiances, (int2)((int)p->mapWidth, (int)p->mapHeight), p->triangleCount};
+  if (i >= step.count) return;
+  const Scene scene = sceneOf(&p->scene, surface, shading, lights);
+  const PathScene s = scene.surface;
+  const IrradianceMap map = irradianceMapOf(&p->map, irradiances);
   GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u};
-  if (depth > 0u) path = paths[i];
-  const Ray ray = rays[i];
+  if (step.depth > 0u) path = paths[step.first + i];
+  const Ray ray = rays[step.first + i];
   const Hit hit = hits[i];
   float3 radiance = (float3)(0.0f);
-  if (path.widened != 0u) radiance = findLamp(p, s, lights, ray, hit);
+  if (path.widened != 0u) radiance = findLamp(p, s, scene.lights, ray, hit);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
     const PathVertex vertex = loadVertex(s, ray, hit);
     const Bsdf bsdf = loadBsdf(s, vertex);
 #ifdef PRELIGHT_ABSORPTION
     uint medium = path.medium;
-    if (!vertex.front && (materials[vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = vertex.material;
+    if (!vertex.front && (s.materials[vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = vertex.material;
     if (medium != PRELIGHT_NO_MEDIUM)
-      vstore3(vload3(0, path.throughput) * exp(-vload3(0, materials[medium].absorption) * hit.t), 0, path.throughput);
+      vstore3(vload3(0, path.throughput) * exp(-vload3(0, s.materials[medium].absorption) * hit.t), 0, path.throughput);
 #endif
     if (largest(bsdf.diffuse) > 0.0f)
       radiance += reflectIrradiance(bsdf, dot(vertex.wo, vertex.shading),
@@ -125,17 +117,17 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     float3 direction;
-    if (follow(p, receivers, s, vertex, bsdf, depth, &path, &direction)) {
+    if (follow(p, receivers, s, vertex, bsdf, step.depth, &path, &direction)) {
       const uint slot = atomic_inc(counter);
-      nextRays[slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
-      nextPaths[slot] = path;
+      rays[step.next + slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
+      paths[step.next + slot] = path;
     }
 #endif
   } else {
     radiance *= vload3(0, path.throughput);
   }
   __global float* out = radiances + 3 * (size_t)path.ray;
-  vstore3(depth == 0u ? radiance : vload3(0, out) + radiance, 0, out);
+  vstore3(step.depth == 0u ? radiance : vload3(0, out) + radiance, 0, out);
 }
 
 // A receiver a work-item. radiances [receiver][raysPerReceiver][3] -> irradiance [receiver][3]: pi times their mean, as

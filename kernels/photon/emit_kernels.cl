@@ -1,6 +1,6 @@
 // Photons leave their light. Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY, as shade/light_funcs.cl.
 #include "photon/path_funcs.cl"
-#include "shade/light_funcs.cl"
+#include "shade/scene_funcs.cl"
 
 typedef struct Emission {
   float3 origin;
@@ -71,7 +71,7 @@ Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathSce
   float probability = 1.0f, remainder;
   uint entry = p->source.light;
   if (entry == PRELIGHT_ALL_EMITTERS)
-    entry = chooseEntry(l.tables + p->lights.emitterTable, p->lights.emitterCount, choice.x, &probability, &remainder);
+    entry = chooseEntry(l.tables + p->scene.lights.emitterTable, p->scene.lights.emitterCount, choice.x, &probability, &remainder);
   const uint triangle = l.emitters[entry];
   const DeviceTriangle t = s.surface.triangles[triangle];
   const float root = sqrt(place.x);
@@ -93,7 +93,7 @@ Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathSce
 #ifdef PRELIGHT_SKY
 Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits, float2 place) {
   Arrival a;
-  arriveFromSky(l, &p->lights, bits, &a);
+  arriveFromSky(l, &p->scene.lights, bits, &a);
   Emission e;
   e.power = a.radiance / a.density;
   startAfar(p, -a.direction, place, &e);
@@ -104,19 +104,13 @@ Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits,
 // A photon a work-item: one after the other or, of a choice, those that `numbers` has from firstPhoton on. cells
 // [source.firstCell + cell] -> paths, queue, rays [pathCount]; emitted [pathCount][3], in counts of the tallies. Next: trace,
 // scatterPhotons.
-__kernel void emitPhotons(__constant const PhotonParameters* p, __global const DeviceTriangle* triangles,
-                          __global const DeviceMaterial* bases, __global const float2* texCoords,
-                          __global const float4* colors, __global const ushort4* texels, __global const float* vertices,
-                          __global const uchar* flat, __global const ShadeMaterial* materials,
-                          __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                          __global const uint* tables, __global const uint* emitters,
-                          __global const float* emitterDensities, __global const PunctualLight* punctual,
-                          __global const float4* sky, __global const uint* cells, __global const uint* numbers,
-                          __global PhotonPath* paths, __global uint* queue, __global Ray* rays, __global long* emitted) {
+__kernel void emitPhotons(__constant const PhotonParameters* p, __global const SurfaceLine* surface,
+                          __global const ShadingLine* shading, __global const LightLine* lights,
+                          __global const uint* cells, __global const uint* numbers, __global PhotonPath* paths,
+                          __global uint* queue, __global Ray* rays, __global long* emitted) {
   const size_t i = get_global_id(0);
   if (i >= p->pathCount) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
+  const Scene scene = sceneOf(&p->scene, surface, shading, lights);
   const uint rank = p->firstPhoton + (uint)i;
   const uint photon = p->chosen != 0u ? numbers[rank] : rank;
   const uint2 bits = directionBits(p->source, cells, photon);
@@ -124,14 +118,14 @@ __kernel void emitPhotons(__constant const PhotonParameters* p, __global const D
   const float2 place = photonPoint(p, photon, PRELIGHT_PAIR_PLACE);
   Emission e;
 #ifdef PRELIGHT_PUNCTUAL
-  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, punctual + p->source.light, u);
+  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, scene.lights.punctual + p->source.light, u);
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (p->source.kind == PRELIGHT_SOURCE_EMITTERS)
-    e = emitFromSurface(p, lights, s, photonBits(p, photon, PRELIGHT_PAIR_EMITTER), u, place);
+    e = emitFromSurface(p, scene.lights, scene.surface, photonBits(p, photon, PRELIGHT_PAIR_EMITTER), u, place);
 #endif
 #ifdef PRELIGHT_SKY
-  if (p->source.kind == PRELIGHT_SOURCE_SKY) e = emitFromSky(p, lights, bits, place);
+  if (p->source.kind == PRELIGHT_SOURCE_SKY) e = emitFromSky(p, scene.lights, bits, place);
 #endif
   const PhotonSource source = p->source;
   float share = 1.0f / (float)source.count;

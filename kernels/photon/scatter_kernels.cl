@@ -6,7 +6,7 @@
 #include "photon/adjoint_funcs.cl"
 #include "photon/path_funcs.cl"
 #include "shade/lobe_class_funcs.cl"
-#include "shade/vertex_funcs.cl"
+#include "shade/scene_funcs.cl"
 #include "shared/photon_types.h"
 
 // Light that is caught between mirrors or in glass loses nothing and would not end. From so many times in a row on, roulette
@@ -100,21 +100,18 @@ void countPower(__constant const PhotonParameters* p, const float* power, float 
   for (uint c = 0; c < 3; ++c) counts[c] += (sign < 0.0f ? -1 : 1) * countsOf(p, power[c]);
 }
 
-// A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; nextRays [count] where
+// A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; rays from step.next on where
 // it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: compactPaths,
 // compactPhotons, sumTallies.
-__kernel void scatterPhotons(__constant const PhotonParameters* p, const uint count, const uint depth,
-                             __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                             __global const float2* texCoords, __global const float4* colors,
-                             __global const ushort4* texels, __global const float* vertices,
-                             __global const uchar* flat, __global const ShadeMaterial* materials,
-                             __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                             __global const PunctualLight* punctual, __global const Ray* rays, __global const Hit* hits,
+__kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonStep step,
+                             __global const SurfaceLine* surface, __global const ShadingLine* shading,
+                             __global const LightLine* lights, __global Ray* rays, __global const Hit* hits,
                              __global const uint* queue, __global PhotonPath* paths, __global uchar* outcomes,
-                             __global Ray* nextRays, __global Photon* stored, __global long* tallies) {
+                             __global Photon* stored, __global long* tallies) {
   const size_t i = get_global_id(0);
-  if (i >= count) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
+  if (i >= step.count) return;
+  const Scene scene = sceneOf(&p->scene, surface, shading, lights);
+  const PathScene s = scene.surface;
   PhotonPath path = paths[queue[i]];
   const Hit hit = hits[i];
   long absorbed[3] = {0, 0, 0}, escaped[3] = {0, 0, 0};
@@ -130,17 +127,17 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
     a.wo = toFrame(a.frame, a.vertex.wo);
     float3 power = vload3(0, path.power);
 #ifdef PRELIGHT_PUNCTUAL
-    if (depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
-      const float ratio = hit.t * punctual[p->source.light].inverseRange;
+    if (step.depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
+      const float ratio = hit.t * scene.lights.punctual[p->source.light].inverseRange;
       power *= clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
     }
 #endif
 #ifdef PRELIGHT_ABSORPTION
     uint medium = path.medium;
-    if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = a.vertex.material;
-    if (medium != PRELIGHT_NO_MEDIUM) power *= exp(-vload3(0, materials[medium].absorption) * hit.t);
+    if (!a.vertex.front && (s.materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = a.vertex.material;
+    if (medium != PRELIGHT_NO_MEDIUM) power *= exp(-vload3(0, s.materials[medium].absorption) * hit.t);
 #endif
-    if (!a.vertex.front && (materials[a.vertex.material].flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(a.bsdf.diffuse) > 0.0f)
+    if (!a.vertex.front && (s.materials[a.vertex.material].flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(a.bsdf.diffuse) > 0.0f)
       outcome |= PRELIGHT_PHOTON_MET_BACK;
     if (storesHere(path, a.bsdf)) {
       Photon photon;
@@ -152,13 +149,13 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
       outcome |= PRELIGHT_PHOTON_STORED;
     }
     const uint photon = path.photon;
-    const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
+    const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + step.depth * PRELIGHT_PAIRS_A_SURFACE;
     const float2 chance = photonPoint(p, photon, pair + PRELIGHT_PAIR_LOBE);
     Departure d = {(float3)(0.0f), (float3)(0.0f), 0u, path.medium};
     if (goesOnFrom(path, a.bsdf) && leave(a, s, chance.x, photonPoint(p, photon, pair + PRELIGHT_PAIR_DIRECTION), &d)) {
       float3 leaving = power * d.weight;
       path.mirrored = d.scattered == PRELIGHT_SCATTERED_SPECULAR ? path.mirrored + 1u : 0u;
-      float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
+      float survival = step.depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
       if (path.mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
       if (largest(leaving) > 0.0f && chance.y < survival) {
         vstore3(leaving / survival, 0, path.power);
@@ -166,7 +163,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
         path.scattered |= d.scattered;
         paths[queue[i]] = path;
         countPower(p, path.power, -1.0f, absorbed);
-        nextRays[i] = rayFrom(a.vertex, normalize(d.direction), MAXFLOAT);
+        rays[step.next + i] = rayFrom(a.vertex, normalize(d.direction), MAXFLOAT);
         outcome |= PRELIGHT_PHOTON_GOES_ON;
       }
     }
@@ -178,12 +175,12 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
   }
 }
 
-// order [count]: those of the photons that go on -> their rays and queue, close together.
-__kernel void compactPaths(const uint count, __global const uint* order, __global const Ray* rays,
-                           __global const uint* queue, __global Ray* nextRays, __global uint* nextQueue) {
+// order [count]: those of the photons that go on, whose rays lie from `next` on -> their rays and queue, close together.
+__kernel void compactPaths(const uint count, const uint next, __global const uint* order, __global Ray* rays,
+                           __global const uint* queue, __global uint* nextQueue) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  nextRays[i] = rays[order[i]];
+  rays[i] = rays[next + order[i]];
   nextQueue[i] = queue[order[i]];
 }
 

@@ -34,9 +34,9 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
   float density = 0.0f;  // with which sampling lights would have drawn this direction
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) {
 #ifdef PRELIGHT_SKY
-    const float2 uv = skyCoordinates(&p->lights, vload3(0, ray.direction));
-    radiance = skyRadiance(lights, &p->lights, uv);
-    density = skyDensity(lights, &p->lights, uv) * entryProbability(lights.tables, p->lights.groupCount, p->lights.groupCount - 1u);
+    const float2 uv = skyCoordinates(&p->scene.lights, vload3(0, ray.direction));
+    radiance = skyRadiance(lights, &p->scene.lights, uv);
+    density = skyDensity(lights, &p->scene.lights, uv) * entryProbability(lights.tables, p->scene.lights.groupCount, p->scene.lights.groupCount - 1u);
 #endif
   } else {
 #ifdef PRELIGHT_ABSORPTION
@@ -52,7 +52,7 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
     if (lights.emitterDensities[hit.triangle] > 0.0f) {
       radiance = emittedRadiance(s, hit.triangle, hit.u, hit.v, vertex.front);
       density = emitterDensity(lights, hit.triangle, hit.t, dot(vertex.wo, vertex.geometric)) *
-                entryProbability(lights.tables, p->lights.groupCount, p->lights.emitterGroup);
+                entryProbability(lights.tables, p->scene.lights.groupCount, p->scene.lights.emitterGroup);
     }
 #endif
     if (depth == 0u && (s.materials[vertex.material].flags & PRELIGHT_UNLIT) != 0u)
@@ -80,22 +80,22 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
   const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
   float probability = 1.0f, remainder;
   const bool given = light != PRELIGHT_NO_TRIANGLE;
-  const uint group = given ? light : chooseEntry(lights.tables, p->lights.groupCount, choice.x, &probability, &remainder);
+  const uint group = given ? light : chooseEntry(lights.tables, p->scene.lights.groupCount, choice.x, &probability, &remainder);
   Arrival a;
   bool arrives = false;
   // The groups' order: punctual lights, then the emitters as one, then the sky.
 #ifdef PRELIGHT_PUNCTUAL
-  if (given || group < p->lights.emitterGroup) arrives = arriveFromPunctual(lights.punctual + group, at.vertex.position, &a);
+  if (given || group < p->scene.lights.emitterGroup) arrives = arriveFromPunctual(lights.punctual + group, at.vertex.position, &a);
 #endif
 #ifdef PRELIGHT_EMITTERS
-  if (!given && group == p->lights.emitterGroup)
-    arrives = arriveFromEmitter(lights, &p->lights, s, at.vertex.position, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
+  if (!given && group == p->scene.lights.emitterGroup)
+    arrives = arriveFromEmitter(lights, &p->scene.lights, s, at.vertex.position, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), &a);
 #endif
 #ifdef PRELIGHT_SKY
 #ifdef PRELIGHT_EMITTERS
-  if (!given && group == p->lights.emitterGroup + 1u) arrives = arriveFromSky(lights, &p->lights, place, &a);
+  if (!given && group == p->scene.lights.emitterGroup + 1u) arrives = arriveFromSky(lights, &p->scene.lights, place, &a);
 #else
-  if (!given && group == p->lights.emitterGroup) arrives = arriveFromSky(lights, &p->lights, place, &a);
+  if (!given && group == p->scene.lights.emitterGroup) arrives = arriveFromSky(lights, &p->scene.lights, place, &a);
 #endif
 #endif
   if (!arrives) return false;

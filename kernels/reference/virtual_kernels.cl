@@ -3,6 +3,7 @@
 // Options: those of the included files.
 #include "core/octahedral_funcs.cl"
 #include "reference/path_funcs.cl"
+#include "shade/scene_funcs.cl"
 #include "shared/photon_types.h"
 
 // Barycentric weights of a triangle's vertices 1 and 2 of a point in its plane.
@@ -14,18 +15,14 @@ float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
 }
 
 // A photon a work-item -> lights [photon]. Its power is scattered diffusely where it landed.
-__kernel void makeVirtualLights(const uint count, __global const Photon* photons,
-                                __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                                __global const float2* texCoords, __global const float4* colors,
-                                __global const ushort4* texels, __global const float* vertices,
-                                __global const uchar* flat, __global const ShadeMaterial* materials,
-                                __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                                __global VirtualLight* lights) {
+__kernel void makeVirtualLights(const uint count, __constant const SceneLayout* layout,
+                                __global const SurfaceLine* surface, __global const ShadingLine* shading,
+                                __global const Photon* photons, __global VirtualLight* lights) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
+  const PathScene s = shadedSurfaceOf(layout, surface, shading);
   const Photon photon = photons[i];
-  const DeviceTriangle t = triangles[photon.triangle];
+  const DeviceTriangle t = s.surface.triangles[photon.triangle];
   const float3 at = vload3(0, photon.position);
   const float2 place = placeOnTriangle(vertexPosition(s, t.vertex[0]), vertexPosition(s, t.vertex[1]),
                                        vertexPosition(s, t.vertex[2]), at);
@@ -57,23 +54,19 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   lights[i] = light;
 }
 
-// A ray a work-item. Light that could arrive from virtual light `index` where the ray ends; nearer than the square root
-// of `leastSquare` it counts as at that distance. -> shadowRays, items [counters[0]].
-__kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const uint count, __global const Ray* rays,
-                                 __global const Hit* hits, __global const uint* queue,
-                                 __global const PathState* paths, __global const DeviceTriangle* triangles,
-                                 __global const DeviceMaterial* bases, __global const float2* texCoords,
-                                 __global const float4* colors, __global const ushort4* texels,
-                                 __global const float* vertices, __global const uchar* flat,
-                                 __global const ShadeMaterial* materials, __global const DeviceMaterial* layers,
-                                 __global const ushort4* layerTexels, __global const VirtualLight* lights,
-                                 const uint index, const float leastSquare, __global Ray* shadowRays,
-                                 __global ShadowItem* items, __global uint* counters) {
+// A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays and items
+// [shadow counter].
+__kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const PathStep step,
+                                 __global const SurfaceLine* surface, __global const ShadingLine* shading,
+                                 __global Ray* rays, __global const Hit* hits, __global uint* queue,
+                                 __global const PathState* paths, __global const VirtualLight* lights,
+                                 __global ShadowItem* items) {
   const size_t i = get_global_id(0);
-  if (i >= count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
-  const VirtualLight light = lights[index];
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const PathVertex vertex = loadVertex(s, rays[i], hits[i]);
+  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  const VirtualLight light = lights[step.light];
+  const PathScene s = shadedSurfaceOf(&p->scene, surface, shading);
+  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const PathVertex vertex = loadVertex(s, rays[step.first + i], hits[i]);
   const float3 way = vload3(0, light.position) - vertex.position;
   const float square = dot(way, way);
   if (!(square > 1e-18f)) return;
@@ -96,18 +89,18 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   const Reflection f = evaluateBsdf(bsdf, wo, wi);
   const float grazing = 1.0f - clamp(cosine, 0.0f, 1.0f), g2 = grazing * grazing;
   const float leaves = 1.0f - (light.f0 + (light.f90 - light.f0) * (g2 * g2 * grazing));
-  const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) *
-                          intensity * (leaving * leaves / fmax(square, leastSquare));
+  const float3 radiance = vload3(0, paths[number].throughput) * (f.diffuse + f.glossy) *
+                          intensity * (leaving * leaves / fmax(square, step.leastSquare));
   if (largest(radiance) <= 0.0f) return;
-  const uint slot = atomic_inc(counters);
+  const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
   Ray shadow = rayFrom(vertex, direction, 0.0f);
   const float3 span = vload3(0, light.position) - vload3(0, shadow.origin);
   const bool ahead = dot(span, direction) > 0.0f;
   if (ahead) vstore3(span, 0, shadow.direction);
   shadow.tMax = ahead ? 0.9999f : 0.0f;
-  shadowRays[slot] = shadow;
+  rays[step.shadow + slot] = shadow;
   ShadowItem item;
   vstore3(radiance, 0, item.radiance);
-  item.path = queue[i];
+  item.path = number;
   items[slot] = item;
 }

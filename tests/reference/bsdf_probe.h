@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/buffer.h"
-#include "device/context.h"
+#include "device/launch_once.h"
 #include "support/devices.h"
 
 namespace prelight::test {
@@ -34,10 +33,8 @@ class BsdfProbe {
         to(device, std::span<const glm::vec4>(wi));
     const Buffer<glm::vec4> scattered(device, 2 * wo.size());
     const Buffer<float> densities(device, wo.size());
-    cl::Kernel kernel(program(), "probeReflection");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(wo.size()), from.get(), to.get(),
-                 scattered.get(), densities.get());
-    device.launch(kernel, wo.size(), 64);
+    launchOnce(device, file, options_, "probeReflection", wo.size(), surface,
+               static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
     return {scattered.read(), densities.read()};
   }
 
@@ -45,16 +42,13 @@ class BsdfProbe {
     DeviceContext& device = sharedDevice().context();
     const Buffer<float> surface(device, std::span<const float>(values_));
     const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), to(device, count);
-    cl::Kernel kernel(program(), "probeScatter");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(count), from.get(), to.get());
-    device.launch(kernel, count, 64);
+    launchOnce(device, file, options_, "probeScatter", count, surface, static_cast<std::uint32_t>(count),
+               from, to);
     return to.read();
   }
 
  private:
-  const cl::Program& program() const {
-    return sharedDevice().context().program("reference/probe_kernels.cl", options_);
-  }
+  static constexpr const char* file = "reference/probe_kernels.cl";
 
   BuildOptions options_;
   std::vector<float> values_;
