@@ -43,6 +43,12 @@ std::vector<Subject> bases() {
        "a few roundings a step in double",
        {},
        runQuincunx},
+  };
+}
+
+std::vector<Subject> basesOnDevices() {
+  using enum SubjectKind;
+  return {
       {"SH",
        Basis,
        "SH on the host",
@@ -222,6 +228,12 @@ std::vector<Subject> transport() {
        "exact",
        {"photon/scatter_kernels.cl:sumTallies"},
        runTallies},
+  };
+}
+
+std::vector<Subject> indirectLight() {
+  using enum SubjectKind;
+  return {
       {"density estimates",
        Kernel,
        "all photons in double over the part of the disc that lies on the surface",
@@ -256,6 +268,12 @@ std::vector<Subject> transport() {
        "as the solvers'",
        {"radiosity/form_factor_kernels.cl:codeElements", "radiosity/form_factor_kernels.cl:judgePoints"},
        runRadiosity},
+  };
+}
+
+std::vector<Subject> pictures() {
+  using enum SubjectKind;
+  return {
       {"paths",
        Pipeline,
        "a closed room that emits: the sum of the albedo's powers; a floor under lights",
@@ -346,7 +364,8 @@ std::vector<Subject> keeping() {
 const std::vector<Subject>& subjects() {
   static const std::vector<Subject> list = [] {
     std::vector<Subject> all;
-    for (const auto& part : {bases(), relighting(), casting(), transport(), keeping()})
+    for (const auto& part : {bases(), basesOnDevices(), relighting(), casting(), transport(), indirectLight(),
+                             pictures(), keeping()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -131,11 +131,13 @@ void scatter(const Surface& surface, double alpha, double cosine, Trials& trials
   const glm::vec4 wo(hemisphere(cosine, 1.0), 0.0f);
   const std::vector<float> values = valuesOf(surface, alpha);
   const Buffer<float> valueBuffer(device, std::span<const float>(values));
-  const Buffer<glm::vec4> out(device, std::span(&wo, 1)), directions(device, count);
+  const Buffer<glm::vec4> out(device, std::span(&wo, 1)), samples(device, 2 * count);
   launchOnce(device, "reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY"), "probeScatter",
-             count, valueBuffer, static_cast<std::uint32_t>(count), out, directions);
+             count, valueBuffer, static_cast<std::uint32_t>(count), out, samples);
   Differences differences;
-  for (const glm::vec4& d : directions.read()) differences.add(glm::length(glm::dvec3(d)), 1.0);
+  const std::vector<glm::vec4> drawn = samples.read();
+  for (std::size_t i = 0; i < count; ++i)
+    if (drawn[2 * i].w > 0.0f) differences.add(glm::length(glm::dvec3(drawn[2 * i])), 1.0);
   trials.record(std::string(surface.name) + ", lengths of drawn directions, cosine of the view " +
                     (cosine < 1e-3 ? "1e-6" : "0.7"),
                 differences, 16.0 * unitRoundoff, {"1 / alpha", 1.0 / alpha});

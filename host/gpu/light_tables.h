@@ -20,7 +20,7 @@ std::vector<std::uint32_t> makeIntervals(std::span<const double> weights);
 /// Probability of an entry of makeIntervals().
 double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t entry);
 
-/// What kernels choose lights by; kernels/shade/light_funcs.cl says how. Lights without power are left
+/// What kernels choose lights by; kernels/transport/light_table_funcs.cl says how. Lights without power are left
 /// out.
 struct LightTables {
   std::vector<std::uint32_t> tables;    ///< groups, emitters, sky rows, sky columns a row

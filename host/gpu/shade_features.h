@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// What a scene needs of the kernels that follow light (kernels/shade): they are built with no more.
+/// What a scene needs of the kernels that follow light (kernels/transport): they are built with no more.
 struct ShadeFeatures {
   bool punctual = false;
   bool emitters = false;
@@ -25,7 +25,7 @@ struct ShadeFeatures {
 
 ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights);
 
-/// Adds the options of kernels/shade.
+/// Adds the options of kernels/transport.
 BuildOptions& defineFeatures(const ShadeFeatures& features, BuildOptions& options);
 
 }  // namespace prelight

@@ -1,15 +1,12 @@
 // Light of the scene's own emitters at receivers, group by group.
 // Options: PRELIGHT_EMITTERS: some light is an emissive triangle; PRELIGHT_INCIDENT: the light is kept by direction, too.
 #include "bvh/alpha_funcs.cl"
-#include "core/punctual_funcs.cl"
 #include "core/sampling_funcs.cl"
 #include "project/incident_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/light_group_types.h"
 #include "shared/ray_types.h"
-
-// Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
-#define PRELIGHT_SHADOW_REACH 0.9999f
+#include "transport/aim_funcs.cl"
 
 #ifdef PRELIGHT_INCIDENT
 #define PRELIGHT_LIGHT_VALUES PRELIGHT_INCIDENT_VALUES
@@ -38,35 +35,15 @@ LightGroups lightGroupsOf(LightGroupLayout layout, __global const LightGroupLine
   return groups;
 }
 
-typedef struct LightTarget {
-  float3 way;   // from the receiver; a shadow ray's direction
-  float reach;  // in lengths of `way`
-  float3 value; // of irradiance over pi and the group's colour, if nothing is in the way
-} LightTarget;
-
 // Density of a direction, 1/sr, among a receiver's rays and a group's emitter samples together: the balance heuristic
 // (Veach 1997) then divides what arrives by this sum, whichever of the two has drawn it.
 float combinedDensity(uint rays, float cosine, uint samples, float density, float squaredDistance, float emitterCosine) {
   return (float)rays * cosine * M_1_PI_F + (float)samples * density * squaredDistance / fmax(emitterCosine, 1e-9f);
 }
 
-bool aimAtPunctual(__global const PunctualLight* light, __global const float* factor, float3 point, float3 normal,
-                   LightTarget* target) {
-  float3 direction;
-  float distance, falloff;
-  if (!seePunctual(light, point, &direction, &distance, &falloff)) return false;
-  const float cosine = dot(direction, normal);
-  if (cosine <= 0.0f) return false;
-  const bool afar = distance == MAXFLOAT;
-  target->way = afar ? direction : direction * distance;
-  target->reach = afar ? MAXFLOAT : PRELIGHT_SHADOW_REACH;
-  target->value = cosine * falloff * M_1_PI_F * vload3(0, factor);
-  return true;
-}
-
 bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, LightGroups groups,
                   __global const GroupEmitter* emitters, __global const DeviceTriangle* triangles, float2 u, float3 point,
-                  float3 normal, LightTarget* target) {
+                  float3 normal, Aim* aim) {
   uint low = slot.firstEmitter, high = low + slot.emitterCount - 1u;
   while (low < high) {
     const uint middle = (low + high) / 2u;
@@ -77,21 +54,20 @@ bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, L
   }
   const GroupEmitter e = emitters[low];
   const float start = low > slot.firstEmitter ? emitters[low - 1u].bound : 0.0f;
-  const float root = sqrt(clamp((u.x - start) / fmax(e.bound - start, 1e-30f), 0.0f, 1.0f));
+  const float within = clamp((u.x - start) / fmax(e.bound - start, 1e-30f), 0.0f, 1.0f);
   const DeviceTriangle t = triangles[e.triangle];
   const float3 p = vload3(t.vertex[0], groups.positions), q = vload3(t.vertex[1], groups.positions),
                r = vload3(t.vertex[2], groups.positions);
-  const float b = root * (1.0f - u.y), c = root * u.y;
-  const float3 way = p + b * (q - p) + c * (r - p) - point;
+  const float3 way = pointBetween(p, q, r, sampleTriangle((float2)(within, u.y))) - point;
   const float squared = dot(way, way);
   const float3 direction = way * rsqrt(fmax(squared, 1e-30f));
   const float cosine = dot(direction, normal);
   const float facing = -dot(direction, vload3(e.triangle, groups.normals));
   const float emitterCosine = e.twoSided ? fabs(facing) : facing;
   if (!(squared > 1e-18f) || cosine <= 0.0f || emitterCosine <= 1e-6f) return false;
-  target->way = way;
-  target->reach = PRELIGHT_SHADOW_REACH;
-  target->value = cosine * M_1_PI_F * vload3(0, e.factor) /
+  aim->way = way;
+  aim->reach = PRELIGHT_SHADOW_REACH;
+  aim->value = cosine * M_1_PI_F * vload3(0, e.factor) /
                   combinedDensity(parameters->raysPerReceiver, cosine, slot.sampleCount, e.density, squared, emitterCosine);
   return true;
 }
@@ -100,7 +76,7 @@ bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, L
 // each brings if it is open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
 __kernel void generateLightRays(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                                 __global const LightGroupLine* groupLines, __global const GroupEmitter* emitters,
-                                __constant const SceneLayout* layout, __global const SurfaceLine* surface,
+                                __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                                 __global const Receiver* receivers, __global Ray* rays, __global float* values) {
   const size_t i = get_global_id(0);
   const uint slotCount = groupLayout.slotCount;
@@ -109,23 +85,20 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, con
   const LightGroups groups = lightGroupsOf(groupLayout, groupLines);
   const LightSlot slot = groups.slots[i % slotCount];
   const float3 point = vload3(0, r->position), normal = vload3(0, r->normal);
-  LightTarget target;
+  Aim aim;
   bool arrives;
   if (slot.light != PRELIGHT_NO_EMITTER) {
-    arrives = aimAtPunctual(groups.punctual + slot.light, groups.factors + 3 * slot.light, point, normal, &target);
+    float share;
+    arrives = aimAtPunctual(groups.punctual + slot.light, point, normal, &aim, &share);
+    if (arrives) aim.value = share * M_1_PI_F * vload3(0, groups.factors + 3 * slot.light);
   } else {
     const uint index = r->firstSample / parameters->raysPerReceiver * slot.sampleCount + slot.sample;
     const float2 u = sampleSobol(index, hashInteger(r->seed ^ hashInteger(slot.group + 0x68bc21ebu)));
-    arrives = aimAtEmitter(parameters, slot, groups, emitters, surfaceOf(layout, surface).triangles, u, point, normal, &target);
+    arrives = aimAtEmitter(parameters, slot, groups, emitters, surfaceOf(layout, surfaceLines).triangles, u, point, normal, &aim);
   }
-  arrives = arrives && dot(target.way, vload3(0, r->geometricNormal)) > 0.0f;  // the receiver's own surface hides the rest
-  Ray ray;
-  vstore3(point, 0, ray.origin);
-  vstore3(arrives ? target.way : normal, 0, ray.direction);
-  ray.sourceTriangle = r->triangle;
-  ray.tMax = arrives ? target.reach : 0.0f;
-  rays[i] = ray;
-  vstore3(arrives ? target.value : (float3)(0.0f), i, values);
+  arrives = arrives && dot(aim.way, vload3(0, r->geometricNormal)) > 0.0f;  // the receiver's own surface hides the rest
+  rays[i] = shadowRay(r, aim, arrives);
+  vstore3(arrives ? aim.value : (float3)(0.0f), i, values);
 }
 
 // Adds light that brings `value`, of irradiance, along a ray to a group of a receiver's out [3][group][value].

@@ -82,4 +82,11 @@ float3 sampleCosineHemisphere(float2 u, float3 n) {
   return radius * cospi(turn) * tangent + radius * sinpi(turn) * bitangent + sqrt(1.0f - u.x) * n;
 }
 
+// Weights of a triangle's vertices 1 and 2, uniform over its area: the unit square folded along its diagonal by its square
+// root.
+float2 sampleTriangle(float2 place) {
+  const float root = sqrt(place.x);
+  return (float2)(root * (1.0f - place.y), root * place.y);
+}
+
 #endif

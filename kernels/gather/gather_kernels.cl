@@ -6,12 +6,12 @@
 #include "core/sampling_funcs.cl"
 #include "gather/irradiance_map_funcs.cl"
 #include "project/incident_funcs.cl"
-#include "shade/diffuse_funcs.cl"
-#include "shade/glass_funcs.cl"
-#include "shade/lobe_class_funcs.cl"
-#include "shade/scene_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
+#include "transport/irradiance_funcs.cl"
+#include "transport/medium_funcs.cl"
+#include "transport/roulette_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 #define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
 
@@ -24,56 +24,23 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
 }
 
-// Light that a ray finds where it ends, without what its surface reflects diffusely.
-float3 findLamp(__constant const GatherParameters* p, PathScene s, Lights l, Ray ray, Hit hit) {
-#ifdef PRELIGHT_SKY
-  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return skyRadiance(l, &p->scene.lights, skyCoordinates(&p->scene.lights, vload3(0, ray.direction)));
-#endif
-#ifdef PRELIGHT_EMITTERS
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
-    return emittedRadiance(s, hit.triangle, hit.u, hit.v, loadVertex(s, ray, hit).front);
-#endif
-  return (float3)(0.0f);
-}
-
 #ifdef PRELIGHT_FOLLOWS
 // Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
-bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s, PathVertex v, Bsdf b,
-            uint depth, GatherPath* path, float3* direction) {
-  const Frame frame = frameAround(v.shading);
-  const float3 wo = toFrame(frame, v.wo);
-  const LobeChoice lobes = chooseLobes(b, wo.z, false, true);
-  if (!(lobes.specular + lobes.glass > 0.0f)) return false;
-  const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u);
-  float3 weight;
-  float relativeIor2 = 1.0f;
-#ifdef PRELIGHT_GLASS
-  if (chance.x >= lobes.specular) {
-    const float rest = clamp((chance.x - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
-    *direction = leaveGlass(s, v, b, wo.z, rest, &weight, &relativeIor2, &path->medium);
-    weight *= b.glass / lobes.glass;
-  } else
-#endif
-  {
-    float3 wi = (float3)(-wo.x, -wo.y, wo.z);
-    if (b.smooth) {
-      weight = (b.metal + b.layer * schlick(b, wo.z)) / lobes.specular;
-    } else {
-      wi = sampleLobe(b, true, gatherPoint(p, receivers, path->ray, depth, 1u), wo);
-      if (wi.z <= 0.0f) return false;
-      const LobeChoice one = {0.0f, 1.0f, 0.0f};
-      weight = evaluateBsdf(b, wo, wi).glossy / (scatterDensity(b, one, wo, wi) * lobes.specular);
-    }
-    *direction = fromFrame(frame, wi);
-    if (dot(*direction, v.geometric) <= 0.0f) return false;
-    if (!isNarrow(b)) path->widened = 1u;
-  }
-  const float3 throughput = vload3(0, path->throughput) * weight / relativeIor2;
-  path->relativeIor2 *= relativeIor2;
+bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, Interaction surface, Bsdf b,
+            uint depth, GatherPath* path, Ray* next) {
+  const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u), u = gatherPoint(p, receivers, path->ray, depth, 1u);
+  const uint lobes = PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE;
+  BsdfSample sample;
+  if (!sampleBsdf(surface, b, lobes, PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
+  if ((sample.lobe & narrowLobes(b)) == 0u) path->widened = 1u;
+  float3 throughput = carriedBy(sample, vload3(0, path->throughput));
+  path->relativeIor2 *= sample.eta2;
   float survival = fmin(largest(throughput) * path->relativeIor2, 1.0f);
   if (depth >= p->longWay) survival *= 0.5f;
-  if (!(survival > 0.0f) || chance.y >= survival) return false;
-  vstore3(throughput / survival, 0, path->throughput);
+  if (!survives(survival, chance.y, &throughput)) return false;
+  vstore3(throughput, 0, path->throughput);
+  path->medium = mediumAfter(surface, sample.lobe, path->medium);
+  *next = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
   return true;
 }
 #endif
@@ -82,13 +49,13 @@ bool follow(__constant const GatherParameters* p, __global const Receiver* recei
 // and paths lie where the step says, hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond ->
 // rays and paths of those that go on [counter].
 __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherStep step,
-                             __global const SurfaceLine* surface, __global const ShadingLine* shading,
-                             __global const LightLine* lights, __global const IrradianceLine* irradiances,
+                             __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                             __global const LightLine* lightLines, __global const IrradianceLine* irradiances,
                              __global const Receiver* receivers, __global Ray* rays, __global const Hit* hits,
                              __global GatherPath* paths, __global float* radiances, __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
-  const Scene scene = sceneOf(&p->scene, surface, shading, lights);
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const PathScene s = scene.surface;
   const IrradianceMap map = irradianceMapOf(&p->map, irradiances);
   GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u};
@@ -96,30 +63,28 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
   const Ray ray = rays[step.first + i];
   const Hit hit = hits[i];
   float3 radiance = (float3)(0.0f);
-  if (path.widened != 0u) radiance = findLamp(p, s, scene.lights, ray, hit);
+  Interaction surface;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
+  if (path.widened != 0u) radiance = evalLight(scene.lights, &p->scene.lights, s, ray, hit, surface.front);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
-    const PathVertex vertex = loadVertex(s, ray, hit);
-    const Bsdf bsdf = loadBsdf(s, vertex);
+    const Bsdf bsdf = loadBsdf(s, surface);
 #ifdef PRELIGHT_ABSORPTION
-    uint medium = path.medium;
-    if (!vertex.front && (s.materials[vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = vertex.material;
+    const uint medium = mediumBefore(surface, path.medium);
     if (medium != PRELIGHT_NO_MEDIUM)
-      vstore3(vload3(0, path.throughput) * exp(-vload3(0, s.materials[medium].absorption) * hit.t), 0, path.throughput);
+      vstore3(vload3(0, path.throughput) * transmittance(s, medium, hit.t), 0, path.throughput);
 #endif
     if (largest(bsdf.diffuse) > 0.0f)
-      radiance += reflectIrradiance(bsdf, dot(vertex.wo, vertex.shading),
-                                    irradianceAt(map, hit.triangle, vertex.front, hit.u, hit.v));
+      radiance += reflectIrradiance(bsdf, surface.woLocal.z, irradianceAt(map, hit.triangle, surface.front, hit.u, hit.v));
 #ifdef PRELIGHT_TRANSLUCENT
     if (largest(bsdf.transmitted) > 0.0f)
-      radiance += transmitIrradiance(bsdf, dot(vertex.wo, vertex.shading),
-                                     irradianceAt(map, hit.triangle, !vertex.front, hit.u, hit.v));
+      radiance += transmitIrradiance(bsdf, surface.woLocal.z, irradianceAt(map, hit.triangle, !surface.front, hit.u, hit.v));
 #endif
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
-    float3 direction;
-    if (follow(p, receivers, s, vertex, bsdf, step.depth, &path, &direction)) {
+    Ray next;
+    if (follow(p, receivers, surface, bsdf, step.depth, &path, &next)) {
       const uint slot = atomic_inc(counter);
-      rays[step.next + slot] = rayFrom(vertex, normalize(direction), MAXFLOAT);
+      rays[step.next + slot] = next;
       paths[step.next + slot] = path;
     }
 #endif

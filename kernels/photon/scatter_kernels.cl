@@ -3,78 +3,30 @@
 // map, which follow mirrors, glass and narrow lobes alone and end on the first surface that scatters diffusely;
 // PRELIGHT_STORE_DIRECT: those that come straight from their light are stored as well.
 #include "core/octahedral_funcs.cl"
-#include "photon/adjoint_funcs.cl"
 #include "photon/path_funcs.cl"
-#include "shade/lobe_class_funcs.cl"
-#include "shade/scene_funcs.cl"
 #include "shared/photon_types.h"
+#include "transport/material_funcs.cl"
+#include "transport/medium_funcs.cl"
+#include "transport/roulette_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 // Light that is caught between mirrors or in glass loses nothing and would not end. From so many times in a row on, roulette
 // ends it, too.
 #define PRELIGHT_CAUGHT_AFTER 48u
 #define PRELIGHT_CAUGHT_SURVIVAL 0.75f
 
-// Where a photon is, and what its surface makes of it.
-typedef struct Arrived {
-  PathVertex vertex;
-  Bsdf bsdf;
-  Frame frame;
-  float3 wo;  // back along its way, in the frame
-} Arrived;
-
-typedef struct Departure {
-  float3 direction;
-  float3 weight;     // of the power, the choice of the lobe undone
-  uint scattered;    // PRELIGHT_SCATTERED_*
-  uint medium;
-} Departure;
-
-// One lobe by chance. False: no light leaves.
-bool leave(Arrived a, PathScene s, float chance, float2 u, Departure* d) {
+// Lobes that a photon may go on by; each by itself, so that a photon knows which one it came from.
+uint lobesOf(Bsdf b) {
 #ifdef PRELIGHT_CAUSTICS
-  const LobeChoice lobes = chooseLobes(a.bsdf, a.wo.z, false, isNarrow(a.bsdf));
+  return narrowLobes(b) | PRELIGHT_LOBES_APART;
 #else
-  const LobeChoice lobes = chooseLobes(a.bsdf, a.wo.z, true, true);
+  return PRELIGHT_LOBES_ALL | PRELIGHT_LOBES_APART;
 #endif
-  if (!(lobeSum(lobes) > 0.0f)) return false;
-  const bool through = picksTransmitted(lobes, &chance);
-#ifdef PRELIGHT_GLASS
-  if (chance >= lobes.diffuse + lobes.specular) {
-    const float rest = clamp((chance - lobes.diffuse - lobes.specular) / lobes.glass, 0.0f, 0.99999994f);
-    if (all(isequal(a.vertex.shading, a.vertex.geometric))) {
-      float relativeIor2;  // scales radiance, not power
-      d->direction = leaveGlass(s, a.vertex, a.bsdf, a.wo.z, rest, &d->weight, &relativeIor2, &d->medium);
-    } else if (!sendThroughGlass(s, a.vertex, a.bsdf, rest, &d->direction, &d->weight, &d->medium)) {
-      return false;
-    }
-    d->weight *= a.bsdf.glass / lobes.glass;
-    d->scattered = PRELIGHT_SCATTERED_SPECULAR;
-    return true;
-  }
-#endif
-  const bool specular = chance >= lobes.diffuse;
-  d->scattered = specular && isNarrow(a.bsdf) ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
-#ifdef PRELIGHT_MIRROR
-  if (specular && a.bsdf.smooth) {
-    d->direction = fromFrame(a.frame, (float3)(-a.wo.x, -a.wo.y, a.wo.z));
-    if (dot(d->direction, a.vertex.geometric) <= 0.0f) return false;
-    d->weight = (a.bsdf.metal + a.bsdf.layer * schlick(a.bsdf, a.wo.z)) *
-                (adjointRatio(a.vertex, d->direction) / lobes.specular);
-    return true;
-  }
-#endif
-  float3 wi = sampleLobe(a.bsdf, specular, u, a.wo);
-  if (wi.z <= 0.0f) return false;
-  if (through) wi.z = -wi.z;
-  d->direction = fromFrame(a.frame, wi);
-  if (!maySee(a.bsdf, wi.z, dot(d->direction, a.vertex.geometric))) return false;
-  // Each lobe by itself, so that a photon knows which one it came from.
-  const Reflection f = evaluateBsdf(a.bsdf, a.wo, wi);
-  const LobeChoice one = {specular ? 0.0f : 1.0f, specular ? 1.0f : 0.0f, 0.0f};
-  const float density = through ? scatterDensity(a.bsdf, lobes, a.wo, wi)
-                                : scatterDensity(a.bsdf, one, a.wo, wi) * (specular ? lobes.specular : lobes.diffuse);
-  d->weight = (specular ? f.glossy : f.diffuse) * (adjointRatio(a.vertex, d->direction) / density);
-  return true;
+}
+
+// PRELIGHT_SCATTERED_* by a lobe of a surface.
+uint scatteredBy(uint lobe, Bsdf b) {
+  return (lobe & narrowLobes(b)) != 0u ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
 }
 
 bool storesHere(PhotonPath path, Bsdf b) {
@@ -96,6 +48,27 @@ bool goesOnFrom(PhotonPath path, Bsdf b) {
 #endif
 }
 
+// Draws where a photon goes on that arrives with a power. False: it is absorbed.
+bool scatterPhoton(__constant const PhotonParameters* p, uint depth, Interaction surface, Bsdf bsdf, float3 power,
+                   PhotonPath* path, __global Ray* next) {
+  const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
+  const float2 chance = photonPoint(p, path->photon, pair + PRELIGHT_PAIR_LOBE);
+  const float2 u = photonPoint(p, path->photon, pair + PRELIGHT_PAIR_DIRECTION);
+  BsdfSample sample;
+  if (!sampleBsdf(surface, bsdf, lobesOf(bsdf), PRELIGHT_IMPORTANCE, chance.x, u, &sample)) return false;
+  const uint scattered = scatteredBy(sample.lobe, bsdf);
+  float3 leaving = carriedBy(sample, power);
+  path->mirrored = scattered == PRELIGHT_SCATTERED_SPECULAR ? path->mirrored + 1u : 0u;
+  float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
+  if (path->mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
+  if (!(largest(leaving) > 0.0f) || !survives(survival, chance.y, &leaving)) return false;
+  vstore3(leaving, 0, path->power);
+  path->medium = mediumAfter(surface, sample.lobe, path->medium);
+  path->scattered |= scattered;
+  *next = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
+  return true;
+}
+
 void countPower(__constant const PhotonParameters* p, const float* power, float sign, long* counts) {
   for (uint c = 0; c < 3; ++c) counts[c] += (sign < 0.0f ? -1 : 1) * countsOf(p, power[c]);
 }
@@ -104,13 +77,13 @@ void countPower(__constant const PhotonParameters* p, const float* power, float 
 // it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: compactPaths,
 // compactPhotons, sumTallies.
 __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonStep step,
-                             __global const SurfaceLine* surface, __global const ShadingLine* shading,
-                             __global const LightLine* lights, __global Ray* rays, __global const Hit* hits,
+                             __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                             __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
                              __global const uint* queue, __global PhotonPath* paths, __global uchar* outcomes,
                              __global Photon* stored, __global long* tallies) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
-  const Scene scene = sceneOf(&p->scene, surface, shading, lights);
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const PathScene s = scene.surface;
   PhotonPath path = paths[queue[i]];
   const Hit hit = hits[i];
@@ -120,11 +93,8 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
     countPower(p, path.power, 1.0f, escaped);
   } else {
     countPower(p, path.power, 1.0f, absorbed);
-    Arrived a;
-    a.vertex = loadVertex(s, rays[i], hit);
-    a.bsdf = loadBsdf(s, a.vertex);
-    a.frame = frameAround(a.vertex.shading);
-    a.wo = toFrame(a.frame, a.vertex.wo);
+    const Interaction surface = loadInteraction(s, rays[i], hit);
+    const Bsdf bsdf = loadBsdf(s, surface);
     float3 power = vload3(0, path.power);
 #ifdef PRELIGHT_PUNCTUAL
     if (step.depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
@@ -133,39 +103,24 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
     }
 #endif
 #ifdef PRELIGHT_ABSORPTION
-    uint medium = path.medium;
-    if (!a.vertex.front && (s.materials[a.vertex.material].flags & PRELIGHT_SOLID) != 0u) medium = a.vertex.material;
-    if (medium != PRELIGHT_NO_MEDIUM) power *= exp(-vload3(0, s.materials[medium].absorption) * hit.t);
+    const uint medium = mediumBefore(surface, path.medium);
+    if (medium != PRELIGHT_NO_MEDIUM) power *= transmittance(s, medium, hit.t);
 #endif
-    if (!a.vertex.front && (s.materials[a.vertex.material].flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(a.bsdf.diffuse) > 0.0f)
+    if (!surface.front && (surface.flags & PRELIGHT_DOUBLE_SIDED) == 0u && largest(bsdf.diffuse) > 0.0f)
       outcome |= PRELIGHT_PHOTON_MET_BACK;
-    if (storesHere(path, a.bsdf)) {
+    if (storesHere(path, bsdf)) {
       Photon photon;
-      vstore3(a.vertex.position, 0, photon.position);
+      vstore3(surface.position, 0, photon.position);
       photon.triangle = hit.triangle;
       vstore3(power, 0, photon.power);
-      photon.direction = packDirection(a.vertex.wo);
+      photon.direction = packDirection(surface.wo);
       stored[i] = photon;
       outcome |= PRELIGHT_PHOTON_STORED;
     }
-    const uint photon = path.photon;
-    const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + step.depth * PRELIGHT_PAIRS_A_SURFACE;
-    const float2 chance = photonPoint(p, photon, pair + PRELIGHT_PAIR_LOBE);
-    Departure d = {(float3)(0.0f), (float3)(0.0f), 0u, path.medium};
-    if (goesOnFrom(path, a.bsdf) && leave(a, s, chance.x, photonPoint(p, photon, pair + PRELIGHT_PAIR_DIRECTION), &d)) {
-      float3 leaving = power * d.weight;
-      path.mirrored = d.scattered == PRELIGHT_SCATTERED_SPECULAR ? path.mirrored + 1u : 0u;
-      float survival = step.depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
-      if (path.mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
-      if (largest(leaving) > 0.0f && chance.y < survival) {
-        vstore3(leaving / survival, 0, path.power);
-        path.medium = d.medium;
-        path.scattered |= d.scattered;
-        paths[queue[i]] = path;
-        countPower(p, path.power, -1.0f, absorbed);
-        rays[step.next + i] = rayFrom(a.vertex, normalize(d.direction), MAXFLOAT);
-        outcome |= PRELIGHT_PHOTON_GOES_ON;
-      }
+    if (goesOnFrom(path, bsdf) && scatterPhoton(p, step.depth, surface, bsdf, power, &path, rays + step.next + i)) {
+      paths[queue[i]] = path;
+      countPower(p, path.power, -1.0f, absorbed);
+      outcome |= PRELIGHT_PHOTON_GOES_ON;
     }
   }
   outcomes[i] = outcome;

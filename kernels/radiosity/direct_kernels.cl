@@ -1,11 +1,12 @@
 // Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
 // Every point sends a ray to each punctual light, then some to emissive triangles and to the sky: DirectRays.
-// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (shade/light_funcs.cl);
+// Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (transport/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
 #include "project/incident_funcs.cl"
-#include "shade/scene_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
+#include "transport/aim_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 // Terms of a sum that are added up by themselves. A million of one size in a row would be off by a hundredth.
 #define PRELIGHT_SUM_RUN 1024u
@@ -13,30 +14,6 @@
 // A triangle is far where it is this many times as far off as it is large: Lambert's formula loses digits with the square
 // of that, as the parts of its edges cancel.
 #define PRELIGHT_FAR_SIZES 32.0f
-
-// Share of the distance to a light that a shadow ray goes: the light's own surface is no obstacle.
-#define PRELIGHT_SHADOW_REACH 0.9999f
-
-typedef struct Aim {
-  float3 way;    // from the point; a shadow ray's direction
-  float reach;   // in lengths of `way`
-  float3 value;  // W/m2, if nothing is in the way
-} Aim;
-
-#ifdef PRELIGHT_PUNCTUAL
-bool aimAtPunctual(__global const PunctualLight* light, float3 point, float3 normal, Aim* aim) {
-  float3 direction;
-  float distance, falloff;
-  if (!seePunctual(light, point, &direction, &distance, &falloff)) return false;
-  const float cosine = dot(direction, normal);
-  if (cosine <= 0.0f) return false;
-  const bool afar = distance == MAXFLOAT;
-  aim->way = afar ? direction : direction * distance;
-  aim->reach = afar ? MAXFLOAT : PRELIGHT_SHADOW_REACH;
-  aim->value = cosine * falloff * vload3(0, light->intensity);
-  return true;
-}
-#endif
 
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
 void loadCorners(uint triangle, __global const DeviceTriangle* triangles, __global const float* positions, float3 corner[3]) {
@@ -53,8 +30,7 @@ bool aimAtEmitter(Lights l, __constant const LightLayout* layout, __global const
   const RadiosityEmitter e = emitters[entry];
   float3 corner[3];
   loadCorners(e.triangle, triangles, positions, corner);
-  const float root = sqrt(place.x);
-  const float3 p = corner[0] + root * (1.0f - place.y) * (corner[1] - corner[0]) + root * place.y * (corner[2] - corner[0]);
+  const float3 p = pointBetween(corner[0], corner[1], corner[2], sampleTriangle(place));
   const float3 across = cross(corner[1] - corner[0], corner[2] - corner[0]);  // twice the area long
   const float3 way = p - point;
   const float squared = dot(way, way);
@@ -135,8 +111,8 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
               Aim* aim) {
   float3 direction;
   if ((sample & 1u) != 0u) {
-    Arrival a;
-    if (!arriveFromSky(l, layout, bits, &a)) return false;
+    LightSample a;
+    if (!sampleSky(l, layout, bits, &a)) return false;
     direction = a.direction;
   } else {
     direction = sampleCosineHemisphere((float2)(unitFloat(bits.x), unitFloat(bits.y)), normal);
@@ -144,20 +120,20 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
   const float cosine = dot(direction, normal);
   if (cosine <= 0.0f) return false;
   const float2 uv = skyCoordinates(layout, direction);
-  const float density = (float)((samples + 1u) / 2u) * cosine * M_1_PI_F + (float)(samples / 2u) * skyDensity(l, layout, uv);
+  const float density = (float)((samples + 1u) / 2u) * cosine * M_1_PI_F + (float)(samples / 2u) * pdfSky(l, layout, uv);
   aim->way = direction;
   aim->reach = MAXFLOAT;
-  aim->value = skyRadiance(l, layout, uv) * (cosine / density);
+  aim->value = evalSky(l, layout, uv) * (cosine / density);
   return true;
 }
 #endif
 
 uint slotsOf(DirectRays counts) { return counts.punctual + counts.emitterSamples + counts.skySamples; }
 
-// A shadow ray a work-item. receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is open: 0 for a ray that
-// cannot bring anything, which is made to hit nothing. Next: traceRays.
+// A shadow ray a work-item. receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is
+// open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
 __kernel void aimAtLights(const DirectRays counts, __global const Receiver* receivers,
-                          __constant const SceneLayout* layout, __global const SurfaceLine* surface,
+                          __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                           __global const LightLine* lightLines, __global const RadiosityEmitter* emitters,
                           __global const float* positions, __global Ray* rays, __global float* values) {
   const uint slots = slotsOf(counts);
@@ -170,14 +146,18 @@ __kernel void aimAtLights(const DirectRays counts, __global const Receiver* rece
   Aim aim;
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (slot < counts.punctual) arrives = aimAtPunctual(lights.punctual + slot, point, normal, &aim);
+  if (slot < counts.punctual) {
+    float share;
+    arrives = aimAtPunctual(lights.punctual + slot, point, normal, &aim, &share);
+    if (arrives) aim.value = share * vload3(0, lights.punctual[slot].intensity);
+  }
 #endif
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
   if (slot >= counts.punctual && slot < counts.punctual + counts.emitterSamples) {
     const uint index = r.firstSample * counts.emitterSamples + slot - counts.punctual;
     const uint2 choice = sampleSobolBits(index, hashInteger(r.seed ^ 0x68bc21ebu));
     const uint2 place = samplePaddedBits(index, hashInteger(r.seed ^ 0x02e5be93u));
-    arrives = aimAtEmitter(lights, &layout->lights, emitters, surfaceOf(layout, surface).triangles, positions, choice.x,
+    arrives = aimAtEmitter(lights, &layout->lights, emitters, surfaceOf(layout, surfaceLines).triangles, positions, choice.x,
                            (float2)(unitFloat(place.x), unitFloat(place.y)), (float)counts.emitterSamples, point, normal, &aim);
   }
 #endif
@@ -190,12 +170,7 @@ __kernel void aimAtLights(const DirectRays counts, __global const Receiver* rece
     arrives = aimAtSky(lights, &layout->lights, sample, counts.skySamples, bits, normal, &aim);
   }
 #endif
-  Ray ray;
-  vstore3(point, 0, ray.origin);
-  vstore3(arrives ? aim.way : normal, 0, ray.direction);
-  ray.sourceTriangle = r.triangle;
-  ray.tMax = arrives ? aim.reach : 0.0f;
-  rays[i] = ray;
+  rays[i] = shadowRay(receivers + i / slots, aim, arrives);
   vstore3(arrives ? aim.value : (float3)(0.0f), i, values);
 }
 
@@ -203,7 +178,7 @@ __kernel void aimAtLights(const DirectRays counts, __global const Receiver* rece
 // and the sky, and of emitters. Where the emitters are few, what they would bring unhindered is exact, and the samples
 // only tell which share of it arrives.
 __kernel void sumLights(const DirectRays counts, uint emitterCount, __constant const SceneLayout* layout,
-                        __global const SurfaceLine* surface, __global const Receiver* receivers,
+                        __global const SurfaceLine* surfaceLines, __global const Receiver* receivers,
                         __global const Hit* hits, __global const float* values,
                         __global const RadiosityEmitter* emitters, __global const float* positions,
                         __global float4* irradiance) {
@@ -229,7 +204,8 @@ __kernel void sumLights(const DirectRays counts, uint emitterCount, __constant c
   sum += run;
 #ifdef PRELIGHT_FEW_EMITTERS
   const Receiver r = receivers[point];
-  const float3 exact = openIrradiance(emitterCount, emitters, surfaceOf(layout, surface).triangles, positions, vload3(0, r.position), vload3(0, r.normal));
+  const float3 exact = openIrradiance(emitterCount, emitters, surfaceOf(layout, surfaceLines).triangles, positions,
+                                     vload3(0, r.position), vload3(0, r.normal));
   open = all.x + all.y + all.z > 0.0f ? exact * (open / fmax(all, 1e-30f)) : (float3)(0.0f);
 #endif
   irradiance[2 * point] = (float4)(sum, 0.0f);

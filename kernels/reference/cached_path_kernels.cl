@@ -3,14 +3,14 @@
 //   generatePaths -> [trace -> followPaths -> trace -> addArrivals] ... -> averageSamples
 // Options: those of the included files, PRELIGHT_CACHED_CAUSTICS (there are caustic photons).
 #include "gather/irradiance_map_funcs.cl"
-#include "reference/path_ends_kernels.cl"
-#include "reference/path_point_funcs.cl"
-#include "shade/diffuse_funcs.cl"
-#include "shade/scene_funcs.cl"
-#include "shared/cached_light_types.h"
 #ifdef PRELIGHT_CACHED_CAUSTICS
 #include "photon/density_funcs.cl"
 #endif
+#include "reference/path_ends_kernels.cl"
+#include "reference/path_point_funcs.cl"
+#include "shared/cached_light_types.h"
+#include "transport/irradiance_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 #ifdef PRELIGHT_CACHED_CAUSTICS
 // Adds the irradiance of caustics in front of the vertex, and beyond it where the surface is translucent. They are smooth over
@@ -23,7 +23,7 @@ void addCaustics(__constant const CachedPathParameters* c, __global const Densit
   if (shared && at.path % samples >= c->causticSamples) return;
   const DensityMaps photons = densityMapsOf(&c->caustics, maps);
   const float share = shared ? (float)samples / (float)c->causticSamples : 1.0f;
-  const PathVertex v = at.vertex;
+  const Interaction v = at.surface;
   *irradiance += photonIrradiance(photons, v.position, v.geometric, v.triangle, c->causticRadius) * share;
 #ifdef PRELIGHT_TRANSLUCENT
   if (largest(at.bsdf.transmitted) > 0.0f)
@@ -36,7 +36,7 @@ void addCaustics(__constant const CachedPathParameters* c, __global const Densit
 float3 cachedRadiance(__constant const CachedPathParameters* c, __global const IrradianceLine* indirect,
                       __global const DensityLine* maps, uint depth, PathPoint at) {
   const IrradianceMap map = irradianceMapOf(&c->indirect, indirect);
-  const PathVertex v = at.vertex;
+  const Interaction v = at.surface;
   float3 irradiance = irradianceAt(map, v.triangle, v.front, v.u, v.v);
   float3 beyond = (float3)(0.0f);
 #ifdef PRELIGHT_TRANSLUCENT
@@ -45,9 +45,9 @@ float3 cachedRadiance(__constant const CachedPathParameters* c, __global const I
 #ifdef PRELIGHT_CACHED_CAUSTICS
   addCaustics(c, maps, depth, at, &irradiance, &beyond);
 #endif
-  float3 radiance = reflectIrradiance(at.bsdf, dot(v.wo, v.shading), irradiance);
+  float3 radiance = reflectIrradiance(at.bsdf, v.woLocal.z, irradiance);
 #ifdef PRELIGHT_TRANSLUCENT
-  radiance += transmitIrradiance(at.bsdf, dot(v.wo, v.shading), beyond);
+  radiance += transmitIrradiance(at.bsdf, v.woLocal.z, beyond);
 #endif
   return radiance;
 }
@@ -55,24 +55,24 @@ float3 cachedRadiance(__constant const CachedPathParameters* c, __global const I
 // A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays and items [shadow counter]; rays that go on
 // [next counter].
 __kernel void followPaths(__constant const CachedPathParameters* c, const PathStep step,
-                          __global const SurfaceLine* surface, __global const ShadingLine* shading,
-                          __global const LightLine* lights, __global const IrradianceLine* indirect,
+                          __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                          __global const LightLine* lightLines, __global const IrradianceLine* indirect,
                           __global const DensityLine* maps, __global Ray* rays, __global const Hit* hits,
                           __global uint* queue, __global PathState* paths, __global ShadowItem* items) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
   __constant const ReferenceParameters* p = &c->paths;
-  const Scene scene = sceneOf(&p->scene, surface, shading, lights);
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const Ray ray = rays[step.first + i];
   const Hit hit = hits[i];
   const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
   PathState path = paths[number];
-  PathVertex vertex;
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE) vertex = loadVertex(scene.surface, ray, hit);
-  collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, vertex, &path);
+  Interaction surface;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
+  collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
   // A ray of a diffuse lobe looks for lights alone.
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && step.meets != 0u && path.diffuseBounces == 0u) {
-    const PathPoint at = pathPointAt(scene.surface, vertex, number);
+    const PathPoint at = pathPointAt(scene.surface, surface, number);
     if (isDiffuse(at.bsdf)) {
       const float3 radiance = cachedRadiance(c, indirect, maps, step.depth, at);
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
@@ -86,7 +86,7 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
       items[slot] = item;
     }
     Ray next;
-    if (step.goesOn != 0u && scatterAt(p, step.depth, scene.surface, at, &path, &next)) {
+    if (step.goesOn != 0u && scatterAt(p, step.depth, at, &path, &next)) {
       const uint slot = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
       rays[step.next + slot] = next;
       queue[PRELIGHT_QUEUE_HEAD + step.next + slot] = number;

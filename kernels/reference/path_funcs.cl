@@ -4,8 +4,8 @@
 #ifndef PRELIGHT_REFERENCE_PATH_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_FUNCS_CL
 
-#include "shade/light_funcs.cl"
 #include "shared/reference_types.h"
+#include "transport/light_funcs.cl"
 
 // Coordinate pairs of a path's point: one for the place in the pixel, then these for every vertex.
 #define PRELIGHT_PAIR_PIXEL 0u
@@ -30,10 +30,6 @@ float2 pathPoint(__constant const ReferenceParameters* p, uint path, uint pair) 
 float misWeight(float used, float other) {
   const float ratio = other / used;
   return 1.0f / (1.0f + ratio * ratio);
-}
-
-float3 absorbed(PathScene s, uint medium, float distance) {
-  return exp(-vload3(0, s.materials[medium].absorption) * distance);
 }
 
 #endif

@@ -1,8 +1,9 @@
-// The reference renderer's samplers and densities one by one, for tests.
-// Options: those of the included files.
-#include "shade/light_funcs.cl"
+// Scattering and sampling of light one by one, for tests.
+// Options: those of the included files; PRELIGHT_PROBE_IMPORTANCE: of importance instead of radiance; PRELIGHT_PROBE_BENT: the
+// triangle's normal is not the shading normal.
+#include "transport/light_funcs.cl"
 
-// values: diffuse 3, metal 3, f0 3, f90, layer, alpha, transmitted 3.
+// values: diffuse 3, metal 3, f0 3, f90, layer, alpha, transmitted 3, normal of the triangle 3.
 Bsdf probeBsdf(__constant const float* values) {
   Bsdf b;
   b.diffuse = vload3(0, values);
@@ -21,32 +22,59 @@ Bsdf probeBsdf(__constant const float* values) {
   return b;
 }
 
-// A direction pair a work-item. wo, wi [pair] (w unused) -> reflections [pair][2] diffuse and glossy part,
-// densities [pair] of wi as scattering draws it.
+#ifdef PRELIGHT_PROBE_IMPORTANCE
+#define PRELIGHT_PROBE_MODE PRELIGHT_IMPORTANCE
+#else
+#define PRELIGHT_PROBE_MODE PRELIGHT_RADIANCE
+#endif
+
+// Where light from wo meets a surface whose shading frame is that of the axes.
+Interaction probeInteraction(__constant const float* values, float3 wo) {
+  Interaction i;
+  i.frame.x = (float3)(1.0f, 0.0f, 0.0f);
+  i.frame.y = (float3)(0.0f, 1.0f, 0.0f);
+  i.frame.z = (float3)(0.0f, 0.0f, 1.0f);
+#ifdef PRELIGHT_PROBE_BENT
+  i.geometric = vload3(0, values + 15);
+#else
+  i.geometric = i.frame.z;
+#endif
+  i.wo = wo;
+  i.woLocal = toFrame(i.frame, wo);
+  i.front = true;
+  i.flags = 0u;
+  return i;
+}
+
+// A direction pair a work-item. wo, wi [pair] (w unused) -> reflections [pair][2] diffuse and glossy part, 0 where no light can
+// go; densities [pair] of wi as sampling draws it.
 __kernel void probeReflection(__constant const float* values, const uint count, __global const float4* wo,
                               __global const float4* wi, __global float4* reflections, __global float* densities) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const Bsdf b = probeBsdf(values);
-  const Reflection r = evaluateBsdf(b, wo[i].xyz, wi[i].xyz);
-  reflections[2 * i] = (float4)(r.diffuse, 0.0f);
-  reflections[2 * i + 1] = (float4)(r.glossy, 0.0f);
-  densities[i] = scatterDensity(b, chooseLobes(b, wo[i].z, true, true), wo[i].xyz, wi[i].xyz);
+  const Interaction surface = probeInteraction(values, wo[i].xyz);
+  Scattered f = {(float3)(0.0f), (float3)(0.0f)};
+  evalBsdf(surface, b, wi[i].xyz, PRELIGHT_PROBE_MODE, &f);
+  reflections[2 * i] = (float4)(f.diffuse, 0.0f);
+  reflections[2 * i + 1] = (float4)(f.glossy, 0.0f);
+  densities[i] = pdfBsdf(surface, b, wi[i].xyz, PRELIGHT_LOBES_ALL);
 }
 
-// A sample a work-item: directions [sample] as scattering draws them from wo[0].
+// A sample a work-item -> samples [sample][2]: direction as sampling draws it from wo[0], in w its density, and its weight. All 0
+// where no light goes on.
 __kernel void probeScatter(__constant const float* values, const uint count, __global const float4* wo,
-                           __global float4* directions) {
+                           __global float4* samples) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const Bsdf b = probeBsdf(values);
-  const LobeChoice lobes = chooseLobes(b, wo[0].z, true, true);
   const uint2 choice = samplePaddedBits((uint)i, 17u), place = samplePaddedBits((uint)i, 23u);
-  float pick = unitFloat(choice.x);
-  const bool through = picksTransmitted(lobes, &pick);
-  float3 direction = sampleLobe(b, pick >= lobes.diffuse, (float2)(unitFloat(place.x), unitFloat(place.y)), wo[0].xyz);
-  if (through) direction.z = -direction.z;
-  directions[i] = (float4)(direction, 0.0f);
+  const float2 u = (float2)(unitFloat(place.x), unitFloat(place.y));
+  BsdfSample sample;
+  const bool goesOn = sampleBsdf(probeInteraction(values, wo[0].xyz), b, PRELIGHT_LOBES_ALL, PRELIGHT_PROBE_MODE,
+                                 unitFloat(choice.x), u, &sample);
+  samples[2 * i] = goesOn ? (float4)(sample.direction, sample.pdf) : (float4)(0.0f);
+  samples[2 * i + 1] = goesOn ? (float4)(carriedBy(sample, (float3)(1.0f)), 0.0f) : (float4)(0.0f);
 }
 
 #ifdef PRELIGHT_SKY
@@ -57,10 +85,10 @@ __kernel void probeSky(__constant const LightLayout* p, const uint count, __glob
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const Lights lights = {tables, 0, 0, 0, sky};
-  Arrival a;
-  arriveFromSky(lights, p, samplePaddedBits((uint)i, 29u), &a);
-  directions[i] = (float4)(a.direction, a.density);
+  LightSample a;
+  sampleSky(lights, p, samplePaddedBits((uint)i, 29u), &a);
+  directions[i] = (float4)(a.direction, a.pdf);
   const float2 uv = skyCoordinates(p, a.direction);
-  lookups[i] = (float4)(skyRadiance(lights, p, uv), skyDensity(lights, p, uv));
+  lookups[i] = (float4)(evalSky(lights, p, uv), pdfSky(lights, p, uv));
 }
 #endif

@@ -40,7 +40,7 @@ typedef struct PunctualLight {
   uint pad[3];
 } PunctualLight;
 
-/// Where what lights are chosen by lies in its table (shade/light_funcs.cl).
+/// Where what lights are chosen by lies in its table (transport/light_table_funcs.cl).
 typedef struct LightLayout {
   uint groupCount;    ///< of lights to choose from: punctual lights, then the emitters as one, then the sky
   uint emitterGroup;  ///< number of the groups before the emitters and the sky

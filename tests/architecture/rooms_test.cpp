@@ -52,7 +52,8 @@ std::vector<std::string> writtenIncludes(const std::string& file, const char* fo
   return includes;
 }
 
-/// Includes of the project's own files. What host/ includes is relative to host/, viewer/ and benchmarks/ to the root.
+/// Includes of the project's own files. What host/ includes is relative to host/, viewer/ and benchmarks/ to
+/// the root.
 std::vector<Include> includesOf(const std::string& file) {
   std::vector<Include> includes;
   for (const std::string& included : writtenIncludes(file, "^#include \"([^\"]+)\"")) {
@@ -66,7 +67,8 @@ std::vector<Include> includesOf(const std::string& file) {
   return includes;
 }
 
-using Graph = std::map<std::string, std::map<std::string, Include>>;  ///< [room][other room], one include of it
+using Graph =
+    std::map<std::string, std::map<std::string, Include>>;  ///< [room][other room], one include of it
 
 Graph graphOfHost() {
   Graph graph;
@@ -125,8 +127,7 @@ TEST(Rooms, CycleOfThree_IsFound) {
   graph["b"].emplace("d", Include{"b/2.h", "d/1.h"});
   EXPECT_EQ(firstCycle(graph), "");
   graph["c"].emplace("a", Include{"c/3.h", "a/1.h"});
-  EXPECT_EQ(firstCycle(graph),
-            "  a/1.h includes b/1.h\n  b/2.h includes c/1.h\n  c/3.h includes a/1.h\n");
+  EXPECT_EQ(firstCycle(graph), "  a/1.h includes b/1.h\n  b/2.h includes c/1.h\n  c/3.h includes a/1.h\n");
 }
 
 /// The program joins library, viewer and benchmarks; nothing else of host/ knows the other two.
@@ -157,8 +158,8 @@ TEST(Rooms, OpenGl_IsTheViewersAlone) {
   }
 }
 
-/// Slow truths that share code with what they judge would share its faults: they know the scene, the layout of stored
-/// transfer and the basis functions, whose own tests are closed forms.
+/// Slow truths that share code with what they judge would share its faults: they know the scene, the layout
+/// of stored transfer and the basis functions, whose own tests are closed forms.
 TEST(Rooms, Oracle_KnowsDataAlone) {
   const std::set<std::string> allowed = {"host/base",  "host/images",   "host/scene",
                                          "host/basis", "host/transfer", "host/oracle"};

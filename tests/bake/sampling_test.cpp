@@ -14,7 +14,7 @@ namespace {
 // A bijection: seeds that differ stay different.
 TEST(Sampling, HashOfDifferentNumbers_Differs) {
   std::vector<std::uint32_t> hashes;
-  for (std::uint32_t i = 0; i < 1u << 20; ++i) hashes.push_back(sampling::hashInteger(i));
+  for (std::uint32_t i = 0; i < 1u << 20; ++i) hashes.push_back(sampling::hashInteger(i * 0x9e3779b9u));
   std::sort(hashes.begin(), hashes.end());
   EXPECT_EQ(std::adjacent_find(hashes.begin(), hashes.end()), hashes.end());
 }

@@ -22,7 +22,7 @@ NEAR = {"host/cli": ["cli"], "host/images": ["io"], "host/gpu": ["bvh", "referen
         "host/receivers": ["bake", "lightmap"], "host/cast": ["bake"], "host/fit": ["bake"],
         "host/projectors": ["bake", "gather", "lightmap"], "host/gi": ["gather", "full", "update"],
         "host/integrators": ["reference", "full"], "host/oracle": ["bvh", "relight"], "kernels/core": ["device", "bake", "bvh"],
-        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/shade": ["reference", "photon"],
+        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/transport": ["reference", "photon", "full"],
         "kernels/shared": ["device"]}
 
 

@@ -472,9 +472,9 @@ TEST(CausticPhotons, UsualRequest_LetsADarkMirrorWeakenPhotonsAndNotEndThem) {
     EXPECT_NEAR(photon.power[0], 0.1 * sent, 0.01 * sent);
 }
 
-// In a white sphere round a point light the first photons come along the radius, and those that were
-// reflected once or more along chords. How steep a chord is has nothing to do with where on the sphere it
-// begins, which follows from its end and direction: each mean of a product of the two is 0.
+// In a diffuse sphere round a point light, reflected photons fly along chords. How steep one is has nothing
+// to do with where on the sphere it begins, which follows from its end and direction: each mean of a product
+// of the two is 0.
 TEST(PhotonTracer, Directions_AreIndependentOfThoseBefore) {
   CompiledScene scene = sphere(48, 1.0f, glm::vec3(0.0f));
   for (glm::uvec3& t : scene.triangles) std::swap(t.y, t.z);

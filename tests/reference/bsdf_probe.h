@@ -20,6 +20,15 @@ struct Probed {
   }
 };
 
+/// What sampling has drawn; all of it 0 where no light goes on.
+struct ProbedSample {
+  glm::vec4 direction;
+  float density;  ///< 1/sr
+  glm::vec3 weight;
+
+  bool goesOn() const { return density > 0.0f; }
+};
+
 /// A surface whose scattering is asked for on the device. `values`: as probeBsdf() reads them.
 class BsdfProbe {
  public:
@@ -38,13 +47,17 @@ class BsdfProbe {
     return {scattered.read(), densities.read()};
   }
 
-  std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
+  std::vector<ProbedSample> sample(const glm::vec4& wo, std::size_t count) const {
     DeviceContext& device = sharedDevice().context();
     const Buffer<float> surface(device, std::span<const float>(values_));
-    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), to(device, count);
+    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), samples(device, 2 * count);
     launchOnce(device, file, options_, "probeScatter", count, surface, static_cast<std::uint32_t>(count),
-               from, to);
-    return to.read();
+               from, samples);
+    const std::vector<glm::vec4> read = samples.read();
+    std::vector<ProbedSample> drawn(count);
+    for (std::size_t i = 0; i < count; ++i)
+      drawn[i] = {glm::vec4(glm::vec3(read[2 * i]), 0.0f), read[2 * i].w, glm::vec3(read[2 * i + 1])};
+    return drawn;
   }
 
  private:

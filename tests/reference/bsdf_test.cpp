@@ -37,7 +37,7 @@ class Bsdf : public ::testing::TestWithParam<Surface> {
   Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
     return surface_.probe(wo, wi);
   }
-  std::vector<glm::vec4> sample(const glm::vec4& wo, std::size_t count) const {
+  std::vector<ProbedSample> sample(const glm::vec4& wo, std::size_t count) const {
     return surface_.sample(wo, count);
   }
 
@@ -75,13 +75,9 @@ TEST_P(Bsdf, Reflection_IsReciprocal) {
 TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
-    const glm::vec4 wo = directionOf(cosine, 0.3);
-    const auto wi = sample(wo, count);
-    const Probed probed = probe(std::vector<glm::vec4>(count, wo), wi);
     double sum = 0.0, squares = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (wi[i].z <= 0.0f) continue;
-      const double weight = probed.total(i) / static_cast<double>(probed.densities[i]);
+    for (const ProbedSample& drawn : sample(directionOf(cosine, 0.3), count)) {
+      const double weight = double(drawn.weight.x);
       ASSERT_TRUE(std::isfinite(weight));
       sum += weight;
       squares += weight * weight;
@@ -89,6 +85,27 @@ TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
     const double mean = sum / count, error = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
     EXPECT_LT(mean, 1.0 + 4.0 * error + 1e-4) << "cosine " << cosine;
     EXPECT_GT(mean, 0.2) << "cosine " << cosine;
+  }
+}
+
+// A sample, the value of its direction and that direction's density are three functions that agree.
+TEST_P(Bsdf, Samples_WeighTheirValueByTheirDensity) {
+  for (const double cosine : {1.0, 0.5, 0.05}) {
+    const glm::vec4 wo = directionOf(cosine, 0.3);
+    std::vector<ProbedSample> samples;
+    std::vector<glm::vec4> wi;
+    for (const ProbedSample& drawn : sample(wo, 4000)) {
+      if (!drawn.goesOn()) continue;
+      samples.push_back(drawn);
+      wi.push_back(drawn.direction);
+    }
+    ASSERT_GT(samples.size(), 1000u);
+    const Probed probed = probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      EXPECT_FLOAT_EQ(samples[i].density, probed.densities[i]);
+      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
+                  1e-5 * probed.total(i));
+    }
   }
 }
 
@@ -100,11 +117,12 @@ TEST_P(Bsdf, Sampling_FollowsItsDensity) {
   for (const double cosine : {0.95, 0.5, 0.15}) {
     const glm::vec4 wo = directionOf(cosine, 1.0);
     std::vector<double> found(rings * sectors + 1, 0.0), expected(rings * sectors + 1, 0.0);
-    for (const glm::vec4& wi : sample(wo, count)) {
-      if (wi.z <= 0.0f) {
+    for (const ProbedSample& drawn : sample(wo, count)) {
+      if (!drawn.goesOn()) {
         ++found.back();
         continue;
       }
+      const glm::vec4& wi = drawn.direction;
       const double turn = std::atan2(static_cast<double>(wi.y), static_cast<double>(wi.x)) / (2 * pi) + 0.5;
       const int ring = std::min(rings - 1, static_cast<int>(static_cast<double>(wi.z) * rings));
       ++found[ring * sectors + std::min(sectors - 1, static_cast<int>(turn * sectors))];
@@ -162,6 +180,64 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Bsdf, ::testing::ValuesIn(surfaces), [](const
   name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
   return name;
 });
+
+/// A surface of every rough lobe whose shading normal, z, leans away from its triangle's.
+class BentNormal : public ::testing::Test {
+ protected:
+  BsdfProbe importance() const {
+    return {BuildOptions()
+                .define("PRELIGHT_GLOSSY")
+                .define("PRELIGHT_PROBE_BENT")
+                .define("PRELIGHT_PROBE_IMPORTANCE"),
+            values()};
+  }
+  BsdfProbe radiance() const {
+    return {BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_PROBE_BENT"), values()};
+  }
+  static double geometricCosine(const glm::vec4& d) {
+    return glm::dot(glm::dvec3(d), glm::dvec3(0.6, 0.0, 0.8));
+  }
+
+ private:
+  static std::vector<float> values() {
+    return {0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.04f, 0.04f, 0.04f,
+            1.0f, 0.5f, 0.4f, 0.0f, 0.0f, 0.0f, 0.6f,  0.0f,  0.8f};
+  }
+};
+
+// Veach 1997, eq. 5.14: power that crosses the triangle from a to b is as much as radiance that crosses it
+// from b to a.
+TEST_F(BentNormal, Importance_IsTheAdjointOfRadiance) {
+  const auto a = randomHemisphere(4000, 3), b = randomHemisphere(4000, 4);
+  const Probed photons = importance().probe(a, b), eyes = radiance().probe(b, a);
+  int seen = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double from = geometricCosine(a[i]), to = geometricCosine(b[i]);
+    if (from < 0.01 || to < 0.01) continue;
+    const double expected = eyes.total(i) * to;
+    EXPECT_NEAR(photons.total(i) * from, expected, 1e-4 * (1e-3 + expected)) << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 2000);
+}
+
+TEST_F(BentNormal, ImportanceSamples_WeighTheirValueByTheirDensity) {
+  const BsdfProbe surface = importance();
+  const glm::vec4 wo = directionOf(0.7, 2.0);
+  std::vector<ProbedSample> samples;
+  std::vector<glm::vec4> wi;
+  for (const ProbedSample& drawn : surface.sample(wo, 4000)) {
+    if (!drawn.goesOn()) continue;
+    samples.push_back(drawn);
+    wi.push_back(drawn.direction);
+    EXPECT_GT(geometricCosine(drawn.direction), 0.0) << "through the triangle";
+  }
+  ASSERT_GT(samples.size(), 2000u);
+  const Probed probed = surface.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+  for (std::size_t i = 0; i < wi.size(); ++i)
+    EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
+                1e-5 * probed.total(i));
+}
 
 /// A sky with a sun of one texel, a black part and a gradient.
 Environment patchySky() {

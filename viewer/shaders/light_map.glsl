@@ -40,7 +40,7 @@ vec3 lightMapIrradiance(int triangle, bool front, vec3 point) {
   return findLightMapPlace(triangle, front, point, place) ? lightMapLayer(place, 0) : vec3(0.0);
 }
 
-// Irradiance where a normal map turns the unit normal n to m: host/lightmap/mapped_irradiance.h, channels side by side.
+// Irradiance where a normal map turns the unit normal n to m: tests/support/mapped_irradiance.h, channels side by side.
 vec3 mappedLightMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) {
   const float constant = 0.282094792;  // sqrt(1 / (4 pi))
   const float linear = 0.488602512;    // sqrt(3 / (4 pi))

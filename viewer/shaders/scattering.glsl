@@ -1,4 +1,4 @@
-// How a surface scatters light, as kernels/shade/bsdf_funcs.cl has it; needs material.glsl.
+// How a surface scatters light, as kernels/transport/bsdf_funcs.cl has it; needs material.glsl.
 // [1] Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 // [2] Heitz, "Understanding the masking-shadowing function", 2014 (height-correlated Smith).
 // [3] Karis, "Physically based shading on mobile", 2014 (fit of the reflectance of a uniform sky).

@@ -1,10 +1,10 @@
 // Radiance that a surface scatters diffusely of known irradiance.
-#ifndef PRELIGHT_SHADE_DIFFUSE_FUNCS_CL
-#define PRELIGHT_SHADE_DIFFUSE_FUNCS_CL
+#ifndef PRELIGHT_TRANSPORT_IRRADIANCE_FUNCS_CL
+#define PRELIGHT_TRANSPORT_IRRADIANCE_FUNCS_CL
 
-#include "shade/bsdf_funcs.cl"
+#include "transport/lobe_funcs.cl"
 
-// W/(m2 sr) towards a direction of this cosine. evaluateBsdf's diffuse lobe with the layer's passage averaged over the
+// W/(m2 sr) towards a direction of this cosine. evalLobes' diffuse part with the layer's passage averaged over the
 // directions that the light comes from.
 float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
   return b.diffuse * irradiance *

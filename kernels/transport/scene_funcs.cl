@@ -1,10 +1,10 @@
 // A lit scene in its buffers, as functions read it. Options: those of the included files.
-#ifndef PRELIGHT_SHADE_SCENE_FUNCS_CL
-#define PRELIGHT_SHADE_SCENE_FUNCS_CL
+#ifndef PRELIGHT_TRANSPORT_SCENE_FUNCS_CL
+#define PRELIGHT_TRANSPORT_SCENE_FUNCS_CL
 
-#include "shade/light_funcs.cl"
-#include "shade/vertex_funcs.cl"
 #include "shared/scene_layout_types.h"
+#include "transport/light_funcs.cl"
+#include "transport/material_funcs.cl"
 
 typedef struct Scene {
   PathScene surface;

@@ -1,24 +1,25 @@
 // Shading normals bend light that is traced from its source otherwise than light that is traced from the eye. What the eye's
-// paths do is the model; these are its adjoints. Light comes from v.wo and leaves along `direction`.
+// paths do is the model; these are its adjoints. Light comes from i.wo and leaves along `direction`.
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", ch. 5.3.
-#ifndef PRELIGHT_PHOTON_ADJOINT_FUNCS_CL
-#define PRELIGHT_PHOTON_ADJOINT_FUNCS_CL
+// Options: PRELIGHT_GLASS (some surface is glass).
+#ifndef PRELIGHT_TRANSPORT_ADJOINT_FUNCS_CL
+#define PRELIGHT_TRANSPORT_ADJOINT_FUNCS_CL
 
-#include "shade/glass_funcs.cl"
+#include "transport/glass_funcs.cl"
 
 // Keeps numbers finite. A lower bound would darken: a facet at which light grazes throws its caustic with such ratios alone.
 #define PRELIGHT_MOST_ADJOINT 1e4f
 
 // [1] eq. 5.19, of reflection, and of refraction if radiance scales with the square of the index of refraction and power does
 // not. For mirrors the cosines with the shading normal cancel. Exactly 1 where both normals are one.
-float adjointRatio(PathVertex v, float3 direction) {
-  const float in = fabs(dot(v.wo, v.shading)) * fabs(dot(direction, v.geometric));
-  const float out = fabs(dot(v.wo, v.geometric)) * fabs(dot(direction, v.shading));
+float adjointRatio(Interaction i, float3 direction) {
+  const float in = fabs(dot(i.wo, i.frame.z)) * fabs(dot(direction, i.geometric));
+  const float out = fabs(dot(i.wo, i.geometric)) * fabs(dot(direction, i.frame.z));
   return in < PRELIGHT_MOST_ADJOINT * out ? in / out : PRELIGHT_MOST_ADJOINT;
 }
 
 #ifdef PRELIGHT_GLASS
-// Chances with which leaveGlass sends a path of the eye that came from wo along each way.
+// Chances with which sampleGlassRadiance sends a path of the eye that came from wo along each way.
 typedef struct GlassWays {
   float mirrored, passed;          // by the shading normal
   float mirroredFlat, passedFlat;  // by the triangle's own, where the other would send it to the wrong side
@@ -40,22 +41,24 @@ GlassWays glassWays(Bsdf b, bool solid, bool front, float3 wo, float3 shading, f
   return ways;
 }
 
-// The adjoint of leaveGlass, weight as a share of power. The eye comes to v.wo by the shading normal from one direction, and by
-// the triangle's own from another, where that is its way out: light from v.wo goes to both. False: no light leaves.
-bool sendThroughGlass(PathScene s, PathVertex v, Bsdf b, float chance, float3* direction, float3* weight, uint* medium) {
-  const bool solid = (s.materials[v.material].flags & PRELIGHT_SOLID) != 0u;
-  const GlassWays own = glassWays(b, solid, v.front, v.wo, v.shading, v.geometric);
-  float3 ways[4] = {mirrorAbout(v.wo, v.shading), v.wo, mirrorAbout(v.wo, v.geometric), v.wo};
+// The adjoint of sampleGlassRadiance, weight as a share of power. The eye comes to i.wo by the shading normal from one
+// direction, and by the triangle's own from another, where that is its way out: light from i.wo goes to both. False: no light
+// leaves.
+bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSample* g) {
+  const bool solid = isSolid(i);
+  const GlassWays own = glassWays(b, solid, i.front, i.wo, i.frame.z, i.geometric);
+  float3 ways[4] = {mirrorAbout(i.wo, i.frame.z), i.wo, mirrorAbout(i.wo, i.geometric), i.wo};
   float shares[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-  if (own.mirrored > 0.0f) shares[0] = own.mirrored * adjointRatio(v, ways[0]);
+  if (own.mirrored > 0.0f) shares[0] = own.mirrored * adjointRatio(i, ways[0]);
   if (own.passed > 0.0f) {
-    ways[1] = passGlass(b, solid, v.front, v.wo, v.shading);
-    shares[1] = own.passed * adjointRatio(v, ways[1]);
+    ways[1] = passGlass(b, solid, i.front, i.wo, i.frame.z);
+    shares[1] = own.passed * adjointRatio(i, ways[1]);
   }
-  shares[2] = glassWays(b, solid, v.front, ways[2], v.shading, v.geometric).mirroredFlat;
-  if (glassReflectance(b, solid, v.front, glassCosine(v.wo, v.geometric)) < 1.0f) {
-    ways[3] = passGlass(b, solid, v.front, v.wo, v.geometric);
-    shares[3] = glassWays(b, solid, !v.front, ways[3], -v.shading, -v.geometric).passedFlat;
+  shares[2] = glassWays(b, solid, i.front, ways[2], i.frame.z, i.geometric).mirroredFlat;
+  g->reflected = glassReflectance(b, solid, i.front, glassCosine(i.wo, i.geometric));
+  if (g->reflected < 1.0f) {
+    ways[3] = passGlass(b, solid, i.front, i.wo, i.geometric);
+    shares[3] = glassWays(b, solid, !i.front, ways[3], -i.frame.z, -i.geometric).passedFlat;
   }
   const float sum = shares[0] + shares[1] + shares[2] + shares[3];
   if (!(sum > 0.0f)) return false;
@@ -63,10 +66,18 @@ bool sendThroughGlass(PathScene s, PathVertex v, Bsdf b, float chance, float3* d
   float rest = chance * sum;
   while (way < 3u && rest >= shares[way]) rest -= shares[way++];
   while (!(shares[way] > 0.0f)) --way;  // rounding
-  const bool passes = (way & 1u) != 0u;
-  *direction = ways[way];
-  *weight = sum * (passes ? b.tint : (float3)(1.0f));
-  if (passes && solid) *medium = v.front ? v.material : PRELIGHT_NO_MEDIUM;
+  g->passes = (way & 1u) != 0u;
+  g->direction = ways[way];
+  g->weight = sum * (g->passes ? b.tint : (float3)(1.0f));
+  g->eta2 = 1.0f;
+  return true;
+}
+
+// False: no light leaves.
+bool sampleGlass(Interaction i, Bsdf b, uint mode, float chance, GlassSample* g) {
+  if (mode == PRELIGHT_IMPORTANCE && !all(isequal(i.frame.z, i.geometric))) return sampleGlassImportance(i, b, chance, g);
+  *g = sampleGlassRadiance(i, b, chance);
+  if (mode == PRELIGHT_IMPORTANCE) g->eta2 = 1.0f;  // it scales radiance, not power
   return true;
 }
 #endif

@@ -1,0 +1,24 @@
+// Vectors and the frames that they are seen in.
+#ifndef PRELIGHT_CORE_VECTOR_FUNCS_CL
+#define PRELIGHT_CORE_VECTOR_FUNCS_CL
+
+#include "core/sampling_funcs.cl"
+
+float largest(float3 v) { return fmax(v.x, fmax(v.y, v.z)); }
+
+// Orthonormal.
+typedef struct Frame {
+  float3 x, y, z;
+} Frame;
+
+Frame frameAround(float3 n) {
+  Frame f;
+  f.z = n;
+  makeFrame(n, &f.x, &f.y);
+  return f;
+}
+
+float3 toFrame(Frame f, float3 d) { return (float3)(dot(d, f.x), dot(d, f.y), dot(d, f.z)); }
+float3 fromFrame(Frame f, float3 d) { return d.x * f.x + d.y * f.y + d.z * f.z; }
+
+#endif

@@ -1,0 +1,167 @@
+// How a surface scatters light: evalBsdf says how much, sampleBsdf draws a direction, pdfBsdf tells with which density. A caller
+// chooses lobes and whether it follows radiance or importance; what that makes of the result happens here.
+// [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", ch. 5.
+// Options: those of transport/lobe_funcs.cl.
+#ifndef PRELIGHT_TRANSPORT_BSDF_FUNCS_CL
+#define PRELIGHT_TRANSPORT_BSDF_FUNCS_CL
+
+#include "transport/adjoint_funcs.cl"
+#include "transport/microfacet_funcs.cl"
+
+// With a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
+#define PRELIGHT_LOBES_APART 64u
+
+// Light that is scattered to a direction, times its cosine, but for what mirrors and glass do.
+typedef struct Scattered {
+  float3 diffuse;
+  float3 glossy;
+} Scattered;
+
+typedef struct BsdfSample {
+  float3 direction;
+  float3 weight;  // scattered light over the density of the direction; see carriedBy
+  float pdf;      // 1/sr; 0: no other way finds the direction, as it is a mirror's or glass'
+  float eta2;     // square of the relative index of refraction that radiance has passed; 1 of importance
+  uint lobe;      // that it was drawn from
+} BsdfSample;
+
+// What a path carries on that came with `carried`.
+float3 carriedBy(BsdfSample sample, float3 carried) { return carried * sample.weight / sample.eta2; }
+
+// Whether light may come from or go to a direction of these cosines with the shading normal and the triangle's own. Both
+// must tell the same side: else light would leak through the surface.
+bool maySee(Bsdf b, float shading, float geometric) {
+#ifdef PRELIGHT_TRANSLUCENT
+  if (shading < 0.0f && geometric < 0.0f) return largest(b.transmitted) > 0.0f;
+#endif
+  return shading > 0.0f && geometric > 0.0f;
+}
+
+// From wo above the surface to wi, above or, of a translucent one, below, in the frame of the shading normal.
+Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
+  Scattered r;
+#ifdef PRELIGHT_TRANSLUCENT
+  if (wi.z < 0.0f) {
+    r.diffuse = b.transmitted * (PRELIGHT_INVERSE_PI * -wi.z * (1.0f - largest(schlick(b, wo.z))) *
+                                 (1.0f - largest(schlick(b, -wi.z))));
+    r.glossy = (float3)(0.0f);
+    return r;
+  }
+#endif
+  // Light that enters and leaves the body passes the layer twice: reciprocal, and never more than arrives.
+  r.diffuse = b.diffuse * (PRELIGHT_INVERSE_PI * wi.z * (1.0f - largest(schlick(b, wo.z))) *
+                           (1.0f - largest(schlick(b, wi.z))));
+  r.glossy = (float3)(0.0f);
+#ifdef PRELIGHT_GLOSSY
+  if (!b.smooth) {
+    const float3 h = normalize(wo + wi);
+    r.glossy = specularReflectance(b, dot(wo, h)) * evalMicrofacet(wo, wi, h, b.alpha);
+  }
+#endif
+  return r;
+}
+
+// Density of wi over the lobes that are neither mirrors nor glass.
+float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
+#ifdef PRELIGHT_TRANSLUCENT
+  if (wi.z < 0.0f) return c.through * PRELIGHT_INVERSE_PI * -wi.z;
+#endif
+  float density = c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
+#ifdef PRELIGHT_GLOSSY
+  if (!b.smooth && c.specular > 0.0f) density += c.specular * pdfMicrofacet(wo, normalize(wo + wi), b.alpha);
+#endif
+  return density;
+}
+
+// Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and leaves to `direction`. False:
+// none does.
+bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
+  const float3 wi = toFrame(i.frame, direction);
+  if (i.woLocal.z <= 0.0f || !maySee(b, wi.z, dot(direction, i.geometric))) return false;
+  *scattered = evalLobes(b, i.woLocal, wi);
+  if (mode == PRELIGHT_IMPORTANCE) {
+    const float ratio = adjointRatio(i, direction);
+    scattered->diffuse *= ratio;
+    scattered->glossy *= ratio;
+  }
+  return true;
+}
+
+// Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds light. Both modes draw alike.
+float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
+  return pdfLobes(b, lobeChances(b, i.woLocal.z, lobes), i.woLocal, toFrame(i.frame, direction));
+}
+
+// `value` is the scattered light, `density` that of the choice that led to it.
+float3 sampleWeight(Interaction i, float3 direction, uint mode, float3 value, float density) {
+  return mode == PRELIGHT_IMPORTANCE ? value * (adjointRatio(i, direction) / density) : value / density;
+}
+
+#ifdef PRELIGHT_MIRROR
+bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
+  sample->direction = fromFrame(i.frame, (float3)(-i.woLocal.x, -i.woLocal.y, i.woLocal.z));
+  if (dot(sample->direction, i.geometric) <= 0.0f) return false;
+  sample->weight = sampleWeight(i, sample->direction, mode, specularReflectance(b, i.woLocal.z), chance);
+  sample->lobe = PRELIGHT_LOBE_MIRROR;
+  return true;
+}
+#endif
+
+// From the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one.
+bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, bool through, bool specular, float2 u,
+                 BsdfSample* sample) {
+  float3 wi;
+#ifdef PRELIGHT_GLOSSY
+  if (specular)
+    wi = sampleMicrofacet(u, i.woLocal, b.alpha);
+  else
+#endif
+    wi = sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
+  if (wi.z <= 0.0f) return false;
+  if (through) wi.z = -wi.z;
+  sample->direction = fromFrame(i.frame, wi);
+  if (!maySee(b, wi.z, dot(sample->direction, i.geometric))) return false;
+  const Scattered f = evalLobes(b, i.woLocal, wi);
+  float3 value = (through || chances.diffuse > 0.0f ? f.diffuse : (float3)(0.0f)) +
+                 (chances.specular > 0.0f ? f.glossy : (float3)(0.0f));
+  sample->pdf = pdfLobes(b, chances, i.woLocal, wi);
+  if ((lobes & PRELIGHT_LOBES_APART) != 0u && !through) {
+    value = specular ? f.glossy : f.diffuse;
+    const LobeChances one = {specular ? 0.0f : 1.0f, specular ? 1.0f : 0.0f, 0.0f};
+    sample->pdf = pdfLobes(b, one, i.woLocal, wi) * (specular ? chances.specular : chances.diffuse);
+  }
+  sample->weight = sampleWeight(i, sample->direction, mode, value, sample->pdf);
+  sample->lobe = through ? PRELIGHT_LOBE_THROUGH : (specular ? PRELIGHT_LOBE_GLOSSY : PRELIGHT_LOBE_DIFFUSE);
+  return true;
+}
+
+// Where a path goes on that has come along i.wo, by one of `lobes`, in proportion to what they scatter. `chance` picks the
+// lobe, u the direction, both in [0,1). Radiance is what the path looks for, importance (or the power of a photon) what it
+// brings. False: it ends.
+bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, float chance, float2 u, BsdfSample* sample) {
+  const LobeChances chances = lobeChances(b, i.woLocal.z, lobes);
+  if (!(chanceSum(chances) > 0.0f)) return false;
+  sample->pdf = 0.0f;
+  sample->eta2 = 1.0f;
+  const bool through = picksThrough(chances, &chance);
+#ifdef PRELIGHT_GLASS
+  if (chance >= chances.diffuse + chances.specular) {
+    // What is left of the choice of the lobe decides between reflection and transmission.
+    const float rest = clamp((chance - chances.diffuse - chances.specular) / chances.glass, 0.0f, 0.99999994f);
+    GlassSample glass;
+    if (!sampleGlass(i, b, mode, rest, &glass)) return false;
+    sample->direction = glass.direction;
+    sample->weight = glass.weight * (b.glass / chances.glass);
+    sample->eta2 = glass.eta2;
+    sample->lobe = glass.passes ? PRELIGHT_LOBE_GLASS_TRANSMISSION : PRELIGHT_LOBE_GLASS_REFLECTION;
+    return true;
+  }
+#endif
+  const bool specular = chance >= chances.diffuse;
+#ifdef PRELIGHT_MIRROR
+  if (specular && b.smooth) return sampleMirror(i, b, mode, chances.specular, sample);
+#endif
+  return sampleRough(i, b, lobes, mode, chances, through, specular, u, sample);
+}
+
+#endif

@@ -1,0 +1,109 @@
+// Light as it leaves its lights: emitLight draws where a photon starts, of the lights that transport/light_funcs.cl samples from
+// the other side.
+// Options: those of transport/light_table_funcs.cl.
+#ifndef PRELIGHT_TRANSPORT_EMISSION_FUNCS_CL
+#define PRELIGHT_TRANSPORT_EMISSION_FUNCS_CL
+
+#include "shared/photon_path_types.h"
+#include "transport/light_funcs.cl"
+
+typedef struct Emission {
+  float3 origin;
+  float3 direction;  // unit
+  float3 power;      // W, of the source as if it sent but this photon
+  uint triangle;     // it leaves, or PRELIGHT_NO_TRIANGLE
+} Emission;
+
+// The host has chosen cells of directions in a frame of its own.
+float3 around(PhotonSource s, float3 axis, float cosine, float turns) {
+  float3 x, y;
+  makeFrame(axis, &x, &y);
+  if (s.cellCount != 0u) {
+    x = vload3(0, s.tangent);
+    y = cross(axis, x);
+  }
+  const float sine = sqrt(fmax(1.0f - cosine * cosine, 0.0f));
+  return normalize(sine * cospi(2.0f * turns) * x + sine * sinpi(2.0f * turns) * y + cosine * axis);
+}
+
+// Light from afar: a disc that covers what there is to meet.
+void startAfar(__constant const PhotonParameters* p, float3 direction, float2 u, Emission* e) {
+  float3 x, y;
+  makeFrame(direction, &x, &y);
+  const float radius = p->radius * sqrt(u.x);
+  e->origin = vload3(0, p->centre) + radius * (cospi(2.0f * u.y) * x + sinpi(2.0f * u.y) * y) - p->distance * direction;
+  e->direction = direction;
+  e->power *= M_PI_F * p->radius * p->radius;
+  e->triangle = PRELIGHT_NO_TRIANGLE;
+}
+
+#ifdef PRELIGHT_PUNCTUAL
+Emission emitFromPunctual(__constant const PhotonParameters* p, __global const PunctualLight* light, float2 u) {
+  Emission e;
+  e.power = vload3(0, light->intensity);
+  if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {
+    startAfar(p, vload3(0, light->direction), u, &e);
+    return e;
+  }
+  e.origin = vload3(0, light->position);
+  e.triangle = PRELIGHT_NO_TRIANGLE;
+  // Larsen 6.3 with the polar angle acos(1 - 2 r); of a spot, over its cone.
+  const float least = light->kind == PRELIGHT_SPOT_LIGHT ? clamp(-light->coneOffset / light->coneScale, -1.0f, 1.0f) : -1.0f;
+  const float cosine = 1.0f - (1.0f - least) * u.y;
+  e.direction = around(p->source, vload3(0, light->direction), cosine, u.x);
+  e.power *= 2.0f * M_PI_F * (1.0f - least);
+  if (light->kind == PRELIGHT_SPOT_LIGHT) {
+    const float angular = clamp(cosine * light->coneScale + light->coneOffset, 0.0f, 1.0f);
+    e.power *= angular * angular;
+  }
+  return e;
+}
+#endif
+
+#ifdef PRELIGHT_EMITTERS
+// choice.y decides about the side of an emitter that has two.
+Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u, float2 place) {
+  const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
+  const EmitterPoint at = all ? sampleEmitterPoint(l, &p->scene.lights, s, choice.x, place)
+                              : pointOnEmitter(l, s, p->source.light, 1.0f, place);
+  const bool twoSided = (s.materials[s.surface.triangles[at.triangle].material].flags & PRELIGHT_DOUBLE_SIDED) != 0u;
+  const bool front = !twoSided || choice.y < 0x80000000u;
+  const float3 normal = at.normal * (front ? 1.0f : -1.0f);
+  Emission e;
+  e.direction = around(p->source, normal, sqrt(1.0f - u.y), u.x);  // density cos/pi
+  e.origin = offsetOrigin(at.position, at.error, normal, e.direction);
+  e.triangle = at.triangle;
+  e.power = emittedRadiance(s, at.triangle, at.at.x, at.at.y, front) * (M_PI_F * at.area * (twoSided ? 2.0f : 1.0f) / at.chance);
+  return e;
+}
+#endif
+
+#ifdef PRELIGHT_SKY
+Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits, float2 place) {
+  LightSample a;
+  sampleSky(l, &p->scene.lights, bits, &a);
+  Emission e;
+  e.power = a.radiance / a.pdf;
+  startAfar(p, -a.direction, place, &e);
+  return e;
+}
+#endif
+
+// Where a photon of p->source starts: `bits` of its direction, `place` on the light or of the ray from afar, `choice` of the
+// emitter and its side.
+Emission emitLight(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 bits, float2 place, uint2 choice) {
+  const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
+  Emission e;
+#ifdef PRELIGHT_PUNCTUAL
+  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, l.punctual + p->source.light, u);
+#endif
+#ifdef PRELIGHT_EMITTERS
+  if (p->source.kind == PRELIGHT_SOURCE_EMITTERS) e = emitFromSurface(p, l, s, choice, u, place);
+#endif
+#ifdef PRELIGHT_SKY
+  if (p->source.kind == PRELIGHT_SOURCE_SKY) e = emitFromSky(p, l, bits, place);
+#endif
+  return e;
+}
+
+#endif

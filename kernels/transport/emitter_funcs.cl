@@ -1,0 +1,65 @@
+// Emissive triangles as lights.
+// Options: those of transport/light_table_funcs.cl.
+#ifndef PRELIGHT_TRANSPORT_EMITTER_FUNCS_CL
+#define PRELIGHT_TRANSPORT_EMITTER_FUNCS_CL
+
+#include "transport/light_table_funcs.cl"
+#include "transport/material_funcs.cl"
+
+#ifdef PRELIGHT_EMITTERS
+typedef struct EmitterPoint {
+  uint triangle;
+  float2 at;  // weights of vertices 1 and 2
+  float3 position;
+  float3 error;   // bound of the position's rounding
+  float3 normal;  // of the front
+  float area;     // m2, of the triangle
+  float chance;   // with which the triangle was chosen
+} EmitterPoint;
+
+EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, float chance, float2 place) {
+  EmitterPoint e;
+  e.triangle = l.emitters[entry];
+  e.chance = chance;
+  const DeviceTriangle t = s.surface.triangles[e.triangle];
+  const float3 p = vertexPosition(s, t.vertex[0]), q = vertexPosition(s, t.vertex[1]), r = vertexPosition(s, t.vertex[2]);
+  e.at = sampleTriangle(place);
+  e.position = pointOnTriangle(p, q, r, e.at.x, e.at.y);
+  e.error = pointError(p, q, r, e.at.x, e.at.y);
+  e.normal = frontNormal(p, q, r);
+  e.area = 0.5f * length(cross(q - p, r - p));
+  return e;
+}
+
+// Chosen by power.
+EmitterPoint sampleEmitterPoint(Lights l, __constant const LightLayout* layout, PathScene s, uint bits, float2 place) {
+  float probability, remainder;
+  const uint entry = chooseEntry(l.tables + layout->emitterTable, layout->emitterCount, bits, &probability, &remainder);
+  return pointOnEmitter(l, s, entry, probability, place);
+}
+
+// 1/sr for a direction that meets an emitter at a distance under |cosine|.
+float pdfEmitter(Lights l, uint triangle, float distance, float cosine) {
+  return l.emitterDensities[triangle] * distance * distance / fmax(fabs(cosine), 1e-9f);
+}
+
+bool sampleEmitter(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint bits, float2 place,
+                   LightSample* a) {
+  const EmitterPoint e = sampleEmitterPoint(l, layout, s, bits, place);
+  const float3 way = e.position - point;
+  const float distance = length(way);
+  if (!(distance > 1e-9f)) return false;
+  a->direction = way / distance;
+  a->distance = distance;
+  const float cosine = -dot(a->direction, e.normal);
+  if (fabs(cosine) < 1e-7f) return false;
+  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, cosine > 0.0f);
+  a->pdf = pdfEmitter(l, e.triangle, distance, cosine);
+  a->target = offsetOrigin(e.position, e.error, e.normal, -a->direction);
+  a->punctual = false;
+  a->surface = true;
+  return true;
+}
+#endif
+
+#endif

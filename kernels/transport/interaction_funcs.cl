@@ -1,0 +1,101 @@
+// A point of the surface that a ray has met: all that is known of it is found once, when it is loaded.
+// Options: those of the surface (bvh/alpha_funcs.cl).
+#ifndef PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
+#define PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
+
+#include "bvh/alpha_funcs.cl"
+#include "core/offset_funcs.cl"
+#include "core/vector_funcs.cl"
+#include "shared/ray_types.h"
+#include "shared/shade_types.h"
+
+typedef struct PathScene {
+  Surface surface;  // its materials hold base colours without textures
+  __global const float* vertices;  // [vertex][6] position, normal
+  __global const uchar* flat;      // [triangle] 1: no shading normals
+  __global const ShadeMaterial* materials;
+  __global const DeviceMaterial* layers;    // [material][PRELIGHT_LAYERS] textures: PRELIGHT_LAYER_* of transport/material_funcs.cl
+  __global const ushort4* layerTexels;
+} PathScene;
+
+typedef struct Interaction {
+  float3 position;
+  float3 error;      // bound of the position's rounding
+  float3 wo;         // unit, back along the ray
+  float3 geometric;  // unit normal of the triangle, on the side that the ray came from
+  Frame frame;       // around the shading normal, z, on the same side
+  float3 woLocal;    // wo in the frame
+  bool front;
+  uint triangle;
+  uint material;
+  uint flags;  // of the material: PRELIGHT_SOLID | ...
+  float u, v;
+} Interaction;
+
+float3 vertexPosition(PathScene s, uint vertex) { return vload3(0, s.vertices + 6 * (size_t)vertex); }
+
+// Unit normal of the triangle's front.
+float3 frontNormal(float3 a, float3 b, float3 c) {
+  const float3 e = b - a, f = c - a;
+  const float scale = 1.0f / fmax(fmax(largest(fabs(e)), largest(fabs(f))), 1e-36f);
+  return normalize(cross(e * scale, f * scale));
+}
+
+// Shading normal on the front side; the geometric one where the file has none or it vanishes.
+float3 shadingNormal(PathScene s, uint triangle, float u, float v, float3 front) {
+  if (s.flat[triangle] != 0) return front;
+  const DeviceTriangle t = s.surface.triangles[triangle];
+  const float3 n = (1.0f - u - v) * vload3(0, s.vertices + 6 * (size_t)t.vertex[0] + 3) +
+                   u * vload3(0, s.vertices + 6 * (size_t)t.vertex[1] + 3) +
+                   v * vload3(0, s.vertices + 6 * (size_t)t.vertex[2] + 3);
+  const float square = dot(n, n);
+  if (!(square > 1e-12f)) return front;
+  const float3 unit = n * rsqrt(square);
+  return dot(unit, front) < 0.0f ? -unit : unit;
+}
+
+Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
+  const DeviceTriangle t = s.surface.triangles[hit.triangle];
+  const float3 a = vertexPosition(s, t.vertex[0]), b = vertexPosition(s, t.vertex[1]), c = vertexPosition(s, t.vertex[2]);
+  Interaction i;
+  i.triangle = hit.triangle;
+  i.material = t.material;
+  i.flags = s.materials[t.material].flags;
+  i.u = hit.u;
+  i.v = hit.v;
+  i.position = pointOnTriangle(a, b, c, hit.u, hit.v);
+  i.error = pointError(a, b, c, hit.u, hit.v);
+  i.wo = -vload3(0, ray.direction);
+  const float3 front = frontNormal(a, b, c);
+  const float3 shading = shadingNormal(s, hit.triangle, hit.u, hit.v, front);
+  i.front = dot(i.wo, front) >= 0.0f;
+  i.geometric = i.front ? front : -front;
+  i.frame = frameAround(i.front ? shading : -shading);
+  i.woLocal = toFrame(i.frame, i.wo);
+  return i;
+}
+
+bool isSolid(Interaction i) { return (i.flags & PRELIGHT_SOLID) != 0u; }
+
+// A ray that leaves the surface.
+Ray rayFrom(Interaction i, float3 direction, float tMax) {
+  Ray ray;
+  vstore3(offsetOrigin(i.position, i.error, i.geometric, direction), 0, ray.origin);
+  ray.sourceTriangle = i.triangle;  // a straight ray meets its plane but once
+  vstore3(direction, 0, ray.direction);
+  ray.tMax = tMax;
+  return ray;
+}
+
+// A ray that leaves in a direction to meet what is in the way of a target there, but for the last share of the way: the target's
+// own triangle, whose distance is subject to rounding, must not count.
+Ray rayTo(Interaction i, float3 direction, float3 target, float reach) {
+  Ray ray = rayFrom(i, direction, 0.0f);
+  const float3 way = target - vload3(0, ray.origin);
+  if (!(dot(way, direction) > 0.0f)) return ray;  // rounding has carried the origin beyond the target
+  vstore3(way, 0, ray.direction);
+  ray.tMax = reach;
+  return ray;
+}
+
+#endif

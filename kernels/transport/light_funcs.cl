@@ -1,0 +1,71 @@
+// Light from all of a scene's lights: sampleLight, evalLight and pdfLight of a direction that light comes from;
+// transport/emission_funcs.cl has emitLight, of the same lights seen from their side.
+// Options: those of transport/light_table_funcs.cl.
+#ifndef PRELIGHT_TRANSPORT_LIGHT_FUNCS_CL
+#define PRELIGHT_TRANSPORT_LIGHT_FUNCS_CL
+
+#include "core/punctual_funcs.cl"
+#include "transport/emitter_funcs.cl"
+#include "transport/sky_funcs.cl"
+
+#ifdef PRELIGHT_PUNCTUAL
+bool samplePunctual(__global const PunctualLight* light, float3 point, LightSample* a) {
+  float falloff;
+  if (!seePunctual(light, point, &a->direction, &a->distance, &falloff)) return false;
+  a->punctual = true;
+  a->surface = false;
+  a->pdf = 1.0f;
+  a->radiance = falloff * vload3(0, light->intensity);
+  return true;
+}
+#endif
+
+// A light by chance, and a direction towards it; `choice` of light and emitter, `place` on it or in the sky, all in 2^32. The
+// groups' order: punctual lights, then the emitters as one, then the sky. False: nothing arrives.
+bool sampleLight(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint2 choice, uint2 place,
+                 LightSample* a) {
+  float probability, remainder;
+  const uint group = chooseEntry(l.tables, layout->groupCount, choice.x, &probability, &remainder);
+  bool arrives = false;
+  uint next = layout->emitterGroup;
+#ifdef PRELIGHT_PUNCTUAL
+  if (group < next) arrives = samplePunctual(l.punctual + group, point, a);
+#endif
+#ifdef PRELIGHT_EMITTERS
+  if (group == next) arrives = sampleEmitter(l, layout, s, point, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), a);
+  ++next;
+#endif
+#ifdef PRELIGHT_SKY
+  if (group == next) arrives = sampleSky(l, layout, place, a);
+#endif
+  if (arrives) a->pdf *= probability;
+  return arrives;
+}
+
+// Radiance that lights send along a ray; front: the side on which it meets a surface.
+float3 evalLight(Lights l, __constant const LightLayout* layout, PathScene s, Ray ray, Hit hit, bool front) {
+#ifdef PRELIGHT_SKY
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return evalSky(l, layout, skyCoordinates(layout, vload3(0, ray.direction)));
+#endif
+#ifdef PRELIGHT_EMITTERS
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
+    return emittedRadiance(s, hit.triangle, hit.u, hit.v, front);
+#endif
+  return (float3)(0.0f);
+}
+
+// Density, 1/sr, with which sampleLight draws a ray's direction where the ray starts; cosine: under which it meets a surface.
+float pdfLight(Lights l, __constant const LightLayout* layout, Ray ray, Hit hit, float cosine) {
+#ifdef PRELIGHT_SKY
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE)
+    return pdfSky(l, layout, skyCoordinates(layout, vload3(0, ray.direction))) *
+           entryProbability(l.tables, layout->groupCount, layout->groupCount - 1u);
+#endif
+#ifdef PRELIGHT_EMITTERS
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
+    return pdfEmitter(l, hit.triangle, hit.t, cosine) * entryProbability(l.tables, layout->groupCount, layout->emitterGroup);
+#endif
+  return 0.0f;
+}
+
+#endif
