@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gi/update/live_full_light.h"
+#include "gi/update/live_light.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/renderer.h"
 #include "viewer/view.h"
@@ -12,7 +12,7 @@ namespace prelight::benchmarks {
 struct LiveDrawing::Parts {
   Parts(const BenchmarkScene& scene, const LiveLight& followed, int side)
       : live(followed),
-        full(fullLightOf(followed)),
+        full(illuminationOf(followed)),
         inputs{.scene = scene.scene, .compiled = followed.scene().compiled(), .full = &full},
         renderer(inputs),
         target(side, side),
@@ -26,7 +26,7 @@ struct LiveDrawing::Parts {
 
   const LiveLight& live;
   viewer::gl::EglContext context;
-  FullLight full;
+  GlobalIllumination full;
   viewer::RenderInputs inputs;
   viewer::Renderer renderer;
   viewer::gl::Framebuffer target;
@@ -50,7 +50,7 @@ void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
   }
   if (frame.causticsChanged) {
     p.photons = p.live.caustics();
-    p.renderer.updateCaustics({p.photons, p.full.filter});
+    p.renderer.updateCaustics({p.photons, p.full.caustics.filter});
   }
   p.renderer.draw(p.view, {0, 0, p.view.width, p.view.height}, p.target);
   viewer::gl::Framebuffer::finish();

@@ -2,7 +2,8 @@
 
 namespace prelight::viewer {
 
-FullLighting::FullLighting(const FullLight& full, const CompiledScene& compiled, const RenderScene& scene)
+FullLighting::FullLighting(const GlobalIllumination& full, const CompiledScene& compiled,
+                           const RenderScene& scene)
     : compiled_(compiled), scene_(scene), indirect_(full.indirect, compiled) {}
 
 void FullLighting::light(const Illumination& light) {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/light_map_lighting.h"
 #include "viewer/render_scene.h"
@@ -15,7 +15,7 @@ namespace prelight::viewer {
 class FullLighting : public DrawnTransfer {
  public:
   /// Everything outlives it.
-  FullLighting(const FullLight& full, const CompiledScene& compiled, const RenderScene& scene);
+  FullLighting(const GlobalIllumination& full, const CompiledScene& compiled, const RenderScene& scene);
 
   void light(const Illumination& light) override;
   void bind(const gl::Program& program) const override;

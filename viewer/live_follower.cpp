@@ -14,8 +14,8 @@ bool same(const Light& a, const Light& b) {
 
 }  // namespace
 
-LiveFollower::LiveFollower(LiveLight& live, const FullLight& start)
-    : live_(live), map_(start.indirect), photons_(start.photons), filter_(start.filter) {}
+LiveFollower::LiveFollower(LiveLight& live, const GlobalIllumination& start)
+    : live_(live), map_(start.indirect), photons_(start.photons), filter_(start.caustics.filter) {}
 
 /// Lights that the window has added are not the scene's: they shine directly alone.
 void LiveFollower::tell(const FollowedView& view) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
 #include "viewer/light_follower.h"
 
@@ -11,8 +11,8 @@ namespace prelight::viewer {
 /// Live light as a window's light: what is dragged and turned there is told to it, a frame at a time.
 class LiveFollower final : public LightFollower {
  public:
-  /// `start`: fullLightOf(live), whose filter of caustics stays. Both outlive it.
-  LiveFollower(LiveLight& live, const FullLight& start);
+  /// `start`: illuminationOf(live), whose filter of caustics stays. Both outlive it.
+  LiveFollower(LiveLight& live, const GlobalIllumination& start);
 
   bool update(const FollowedView& view) override;
   bool settled() const override { return live_.settled(); }

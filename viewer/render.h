@@ -18,7 +18,7 @@
 
 namespace prelight {
 class Device;
-struct FullLight;
+struct GlobalIllumination;
 struct NormalMaps;
 }  // namespace prelight
 
@@ -33,7 +33,8 @@ struct RenderInputs {
       nullptr;                         ///< nullptr: no sky, or a neutral one when nothing else gives light
   const Device* device = nullptr;      ///< relights wavelet and glossy transfer; nullptr: the host does
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
-  const FullLight* full = nullptr;     ///< full shading needs it, and adds its caustics; nullptr: not offered
+  const GlobalIllumination* full =
+      nullptr;  ///< full shading needs it, and adds its caustics; nullptr: not offered
   const NormalMaps* normalMaps = nullptr;  ///< of light maps that hold directions; nullptr: surfaces are even
 
   /// All of them for a scene whose vertices are elsewhere.

@@ -166,7 +166,7 @@ FullLighting& Renderer::full() {
     prepare(*fullProgram_);
     surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
     if (caustics_ == nullptr && !inputs_.full->photons.empty())
-      makeCaustics({inputs_.full->photons, inputs_.full->filter});
+      makeCaustics({inputs_.full->photons, inputs_.full->caustics.filter});
   }
   return *full_;
 }
@@ -256,7 +256,7 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
     const ShadingInfo& info = infoOf(view.shading);
     if (view.shading == Shading::Full)
       throw Error(ExitCode::RuntimeFailure, "--shading full", "its indirect light is not among the inputs",
-                  "make it with makeFullLight");
+                  "compute it with computeGlobalIllumination");
     throw Error(ExitCode::RuntimeFailure, "--shading " + std::string(info.name),
                 "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "occluders/occluder_places.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"
@@ -211,7 +211,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   }
 }
 
-void checkFullLight(const FullLight& full, const CompiledScene& scene) {
+void checkFullLight(const GlobalIllumination& full, const CompiledScene& scene) {
   checkLightMap(full.indirect, scene);
   for (const device::Photon& photon : full.photons)
     if (photon.triangle >= scene.triangleCount())

@@ -39,7 +39,7 @@ DrawingRules rulesOf(Shading shading);
 void checkBake(const Bake& bake, const CompiledScene& scene);
 
 /// Throws Error when the light of full shading does not fit the scene.
-void checkFullLight(const FullLight& full, const CompiledScene& scene);
+void checkFullLight(const GlobalIllumination& full, const CompiledScene& scene);
 
 /// Uploads what the shading needs of a bake that carries it; nullptr for Phong and for Full, whose light is
 /// in no bake.

@@ -5,6 +5,7 @@
 #include "gpu/transport_scene.h"
 #include "photon/casters.h"
 #include "photon/caustic_light.h"
+#include "photon/sent_photons.h"
 #include "scene/surface_regions.h"
 
 namespace prelight::cli {
@@ -24,15 +25,13 @@ std::unique_ptr<DrawnCaustics> traceCaustics(Session& session, const LoadedScene
     const LitScene lit{loaded.compiled, loaded.scene.images, render.lights.value_or(loaded.scene.lights), sky,
                        render.skyRotation};
     TransportScene scene(lit, opened);
-    PhotonTracer tracer(loaded.compiled, scene);
-    PhotonHits hits;
-    tracer.trace(causticRequest(photons), hits, session.progress());
-    drawn->photons = std::move(hits.photons);
+    drawn->photons =
+        sendPhotons(loaded.compiled, scene, causticRequest(photons), session.progress()).hits.photons;
   });
   if (drawn->photons.empty()) return nothing();
   const DensitySurface surface =
       makeDensitySurface(loaded.compiled, makeSurfaceRegions(loaded.compiled, usualCreaseAngle));
-  drawn->caustics = {drawn->photons, chooseCausticFilter(makePhotonMaps(drawn->photons, surface))};
+  drawn->caustics = {drawn->photons, makeCausticMap(drawn->photons, surface).filter};
   session.console().note(fmt::format("caustics: {} photons, {} nearest of them within {:.3g} m at a point",
                                      drawn->photons.size(), drawn->caustics.filter.density.nearest,
                                      drawn->caustics.filter.radius));

@@ -42,21 +42,23 @@ Device openFullDevice(Session& session, const PictureOptions& options) {
 
 }  // namespace
 
-FullLight fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
+GlobalIllumination fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
   requireTriangles(shaded.loaded);
   const Device device = openFullDevice(session, options);
   const FullLights lights = fullLights(options, shaded);
   const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
                      lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
   const FullRequest sized = sizedRequest(options, shaded);
-  FullLightRequest request;
-  request.texels = sized.mapTexels();
+  GlobalIlluminationRequest request;
   request.indirect.photons = options.full.indirect.photons;
   request.indirect.rays = options.full.indirect.rays;
+  request.indirect.seed = options.bake.request.seed;
+  request.indirect.directByPhotons = true;  // as frames that go on from here, see LiveLight
   request.causticPhotons = sized.photonsOfCaustics();
-  request.seed = options.bake.request.seed;
-  FullLight full = session.times().measure(
-      "light", [&] { return makeFullLight(shaded.loaded.scene, lit, request, device, session.progress()); });
+  GlobalIllumination full = session.times().measure("light", [&] {
+    return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), device,
+                                     session.progress());
+  });
   session.progress().clear();
   return full;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "device/device.h"
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
 #include "images/environment.h"
 
@@ -22,7 +22,7 @@ struct FollowingLight {
 };
 
 /// Indirect light and caustics of full shading, under the picture's lights.
-FullLight fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded);
+GlobalIllumination fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded);
 
 /// The same light, able to follow what moves, a little a frame.
 std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,

@@ -98,8 +98,8 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
   request.height = options.size.height;
   request.width = options.size.width.value_or(viewer::pictureWidth(camera, options.size.height));
   request.seed = request.indirect.seed = options.bake.request.seed;
-  std::future<FullSurface> surface =
-      std::async(std::launch::async, [&] { return makeFullSurface(loaded.scene, loaded.compiled, request); });
+  std::future<LitSurface> surface = std::async(
+      std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
   const Device device = session.times().measure("device", [&] { return opening.get(); });
   std::vector<Light> lights = options.lights.value_or(loaded.scene.lights);
   if (!sky && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {

@@ -11,7 +11,6 @@
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
-#include "gi/update/live_full_light.h"
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
 #include "viewer/camera.h"
@@ -308,7 +307,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   openRelightingDevice(session, options, everyShading, shaded);
   if (render.shading == viewer::Shading::Full && everyShading) {
     shaded.following = followingLight(session, options, shaded);
-    shaded.full = fullLightOf(*shaded.following->light);
+    shaded.full = illuminationOf(*shaded.following->light);
   } else if (render.shading == viewer::Shading::Full) {
     shaded.full = fullLight(session, options, shaded);
   }

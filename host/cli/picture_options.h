@@ -13,7 +13,7 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "device/device.h"
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "images/environment.h"
 #include "integrators/full_renderer.h"
 #include "scene/gltf/normal_maps.h"
@@ -54,7 +54,7 @@ struct ShadedScene {
   BakeRequest request;           ///< of `run`
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
-  std::optional<FullLight> full;
+  std::optional<GlobalIllumination> full;
   std::optional<NormalMaps> normalMaps;       ///< where the light map can be turned by them
   std::unique_ptr<FollowingLight> following;  ///< of a window in full shading
 

@@ -19,14 +19,6 @@ std::uint32_t raysPerReceiver(const IndirectRequest& request) {
   return std::min(request.rays, GatherRequest::mostRaysPerReceiver);
 }
 
-GatherRequest gatherRequest(const IndirectRequest& request) {
-  GatherRequest gather;
-  gather.raysPerReceiver = raysPerReceiver(request);
-  gather.seed = request.seed;
-  gather.longWay = request.longWay;
-  return gather;
-}
-
 /// Irradiance that photons tell by themselves, W/m2, at places of the surface (Larsen 2004, ch. 10).
 std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled,
                                            std::span<const LightMapTexel> places,
@@ -94,6 +86,14 @@ std::vector<device::DensityQuery> densityQueries(const CompiledScene& compiled,
   return queries;
 }
 
+GatherRequest gatherRequest(const IndirectRequest& request) {
+  GatherRequest gather;
+  gather.raysPerReceiver = raysPerReceiver(request);
+  gather.seed = request.seed;
+  gather.longWay = request.longWay;
+  return gather;
+}
+
 namespace {
 
 bool directByPhotons(const TransportScene& scene, const IndirectRequest& request) {
@@ -103,29 +103,18 @@ bool directByPhotons(const TransportScene& scene, const IndirectRequest& request
 
 }  // namespace
 
-SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& scene,
-                                const IndirectRequest& request, Progress& progress) {
-  PhotonRequest photons;
-  photons.kind = directByPhotons(scene, request) ? PhotonKind::All : PhotonKind::Indirect;
-  photons.photons = request.photons;
-  photons.seed = request.seed;
-  SentPhotons sent;
-  sent.report = PhotonTracer(compiled, scene).trace(photons, sent.hits, progress);
-  return sent;
+PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest& request) {
+  return {.kind = directByPhotons(scene, request) ? PhotonKind::All : PhotonKind::Indirect,
+          .photons = request.photons,
+          .seed = request.seed};
 }
-
-IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
-                             const DensitySurface& surface, const IndirectRequest& request,
-                             const Device& device, Progress& progress)
-    : IndirectLight(lit, scene, layout, surface, request, device,
-                    sendIndirectPhotons(lit.scene, scene, request, progress)) {}
 
 IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
                              const DensitySurface& surface, const IndirectRequest& request,
                              const Device& device, const SentPhotons& photons)
     : compiled_(lit.scene),
       request_(request),
-      photons_(photons.report),
+      earlierRays_(photons.report.rays),
       approximation_(scene.context(), layout),
       gather_(scene, approximation_, gatherRequest(request)) {
   const bool all = directByPhotons(scene, request);
@@ -136,7 +125,7 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const L
     DirectLight direct(compiled_, scene.tracer());
     direct.setLights({lit.lights, lit.sky, lit.skyRotation});
     addDirect(direct, compiled_, layout.texels, request.seed, irradiance);
-    directRays_ = direct.rays();
+    earlierRays_ += direct.rays();
   }
   approximation_.set(onGrid(layout, irradiance));
 }

@@ -9,7 +9,7 @@
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
 #include "photon/density_surface.h"
-#include "photon/photon_tracer.h"
+#include "photon/sent_photons.h"
 #include "transfer/light_map_layout.h"
 
 namespace prelight {
@@ -28,26 +28,18 @@ struct IndirectRequest {
 /// Photons of an estimate of all light. Those straight from a light lie so evenly that fewer tell too little.
 constexpr int leastNearestOfAll = 40;
 
-/// Photons where they landed, and how many there were.
-struct SentPhotons {
-  PhotonHits hits;
-  PhotonReport report;
-};
+/// The photons of a request, for sendPhotons().
+PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest& request);
 
-/// Sends the photons of a request. Throws Interrupted.
-SentPhotons sendIndirectPhotons(const CompiledScene& compiled, TransportScene& scene,
-                                const IndirectRequest& request, Progress& progress);
+/// Of the receivers of a place, which are several where a place has more rays than a receiver may have.
+GatherRequest gatherRequest(const IndirectRequest& request);
 
 /// Indirect light at places of the surface: everything but direct light and caustics. A final gathering from
 /// what photons left in the texels of a light map (Larsen 2004, ch. 11, over the whole hemisphere).
 class IndirectLight {
  public:
-  /// Sends the photons. `lit` is what `scene` is made of. Scene and device outlive it.
-  IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
-                const DensitySurface& surface, const IndirectRequest& request, const Device& device,
-                Progress& progress);
-
-  /// From photons that sendIndirectPhotons() has sent for the same request.
+  /// `lit` is what `scene` is made of; `photons`: indirectPhotons() of the request, sent. Scene and device
+  /// outlive it.
   IndirectLight(const LitScene& lit, TransportScene& scene, const LightMapLayout& layout,
                 const DensitySurface& surface, const IndirectRequest& request, const Device& device,
                 const SentPhotons& photons);
@@ -58,14 +50,12 @@ class IndirectLight {
   /// The same with directions: irradiance and incident radiance in SH of order 2, [place][channel][5].
   std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress);
 
-  const PhotonReport& photons() const { return photons_; }
-  std::uint64_t rays() const { return photons_.rays + directRays_ + gather_.rays(); }
+  std::uint64_t rays() const { return earlierRays_ + gather_.rays(); }  ///< photons' too
 
  private:
   const CompiledScene& compiled_;
   IndirectRequest request_;
-  PhotonReport photons_;
-  std::uint64_t directRays_ = 0;
+  std::uint64_t earlierRays_;  ///< of photons and direct light
   IrradianceMap approximation_;
   FinalGather gather_;
 };

@@ -7,13 +7,8 @@
 #include <memory>
 
 #include "base/stage_clock.h"
-#include "gi/full_light.h"
-#include "gi/light_passes.h"
 #include "integrators/film.h"
 #include "integrators/path_tracer.h"
-#include "lightmap/back_charts.h"
-#include "lightmap/make_light_map_layout.h"
-#include "photon/caustic_light.h"
 #include "scene/light_sources.h"
 
 namespace prelight {
@@ -41,26 +36,39 @@ double emitterShare(const CompiledScene& scene) {
   return all > 0.0 ? emitting / all : 0.0;
 }
 
-std::vector<PlannedPass> planOf(const CompiledScene& compiled, const TransportScene& scene) {
+PlannedPass planRaysToLargeEmitters(const CompiledScene& compiled) {
   const bool meetsLights = emitterShare(compiled) > largeEmitters;
-  std::vector<PlannedPass> plan = lightPasses(compiled, scene);
-  plan.push_back({Pass::RaysToLargeEmitters, meetsLights,
-                  meetsLights
-                      ? "emitters take more than a fiftieth of the surface: diffuse rays look for them, too"
-                      : "emitters take less than a fiftieth of the surface: samples of them suffice"});
-  return plan;
+  return {Pass::RaysToLargeEmitters, meetsLights,
+          meetsLights ? "emitters take more than a fiftieth of the surface: diffuse rays look for them, too"
+                      : "emitters take less than a fiftieth of the surface: samples of them suffice"};
 }
 
-/// Indirect light of a layout's texels on its grid, see setIrradiance().
-std::vector<glm::vec3> filledGrid(const LightMapLayout& layout, std::span<const glm::vec3> irradiance) {
-  LightMap map;
-  map.layout = layout;
-  map.values.assign(3 * layout.texelCount(), 0.0f);
-  setIrradiance(irradiance, map);
-  std::vector<glm::vec3> grid;
-  for (std::size_t t = 0; t < layout.texelCount(); ++t)
-    grid.emplace_back(map.values[3 * t], map.values[3 * t + 1], map.values[3 * t + 2]);
-  return grid;
+GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const Camera& camera,
+                              const FullRequest& request, std::future<LitSurface> surface,
+                              const Device& device, Progress& progress) {
+  GlobalIlluminationRequest light;
+  light.indirect = request.indirect;
+  light.indirect.seed = request.seed;
+  light.causticPhotons = request.photonsOfCaustics();
+  light.footprint = pixelFootprint(lit.scene, camera, request.height);
+  return computeGlobalIllumination(lit, scene, light, std::move(surface), device, progress);
+}
+
+void addTo(FullReport& report, const GlobalIllumination& light) {
+  report.plan.insert(report.plan.end(), light.plan.begin(), light.plan.end());
+  report.stageSeconds.insert(report.stageSeconds.end(), light.stageSeconds.begin(), light.stageSeconds.end());
+  report.rays += light.rays;
+  report.photons = light.indirectPhotons;
+  report.causticPhotons = light.causticPhotons;
+  report.texels = light.indirect.layout.texels.size();
+}
+
+/// [y][x] W/m2, of a map of one coefficient.
+std::vector<glm::vec3> irradianceOf(const LightMap& map) {
+  std::vector<glm::vec3> irradiance;
+  for (std::size_t i = 0; i < map.values.size(); i += 3)
+    irradiance.emplace_back(map.values[i], map.values[i + 1], map.values[i + 2]);
+  return irradiance;
 }
 
 Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
@@ -100,58 +108,28 @@ std::uint64_t FullRequest::photonsOfCaustics() const {
   return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 160'000, 1'000'000));
 }
 
-FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, const FullRequest& request) {
-  LightMapRequest map;
-  map.texels = request.mapTexels();
-  FullSurface surface;
-  surface.density = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
-  surface.charts = makeLightMapCharts(scene, compiled, map);
-  surface.layout = layOutLightMap(compiled, surface.charts);
-  return surface;
-}
-
 Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   std::future<FullSurface> comingSurface, const Device& device, Progress& progress,
+                   std::future<LitSurface> surface, const Device& device, Progress& progress,
                    FullReport& report) {
   StageClock stages(report.stageSeconds);
-  const CompiledScene& compiled = lit.scene;
   // A picture sends few rays: a better tree takes longer to build than it saves.
-  Tracer tracer(compiled, device, BvhLayout::Automatic, BuildQuality::Balanced);
+  Tracer tracer(lit.scene, device, BvhLayout::Automatic, BuildQuality::Balanced);
   TransportScene scene(lit, tracer);
-  report.plan = planOf(compiled, scene);
   stages.mark("scene");
-  const bool indirectRuns = report.plan[0].runs, causticsRun = report.plan[1].runs;
-  SentPhotons photons, causticPhotons;
-  if (indirectRuns) photons = sendIndirectPhotons(compiled, scene, request.indirect, progress);
-  if (causticsRun)
-    causticPhotons.report = PhotonTracer(compiled, scene)
-                                .trace(causticRequest(request.photonsOfCaustics(), request.seed + 1),
-                                       causticPhotons.hits, progress);
-  report.photons = photons.report;
-  report.causticPhotons = causticPhotons.report;
-  stages.mark("photons");
-  FullSurface surface = comingSurface.get();
-  report.plan.push_back(planBacks(addBacks(compiled, surface.charts, photons.hits.backs, surface.layout)));
-  report.texels = surface.layout.texels.size();
-  stages.mark("layout");
-  IrradianceMap indirect(scene.context(), surface.layout);
-  std::vector<glm::vec3> irradiance(surface.layout.texelCount(), glm::vec3(0.0f));
-  report.rays += causticPhotons.report.rays;
-  if (indirectRuns) {
-    IndirectLight light(lit, scene, surface.layout, surface.density, request.indirect, device, photons);
-    irradiance = filledGrid(surface.layout, light.gather(surface.layout.texels, progress));
-    report.rays += light.rays();
-  }
-  indirect.set(irradiance);
-  stages.mark("gather");
-  const std::unique_ptr<CausticLight> caustics = makeCausticLight(
-      causticPhotons.hits.photons, surface.density, pixelFootprint(compiled, camera, request.height), device);
-  stages.mark("caustics");
+  const GlobalIllumination light =
+      illuminate(lit, scene, camera, request, std::move(surface), device, progress);
+  addTo(report, light);
+  const PlannedPass toEmitters = planRaysToLargeEmitters(lit.scene);
+  report.plan.insert(report.plan.end() - 1, toEmitters);
+  stages.restart();
+  IrradianceMap indirect(scene.context(), light.indirect.layout);
+  indirect.set(irradianceOf(light.indirect));
+  const std::unique_ptr<CausticLight> caustics = makeCausticLight(light.caustics, light.surface, device);
   reference::CachedLight cached;
   cached.indirect = &indirect;
-  cached.meetsLights = report.plan[2].runs;
+  cached.meetsLights = toEmitters.runs;
   cached.caustics = caustics.get();
-  Picture picture = draw(compiled, scene, camera, cached, request, progress, report);
+  Picture picture = draw(lit.scene, scene, camera, cached, request, progress, report);
   stages.mark("picture");
   return picture;
 }
@@ -160,8 +138,8 @@ Picture renderFull(const Scene& scene, const LitScene& lit, const Camera& camera
                    const Device& device, Progress& progress, FullReport& report) {
   return renderFull(
       lit, camera, request,
-      std::async(std::launch::async, [&] { return makeFullSurface(scene, lit.scene, request); }), device,
-      progress, report);
+      std::async(std::launch::async, [&] { return layOutSurface(scene, lit.scene, request.mapTexels()); }),
+      device, progress, report);
 }
 
 }  // namespace prelight

@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "gi/indirect_light.h"
+#include "gi/global_illumination.h"
 #include "images/picture.h"
-#include "lightmap/light_map_charts.h"
-#include "photon/density_surface.h"
-#include "plan/plan.h"
 #include "scene/compiled_scene.h"
 #include "scene/scene.h"
-#include "transfer/light_map_layout.h"
 
 namespace prelight {
 
@@ -46,21 +42,10 @@ struct FullReport {
   std::size_t texels = 0;
 };
 
-/// What the light of a picture lies on.
-struct FullSurface {
-  LightMapCharts charts;
-  LightMapLayout layout;  ///< of these
-  DensitySurface density;
-};
-
-/// Of the scene and FullRequest::mapTexels() alone: it may be made while a device is opened. Throws
-/// UsageError when the light map would be too large.
-FullSurface makeFullSurface(const Scene& scene, const CompiledScene& compiled, const FullRequest& request);
-
-/// `surface`: may still be in the making, when photons fly meanwhile. Throws what making it does, and
-/// Interrupted between blocks.
+/// `surface`: of FullRequest::mapTexels(); may still be in the making, while a device is opened and photons
+/// fly. Throws what making it does, and Interrupted between blocks.
 Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   std::future<FullSurface> surface, const Device& device, Progress& progress,
+                   std::future<LitSurface> surface, const Device& device, Progress& progress,
                    FullReport& report);
 
 /// With a surface of its own.

@@ -14,25 +14,22 @@ PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed) {
   return {.kind = PhotonKind::Caustic, .photons = photons, .seed = seed, .rouletteDepth = rouletteDepth};
 }
 
-std::unique_ptr<CausticLight> makeCausticLight(const std::vector<device::Photon>& photons,
-                                               const DensitySurface& surface, double footprint,
-                                               const Device& device) {
-  if (photons.empty()) return nullptr;
-  const PhotonMaps maps = makePhotonMaps(photons, surface);
-  const CausticFilter filter = chooseCausticFilter(maps, footprint);
-  auto light =
-      std::make_unique<CausticLight>(CausticLight{filter, DensityEstimator(surface, filter.density, device)});
-  light->estimator.setPhotons(maps);
-  return light;
+CausticMap makeCausticMap(std::span<const device::Photon> photons, const DensitySurface& surface,
+                          double footprint) {
+  if (photons.empty()) return {};
+  CausticMap map;
+  map.photons = makePhotonMaps(photons, surface);
+  map.filter = chooseCausticFilter(map.photons, footprint);
+  return map;
 }
 
-std::unique_ptr<CausticLight> traceCausticLight(const CompiledScene& compiled, TransportScene& scene,
-                                                const DensitySurface& surface, std::uint64_t photons,
-                                                std::uint64_t seed, double footprint, const Device& device,
-                                                Progress& progress, PhotonReport& report) {
-  PhotonHits hits;
-  report = PhotonTracer(compiled, scene).trace(causticRequest(photons, seed), hits, progress);
-  return makeCausticLight(hits.photons, surface, footprint, device);
+std::unique_ptr<CausticLight> makeCausticLight(const CausticMap& map, const DensitySurface& surface,
+                                               const Device& device) {
+  if (map.photons.photonCount == 0) return nullptr;
+  auto light = std::make_unique<CausticLight>(
+      CausticLight{map.filter, DensityEstimator(surface, map.filter.density, device)});
+  light->estimator.setPhotons(map.photons);
+  return light;
 }
 
 }  // namespace prelight

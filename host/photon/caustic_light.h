@@ -1,34 +1,34 @@
 #pragma once
 
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "photon/caustic_filter.h"
 #include "photon/photon_tracer.h"
 
 namespace prelight {
 
-/// The light of caustics, ready to be looked up on surfaces.
+/// `photons` towards what makes caustics, which mirrors and glass weaken before any may end by chance.
+PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed = 0);
+
+/// Photons of caustics, sorted, and the filter that they are looked up with.
+struct CausticMap {
+  PhotonMaps photons;
+  CausticFilter filter;
+};
+
+/// Of photons on a surface; `footprint` as in chooseCausticFilter().
+CausticMap makeCausticMap(std::span<const device::Photon> photons, const DensitySurface& surface,
+                          double footprint = 0.0);
+
+/// A caustic map on a device.
 struct CausticLight {
   CausticFilter filter;
   DensityEstimator estimator;
 };
 
-/// `photons` towards what makes caustics, which mirrors and glass weaken before any may end by chance.
-PhotonRequest causticRequest(std::uint64_t photons, std::uint64_t seed = 0);
-
-/// The light of caustic photons that have landed, with the filter for a `footprint` in metres
-/// (chooseCausticFilter). nullptr: there are none. `surface` and `device` outlive the result.
-std::unique_ptr<CausticLight> makeCausticLight(const std::vector<device::Photon>& photons,
-                                               const DensitySurface& surface, double footprint,
+/// nullptr: the map has no photons. `surface`, which they lie on, and `device` outlive the result.
+std::unique_ptr<CausticLight> makeCausticLight(const CausticMap& map, const DensitySurface& surface,
                                                const Device& device);
-
-/// Sends `photons` towards what makes caustics and chooses the filter for a `footprint` in metres
-/// (chooseCausticFilter). nullptr: none landed. Throws Interrupted. `surface` and `device` outlive the
-/// result.
-std::unique_ptr<CausticLight> traceCausticLight(const CompiledScene& compiled, TransportScene& scene,
-                                                const DensitySurface& surface, std::uint64_t photons,
-                                                std::uint64_t seed, double footprint, const Device& device,
-                                                Progress& progress, PhotonReport& report);
 
 }  // namespace prelight

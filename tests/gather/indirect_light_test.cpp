@@ -51,7 +51,8 @@ struct IndirectScene {
     const DensitySurface surface =
         makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapRequest{}.creaseAngle));
     Progress progress;
-    IndirectLight light(lit, transport, layout, surface, request, sharedDevice(), progress);
+    IndirectLight light(lit, transport, layout, surface, request, sharedDevice(),
+                        sendPhotons(scene, transport, indirectPhotons(transport, request), progress));
     use(light, progress);
   }
 };

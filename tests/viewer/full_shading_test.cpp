@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "lightmap/make_light_map_layout.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
@@ -26,8 +26,8 @@ using namespace test;
 using viewer::Shading;
 
 /// No indirect light and no caustics: a map for the scene of 0.
-FullLight darkness(const QuadScene& quad) {
-  FullLight full;
+GlobalIllumination darkness(const QuadScene& quad) {
+  GlobalIllumination full;
   LightMapRequest request;
   request.texels = 500;
   full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
@@ -37,7 +37,7 @@ FullLight darkness(const QuadScene& quad) {
 
 struct FullScene {
   QuadScene quad;
-  FullLight full;
+  GlobalIllumination full;
 
   viewer::RenderInputs inputs() const {
     viewer::RenderInputs inputs = quad.inputs();

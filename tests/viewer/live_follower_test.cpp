@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gi/update/live_full_light.h"
+#include "gi/update/live_light.h"
 #include "support/devices.h"
 #include "update/live_scenes.h"
 
@@ -30,7 +30,7 @@ class LiveFollowerTest : public ::testing::Test {
     Progress progress;
     live_.emplace(loaded_->scene, loaded_->compiled, nullptr, 0.0, smallOptions(), std::span<const int>(),
                   test::sharedDevice(), progress);
-    start_ = fullLightOf(*live_);
+    start_ = illuminationOf(*live_);
     follower_.emplace(*live_, start_);
     lights_ = loaded_->compiled.lights;
     for (const MeshNode& node : loaded_->scene.meshNodes) shifts_.push_back({node.node, glm::dvec3(0.0)});
@@ -47,7 +47,7 @@ class LiveFollowerTest : public ::testing::Test {
 
   std::optional<LoadedScene> loaded_;
   std::optional<LiveLight> live_;
-  FullLight start_;
+  GlobalIllumination start_;
   std::optional<LiveFollower> follower_;
   std::vector<Light> lights_;
   std::vector<NodeShift> shifts_;

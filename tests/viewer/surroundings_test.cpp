@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 #include "lightmap/make_light_map_layout.h"
 #include "support/scenes.h"
 #include "viewer/gl/egl_context.h"
@@ -32,7 +32,7 @@ constexpr std::array<glm::vec3, 6> walls = {glm::vec3(1, 0, 0), glm::vec3(0, 1, 
 
 struct Ball {
   QuadScene quad;
-  FullLight full;
+  GlobalIllumination full;
 
   /// A ball of `segments` x 2 `segments` quads at `center` that the eye sees from inside the room.
   explicit Ball(const Material& material, const glm::vec3& center, bool room, int segments = 48) {
@@ -227,7 +227,7 @@ TEST(Surroundings, MoreMirrorsThanMaps_ShowTheSkyAndANoteSaysSo) {
     quad.add(mirror(), 0.1f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.3 * i, 0, 0)));
   quad.lookFrom({0, 0, 3}, {0, 0, 0});
   quad.compile();
-  FullLight full;
+  GlobalIllumination full;
   full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, {});
   full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
   viewer::RenderInputs inputs = quad.inputs();

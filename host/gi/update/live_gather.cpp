@@ -21,10 +21,7 @@ constexpr std::size_t raysOfLooks = 8192;
 constexpr double relayedShare = 0.1;
 
 GatherRequest requestOf(const LiveGatherOptions& options) {
-  GatherRequest request;
-  request.raysPerReceiver = std::min(options.rays, GatherRequest::mostRaysPerReceiver);
-  request.seed = options.seed;
-  return request;
+  return gatherRequest({.rays = options.rays, .seed = options.seed});
 }
 
 glm::dvec3 pointOf(const CompiledScene& scene, const LightMapTexel& place) {

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "base/stage_clock.h"
-#include "gi/light_passes.h"
 #include "lightmap/make_light_map_layout.h"
-#include "photon/caustic_light.h"
 
 namespace prelight {
 
@@ -65,16 +63,15 @@ void LiveLight::separate(std::span<const std::uint32_t> triangles) {
 }
 
 void LiveLight::makeLight(Progress& progress) {
-  plan_ = lightPasses(scene_.compiled(), transport_);
+  plan_ = planGlobalIllumination(scene_.compiled(), transport_);
   gather_.reset();  // refers to the approximation
   approximation_.reset();
   photons_.reset();
   caustics_.reset();
-  if (plan_[0].runs) {
+  if (runs(plan_, Pass::IndirectLight)) {
     LivePhotonOptions photons;
-    photons.request.kind = PhotonKind::All;
-    photons.request.photons = options_.photons;
-    photons.request.seed = options_.seed;
+    photons.request = indirectPhotons(
+        transport_, {.photons = options_.photons, .seed = options_.seed, .directByPhotons = true});
     photons.groupSize = options_.groupSize;
     photons.detection = options_.detection;
     photons.photonsPerFrame = options_.photonsPerFrame;
@@ -90,7 +87,7 @@ void LiveLight::makeLight(Progress& progress) {
                                            approximation_->map(), gather);
     gather_->gatherAll(progress);
   }
-  if (plan_[1].runs) {
+  if (runs(plan_, Pass::CausticPhotons)) {
     LivePhotonOptions caustics;
     caustics.request = causticRequest(options_.causticPhotons, options_.seed + 1);
     caustics.groupSize = 0;
@@ -172,6 +169,20 @@ std::span<const glm::vec3> LiveLight::indirect() const {
 
 std::vector<device::Photon> LiveLight::caustics() const {
   return caustics_ ? caustics_->photons() : std::vector<device::Photon>();
+}
+
+GlobalIllumination illuminationOf(const LiveLight& live) {
+  GlobalIllumination light;
+  light.plan = live.plan();
+  light.indirect.layout = live.layout();
+  light.indirect.values.assign(3 * live.layout().texelCount(), 0.0f);
+  if (live.photons() != nullptr) setIrradiance(live.indirect(), light.indirect);
+  light.photons = live.caustics();
+  if (light.photons.empty()) return light;
+  const CompiledScene& scene = live.scene().compiled();
+  light.surface = makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle));
+  light.caustics = makeCausticMap(light.photons, light.surface);
+  return light;
 }
 
 }  // namespace prelight

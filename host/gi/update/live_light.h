@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "gi/indirect_light.h"
+#include "gi/global_illumination.h"
 #include "gi/update/live_approximation.h"
 #include "gi/update/live_gather.h"
 #include "gi/update/live_photons.h"
@@ -106,5 +106,8 @@ class LiveLight {
   std::unique_ptr<LiveApproximation> approximation_;
   std::unique_ptr<LiveGather> gather_;
 };
+
+/// What live light shows now, as pictures look it up.
+GlobalIllumination illuminationOf(const LiveLight& live);
 
 }  // namespace prelight

@@ -62,7 +62,8 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
     indirect.photons = photonsOf(request, layout);
     indirect.rays = gatherRays(request);
     indirect.seed = request.seed;
-    indirect_.emplace(lit_, transport_, layout, surface_, indirect, device, progress);
+    indirect_.emplace(lit_, transport_, layout, surface_, indirect, device,
+                      sendPhotons(scene, transport_, indirectPhotons(transport_, indirect), progress));
     indirectPart_.emplace(*indirect_, progress);
   }
   if (plan.runs(Pass::CausticsOfTheMap)) traceCaustics(scene, layout, request, device, progress);
@@ -70,12 +71,12 @@ LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image
 
 void LightMapLight::traceCaustics(const CompiledScene& scene, const LightMapLayout& layout,
                                   const BakeRequest& request, const Device& device, Progress& progress) {
-  const std::uint64_t photons = photonsOf(request, layout);
-  PhotonReport report;
-  causticLight_ = traceCausticLight(scene, transport_, surface_, photons, request.seed + 1,
-                                    smallestTexel(scene, layout), device, progress, report);
+  const SentPhotons sent =
+      sendPhotons(scene, transport_, causticRequest(photonsOf(request, layout), request.seed + 1), progress);
+  const CausticMap map = makeCausticMap(sent.hits.photons, surface_, smallestTexel(scene, layout));
+  causticLight_ = makeCausticLight(map, surface_, device);
   if (!causticLight_) return;
-  causticPart_.emplace(scene, causticLight_->estimator, causticLight_->filter.radius, report.rays);
+  causticPart_.emplace(scene, causticLight_->estimator, map.filter.radius, sent.report.rays);
 }
 
 void LightMapLight::addTo(std::vector<LightMapPart*>& parts) {

@@ -1,4 +1,4 @@
-#include "gi/full_light.h"
+#include "gi/global_illumination.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +14,19 @@
 namespace prelight::test {
 namespace {
 
-TEST(FullLight, DarkMirror_WeakensCausticPhotonsAndEndsNone) {
+TEST(GlobalIllumination, DarkMirror_WeakensCausticPhotonsAndEndsNone) {
   Warnings warnings;
   const Scene source = loadScene(makeBuiltinScene("caustics"), warnings);
   CompiledScene scene = compileScene(source, warnings);
   for (CompiledMaterial& material : scene.materials)
     if (material.metallic > 0.5f) material = metal(0.1f, 0.0f);
   const LitScene lit{scene, noImages(), source.lights};
-  FullLightRequest request;
+  GlobalIlluminationRequest request;
   request.indirect.photons = 1000;
   request.causticPhotons = 20000;
   Progress progress;
-  const FullLight light = makeFullLight(source, lit, request, sharedDevice(), progress);
+  const GlobalIllumination light =
+      computeGlobalIllumination(source, lit, request, 8192, sharedDevice(), progress);
   const PhotonPower& power = light.causticPhotons.power;
   const double sent = power.watts(power.emitted).x / double(light.causticPhotons.emitted);
   const auto weak = std::count_if(light.photons.begin(), light.photons.end(),
@@ -35,7 +36,7 @@ TEST(FullLight, DarkMirror_WeakensCausticPhotonsAndEndsNone) {
 
 /// A room whose walls turn their backs to a lamp within. Of albedo 1/2, what they reflect adds up to the
 /// lamp's power.
-TEST(FullLight, RoomSeenFromBehindItsWalls_GathersItsGeometricSeries) {
+TEST(GlobalIllumination, RoomSeenFromBehindItsWalls_GathersItsGeometricSeries) {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), false);
   scene.materials[0] = lambert(0.5f);
   Light lamp;
@@ -43,7 +44,10 @@ TEST(FullLight, RoomSeenFromBehindItsWalls_GathersItsGeometricSeries) {
   lamp.intensity = glm::vec3(1.0f);
   const LitScene lit{scene, noImages(), {lamp}};
   Progress progress;
-  const FullLight light = makeFullLight(Scene{}, lit, FullLightRequest{}, sharedDevice(), progress);
+  GlobalIlluminationRequest request;
+  request.indirect.directByPhotons = true;
+  const GlobalIllumination light =
+      computeGlobalIllumination(Scene{}, lit, request, 8192, sharedDevice(), progress);
   double sum = 0.0, count = 0.0;
   for (const LightMapTexel& texel : light.indirect.layout.texels) {
     if (texel.face < scene.triangleCount()) continue;

@@ -1,0 +1,124 @@
+#include "gi/global_illumination.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/stage_clock.h"
+#include "lightmap/back_charts.h"
+#include "lightmap/light_map_bake.h"
+#include "lightmap/make_light_map_layout.h"
+#include "photon/casters.h"
+
+namespace prelight {
+
+std::vector<PlannedPass> planGlobalIllumination(const CompiledScene& compiled, const TransportScene& scene) {
+  const bool lit = scene.lights().groupCount > 0;
+  const bool scatters = scene.features().scatters;
+  const bool casters = !causticCasters(compiled).empty();
+  return {{Pass::IndirectLight, lit && scatters,
+           !lit       ? "nothing gives light"
+           : scatters ? "photons, density estimation and final gathering"
+                      : "no surface scatters light"},
+          {Pass::CausticPhotons, lit && casters,
+           !casters ? "no surface is a mirror, glass or nearly a mirror"
+           : lit    ? "some surface is a mirror, glass or nearly a mirror"
+                    : "nothing gives light"}};
+}
+
+bool runs(std::span<const PlannedPass> plan, Pass pass) {
+  return std::any_of(plan.begin(), plan.end(),
+                     [pass](const PlannedPass& planned) { return planned.pass == pass && planned.runs; });
+}
+
+LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std::uint32_t texels) {
+  LightMapRequest map;
+  map.texels = texels;
+  LitSurface surface;
+  surface.density = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
+  surface.charts = makeLightMapCharts(source, compiled, map);
+  surface.layout = layOutLightMap(compiled, surface.charts);
+  return surface;
+}
+
+void setIrradiance(std::span<const glm::vec3> irradiance, LightMap& map) {
+  std::vector<std::uint8_t> hidden(irradiance.size());
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    hidden[i] = irradiance[i] == glm::vec3(0.0f) ? 1 : 0;
+    for (int c = 0; c < 3; ++c)
+      map.values[3 * std::size_t{map.layout.texels[i].texel} + static_cast<std::size_t>(c)] =
+          irradiance[i][c];
+  }
+  fillHidden(hidden, map);
+}
+
+namespace {
+
+/// Gives the backs of one-sided surfaces that photons met texels of their own.
+PlannedPass addMetBacks(const CompiledScene& compiled, std::span<const std::uint8_t> met,
+                        LitSurface& surface) {
+  const std::uint32_t charts = addBacks(compiled, surface.charts, met, surface.layout);
+  return {Pass::BacksOfOneSidedSurfaces, charts > 0,
+          charts > 0 ? fmt::format("photons met them: {} charts have texels on their backs, too", charts)
+                     : "no photon met one: their backs have no texels"};
+}
+
+LightMap darkMap(LightMapLayout layout) {
+  LightMap map;
+  map.layout = std::move(layout);
+  map.values.assign(3 * map.layout.texelCount(), 0.0f);
+  return map;
+}
+
+}  // namespace
+
+GlobalIllumination computeGlobalIllumination(const LitScene& lit, TransportScene& scene,
+                                             const GlobalIlluminationRequest& request,
+                                             std::future<LitSurface> comingSurface, const Device& device,
+                                             Progress& progress) {
+  const CompiledScene& compiled = lit.scene;
+  GlobalIllumination light;
+  StageClock stages(light.stageSeconds);
+  light.plan = planGlobalIllumination(compiled, scene);
+  const bool indirectRuns = runs(light.plan, Pass::IndirectLight);
+
+  SentPhotons sent, sentCaustics;
+  if (indirectRuns) sent = sendPhotons(compiled, scene, indirectPhotons(scene, request.indirect), progress);
+  if (runs(light.plan, Pass::CausticPhotons))
+    sentCaustics = sendPhotons(compiled, scene,
+                               causticRequest(request.causticPhotons, request.indirect.seed + 1), progress);
+  light.indirectPhotons = sent.report;
+  light.causticPhotons = sentCaustics.report;
+  light.rays = sentCaustics.report.rays;
+  stages.mark("photons");
+
+  LitSurface surface = comingSurface.get();
+  light.plan.push_back(addMetBacks(compiled, sent.hits.backs, surface));
+  stages.mark("layout");
+
+  light.indirect = darkMap(std::move(surface.layout));
+  if (indirectRuns) {
+    const LightMapLayout& layout = light.indirect.layout;
+    IndirectLight indirect(lit, scene, layout, surface.density, request.indirect, device, sent);
+    setIrradiance(indirect.gather(layout.texels, progress), light.indirect);
+    light.rays += indirect.rays();
+  }
+  stages.mark("gather");
+
+  light.photons = std::move(sentCaustics.hits.photons);
+  light.caustics = makeCausticMap(light.photons, surface.density, request.footprint);
+  light.surface = std::move(surface.density);
+  stages.mark("caustics");
+  return light;
+}
+
+GlobalIllumination computeGlobalIllumination(const Scene& source, const LitScene& lit,
+                                             const GlobalIlluminationRequest& request, std::uint32_t texels,
+                                             const Device& device, Progress& progress) {
+  std::future<LitSurface> surface =
+      std::async(std::launch::async, [&, texels] { return layOutSurface(source, lit.scene, texels); });
+  TransportScene scene(lit, device);
+  return computeGlobalIllumination(lit, scene, request, std::move(surface), device, progress);
+}
+
+}  // namespace prelight
