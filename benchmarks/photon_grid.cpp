@@ -1,11 +1,9 @@
 #include "benchmarks/photon_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "bvh/box.h"
-#include "photon/density_estimator.h"
 
 namespace prelight::benchmarks {
 
@@ -45,14 +43,14 @@ std::uint32_t cellOf(const PhotonGrid& grid, const Photon& photon) {
 }  // namespace
 
 PhotonGridEstimator::PhotonGridEstimator(const DensitySurface& surface, int nearest, const Device& device)
-    : surface_(surface), device_(device.context()), values_{0.0f, 0.5f, 0.5f, 0}, parameters_(device_, 1) {
-  places_ = Buffer<SurfacePlace>(device_, std::span<const SurfacePlace>(surface.places));
-  areaTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(surface.areaTrees));
-  areaNodes_ = Buffer<AreaNode>(device_, std::span<const AreaNode>(surface.areaNodes));
-  triangles_ = Buffer<AreaTriangle>(device_, std::span<const AreaTriangle>(surface.triangles));
+    : surface_(surface),
+      device_(device.context()),
+      parameters_(device_, 1),
+      maps_(surface, {.nearest = nearest}, device) {
+  values_ = maps_.parameters();
   BuildOptions options;
   DensityEstimator::addOptions(options, {.nearest = nearest});
-  estimate_ = cl::Kernel(device_.program("photon/grid_kernels.cl", options), "estimateFromGrid");
+  estimate_ = {device_, "photon/grid_kernels.cl", options, "estimateFromGrid"};
 }
 
 void PhotonGridEstimator::setPhotons(std::span<const Photon> photons, double photonsPerCell,
@@ -82,31 +80,28 @@ void PhotonGridEstimator::setPhotons(std::span<const Photon> photons, double pho
     ++starts[cellOfPhoton.back() + 1];
   }
   for (std::size_t cell = 0; cell < cellCount; ++cell) starts[cell + 1] += starts[cell];
-  std::array<std::vector<float>, 6> members;
-  for (auto& member : members) member.resize(photons.size() + 8);
+  const std::size_t length = photons.size() + 8;
+  std::vector<float> members(6 * length);
   std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
   for (std::size_t i = 0; i < photons.size(); ++i) {
     const std::uint32_t slot = next[cellOfPhoton[i]]++;
     for (std::size_t k = 0; k < 3; ++k) {
-      members[k][slot] = photons[i].position[k];
-      members[3 + k][slot] = photons[i].power[k];
+      members[k * length + slot] = photons[i].position[k];
+      members[(3 + k) * length + slot] = photons[i].power[k];
     }
   }
   grids_ = Buffer<PhotonGrid>(device_, std::span<const PhotonGrid>(grids));
   starts_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(starts));
-  for (std::size_t k = 0; k < 6; ++k)
-    members_[k] = Buffer<float>(device_, std::span<const float>(members[k]));
+  members_ = Buffer<float>(device_, std::span<const float>(members));
+  memberLength_ = static_cast<std::uint32_t>(length);
 }
 
 void PhotonGridEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t count,
                                    Buffer<float>& irradiance) {
   values_.queryCount = static_cast<std::uint32_t>(count);
   parameters_.write(std::span<const DensityParameters>(&values_, 1));
-  setArguments(estimate_, parameters_.get(), grids_.get(), starts_.get(), members_[0].get(),
-               members_[1].get(), members_[2].get(), members_[3].get(), members_[4].get(), members_[5].get(),
-               places_.get(), areaTrees_.get(), areaNodes_.get(), triangles_.get(), queries.get(),
-               irradiance.get());
-  device_.launch(estimate_, count, 16);
+  estimate_.launch({count, 16}, parameters_, maps_.lines(), grids_, starts_, members_, memberLength_, queries,
+                   irradiance);
 }
 
 }  // namespace prelight::benchmarks

@@ -3,8 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "device/buffer.h"
 #include "device/device.h"
+#include "device/kernel.h"
+#include "photon/density_estimator.h"
 #include "photon/density_surface.h"
 #include "shared/density_types.h"
 #include "shared/photon_types.h"
@@ -31,12 +32,12 @@ class PhotonGridEstimator {
   Buffer<device::DensityParameters> parameters_;
   Buffer<device::PhotonGrid> grids_;
   Buffer<std::uint32_t> starts_;
-  std::array<Buffer<float>, 6> members_;
-  Buffer<device::SurfacePlace> places_;
-  Buffer<device::LeafTree> areaTrees_;
-  Buffer<device::AreaNode> areaNodes_;
-  Buffer<device::AreaTriangle> triangles_;
-  cl::Kernel estimate_;
+  Buffer<float> members_;  ///< x, y, z, red, green, blue, one after the other
+  std::uint32_t memberLength_ = 0;
+  DensityEstimator maps_;  ///< of which the surface is read
+  Kernel<Buffer<device::DensityParameters>, Buffer<device::DensityLine>, Buffer<device::PhotonGrid>,
+         Buffer<std::uint32_t>, Buffer<float>, std::uint32_t, Buffer<device::DensityQuery>, Buffer<float>>
+      estimate_;
 };
 
 }  // namespace prelight::benchmarks

@@ -37,7 +37,8 @@ std::vector<Ray> generateRays(const CompiledScene& scene, DeviceContext& device,
   const std::size_t block = std::max<std::size_t>(1, raysPerLaunch(device.info()) / raysPerReceiver);
   Buffer<CastParameters> parameterBuffer(device, 1);
   Buffer<Ray> rayBuffer(device, block * raysPerReceiver);
-  cl::Kernel generate(device.program("cast/generate_kernels.cl", {}), "generateRays");
+  Kernel<Buffer<CastParameters>, Buffer<Receiver>, Buffer<Ray>> generate(device, "cast/generate_kernels.cl",
+                                                                         {}, "generateRays");
   std::vector<Ray> rays(receivers.size() * raysPerReceiver);
   for (std::size_t first = 0; first < receivers.size(); first += block) {
     const auto some = receivers.subspan(first, std::min(block, receivers.size() - first));
@@ -51,8 +52,8 @@ std::vector<Ray> generateRays(const CompiledScene& scene, DeviceContext& device,
                                     0.0f};
     parameterBuffer.write(std::span(&parameters, 1));
     Buffer<Receiver> receiverBuffer(device, some);
-    setArguments(generate, parameterBuffer.get(), receiverBuffer.get(), rayBuffer.get());
-    device.launch(generate, some.size() * raysPerReceiver / 8, 64);  // eight rays a work-item
+    // Eight rays a work-item.
+    generate.launch(some.size() * raysPerReceiver / 8, parameterBuffer, receiverBuffer, rayBuffer);
     rayBuffer.read(std::span(rays).subspan(first * raysPerReceiver, some.size() * raysPerReceiver));
   }
   return rays;

@@ -5,7 +5,7 @@
 #include "benchmarks/relight_cases.h"
 #include "benchmarks/suites.h"
 #include "benchmarks/take_turns.h"
-#include "device/buffer.h"
+#include "device/kernel.h"
 
 namespace prelight::benchmarks {
 
@@ -20,15 +20,14 @@ class DeviceCopy {
         lines_(bytes / (16 * sizeof(float))),
         in_(device, lines_ * 16),
         out_(device, lines_ * 16),
-        kernel_(device.program("relight/light_kernels.cl", {}), "copyLanes") {
+        kernel_(device, "relight/light_kernels.cl", {}, "copyLanes") {
     in_.fill(1.0f);
-    setArguments(kernel_, in_.get(), static_cast<cl_uint>(lines_), out_.get());
   }
 
   std::size_t bytesMoved() const { return 2 * in_.bytes(); }
 
   void run() {
-    device_.launch(kernel_, lines_, 64);
+    kernel_.launch(lines_, in_, static_cast<std::uint32_t>(lines_), out_);
     device_.finish();
   }
 
@@ -36,7 +35,7 @@ class DeviceCopy {
   DeviceContext& device_;
   std::size_t lines_;
   Buffer<float> in_, out_;
-  cl::Kernel kernel_;
+  Kernel<Buffer<float>, std::uint32_t, Buffer<float>> kernel_;
 };
 
 /// The same by memcpy on all cores.

@@ -114,7 +114,7 @@ class UpdateSuite {
     for (const auto& [side, seconds] : published) {
       GatherRequest gather;
       gather.raysPerReceiver = std::min(side * side, 256u);
-      FinalGather gatherer(scene.compiled, transport, map, gather);
+      FinalGather gatherer(transport, map, gather);
       const std::vector<device::Receiver> receivers =
           gatherReceivers(scene.compiled, std::span(layout.texels).first(count),
                           side * side / gather.raysPerReceiver, gather.raysPerReceiver, 0);

@@ -6,6 +6,7 @@
 #include "basis/sh_table.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
+#include "device/launch_once.h"
 #include "gpu/tracer.h"
 #include "shared/cast_types.h"
 
@@ -90,11 +91,8 @@ std::vector<float> project(const Cast& cast, int order, Trials& trials) {
   const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
   const Buffer<float> values(device, cast.receivers * (4 + n));
-  cl::Kernel kernel(
-      device.program("project/project_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order)),
-      "projectHits");
-  setArguments(kernel, parameterBuffer.get(), table.get(), rays.get(), hits.get(), values.get());
-  device.launch(kernel, cast.receivers, 8);
+  launchOnce(device, "project/project_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
+             "projectHits", {cast.receivers, 8}, parameterBuffer, table, rays, hits, values);
   return values.read();
 }
 
@@ -134,11 +132,8 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   const Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   const Buffer<float> values(device, receivers * 3 * columns);
-  cl::Kernel kernel(device.program("cast/transport_kernels.cl",
-                                   tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns)),
-                    "gatherBounce");
-  setArguments(kernel, parameterBuffer.get(), senderBuffer.get(), transferBuffer.get(), values.get());
-  device.launch(kernel, receivers, 8);
+  launchOnce(device, "cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns),
+             "gatherBounce", {receivers, 8}, parameterBuffer, senderBuffer, transferBuffer, values);
   const std::vector<float> got = values.read();
   Differences differences;
   for (std::size_t r = 0; r < receivers; ++r)
@@ -176,14 +171,11 @@ void gatherMatrices(const char* stress, double magnitude, int order, Trials& tri
   const Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   const Buffer<float> values(device, cast.receivers * n * width);
-  cl::Kernel kernel(
-      device.program(
-          "cast/transport_kernels.cl",
-          tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns).define("PRELIGHT_GLOSSY_ORDER", order)),
-      "gatherGlossy");
-  setArguments(kernel, parameterBuffer.get(), table.get(), rays.get(), senderBuffer.get(),
-               transferBuffer.get(), values.get());
-  device.launch(kernel, cast.receivers, 8);
+  launchOnce(
+      device, "cast/transport_kernels.cl",
+      tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns).define("PRELIGHT_GLOSSY_ORDER", order),
+      "gatherGlossy", {cast.receivers, 8}, parameterBuffer, table, rays, senderBuffer, transferBuffer,
+      values);
   const std::vector<float> got = values.read();
   Differences differences;
   std::vector<double> truth(n * width), scale(n * width), y(n);
@@ -220,10 +212,8 @@ void codeRays(int faceSize, double length, Trials& trials) {
   const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
   const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
   const Buffer<std::uint32_t> codes(device, cast.ray.size());
-  cl::Kernel kernel(device.program("project/texel_kernels.cl", {}), "codeTexels");
-  setArguments(kernel, parameterBuffer.get(), static_cast<cl_uint>(faceSize), rays.get(), hits.get(),
-               codes.get());
-  device.launch(kernel, cast.ray.size(), 8);
+  launchOnce(device, "project/texel_kernels.cl", {}, "codeTexels", {cast.ray.size(), 8}, parameterBuffer,
+             static_cast<std::uint32_t>(faceSize), rays, hits, codes);
   const std::vector<std::uint32_t> got = codes.read();
   Differences differences;
   for (std::size_t i = 0; i < got.size(); ++i) {
@@ -265,10 +255,8 @@ void markInside(Trials& trials) {
   const Buffer<float> normalBuffer(device, std::span<const float>(normals));
   const Buffer<std::uint8_t> sides(device, std::span<const std::uint8_t>(twoSided)),
       inside(device, cast.receivers);
-  cl::Kernel kernel(device.program("cast/inside_kernels.cl", {}), "markInside");
-  setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), rayBuffer.get(), hitBuffer.get(),
-               normalBuffer.get(), sides.get(), inside.get());
-  device.launch(kernel, cast.receivers, 8);
+  launchOnce(device, "cast/inside_kernels.cl", {}, "markInside", {cast.receivers, 8}, parameterBuffer,
+             receiverBuffer, rayBuffer, hitBuffer, normalBuffer, sides, inside);
   const std::vector<std::uint8_t> got = inside.read();
   Differences differences;
   for (std::size_t r = 0; r < cast.receivers; ++r) {

@@ -5,6 +5,7 @@
 
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
+#include "device/launch_once.h"
 #include "gpu/instanced_tracer.h"
 #include "gpu/tracer.h"
 #include "oracle/brute_force.h"
@@ -47,9 +48,8 @@ void generate(const char* stress, const std::vector<Receiver>& receivers, std::u
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
   const Buffer<Ray> buffer(device, receivers.size() * count);
-  cl::Kernel kernel(device.program("cast/generate_kernels.cl", {}), "generateRays");
-  setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), buffer.get());
-  device.launch(kernel, buffer.size() / 8, 64);
+  launchOnce(device, "cast/generate_kernels.cl", {}, "generateRays", buffer.size() / 8, parameterBuffer,
+             receiverBuffer, buffer);
   const std::vector<Ray> rays = buffer.read();
   const unsigned bits = static_cast<unsigned>(std::countr_zero(count));
   Differences differences;

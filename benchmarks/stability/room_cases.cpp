@@ -41,7 +41,7 @@ void gatherRoom(const char* stress, double half, double albedo, double irradianc
   map.set(std::vector<glm::vec3>(1, glm::vec3(known)));
   GatherRequest request;
   request.raysPerReceiver = rays;
-  FinalGather gather(scene, transport, map, request);
+  FinalGather gather(transport, map, request);
   Progress progress;
   const std::vector<device::Receiver> receivers = receiversOf(scene);
   const double truth = double(static_cast<float>(albedo)) * double(known);

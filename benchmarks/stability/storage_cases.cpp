@@ -8,7 +8,7 @@
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "compress/half_float.h"
-#include "device/buffer.h"
+#include "device/launch_once.h"
 #include "device/layout.h"
 #include "fit/vertex_fit.h"
 #include "integrators/film.h"
@@ -76,9 +76,8 @@ void averages(std::uint32_t samples, double spread, const char* stress, Trials& 
   const Buffer<device::ReferenceParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<device::PathState> pathBuffer(device, std::span<const device::PathState>(paths));
   const Buffer<glm::vec4> means(device, pixels);
-  cl::Kernel kernel(device.program("reference/path_ends_kernels.cl", {}), "averageSamples");
-  setArguments(kernel, parameterBuffer.get(), pathBuffer.get(), means.get());
-  device.launch(kernel, pixels, 1);
+  launchOnce(device, "reference/path_ends_kernels.cl", {}, "averageSamples", {pixels, 1}, parameterBuffer,
+             pathBuffer, means);
   const std::vector<glm::vec4> got = means.read();
   Differences differences;
   for (std::size_t i = 0; i < pixels; ++i)
@@ -103,9 +102,8 @@ void tallies(std::uint32_t count, std::int64_t largest, const char* stress, Tria
   const std::size_t groups = (count + run - 1) / run;
   const Buffer<std::int64_t> tallyBuffer(device, std::span<const std::int64_t>(all)),
       sums(device, groups * columns);
-  cl::Kernel kernel(device.program("photon/scatter_kernels.cl", {}), "sumTallies");
-  setArguments(kernel, cl_uint{count}, cl_uint{columns}, cl_uint{run}, tallyBuffer.get(), sums.get());
-  device.launch(kernel, groups * columns, 64);
+  launchOnce(device, "photon/scatter_kernels.cl", {}, "sumTallies", groups * columns, std::uint32_t{count},
+             std::uint32_t{columns}, std::uint32_t{run}, tallyBuffer, sums);
   const std::vector<std::int64_t> got = sums.read();
   Differences differences;
   for (std::size_t g = 0; g < groups; ++g)
@@ -131,9 +129,8 @@ void packed(Trials& trials) {
   const Buffer<glm::vec4> in(device, std::span<const glm::vec4>(directions)),
       unpacked(device, directions.size());
   const Buffer<std::uint32_t> bits(device, directions.size());
-  cl::Kernel kernel(device.program("photon/direction_probe_kernels.cl", {}), "probeDirections");
-  setArguments(kernel, static_cast<cl_uint>(directions.size()), in.get(), bits.get(), unpacked.get());
-  device.launch(kernel, directions.size(), 64);
+  launchOnce(device, "photon/direction_probe_kernels.cl", {}, "probeDirections", directions.size(),
+             static_cast<std::uint32_t>(directions.size()), in, bits, unpacked);
   const std::vector<glm::vec4> got = unpacked.read();
   Differences differences;
   for (std::size_t i = 0; i < got.size(); ++i)
@@ -151,9 +148,8 @@ void copies(Trials& trials) {
               : i % 4 == 2 ? 0x7fc00001u
                            : 0x80000000u;
   const Buffer<std::uint32_t> in(device, std::span<const std::uint32_t>(bits)), out(device, bits.size());
-  cl::Kernel kernel(device.program("relight/light_kernels.cl", {}), "copyLanes");
-  setArguments(kernel, in.get(), static_cast<cl_uint>(bits.size() / 16), out.get());
-  device.launch(kernel, bits.size() / 16, 1);
+  launchOnce(device, "relight/light_kernels.cl", {}, "copyLanes", {bits.size() / 16, 1}, in,
+             static_cast<std::uint32_t>(bits.size() / 16), out);
   const std::vector<std::uint32_t> got = out.read();
   Differences differences;
   for (std::size_t i = 0; i < bits.size(); ++i) differences.decide(got[i] == bits[i]);

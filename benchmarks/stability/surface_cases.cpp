@@ -4,7 +4,8 @@
 
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "gpu/light_buffers.h"
+#include "device/launch_once.h"
+#include "gpu/light_tables.h"
 #include "shared/shade_types.h"
 
 // How surfaces scatter light, and how the sky is sampled: kernels/reference/probe_kernels.cl.
@@ -103,11 +104,9 @@ void reflect(const Surface& surface, double alpha, const char* stress, double le
   const Buffer<glm::vec4> out(device, std::span<const glm::vec4>(pairs.out)),
       in(device, std::span<const glm::vec4>(pairs.in)), reflections(device, 2 * count);
   const Buffer<float> densities(device, count);
-  cl::Kernel kernel(device.program("reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY")),
-                    "probeReflection");
-  setArguments(kernel, valueBuffer.get(), static_cast<cl_uint>(count), out.get(), in.get(), reflections.get(),
-               densities.get());
-  device.launch(kernel, count, 64);
+  launchOnce(device, "reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY"),
+             "probeReflection", count, valueBuffer, static_cast<std::uint32_t>(count), out, in, reflections,
+             densities);
   const std::vector<glm::vec4> got = reflections.read();
   const std::vector<float> density = densities.read();
   const ExactSurface exact({surface.name, surface.diffuse, surface.metal,
@@ -133,10 +132,8 @@ void scatter(const Surface& surface, double alpha, double cosine, Trials& trials
   const std::vector<float> values = valuesOf(surface, alpha);
   const Buffer<float> valueBuffer(device, std::span<const float>(values));
   const Buffer<glm::vec4> out(device, std::span(&wo, 1)), samples(device, 2 * count);
-  cl::Kernel kernel(device.program("reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY")),
-                    "probeScatter");
-  setArguments(kernel, valueBuffer.get(), static_cast<cl_uint>(count), out.get(), samples.get());
-  device.launch(kernel, count, 64);
+  launchOnce(device, "reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY"), "probeScatter",
+             count, valueBuffer, static_cast<std::uint32_t>(count), out, samples);
   Differences differences;
   const std::vector<glm::vec4> drawn = samples.read();
   for (std::size_t i = 0; i < count; ++i)
@@ -155,17 +152,13 @@ void sampleSky(const char* stress, bool sun, double even, int rows, Trials& tria
   const CompiledScene scene = floorScene(1.0, 1, matte(0.5));
   const LightTables tables = makeLightTables(scene, {}, &sky, true);
   const device::LightLayout layout = lightLayout(tables, 0.0);
-  const LightBuffers buffers(device, tables);
   constexpr std::size_t count = 4000;
   const Buffer<device::LightLayout> parameters(device, std::span(&layout, 1));
   const Buffer<std::uint32_t> tableBuffer(device, std::span<const std::uint32_t>(tables.tables));
   const Buffer<glm::vec4> texels(device, std::span<const glm::vec4>(tables.sky)), directions(device, count),
       lookups(device, count);
-  cl::Kernel kernel(device.program("reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_SKY")),
-                    "probeSky");
-  setArguments(kernel, parameters.get(), static_cast<cl_uint>(count), tableBuffer.get(), texels.get(),
-               directions.get(), lookups.get());
-  device.launch(kernel, count, 64);
+  launchOnce(device, "reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_SKY"), "probeSky", count,
+             parameters, static_cast<std::uint32_t>(count), tableBuffer, texels, directions, lookups);
   const std::vector<glm::vec4> drawn = directions.read(), found = lookups.read();
   const std::span<const std::uint32_t> all(tables.tables);
   Differences differences;

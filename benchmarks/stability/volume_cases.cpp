@@ -6,6 +6,7 @@
 #include "basis/sh_table.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
+#include "device/launch_once.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
 #include "shared/cast_types.h"
@@ -28,12 +29,9 @@ std::vector<Ray> generate(const glm::vec4& lowerAndCell, std::uint32_t first, Tr
   const CastParameters parameters{voxels, rayCount, 0, 0, 0, 0.0f, 0.0f, 0.0f};
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<Ray> rays(device, std::size_t{voxels} * rayCount);
-  cl::Kernel kernel(device.program("cast/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", 1)),
-                    "generateVolumeRays");
-  const cl_float4 grid{{lowerAndCell.x, lowerAndCell.y, lowerAndCell.z, lowerAndCell.w}};
-  const cl_uint4 size{{512, 512, 512, first}};
-  setArguments(kernel, parameterBuffer.get(), grid, size, cl_uint{7}, rays.get());
-  device.launch(kernel, rays.size() / 8, 8);
+  launchOnce(device, "cast/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", 1),
+             "generateVolumeRays", {rays.size() / 8, 8}, parameterBuffer, lowerAndCell,
+             glm::uvec4(512, 512, 512, first), std::uint32_t{7}, rays);
   return rays.read();
 }
 
@@ -93,12 +91,9 @@ void projectVoxels(int order, Trials& trials) {
   const Buffer<float> normals(device, std::span<const float>(std::vector<float>{0, 1, 0, 0, 1, 0}));
   const Buffer<std::uint8_t> twoSided(device, std::span<const std::uint8_t>(std::vector<std::uint8_t>{1, 1}));
   const Buffer<float> values(device, voxels * (1 + n));
-  cl::Kernel kernel(
-      device.program("cast/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order)),
-      "projectVolume");
-  setArguments(kernel, parameterBuffer.get(), table.get(), rayBuffer.get(), hitBuffer.get(), normals.get(),
-               twoSided.get(), values.get());
-  device.launch(kernel, voxels, 8);
+  launchOnce(device, "cast/volume_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
+             "projectVolume", {voxels, 8}, parameterBuffer, table, rayBuffer, hitBuffer, normals, twoSided,
+             values);
   const std::vector<float> got = values.read();
   Differences differences;
   std::vector<double> y(n);
@@ -149,20 +144,13 @@ void gatherVoxels(const char* stress, double albedo, double magnitude, Trials& t
   const Buffer<float> normals(device, std::span<const float>(std::vector<float>{0, 1, 0, 0, 1, 0}));
   const Buffer<float> transfer(device, std::span<const float>(senders.transfer)),
       values(device, voxels * width);
-  cl::Kernel kernel(
-      device.program("cast/volume_kernels.cl", senders.tracer.surfaceOptions()
-                                                   .define("PRELIGHT_SH_ORDER", 2)
-                                                   .define("PRELIGHT_COLUMNS", Senders::columns)),
-      "gatherVolume");
-  kernel.setArg(0, parameterBuffer.get());
-  kernel.setArg(1, rayBuffer.get());
-  kernel.setArg(2, hitBuffer.get());
-  senders.tracer.setSurfaceArguments(kernel, 3);
-  kernel.setArg(8, normals.get());
-  kernel.setArg(9, transfer.get());
-  kernel.setArg(10, cl_uint{1});
-  kernel.setArg(11, values.get());
-  device.launch(kernel, voxels, 8);
+  launchOnce(device, "cast/volume_kernels.cl",
+             senders.tracer.surfaceOptions()
+                 .define("PRELIGHT_SH_ORDER", 2)
+                 .define("PRELIGHT_COLUMNS", Senders::columns),
+             "gatherVolume", {voxels, 8}, parameterBuffer, senders.tracer.scene().layoutBuffer(),
+             senders.tracer.scene().surface(), normals, rayBuffer, hitBuffer, transfer, std::uint32_t{1},
+             values);
   const std::vector<float> got = values.read();
   Differences differences;
   for (std::size_t v = 0; v < voxels; ++v)
@@ -205,18 +193,9 @@ void storeSenders(const char* stress, double albedo, Trials& trials) {
   const Buffer<Sender> senders(device, rays.size());
   Buffer<std::uint8_t> marks(device, 2);
   marks.fill(0);
-  cl::Kernel kernel(device.program("cast/transport_kernels.cl",
-                                   known.tracer.surfaceOptions().define("PRELIGHT_COLUMNS", 1)),
-                    "storeSenders");
-  kernel.setArg(0, parameterBuffer.get());
-  kernel.setArg(1, rayBuffer.get());
-  kernel.setArg(2, hitBuffer.get());
-  known.tracer.setSurfaceArguments(kernel, 3);
-  kernel.setArg(8, normals.get());
-  kernel.setArg(9, receiverBuffer.get());
-  kernel.setArg(10, senders.get());
-  kernel.setArg(11, marks.get());
-  device.launch(kernel, rays.size(), 8);
+  launchOnce(device, "cast/transport_kernels.cl", known.tracer.surfaceOptions().define("PRELIGHT_COLUMNS", 1),
+             "storeSenders", {rays.size(), 8}, parameterBuffer, known.tracer.scene().layoutBuffer(),
+             known.tracer.scene().surface(), normals, receiverBuffer, rayBuffer, hitBuffer, senders, marks);
   const std::vector<Sender> got = senders.read();
   Differences differences;
   for (std::size_t i = 0; i < got.size(); ++i) {

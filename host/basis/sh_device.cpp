@@ -2,7 +2,7 @@
 
 #include "basis/sh_evaluate.h"
 #include "basis/sh_table.h"
-#include "device/buffer.h"
+#include "device/kernel.h"
 
 namespace prelight::sh {
 
@@ -15,10 +15,10 @@ std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::v
   Buffer<float> table(context, std::span<const float>(makeMonicShTable(order)));
   Buffer<float> input(context, std::span<const float>(packed));
   Buffer<float> values(context, directions.size() * coefficientCount(order));
-  cl::Kernel kernel(context.program("basis/sh_evaluate_kernels.cl", {}), "evaluateSh");
-  setArguments(kernel, static_cast<cl_uint>(directions.size()), static_cast<cl_int>(order), table.get(),
-               input.get(), values.get());
-  context.launch(kernel, directions.size(), 64);
+  Kernel<std::uint32_t, std::int32_t, Buffer<float>, Buffer<float>, Buffer<float>> kernel(
+      context, "basis/sh_evaluate_kernels.cl", {}, "evaluateSh");
+  kernel.launch(directions.size(), static_cast<std::uint32_t>(directions.size()), order, table, input,
+                values);
   return values.read();
 }
 

@@ -8,13 +8,7 @@
 
 namespace prelight {
 
-namespace {
-
 using namespace device;
-
-constexpr std::size_t groupSize = 64;
-
-}  // namespace
 
 // Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and
 // that a launch stays far below a second anywhere.
@@ -61,12 +55,12 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       values_(device_,
               std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, 3 * options.bounceColumns)) {
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
-  generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
-  project_ = cl::Kernel(device_.program("project/project_kernels.cl", shOrder), "projectHits");
+  generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
+  project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_, options_.incident);
   if (options_.texelFaceSize > 0) {
-    texelCodes_ = cl::Kernel(device_.program("project/texel_kernels.cl", {}), "codeTexels");
+    texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());
   }
   if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
@@ -75,15 +69,14 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
     occluders_.emplace(scene, *options_.occluders, tracer_, geometricNormals_, blockSize_,
                        options_.raysPerReceiver);
   if (options_.marksInside) {
-    insideMarks_ = cl::Kernel(device_.program("cast/inside_kernels.cl", {}), "markInside");
+    insideMarks_ = {device_, "cast/inside_kernels.cl", {}, "markInside"};
     twoSided_ = Buffer<std::uint8_t>(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene)));
     inside_ = Buffer<std::uint8_t>(device_, blockSize_);
   }
   if (options_.storedReceivers == 0) return;
-  const auto& transport =
-      device_.program("cast/transport_kernels.cl", transportOptions(options_.bounceColumns));
-  store_ = cl::Kernel(transport, "storeSenders");
-  gather_ = cl::Kernel(transport, "gatherBounce");
+  const BuildOptions transport = transportOptions(options_.bounceColumns);
+  store_ = {device_, "cast/transport_kernels.cl", transport, "storeSenders"};
+  gather_ = {device_, "cast/transport_kernels.cl", transport, "gatherBounce"};
   senders_ = Buffer<Sender>(device_, std::size_t{options_.storedReceivers} * options_.raysPerReceiver);
   marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
   marks_.fill(0);
@@ -109,8 +102,7 @@ void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
 
 void Caster::generate(std::span<const Receiver> receivers) {
   receivers_.write(receivers);
-  setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
-  device_.launch(generate_, receivers.size() * options_.raysPerReceiver / 8, groupSize);
+  generate_.launch(receivers.size() * options_.raysPerReceiver / 8, parameters_, receivers_, rays_);
 }
 
 void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const CastPurpose& purpose) {
@@ -134,37 +126,28 @@ void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const
 }
 
 void Caster::markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside) {
-  setArguments(insideMarks_, parameters_.get(), receivers_.get(), rays_.get(), hits_.get(),
-               geometricNormals_.get(), twoSided_.get(), inside_.get());
-  device_.launch(insideMarks_, receivers, groupSize);
+  insideMarks_.launch(receivers, parameters_, receivers_, rays_, hits_, geometricNormals_, twoSided_,
+                      inside_);
   inside.resize(receivers);
   inside_.read(std::span(inside));
 }
 
 void Caster::codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels) {
   const std::size_t rayCount = std::size_t{receivers} * options_.raysPerReceiver;
-  setArguments(texelCodes_, parameters_.get(), static_cast<cl_uint>(options_.texelFaceSize), rays_.get(),
-               hits_.get(), texels_.get());
-  device_.launch(texelCodes_, rayCount, groupSize);
+  texelCodes_.launch(rayCount, parameters_, static_cast<std::uint32_t>(options_.texelFaceSize), rays_, hits_,
+                     texels_);
   texels.resize(rayCount);
   texels_.read(std::span(texels));
 }
 
 void Caster::project(std::uint32_t receivers) {
-  setArguments(project_, parameters_.get(), shTable_.get(), rays_.get(), hits_.get(), values_.get());
-  device_.launch(project_, receivers, groupSize);
+  project_.launch(receivers, parameters_, shTable_, rays_, hits_, values_);
 }
 
 void Caster::store(std::uint32_t receivers) {
-  store_.setArg(0, parameters_.get());
-  store_.setArg(1, rays_.get());
-  store_.setArg(2, hits_.get());
-  tracer_.setSurfaceArguments(store_, 3);
-  store_.setArg(8, geometricNormals_.get());
-  store_.setArg(9, receivers_.get());
-  store_.setArg(10, senders_.get());
-  store_.setArg(11, marks_.get());
-  device_.launch(store_, std::size_t{receivers} * options_.raysPerReceiver, groupSize);
+  store_.launch(std::size_t{receivers} * options_.raysPerReceiver, parameters_,
+                tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, receivers_,
+                rays_, hits_, senders_, marks_);
 }
 
 void Caster::save(StateWriter& state, std::uint32_t rows) const {
@@ -210,8 +193,7 @@ void Caster::setTransfer(const std::vector<float>& transfer) {
 
 void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
   setParameters(count, first);
-  setArguments(gather_, parameters_.get(), senders_.get(), transfer_.get(), values_.get());
-  device_.launch(gather_, count, groupSize);
+  gather_.launch(count, parameters_, senders_, transfer_, values_);
   values.resize(std::size_t{count} * 3 * options_.bounceColumns);
   values_.read(std::span(values));
 }
@@ -220,16 +202,14 @@ void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t fir
                           std::size_t columns, std::vector<float>& values) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * columns;
   const auto options = transportOptions(columns).define("PRELIGHT_GLOSSY_ORDER", order);
-  glossy_ = cl::Kernel(device_.program("cast/transport_kernels.cl", options), "gatherGlossy");
+  glossy_ = {device_, "cast/transport_kernels.cl", options, "gatherGlossy"};
   if (glossyTable_.size() == 0)
     glossyTable_ = Buffer<float>(device_, std::span<const float>(makeShTable(order)));
   if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(device_, blockSize_ * width);
   const auto count = static_cast<std::uint32_t>(receivers.size());
   setParameters(count, first);
   generate(receivers);
-  setArguments(glossy_, parameters_.get(), glossyTable_.get(), rays_.get(), senders_.get(), transfer_.get(),
-               glossyValues_.get());
-  device_.launch(glossy_, count, groupSize);
+  glossy_.launch(count, parameters_, glossyTable_, rays_, senders_, transfer_, glossyValues_);
   values.resize(count * width);
   glossyValues_.read(std::span(values));
 }

@@ -149,7 +149,20 @@ class Caster {
   Buffer<std::uint32_t> texels_;
   std::optional<LightCaster> lights_;
   std::optional<OccluderCaster> occluders_;
-  cl::Kernel generate_, project_, store_, gather_, texelCodes_, insideMarks_, glossy_;
+  using Parameters = Buffer<device::CastParameters>;
+  using Receivers = Buffer<device::Receiver>;
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  using Floats = Buffer<float>;
+  Kernel<Parameters, Receivers, Rays> generate_;
+  Kernel<Parameters, Floats, Rays, Hits, Floats> project_;
+  Kernel<Parameters, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Floats, Receivers, Rays, Hits,
+         Buffer<device::Sender>, Buffer<std::uint8_t>>
+      store_;
+  Kernel<Parameters, Buffer<device::Sender>, Floats, Floats> gather_;
+  Kernel<Parameters, std::uint32_t, Rays, Hits, Buffer<std::uint32_t>> texelCodes_;
+  Kernel<Parameters, Receivers, Rays, Hits, Floats, Buffer<std::uint8_t>, Buffer<std::uint8_t>> insideMarks_;
+  Kernel<Parameters, Floats, Rays, Buffer<device::Sender>, Floats, Floats> glossy_;
   Buffer<float> glossyTable_;
   Buffer<float> glossyValues_;
 };

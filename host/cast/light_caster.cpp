@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/span_of.h"
+#include "device/packed_arrays.h"
 #include "receivers/surface_sampler.h"
 
 namespace prelight {
@@ -10,8 +11,6 @@ namespace prelight {
 namespace {
 
 using namespace device;
-
-constexpr std::size_t groupSize = 64;
 
 std::span<const float> floatsOf(const std::vector<glm::vec3>& vectors) {
   return {&vectors[0].x, 3 * vectors.size()};
@@ -40,46 +39,41 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
 
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
                          DeviceContext& device, std::uint32_t blockSize, bool incident)
-    : device_(device),
-      groupCount_(static_cast<std::uint32_t>(lights.groups.size())),
-      slotCount_(static_cast<std::uint32_t>(lights.slots.size())),
-      valueCount_(incident ? 5 : 1),
-      hasEmitters_(!lights.emitters.empty()),
-      slots_(device_, spanOf(lights.slots)),
-      lights_(device_, spanOf(lights.punctual)),
-      factors_(device_, spanOf(lights.factors)),
-      emitterOfTriangle_(device_, spanOf(lights.emitterOfTriangle)),
-      samplesOfGroup_(device_, spanOf(lights.samplesOfGroup)),
-      positions_(device_, floatsOf(scene.positions)),
-      geometricNormals_(device_, spanOf(frontNormals(scene))),
-      rays_(device_, std::size_t{blockSize} * slotCount_),
-      hits_(device_, std::size_t{blockSize} * slotCount_),
-      rayValues_(device_, std::size_t{blockSize} * slotCount_ * 3),
-      values_(device_, std::size_t{blockSize} * groupCount_ * 3 * valueCount_) {
+    : device_(device), valueCount_(incident ? 5 : 1), hasEmitters_(!lights.emitters.empty()) {
+  PackedArrays<LightGroupLine> pack;
+  layout_.groupCount = static_cast<std::uint32_t>(lights.groups.size());
+  layout_.slotCount = static_cast<std::uint32_t>(lights.slots.size());
+  layout_.slots = pack.add(spanOf(lights.slots));
+  layout_.punctual = pack.add(spanOf(lights.punctual));
+  layout_.factors = pack.add(spanOf(lights.factors));
+  layout_.emitterOfTriangle = pack.add(spanOf(lights.emitterOfTriangle));
+  layout_.samplesOfGroup = pack.add(spanOf(lights.samplesOfGroup));
+  layout_.positions = pack.add(floatsOf(scene.positions));
+  layout_.normals = pack.add(frontNormals(scene));
+  lines_ = pack.upload(device_);
+  const std::size_t rays = std::size_t{blockSize} * layout_.slotCount;
+  rays_ = Buffer<Ray>(device_, rays);
+  hits_ = Buffer<Hit>(device_, rays);
+  rayValues_ = Buffer<float>(device_, 3 * rays);
+  values_ = Buffer<float>(device_, std::size_t{blockSize} * layout_.groupCount * 3 * valueCount_);
   emitters_.emplace_back(device_, spanOf(lights.emitters));
   if (sets != nullptr)
     for (const auto& set : sets->sets) emitters_.emplace_back(device_, spanOf(emittersOf(lights, set)));
-  const auto& program = device_.program(
-      "cast/light_kernels.cl",
-      BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS").defineIf(incident, "PRELIGHT_INCIDENT"));
-  generate_ = cl::Kernel(program, "generateLightRays");
-  project_ = cl::Kernel(program, "projectLights");
+  const auto options =
+      BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS").defineIf(incident, "PRELIGHT_INCIDENT");
+  generate_ = {device_, "cast/light_kernels.cl", options, "generateLightRays"};
+  project_ = {device_, "cast/light_kernels.cl", options, "projectLights"};
 }
 
 void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
                        std::uint32_t set, std::vector<float>& values) {
-  const std::size_t rayCount = std::size_t{receivers} * slotCount_;
-  setArguments(generate_, block.parameters.get(), slotCount_, block.receivers.get(), slots_.get(),
-               lights_.get(), factors_.get(), emitters_[set].get(), tracer.surfaceTriangles().get(),
-               positions_.get(), geometricNormals_.get(), rays_.get(), rayValues_.get());
-  device_.launch(generate_, rayCount, groupSize);
+  const std::size_t rayCount = std::size_t{receivers} * layout_.slotCount;
+  generate_.launch(rayCount, block.parameters, layout_, lines_, emitters_[set], tracer.scene().layoutBuffer(),
+                   tracer.scene().surface(), block.receivers, rays_, rayValues_);
   tracer.traceAny(rays_, hits_, rayCount);
-  setArguments(project_, block.parameters.get(), slotCount_, groupCount_, block.receivers.get(), slots_.get(),
-               rays_.get(), hits_.get(), rayValues_.get(), block.rays.get(), block.hits.get(),
-               emitterOfTriangle_.get(), emitters_[set].get(), samplesOfGroup_.get(), geometricNormals_.get(),
-               values_.get());
-  device_.launch(project_, receivers, groupSize);
-  values.resize(std::size_t{receivers} * groupCount_ * 3 * valueCount_);
+  project_.launch(receivers, block.parameters, layout_, lines_, emitters_[set], block.receivers, rays_, hits_,
+                  rayValues_, block.rays, block.hits, values_);
+  values.resize(std::size_t{receivers} * layout_.groupCount * 3 * valueCount_);
   values_.read(std::span(values));
 }
 

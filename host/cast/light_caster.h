@@ -20,9 +20,9 @@ class LightCaster {
   LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
               DeviceContext& device, std::uint32_t blockSize, bool incident);
 
-  std::uint32_t groupCount() const { return groupCount_; }
+  std::uint32_t groupCount() const { return layout_.groupCount; }
   bool hasEmitters() const { return hasEmitters_; }
-  std::uint32_t raysPerReceiver() const { return slotCount_; }
+  std::uint32_t raysPerReceiver() const { return layout_.slotCount; }
 
   /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][5],
   /// incident radiance in SH of order 2 as well (kernels/project/incident_funcs.cl). All receivers are of the
@@ -33,23 +33,26 @@ class LightCaster {
 
  private:
   DeviceContext& device_;
-  std::uint32_t groupCount_;
-  std::uint32_t slotCount_;
+  device::LightGroupLayout layout_{};
   std::uint32_t valueCount_;  ///< a group and channel
   bool hasEmitters_;
-  Buffer<device::LightSlot> slots_;
-  Buffer<device::PunctualLight> lights_;
-  Buffer<float> factors_;
+  Buffer<device::LightGroupLine> lines_;
   std::vector<Buffer<device::GroupEmitter>> emitters_;  ///< [set]
-  Buffer<std::uint32_t> emitterOfTriangle_;
-  Buffer<std::uint32_t> samplesOfGroup_;
-  Buffer<float> positions_;
-  Buffer<float> geometricNormals_;
   Buffer<device::Ray> rays_;
   Buffer<device::Hit> hits_;
   Buffer<float> rayValues_;
   Buffer<float> values_;
-  cl::Kernel generate_, project_;
+
+  using Parameters = Buffer<device::CastParameters>;
+  using Receivers = Buffer<device::Receiver>;
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Buffer<device::GroupEmitter>,
+         Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Receivers, Rays, Buffer<float>>
+      generate_;
+  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Buffer<device::GroupEmitter>,
+         Receivers, Rays, Hits, Buffer<float>, Rays, Hits, Buffer<float>>
+      project_;
 };
 
 }  // namespace prelight

@@ -8,12 +8,18 @@ namespace {
 
 using namespace device;
 
-constexpr std::size_t groupSize = 64;
-
 template <typename T>
-void readRecords(const Buffer<T>& buffer, std::size_t count, std::vector<T>& records) {
+void readRecords(const Buffer<T>& buffer, std::size_t count, std::vector<T>& records, std::size_t first = 0) {
   records.resize(count);
-  buffer.read(std::span(records));
+  buffer.read(std::span(records), first);
+}
+
+/// Every PRELIGHT_WAYS-th of the records' sums, from `way` on.
+std::vector<OccluderWaySums> sumsOfWay(const std::vector<OccluderWaySums>& all, std::size_t way) {
+  std::vector<OccluderWaySums> sums;
+  sums.reserve(all.size() / PRELIGHT_WAYS);
+  for (std::size_t i = way; i < all.size(); i += PRELIGHT_WAYS) sums.push_back(all[i]);
+  return sums;
 }
 
 }  // namespace
@@ -21,27 +27,24 @@ void readRecords(const Buffer<T>& buffer, std::size_t count, std::vector<T>& rec
 OccluderCaster::OccluderCaster(const CompiledScene& scene, const OccluderGroups& groups, Tracer& tracer,
                                const Buffer<float>& geometricNormals, std::uint32_t blockSize,
                                std::uint32_t raysPerReceiver)
-    : surface_(tracer),
+    : scene_(tracer.scene()),
       device_(tracer.context()),
       raysPerReceiver_(raysPerReceiver),
       geometricNormals_(geometricNormals),
-      flags_(device_, std::span<const std::uint32_t>(occluderFlags(scene))),
-      groups_(device_, std::span<const std::uint32_t>(groups.groupOfVertex)),
-      vertices_(device_, scene.vertexCount()),
-      counter_(device_, 1),
-      spans_(device_, blockSize),
-      sums_(device_, std::size_t{blockSize} * raysPerReceiver) {
-  if (hasGlass(scene) || hasShine(scene)) ways_.emplace(scene, tracer, flags_, sums_.size());
+      spans_(device_, 1 + std::size_t{blockSize}),
+      sums_(device_, std::size_t{blockSize} * raysPerReceiver),
+      noWays_(device_, 0),
+      noHits_(device_, 0),
+      waySums_(device_, 0) {
+  scene_.setOccluders(occluderFlags(scene), groups.groupOfVertex);
   BuildOptions options = tracer.surfaceOptions();
-  if (ways_ && ways_->hasMirrors()) {
-    options.define("PRELIGHT_OCCLUDER_MIRRORS", 1);
-    mirrorSums_ = Buffer<OccluderWaySums>(device_, sums_.size());
+  if (hasGlass(scene) || hasShine(scene)) {
+    ways_.emplace(scene, scene_, options, sums_.size());
+    waySums_ = Buffer<OccluderWaySums>(device_, PRELIGHT_WAYS * sums_.size());
+    options.defineIf(ways_->hasMirrors(), "PRELIGHT_OCCLUDER_MIRRORS");
+    options.defineIf(ways_->hasGlass(), "PRELIGHT_OCCLUDER_WAYS_THROUGH");
   }
-  if (ways_ && ways_->hasGlass()) {
-    options.define("PRELIGHT_OCCLUDER_WAYS_THROUGH", 1);
-    throughSums_ = Buffer<OccluderWaySums>(device_, sums_.size());
-  }
-  kernel_ = cl::Kernel(device_.program("project/occluder_kernels.cl", options), "aggregateOccluders");
+  kernel_ = {device_, "project/occluder_kernels.cl", options, "aggregateOccluders"};
 }
 
 void OccluderCaster::setAccessibility(const CompiledScene& scene, std::span<const float> accessibility) {
@@ -50,42 +53,30 @@ void OccluderCaster::setAccessibility(const CompiledScene& scene, std::span<cons
     const glm::vec3 n = scene.normals[v];
     vertices.push_back({{n.x, n.y, n.z}, accessibility[v]});
   }
-  vertices_.write(std::span<const OccluderVertex>(vertices));
+  scene_.setOccluderVertices(vertices);
 }
 
 void OccluderCaster::aggregate(const CastBlockBuffers& block, std::uint32_t receivers) {
-  counter_.fill(0);
-  setArguments(kernel_, block.parameters.get(), block.rays.get(), block.hits.get());
-  surface_.setSurfaceArguments(kernel_, 3);
-  kernel_.setArg(8, geometricNormals_.get());
-  kernel_.setArg(9, flags_.get());
-  kernel_.setArg(10, vertices_.get());
-  kernel_.setArg(11, groups_.get());
-  kernel_.setArg(12, counter_.get());
-  kernel_.setArg(13, spans_.get());
-  kernel_.setArg(14, sums_.get());
-  cl_uint index = 15;
-  if (ways_ && ways_->hasMirrors()) {
-    kernel_.setArg(index++, ways_->mirrored().get());
-    kernel_.setArg(index++, ways_->mirrorHits().get());
-    kernel_.setArg(index++, mirrorSums_.get());
-  }
-  if (ways_ && ways_->hasGlass()) {
-    kernel_.setArg(index++, ways_->through().get());
-    kernel_.setArg(index++, throughSums_.get());
-  }
-  device_.launch(kernel_, receivers, groupSize);
+  spans_.fill({}, 1);
+  kernel_.launch(receivers, block.parameters, scene_.layoutBuffer(), scene_.surface(), scene_.occluders(),
+                 geometricNormals_, block.rays, block.hits, ways_ ? ways_->ways() : noWays_,
+                 ways_ ? ways_->mirrorHits() : noHits_, spans_, sums_, waySums_);
 }
 
 void OccluderCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
                           OccluderValues& values) {
   if (ways_) ways_->cast(block, std::size_t{receivers} * raysPerReceiver_, tracer);
   aggregate(block, receivers);
-  readRecords(spans_, receivers, values.spans);
-  const std::size_t records = counter_.read()[0];
+  OccluderValues::Span all;
+  spans_.read(std::span(&all, 1));
+  const std::size_t records = all.first;
+  readRecords(spans_, receivers, values.spans, 1);
   readRecords(sums_, records, values.sums);
-  if (ways_ && ways_->hasMirrors()) readRecords(mirrorSums_, records, values.mirrored);
-  if (ways_ && ways_->hasGlass()) readRecords(throughSums_, records, values.through);
+  if (!ways_) return;
+  std::vector<OccluderWaySums> ways;
+  readRecords(waySums_, PRELIGHT_WAYS * records, ways);
+  if (ways_->hasMirrors()) values.mirrored = sumsOfWay(ways, PRELIGHT_WAY_MIRRORED);
+  if (ways_->hasGlass()) values.through = sumsOfWay(ways, PRELIGHT_WAY_THROUGH);
 }
 
 }  // namespace prelight

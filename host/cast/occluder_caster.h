@@ -48,19 +48,21 @@ class OccluderCaster {
  private:
   void aggregate(const CastBlockBuffers& block, std::uint32_t receivers);
 
-  Tracer& surface_;
+  DeviceScene scene_;  ///< with what occluders are told apart by
   DeviceContext& device_;
   std::uint32_t raysPerReceiver_;
   std::optional<OccluderWays> ways_;
   Buffer<float> geometricNormals_;
-  Buffer<std::uint32_t> flags_;
-  Buffer<std::uint32_t> groups_;
-  Buffer<device::OccluderVertex> vertices_;
-  Buffer<std::uint32_t> counter_;
-  Buffer<OccluderValues::Span> spans_;
+  Buffer<OccluderValues::Span> spans_;  ///< the number of all records, then those of receivers
   Buffer<device::OccluderSums> sums_;
-  Buffer<device::OccluderWaySums> mirrorSums_, throughSums_;
-  cl::Kernel kernel_;
+  Buffer<device::OccluderWay> noWays_;
+  Buffer<device::Hit> noHits_;
+  Buffer<device::OccluderWaySums> waySums_;  ///< [record][PRELIGHT_WAYS]
+  Kernel<Buffer<device::CastParameters>, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
+         Buffer<device::OccluderLine>, Buffer<float>, Buffer<device::Ray>, Buffer<device::Hit>,
+         Buffer<device::OccluderWay>, Buffer<device::Hit>, Buffer<OccluderValues::Span>,
+         Buffer<device::OccluderSums>, Buffer<device::OccluderWaySums>>
+      kernel_;
 };
 
 }  // namespace prelight

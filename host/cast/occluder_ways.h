@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
@@ -20,8 +19,8 @@ std::vector<std::uint32_t> occluderFlags(const CompiledScene& scene);
 /// (7.2.3).
 class OccluderWays {
  public:
-  /// `rays`: of a block, at most. flags: occluderFlags().
-  OccluderWays(const CompiledScene& scene, Tracer& tracer, const Buffer<std::uint32_t>& flags,
+  /// `rays`: of a block, at most. `told`: the scene with what occluders are told apart by.
+  OccluderWays(const CompiledScene& scene, const DeviceScene& told, const BuildOptions& surfaceOptions,
                std::size_t rays);
 
   bool hasMirrors() const { return hasMirrors_; }
@@ -29,9 +28,8 @@ class OccluderWays {
 
   void cast(const CastBlockBuffers& block, std::size_t rays, Tracer& tracer);
 
-  /// Of the block that was cast last, [ray].
-  const Buffer<device::OccluderWay>& mirrored() const { return mirrored_; }
-  const Buffer<device::OccluderWay>& through() const { return through_; }
+  /// Of the block that was cast last, [ray][PRELIGHT_WAYS].
+  const Buffer<device::OccluderWay>& ways() const { return ways_; }
   /// [slot of a mirrored way]
   const Buffer<device::Hit>& mirrorHits() const { return mirrorHits_; }
 
@@ -40,25 +38,34 @@ class OccluderWays {
  private:
   void castMirrored(const CastBlockBuffers& block, std::size_t rays, Tracer& tracer);
   void castThrough(const CastBlockBuffers& block, std::size_t rays, Tracer& tracer);
-  void setSurface(cl::Kernel& kernel, cl_uint index) const;
 
-  Tracer& surface_;
-  DeviceContext& device_;
+  DeviceScene scene_;  ///< with shading
   bool hasMirrors_, hasGlass_;
   float reach_;
+  std::uint32_t mostRays_;
   std::uint64_t rays_ = 0;
-  Buffer<std::uint32_t> flags_;
-  Buffer<device::DeviceMaterial> bases_;
-  Buffer<float> vertices_;
-  Buffer<std::uint8_t> flat_;
-  Buffer<device::ShadeMaterial> materials_;
   Buffer<std::uint32_t> counter_;
-  Buffer<device::OccluderWay> mirrored_, through_;
+  Buffer<device::OccluderWay> ways_;
   Buffer<device::Ray> mirrorRays_;
   Buffer<device::Hit> mirrorHits_, pathHits_;
-  std::array<Buffer<device::Ray>, 2> pathRays_;
-  std::array<Buffer<device::GlassPath>, 2> paths_;
-  cl::Kernel listMirrored_, listGlass_, followGlass_;
+  Buffer<device::Ray> pathRays_;     ///< [two parts][mostRays_]
+  Buffer<device::GlassPath> paths_;  ///< the same
+
+  using Parameters = Buffer<device::CastParameters>;
+  using Layout = Buffer<device::SceneLayout>;
+  using Surface = Buffer<device::SurfaceLine>;
+  using Shading = Buffer<device::ShadingLine>;
+  using Occluders = Buffer<device::OccluderLine>;
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  using Ways = Buffer<device::OccluderWay>;
+  using Paths = Buffer<device::GlassPath>;
+  using Counter = Buffer<std::uint32_t>;
+  Kernel<Parameters, Layout, Surface, Shading, Occluders, Rays, Hits, float, Ways, Rays, Counter>
+      listMirrored_;
+  Kernel<Parameters, Layout, Surface, Occluders, Rays, Hits, Ways, Paths, Rays, Hits, Counter> listGlass_;
+  Kernel<Layout, device::GlassStep, Surface, Shading, Occluders, Paths, Rays, Hits, Ways, Counter>
+      followGlass_;
 };
 
 }  // namespace prelight

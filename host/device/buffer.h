@@ -1,44 +1,48 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <type_traits>
 #include <vector>
 
-#include "device/context.h"
-#include "device/opencl.h"
+#include "device/device_memory.h"
 
 namespace prelight {
 
-/// A device buffer of `size()` elements of a shared struct or scalar. Never empty on the device: OpenCL has
-/// no buffer of 0 bytes, so an empty one holds a dummy element.
+/// A device buffer of `size()` elements of a shared struct or scalar. Copies share the elements. Never empty
+/// on the device: there is no buffer of 0 bytes, so an empty one holds a dummy element.
 template <typename T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
+  /// None: has no memory at all.
   Buffer() = default;
 
-  Buffer(DeviceContext& device, std::size_t size, cl_mem_flags flags = CL_MEM_READ_WRITE)
-      : queue_(device.queue()), size_(size), buffer_(device.allocate(bytesOf(size), flags)) {}
+  Buffer(DeviceContext& device, std::size_t size) : Buffer(device, size, false) {}
 
-  Buffer(DeviceContext& device, std::span<const T> data) : Buffer(device, data.size(), CL_MEM_READ_ONLY) {
-    write(data);
-  }
+  /// Kernels only read it.
+  Buffer(DeviceContext& device, std::span<const T> data) : Buffer(device, data.size(), true) { write(data); }
 
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return bytesOf(size_); }
-  const cl::Buffer& get() const { return buffer_; }
+
+  /// nullptr: none.
+  const DeviceMemory* memory() const { return memory_.get(); }
 
   /// Copies `data` to the buffer's elements from `first` on and waits.
-  void write(std::span<const T> data, std::size_t first = 0) {
-    if (!data.empty())
-      queue_.enqueueWriteBuffer(buffer_, CL_TRUE, first * sizeof(T), data.size_bytes(), data.data());
+  void write(std::span<const T> data, std::size_t first = 0) { writeArray(data, first); }
+
+  /// Copies the bytes of an array of another type to where element `first` starts, and waits.
+  template <typename U>
+  void writeArray(std::span<const U> array, std::size_t first) {
+    static_assert(std::is_trivially_copyable_v<U>);
+    if (!array.empty()) memory_->write(array.data(), array.size_bytes(), first * sizeof(T));
   }
 
   /// Copies elements from `first` on into `data` and waits.
   void read(std::span<T> data, std::size_t first = 0) const {
-    if (!data.empty())
-      queue_.enqueueReadBuffer(buffer_, CL_TRUE, first * sizeof(T), data.size_bytes(), data.data());
+    if (!data.empty()) memory_->read(data.data(), data.size_bytes(), first * sizeof(T));
   }
 
   std::vector<T> read() const {
@@ -47,14 +51,24 @@ class Buffer {
     return data;
   }
 
-  void fill(const T& value) { queue_.enqueueFillBuffer(buffer_, value, 0, bytesOf(size_)); }
+  void fill(const T& value) { fill(value, size_ == 0 ? 1 : size_); }
+
+  /// The first `count` elements.
+  void fill(const T& value, std::size_t count) { memory_->fill(&value, sizeof(T), count * sizeof(T)); }
+
+  /// Copies the first `count` elements of another buffer. Does not wait.
+  void copy(const Buffer& from, std::size_t count) {
+    if (count > 0) memory_->copy(*from.memory_, count * sizeof(T));
+  }
 
  private:
+  Buffer(DeviceContext& device, std::size_t size, bool readOnly)
+      : size_(size), memory_(std::make_shared<DeviceMemory>(device, bytesOf(size), readOnly)) {}
+
   static std::size_t bytesOf(std::size_t size) { return (size == 0 ? 1 : size) * sizeof(T); }
 
-  cl::CommandQueue queue_;
   std::size_t size_ = 0;
-  cl::Buffer buffer_;
+  std::shared_ptr<DeviceMemory> memory_;
 };
 
 }  // namespace prelight

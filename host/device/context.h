@@ -1,62 +1,42 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
+#include <memory>
 #include <string>
-#include <utility>
 
 #include "device/build_options.h"
 #include "device/device.h"
-#include "device/opencl.h"
-#include "device/program_cache.h"
 
 namespace prelight {
 
-/// The OpenCL side of a Device: context, in-order queue, programs. This header and those that include it are
-/// the only ones that show cl:: types.
+class OpenClContext;  // device/opencl_context.h
+
+/// What buffers and kernels of a device share. Shows nothing of OpenCL.
 class DeviceContext {
  public:
-  DeviceContext(const cl::Device& device, DeviceInfo info, const DeviceOptions& options);
+  explicit DeviceContext(std::unique_ptr<OpenClContext> opencl);
+  ~DeviceContext();
 
-  const DeviceInfo& info() const { return info_; }
-  const cl::Device& device() const { return device_; }
-  const cl::Context& context() const { return context_; }
-  const cl::CommandQueue& queue() const { return queue_; }
+  const DeviceInfo& info() const;
 
-  /// The program of an embedded kernel file ("bvh/wide_kernels.cl"), built once per option set.
-  /// Throws Error(RuntimeFailure) with device, options and build log when it does not build.
-  const cl::Program& program(const std::string& file, const BuildOptions& options);
+  /// Builds the program of an embedded kernel file ("bvh/wide_kernels.cl"), once per option set; kernels do
+  /// so when they are made. Throws Error(RuntimeFailure) with device, options and build log when it does not
+  /// build.
+  void build(const std::string& file, const BuildOptions& options);
+
+  /// A kernel file besides the embedded ones, which it may include; a name stands for one text.
+  void addFile(const std::string& file, const std::string& text);
 
   /// Seconds spent building or loading programs so far.
-  double buildSeconds() const { return buildSeconds_; }
+  double buildSeconds() const;
 
-  /// Throws Error(OutOfMemory) naming the size when the device cannot hold it.
-  cl::Buffer allocate(std::size_t bytes, cl_mem_flags flags);
+  /// Waits for all that has been launched.
+  void finish();
 
-  /// Runs `kernel` over `items` work-items, rounded up to groups of `groupSize`; kernels check their bound.
-  void launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize);
-
-  void finish() { queue_.finish(); }
+  /// For host/device.
+  OpenClContext& opencl() const { return *opencl_; }
 
  private:
-  cl::Program build(const std::string& file, const std::string& source, const std::string& options);
-
-  cl::Device device_;
-  DeviceInfo info_;
-  cl::Context context_;
-  cl::CommandQueue queue_;
-  ProgramCache cache_;
-  std::filesystem::path dumpFolder_;
-  bool portableKernels_;
-  std::map<std::pair<std::string, std::string>, cl::Program> programs_;
-  double buildSeconds_ = 0.0;
+  std::unique_ptr<OpenClContext> opencl_;
 };
-
-/// Sets all arguments of a kernel in order.
-template <typename... Arguments>
-void setArguments(cl::Kernel& kernel, const Arguments&... arguments) {
-  cl_uint index = 0;
-  (kernel.setArg(index++, arguments), ...);
-}
 
 }  // namespace prelight

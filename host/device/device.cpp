@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "device/context.h"
+#include "device/opencl_context.h"
 #include "device/opencl_errors.h"
 
 namespace prelight {
@@ -127,7 +128,8 @@ Device Device::open(const DeviceOptions& options) {
   const auto devices = findDevices();
   const FoundDevice& chosen = choose(devices, options.selector);
   try {
-    return Device(std::make_unique<DeviceContext>(chosen.device, chosen.info, options));
+    return Device(std::make_unique<DeviceContext>(
+        std::make_unique<OpenClContext>(chosen.device, chosen.info, options)));
   } catch (const cl::Error& error) {
     throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::NoDevice, chosen.info.name,
                 fmt::format("cannot be opened: {} ({})", error.what(), error.err()),

@@ -39,7 +39,7 @@ struct DeviceOptions {
 /// Every device of every platform; empty when there is no OpenCL platform.
 std::vector<DeviceInfo> listDevices();
 
-class DeviceContext;  // device/context.h: the one header that shows cl:: types
+class DeviceContext;  // device/context.h
 
 /// An opened device with its queue and program cache. Movable, not copyable.
 class Device {

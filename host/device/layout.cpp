@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "shared/bvh_types.h"
+#include "shared/cached_light_types.h"
 #include "shared/cast_types.h"
 #include "shared/density_types.h"
 #include "shared/gather_types.h"
@@ -17,6 +18,7 @@
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
+#include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
 
@@ -29,7 +31,7 @@ using namespace device;
 static_assert(offsetof(Ray, tMax) == 28);
 static_assert(offsetof(WideNode, child) == 192);
 static_assert(offsetof(TriangleBlock, triangle) == 288);
-static_assert(offsetof(ReferenceParameters, lights) == 92);
+static_assert(offsetof(ReferenceParameters, scene) == 92);
 
 template <typename T, std::size_t size>
 StructLayout layoutOf(const char* name, std::size_t offset) {
@@ -40,60 +42,78 @@ StructLayout layoutOf(const char* name, std::size_t offset) {
 }  // namespace
 
 std::vector<StructLayout> hostLayouts() {
-  return {layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
-          layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
-          layoutOf<WideNode, 224>("WideNode", offsetof(WideNode, child)),
-          layoutOf<TriangleBlock, 320>("TriangleBlock", offsetof(TriangleBlock, triangle)),
-          layoutOf<NarrowNode, 64>("NarrowNode", offsetof(NarrowNode, child)),
-          layoutOf<NarrowTriangle, 40>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
-          layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
-          layoutOf<DeviceTriangle, 16>("DeviceTriangle", offsetof(DeviceTriangle, material)),
-          layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
-          layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
-          layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
-          layoutOf<ReferenceParameters, 128>("ReferenceParameters", offsetof(ReferenceParameters, lights)),
-          layoutOf<ShadeMaterial, 64>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
-          layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
-          layoutOf<PathState, 48>("PathState", offsetof(PathState, diffuseBounces)),
-          layoutOf<ShadowItem, 16>("ShadowItem", offsetof(ShadowItem, path)),
-          layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
-          layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
-          layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, slot)),
-          layoutOf<OccluderWaySums, 32>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
-          layoutOf<GlassPath, 20>("GlassPath", offsetof(GlassPath, medium)),
-          layoutOf<OccluderLight, 64>("OccluderLight", offsetof(OccluderLight, twoSided)),
-          layoutOf<OccluderReceiverPoint, 48>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
-          layoutOf<LitVertex, 48>("LitVertex", offsetof(LitVertex, pad1)),
-          layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
-          layoutOf<Photon, 32>("Photon", offsetof(Photon, direction)),
-          layoutOf<LeafTree, 16>("LeafTree", offsetof(LeafTree, count)),
-          layoutOf<PhotonBlock, 256>("PhotonBlock", offsetof(PhotonBlock, direction)),
-          layoutOf<AreaNode, 64>("AreaNode", offsetof(AreaNode, triangleCount)),
-          layoutOf<AreaTriangle, 48>("AreaTriangle", offsetof(AreaTriangle, normal)),
-          layoutOf<DensityParameters, 16>("DensityParameters", offsetof(DensityParameters, queryCount)),
-          layoutOf<DensityQuery, 32>("DensityQuery", offsetof(DensityQuery, radius)),
-          layoutOf<PhotonSource, 40>("PhotonSource", offsetof(PhotonSource, tangent)),
-          layoutOf<PhotonParameters, 116>("PhotonParameters", offsetof(PhotonParameters, lights)),
-          layoutOf<PhotonPath, 28>("PhotonPath", offsetof(PhotonPath, mirrored)),
-          layoutOf<GatherParameters, 64>("GatherParameters", offsetof(GatherParameters, lights)),
-          layoutOf<GatherPath, 28>("GatherPath", offsetof(GatherPath, widened)),
-          layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
-          layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
-          layoutOf<LightSlot, 32>("LightSlot", offsetof(LightSlot, sampleCount)),
-          layoutOf<GroupEmitter, 32>("GroupEmitter", offsetof(GroupEmitter, twoSided)),
-          layoutOf<LightLayout, 36>("LightLayout", offsetof(LightLayout, skyTurn)),
-          layoutOf<ElementPoint, 16>("ElementPoint", offsetof(ElementPoint, back)),
-          layoutOf<RadiosityEmitter, 32>("RadiosityEmitter", offsetof(RadiosityEmitter, radiance)),
-          layoutOf<VirtualLight, 80>("VirtualLight", offsetof(VirtualLight, through)),
-          layoutOf<SurfacePlace, 12>("SurfacePlace", offsetof(SurfacePlace, clearance))};
+  return {
+      layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
+      layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
+      layoutOf<WideNode, 224>("WideNode", offsetof(WideNode, child)),
+      layoutOf<TriangleBlock, 320>("TriangleBlock", offsetof(TriangleBlock, triangle)),
+      layoutOf<NarrowNode, 64>("NarrowNode", offsetof(NarrowNode, child)),
+      layoutOf<NarrowTriangle, 40>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
+      layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
+      layoutOf<DeviceTriangle, 16>("DeviceTriangle", offsetof(DeviceTriangle, material)),
+      layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
+      layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
+      layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
+      layoutOf<ReferenceParameters, 208>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
+      layoutOf<ShadeMaterial, 64>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
+      layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
+      layoutOf<PathState, 48>("PathState", offsetof(PathState, diffuseBounces)),
+      layoutOf<ShadowItem, 16>("ShadowItem", offsetof(ShadowItem, path)),
+      layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
+      layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
+      layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, slot)),
+      layoutOf<OccluderWaySums, 32>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
+      layoutOf<GlassPath, 20>("GlassPath", offsetof(GlassPath, medium)),
+      layoutOf<OccluderLight, 64>("OccluderLight", offsetof(OccluderLight, twoSided)),
+      layoutOf<OccluderReceiverPoint, 48>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
+      layoutOf<LitVertex, 48>("LitVertex", offsetof(LitVertex, pad1)),
+      layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
+      layoutOf<Photon, 32>("Photon", offsetof(Photon, direction)),
+      layoutOf<LeafTree, 16>("LeafTree", offsetof(LeafTree, count)),
+      layoutOf<PhotonBlock, 256>("PhotonBlock", offsetof(PhotonBlock, direction)),
+      layoutOf<AreaNode, 64>("AreaNode", offsetof(AreaNode, triangleCount)),
+      layoutOf<AreaTriangle, 48>("AreaTriangle", offsetof(AreaTriangle, normal)),
+      layoutOf<DensityParameters, 44>("DensityParameters", offsetof(DensityParameters, photonBlocks)),
+      layoutOf<DensityQuery, 32>("DensityQuery", offsetof(DensityQuery, radius)),
+      layoutOf<PhotonSource, 40>("PhotonSource", offsetof(PhotonSource, tangent)),
+      layoutOf<PhotonParameters, 196>("PhotonParameters", offsetof(PhotonParameters, scene)),
+      layoutOf<PhotonPath, 28>("PhotonPath", offsetof(PhotonPath, mirrored)),
+      layoutOf<GatherParameters, 152>("GatherParameters", offsetof(GatherParameters, scene)),
+      layoutOf<GatherPath, 28>("GatherPath", offsetof(GatherPath, widened)),
+      layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
+      layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
+      layoutOf<LightSlot, 32>("LightSlot", offsetof(LightSlot, sampleCount)),
+      layoutOf<GroupEmitter, 32>("GroupEmitter", offsetof(GroupEmitter, twoSided)),
+      layoutOf<LightLayout, 36>("LightLayout", offsetof(LightLayout, skyTurn)),
+      layoutOf<ElementPoint, 16>("ElementPoint", offsetof(ElementPoint, back)),
+      layoutOf<RadiosityEmitter, 32>("RadiosityEmitter", offsetof(RadiosityEmitter, radiance)),
+      layoutOf<VirtualLight, 80>("VirtualLight", offsetof(VirtualLight, through)),
+      layoutOf<SurfacePlace, 12>("SurfacePlace", offsetof(SurfacePlace, clearance)),
+      layoutOf<SurfaceLine, 64>("SurfaceLine", offsetof(SurfaceLine, words)),
+      layoutOf<ShadingLine, 64>("ShadingLine", offsetof(ShadingLine, words)),
+      layoutOf<LightLine, 64>("LightLine", offsetof(LightLine, words)),
+      layoutOf<OccluderLine, 64>("OccluderLine", offsetof(OccluderLine, words)),
+      layoutOf<SceneLayout, 116>("SceneLayout", offsetof(SceneLayout, occluderVertices)),
+      layoutOf<PathStep, 36>("PathStep", offsetof(PathStep, goesOn)),
+      layoutOf<PhotonStep, 12>("PhotonStep", offsetof(PhotonStep, next)),
+      layoutOf<IrradianceLine, 64>("IrradianceLine", offsetof(IrradianceLine, words)),
+      layoutOf<IrradianceMapLayout, 20>("IrradianceMapLayout", offsetof(IrradianceMapLayout, triangleCount)),
+      layoutOf<GatherStep, 16>("GatherStep", offsetof(GatherStep, next)),
+      layoutOf<DensityLine, 64>("DensityLine", offsetof(DensityLine, words)),
+      layoutOf<CachedPathParameters, 280>("CachedPathParameters",
+                                          offsetof(CachedPathParameters, causticSamples)),
+      layoutOf<GlassStep, 16>("GlassStep", offsetof(GlassStep, reach)),
+      layoutOf<DirectRays, 16>("DirectRays", offsetof(DirectRays, skySamples)),
+      layoutOf<RelaxStep, 16>("RelaxStep", offsetof(RelaxStep, perSide)),
+      layoutOf<LightGroupLine, 64>("LightGroupLine", offsetof(LightGroupLine, words)),
+      layoutOf<LightGroupLayout, 36>("LightGroupLayout", offsetof(LightGroupLayout, normals))};
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {
   std::vector<StructLayout> layouts = hostLayouts();
-  Buffer<cl_uint> out(device, 2 * layouts.size());
-  cl::Kernel kernel(device.program("core/layout_probe_kernels.cl", {}), "probeLayout");
-  setArguments(kernel, out.get());
-  device.launch(kernel, 1, 1);
+  Buffer<std::uint32_t> out(device, 2 * layouts.size());
+  Kernel<Buffer<std::uint32_t>> kernel(device, "core/layout_probe_kernels.cl", {}, "probeLayout");
+  kernel.launch({1, 1}, out);
   const auto values = out.read();
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     layouts[i].size = values[2 * i];

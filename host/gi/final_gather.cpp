@@ -10,14 +10,12 @@ namespace {
 
 using namespace device;
 
-constexpr std::size_t groupSize = 64;
 /// Of a caster's: the last rays that mirrors and glass pass on are few, and each round of them waits.
 constexpr std::uint32_t blocksAtOnce = 4;
 
 }  // namespace
 
-FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
-                         const IrradianceMap& irradiance, const GatherRequest& request)
+FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance, const GatherRequest& request)
     : scene_(scene),
       device_(scene.context()),
       irradiance_(irradiance),
@@ -30,23 +28,21 @@ FinalGather::FinalGather(const CompiledScene& compiled, TransportScene& scene,
       sums_(device_, 3 * std::size_t{blockSize_}),
       counter_(device_, 1) {
   const std::size_t rays = std::size_t{blockSize_} * request.raysPerReceiver;
-  rayBuffers_[0] = Buffer<Ray>(device_, rays);
-  rayBuffers_[1] = Buffer<Ray>(device_, follows_ ? rays : 0);
-  for (auto& paths : paths_) paths = Buffer<GatherPath>(device_, follows_ ? rays : 0);
+  mostRays_ = static_cast<std::uint32_t>(rays);
+  rayBuffer_ = Buffer<Ray>(device_, follows_ ? 2 * rays : rays);
+  paths_ = Buffer<GatherPath>(device_, follows_ ? 2 * rays : 0);
   hits_ = Buffer<Hit>(device_, rays);
   radiances_ = Buffer<float>(device_, 3 * rays);
   values_.raysPerReceiver = request.raysPerReceiver;
   values_.seed = static_cast<std::uint32_t>(request.seed ^ (request.seed >> 32));
-  values_.mapWidth = static_cast<std::uint32_t>(irradiance.width());
-  values_.mapHeight = static_cast<std::uint32_t>(irradiance.height());
-  values_.triangleCount = compiled.triangleCount();
+  values_.map = irradiance.layout();
   values_.longWay = request.longWay;
-  generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
-  const cl::Program& program =
-      device_.program("gather/gather_kernels.cl", scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS"));
-  gather_ = cl::Kernel(program, "gatherRadiance");
-  sum_ = cl::Kernel(program, "sumRadiance");
-  sumIncident_ = cl::Kernel(program, "sumIncident");
+  generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
+  const char* file = "gather/gather_kernels.cl";
+  const BuildOptions options = scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS");
+  gather_ = {device_, file, options, "gatherRadiance"};
+  sum_ = {device_, file, options, "sumRadiance"};
+  sumIncident_ = {device_, file, options, "sumIncident"};
 }
 
 template <typename Summing>
@@ -67,8 +63,7 @@ std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, 
   std::vector<glm::vec3> irradiance(receivers.size());
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float));
   gatherBlocks(receivers, progress, seen, [&](std::size_t first, std::size_t count) {
-    setArguments(sum_, parameters_.get(), radiances_.get(), sums_.get());
-    device_.launch(sum_, count, groupSize);
+    sum_.launch(count, parameters_, radiances_, sums_);
     sums_.read(std::span(&irradiance[first].x, 3 * count));
   });
   return irradiance;
@@ -80,10 +75,9 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
   std::vector<float> incident(length * receivers.size());
   gatherBlocks(receivers, progress, nullptr, [&](std::size_t first, std::size_t count) {
     // Those that went on lie where the first ones were.
-    if (follows_) device_.launch(generate_, count * request_.raysPerReceiver / 8, groupSize);
-    setArguments(sumIncident_, parameters_.get(), receivers_.get(), rayBuffers_[0].get(), radiances_.get(),
-                 incident_.get());
-    device_.launch(sumIncident_, count, groupSize);
+    if (follows_)
+      generate_.launch(count * request_.raysPerReceiver / 8, castParameters_, receivers_, rayBuffer_);
+    sumIncident_.launch(count, parameters_, receivers_, rayBuffer_, radiances_, incident_);
     incident_.read(std::span(&incident[length * first], length * count));
   });
   return incident;
@@ -92,7 +86,7 @@ std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receive
 void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<std::uint32_t>* seen) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
   values_.receiverCount = count;
-  values_.lights = scene_.layout();
+  values_.scene = scene_.handle().layout();
   parameters_.write(std::span<const GatherParameters>(&values_, 1));
   CastParameters cast{};
   cast.receiverCount = count;
@@ -100,9 +94,8 @@ void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<st
   castParameters_.write(std::span<const CastParameters>(&cast, 1));
   receivers_.write(receivers);
   current_ = 0;
-  setArguments(generate_, castParameters_.get(), receivers_.get(), rayBuffers_[0].get());
   std::uint32_t active = count * request_.raysPerReceiver;
-  device_.launch(generate_, active / 8, groupSize);
+  generate_.launch(active / 8, castParameters_, receivers_, rayBuffer_);
   const std::uint32_t first = active;
   for (int depth = 0; depth < request_.depth && active > 0; ++depth) {
     active = collect(active, static_cast<std::uint32_t>(depth));
@@ -115,19 +108,16 @@ void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<st
 
 /// One surface of the rays that are left; returns how many go on.
 std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
-  scene_.tracer().traceClosest(rayBuffers_[current_], hits_, count);
+  const std::uint32_t first = current_ * mostRays_, next = (1 - current_) * mostRays_;
+  scene_.tracer().traceClosest(rayBuffer_, hits_, count, first);
   rays_ += count;
   counter_.fill(0);
-  setArguments(gather_, parameters_.get(), count, depth);
-  cl_uint index = irradiance_.setArguments(gather_, scene_.setArguments(gather_, 3));
-  const std::size_t next = 1 - current_;
-  for (const cl::Buffer& buffer :
-       {receivers_.get(), rayBuffers_[current_].get(), hits_.get(), paths_[current_].get(), radiances_.get(),
-        rayBuffers_[next].get(), paths_[next].get(), counter_.get()})
-    gather_.setArg(index++, buffer);
-  device_.launch(gather_, count, groupSize);
+  const DeviceScene& handle = scene_.handle();
+  gather_.launch(count, parameters_, GatherStep{count, depth, first, next}, handle.surface(),
+                 handle.shading(), handle.lights(), irradiance_.lines(), receivers_, rayBuffer_, hits_,
+                 paths_, radiances_, counter_);
   if (!follows_) return 0;
-  current_ = next;
+  current_ = 1 - current_;
   std::uint32_t left = 0;
   counter_.read(std::span(&left, 1));
   return left;

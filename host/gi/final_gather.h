@@ -27,8 +27,7 @@ struct GatherRequest {
 class FinalGather {
  public:
   /// The arguments outlive it.
-  FinalGather(const CompiledScene& compiled, TransportScene& scene, const IrradianceMap& irradiance,
-              const GatherRequest& request);
+  FinalGather(TransportScene& scene, const IrradianceMap& irradiance, const GatherRequest& request);
 
   /// Irradiance, W/m2, [receiver]. Each looks along request.raysPerReceiver directions of its sequence.
   /// `seen`, where it is asked for, becomes the triangles that rays met first, [receiver][ray], or
@@ -61,13 +60,23 @@ class FinalGather {
   Buffer<device::CastParameters> castParameters_;
   Buffer<device::GatherParameters> parameters_;
   Buffer<device::Receiver> receivers_;
-  std::array<Buffer<device::Ray>, 2> rayBuffers_;
-  std::array<Buffer<device::GatherPath>, 2> paths_;
-  std::size_t current_ = 0;  ///< of the two, the one to trace
+  std::uint32_t mostRays_ = 0;        ///< of a block
+  std::uint32_t current_ = 0;         ///< of two parts of rays and paths, the one to trace
+  Buffer<device::Ray> rayBuffer_;     ///< [two parts, or one if no ray goes on][mostRays_]
+  Buffer<device::GatherPath> paths_;  ///< [two parts][mostRays_]
   Buffer<device::Hit> hits_;
   Buffer<float> radiances_, sums_, incident_;
   Buffer<std::uint32_t> counter_;
-  cl::Kernel generate_, gather_, sum_, sumIncident_;
+
+  using Parameters = Buffer<device::GatherParameters>;
+  using Receivers = Buffer<device::Receiver>;
+  Kernel<Buffer<device::CastParameters>, Receivers, Buffer<device::Ray>> generate_;
+  Kernel<Parameters, device::GatherStep, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
+         Buffer<device::LightLine>, Buffer<device::IrradianceLine>, Receivers, Buffer<device::Ray>,
+         Buffer<device::Hit>, Buffer<device::GatherPath>, Buffer<float>, Buffer<std::uint32_t>>
+      gather_;
+  Kernel<Parameters, Buffer<float>, Buffer<float>> sum_;
+  Kernel<Parameters, Receivers, Buffer<device::Ray>, Buffer<float>, Buffer<float>> sumIncident_;
 };
 
 }  // namespace prelight

@@ -116,7 +116,7 @@ IndirectLight::IndirectLight(const LitScene& lit, TransportScene& scene, const L
       request_(request),
       earlierRays_(photons.report.rays),
       approximation_(scene.context(), layout),
-      gather_(compiled_, scene, approximation_, gatherRequest(request)) {
+      gather_(scene, approximation_, gatherRequest(request)) {
   const bool all = directByPhotons(scene, request);
   const int nearest = all ? std::max(request.nearestPhotons, leastNearestOfAll) : request.nearestPhotons;
   std::vector<glm::vec3> irradiance =

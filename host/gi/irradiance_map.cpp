@@ -1,5 +1,7 @@
 #include "gi/irradiance_map.h"
 
+#include "device/packed_arrays.h"
+
 namespace prelight {
 
 namespace {
@@ -14,23 +16,21 @@ std::vector<glm::vec2> markedCorners(const LightMapLayout& layout) {
 
 }  // namespace
 
-IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout)
-    : width_(layout.width),
-      height_(layout.height),
-      corners_(device, std::span<const glm::vec2>(markedCorners(layout))),
-      texels_(device, layout.texelCount()) {}
+IrradianceMap::IrradianceMap(DeviceContext& device, const LightMapLayout& layout) {
+  PackedArrays<device::IrradianceLine> pack;
+  layout_.corners = pack.add(markedCorners(layout));
+  layout_.texels = pack.reserve<glm::vec4>(layout.texelCount());
+  layout_.width = static_cast<std::uint32_t>(layout.width);
+  layout_.height = static_cast<std::uint32_t>(layout.height);
+  layout_.triangleCount = static_cast<std::uint32_t>(layout.chartOf.size() / 2);
+  lines_ = pack.upload(device);
+}
 
 void IrradianceMap::set(std::span<const glm::vec3> irradiance) {
   std::vector<glm::vec4> texels;
   texels.reserve(irradiance.size());
   for (const glm::vec3& e : irradiance) texels.emplace_back(e, 0.0f);
-  texels_.write(std::span<const glm::vec4>(texels));
-}
-
-cl_uint IrradianceMap::setArguments(cl::Kernel& kernel, cl_uint index) const {
-  kernel.setArg(index, corners_.get());
-  kernel.setArg(index + 1, texels_.get());
-  return index + 2;
+  lines_.writeArray(std::span<const glm::vec4>(texels), layout_.texels);
 }
 
 }  // namespace prelight

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "device/buffer.h"
+#include "shared/gather_types.h"
 #include "transfer/light_map_layout.h"
 
 namespace prelight {
@@ -16,17 +17,12 @@ class IrradianceMap {
   /// [y][x] W/m2.
   void set(std::span<const glm::vec3> irradiance);
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-
-  /// Sets corners and texels as two kernel arguments from `index` on; returns the index after them.
-  cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
+  const device::IrradianceMapLayout& layout() const { return layout_; }
+  const Buffer<device::IrradianceLine>& lines() const { return lines_; }
 
  private:
-  int width_;
-  int height_;
-  Buffer<glm::vec2> corners_;
-  Buffer<glm::vec4> texels_;
+  device::IrradianceMapLayout layout_{};
+  Buffer<device::IrradianceLine> lines_;
 };
 
 }  // namespace prelight

@@ -13,7 +13,6 @@ namespace {
 using device::Hit;
 using device::Ray;
 
-constexpr std::size_t groupSize = 64;
 constexpr std::size_t raysPerLaunch = std::size_t{1} << 19;  // keeps a launch well below a second on a CPU
 
 /// Few sizes, so that few variants of the kernels are built.
@@ -66,23 +65,21 @@ void InstancedTracer::update(std::span<const glm::mat4> toWorld) {
 std::size_t InstancedTracer::shapeBytes() const { return nodes_.bytes() + triangles_.bytes(); }
 std::size_t InstancedTracer::topBytes() const { return top_.bytes() + records_.bytes(); }
 
-cl::Kernel& InstancedTracer::kernel(bool any) {
-  cl::Kernel& kernel = any ? any_ : closest_;
-  if (kernel() == nullptr) {
+InstancedTracer::Trace& InstancedTracer::kernel(bool any) {
+  Trace& kernel = any ? any_ : closest_;
+  if (!kernel) {
     const BuildOptions options = BuildOptions()
                                      .defineIf(any, "PRELIGHT_ANY_HIT")
                                      .define("PRELIGHT_STACK_SIZE", stackBucket(shapes_.stackSize))
                                      .define("PRELIGHT_TOP_STACK_SIZE", stackBucket(topStackSize_));
-    kernel = cl::Kernel(context_->program("bvh/two_level_kernels.cl", options), "traceRays");
+    kernel = {*context_, "bvh/two_level_kernels.cl", options, "traceRays"};
   }
   return kernel;
 }
 
 void InstancedTracer::trace(bool any, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {
-  cl::Kernel& kernel = this->kernel(any);
-  setArguments(kernel, top_.get(), records_.get(), nodes_.get(), triangles_.get(), rays.get(), hits.get(),
-               static_cast<cl_uint>(count));
-  context_->launch(kernel, count, groupSize);
+  kernel(any).launch(count, top_, records_, nodes_, triangles_, rays, hits,
+                     static_cast<std::uint32_t>(count));
 }
 
 void InstancedTracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bvh/two_level.h"
-#include "device/buffer.h"
 #include "device/device.h"
+#include "device/kernel.h"
 #include "shared/ray_types.h"
 
 namespace prelight {
@@ -41,8 +41,12 @@ class InstancedTracer {
   std::size_t topBytes() const;    ///< what an update uploads
 
  private:
+  using Trace =
+      Kernel<Buffer<device::NarrowNode>, Buffer<device::DeviceInstance>, Buffer<device::NarrowNode>,
+             Buffer<device::NarrowTriangle>, Buffer<device::Ray>, Buffer<device::Hit>, std::uint32_t>;
+
   void uploadTop();
-  cl::Kernel& kernel(bool any);
+  Trace& kernel(bool any);
   void trace(bool any, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
   std::vector<device::Hit> traceFromHost(bool any, std::span<const device::Ray> rays);
 
@@ -54,8 +58,7 @@ class InstancedTracer {
   Buffer<device::NarrowTriangle> triangles_;
   Buffer<device::NarrowNode> top_;
   Buffer<device::DeviceInstance> records_;
-  cl::Kernel closest_;
-  cl::Kernel any_;
+  Trace closest_, any_;
 };
 
 }  // namespace prelight

@@ -173,4 +173,20 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   return result;
 }
 
+float skyTurn(double rotation) { return static_cast<float>(rotation / (2.0 * pi)); }
+
+device::LightLayout lightLayout(const LightTables& l, double skyRotation) {
+  device::LightLayout layout{};
+  layout.groupCount = l.groupCount;
+  layout.emitterGroup = l.emitterGroup;
+  layout.emitterCount = static_cast<std::uint32_t>(l.emitters.size());
+  layout.emitterTable = l.emitterTable;
+  layout.rowTable = l.rowTable;
+  layout.columnTable = l.columnTable;
+  layout.skyWidth = l.skyWidth;
+  layout.skyHeight = l.skyHeight;
+  layout.skyTurn = skyTurn(skyRotation);
+  return layout;
+}
+
 }  // namespace prelight

@@ -47,4 +47,10 @@ struct LightTables {
 LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
                             const Environment* sky, bool choosePunctual);
 
+/// A sky's turn by `rotation`, radians, counter-clockwise about +Y seen from above, as kernels take it.
+float skyTurn(double rotation);
+
+/// Where the parts of the tables lie. `skyRotation`: as skyTurn().
+device::LightLayout lightLayout(const LightTables& lights, double skyRotation);
+
 }  // namespace prelight

@@ -2,11 +2,13 @@
 
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "bvh/builder.h"
-#include "device/buffer.h"
 #include "device/device.h"
+#include "device/kernel.h"
+#include "gpu/device_scene.h"
 #include "scene/compiled_scene.h"
 #include "shared/bvh_types.h"
 #include "shared/ray_types.h"
@@ -19,7 +21,6 @@ enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 
 /// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
 /// Objects that move have a tree of their own, and rays go through both.
-/// This header and cast/caster.h are the ones outside device/ that show OpenCL types.
 class Tracer {
  public:
   /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
@@ -41,22 +42,20 @@ class Tracer {
   /// Closest hits on separated triangles alone.
   std::vector<device::Hit> traceSeparated(std::span<const device::Ray> rays);
 
-  /// Closest hit of each of the first `count` rays.
-  void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  /// Closest hit of each of `count` rays from `first` on; hits start at 0.
+  void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
+                    std::size_t first = 0);
 
   /// As traceClosest, but a hit carries no more than that there is one (triangle 0).
-  void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
+                std::size_t first = 0);
 
   /// For tests and tools: uploads, traces, downloads.
   std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
   std::vector<device::Hit> traceAny(std::span<const device::Ray> rays);
 
-  /// Sets the surface's buffers (triangles, materials, texture coordinates, colours, texels) as five kernel
-  /// arguments from `index` on.
-  void setSurfaceArguments(cl::Kernel& kernel, cl_uint index) const;
-
-  /// [triangle] of the surface.
-  const Buffer<device::DeviceTriangle>& surfaceTriangles() const { return surfaceTriangles_; }
+  /// What the surface is like, for kernels that look at it.
+  const DeviceScene& scene() const { return scene_; }
 
   /// Options that programs which look at the surface are built with.
   BuildOptions surfaceOptions() const;
@@ -70,12 +69,26 @@ class Tracer {
  private:
   enum class Query : std::uint8_t { Closest, Any };
 
+  /// A tree and the kernels that take rays through it, each built when first asked for.
+  template <typename Node, typename Leaf>
+  struct Tree {
+    using Trace = Kernel<Buffer<Node>, Buffer<Leaf>, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
+                         Buffer<device::Ray>, Buffer<device::Hit>, std::uint32_t, std::uint32_t>;
+    Buffer<Node> nodes;
+    Buffer<Leaf> leaves;
+    Trace closest, any;
+  };
+  using WideTree = Tree<device::WideNode, device::TriangleBlock>;
+  using NarrowTree = Tree<device::NarrowNode, device::NarrowTriangle>;
+
   void uploadTree(const CompiledScene& scene, BuildQuality quality,
                   std::span<const std::uint32_t> triangles = {});
-  void uploadSurface(const CompiledScene& scene);
-  cl::Kernel& kernel(Query query);
-  void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
-  void traceTree(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
+  void dropKernels();
+  BuildOptions traceOptions(Query query) const;
+  void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
+             std::size_t first);
+  void traceTree(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
+                 std::size_t first);
   std::vector<device::Hit> traceFromHost(Query query, std::span<const device::Ray> rays);
 
   DeviceContext* context_;
@@ -86,19 +99,12 @@ class Tracer {
   std::uint32_t stackSize_ = 0;
   std::size_t nodeBytes_ = 0;
   std::size_t triangleBytes_ = 0;
-  cl::Buffer nodes_;
-  cl::Buffer triangles_;
-  Buffer<device::DeviceTriangle> surfaceTriangles_;
-  Buffer<device::DeviceMaterial> materials_;
-  Buffer<glm::vec2> texCoords_;
-  Buffer<glm::vec4> colors_;
-  Buffer<glm::u16vec4> texels_;
-  cl::Kernel closest_;  // built when first asked for
-  cl::Kernel any_;
+  DeviceScene scene_;
+  std::variant<WideTree, NarrowTree> tree_;
   std::vector<std::uint32_t> separatedTriangles_;
   std::unique_ptr<Tracer> separated_;  ///< the tree over them; none: there are none
   Buffer<device::Hit> separatedHits_;
-  cl::Kernel keepNearer_;
+  Kernel<std::uint32_t, Buffer<device::Hit>, Buffer<device::Hit>> keepNearer_;
 };
 
 }  // namespace prelight

@@ -16,20 +16,20 @@ TransportScene::TransportScene(const LitScene& lit, std::unique_ptr<Tracer> own,
       skyRotation_(lit.skyRotation),
       choosePunctual_(choosePunctual),
       tables_(makeLightTables(lit.scene, lit.lights, lit.sky, choosePunctual)),
-      layout_(lightLayout(tables_, lit.skyRotation)),
       features_(findShadeFeatures(lit.scene, tables_)),
-      surface_(lit.scene, lit.images, *tracer_, features_.layerTextures),
-      lights_(tracer_->context(), tables_) {}
+      handle_(tracer_->scene()) {
+  handle_.setShading(lit.scene, lit.images, features_.layerTextures);
+  handle_.setLights(tables_, skyRotation_);
+}
 
 void TransportScene::follow(const CompiledScene& scene) {
   tracer_->follow(scene);
-  surface_.follow(scene);
+  handle_.follow(scene);
 }
 
 bool TransportScene::setLights(const CompiledScene& scene, const std::vector<Light>& lights) {
   tables_ = makeLightTables(scene, lights, sky_, choosePunctual_);
-  layout_ = lightLayout(tables_, skyRotation_);
-  lights_ = LightBuffers(tracer_->context(), tables_);
+  handle_.setLights(tables_, skyRotation_);
   const std::string before = options().text();
   features_ = findShadeFeatures(scene, tables_);
   return options().text() != before;
@@ -37,11 +37,7 @@ bool TransportScene::setLights(const CompiledScene& scene, const std::vector<Lig
 
 void TransportScene::setSkyRotation(double angle) {
   skyRotation_ = angle;
-  layout_ = lightLayout(tables_, angle);
-}
-
-cl_uint TransportScene::setArguments(cl::Kernel& kernel, cl_uint index) const {
-  return lights_.setArguments(kernel, surface_.setArguments(kernel, index));
+  handle_.setSkyRotation(angle);
 }
 
 BuildOptions TransportScene::options() const {

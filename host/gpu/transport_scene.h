@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "gpu/light_buffers.h"
+#include "gpu/device_scene.h"
+#include "gpu/light_tables.h"
 #include "gpu/shade_features.h"
-#include "gpu/shaded_surface.h"
 #include "gpu/tracer.h"
 #include "images/environment.h"
 
@@ -41,11 +41,8 @@ class TransportScene {
   /// Turns the sky: radians, counter-clockwise about +Y seen from above.
   void setSkyRotation(double angle);
 
-  /// Sets surface and lights (ShadedSurface, then LightBuffers) as arguments of a kernel from `index` on;
-  /// returns the index after them.
-  cl_uint setArguments(cl::Kernel& kernel, cl_uint index) const;
-  const ShadedSurface& surface() const { return surface_; }
-  const LightBuffers& lightBuffers() const { return lights_; }
+  /// Surface, shading and lights.
+  const DeviceScene& handle() const { return handle_; }
 
   /// Options that programs which look at it are built with.
   BuildOptions options() const;
@@ -53,7 +50,6 @@ class TransportScene {
   Tracer& tracer() { return *tracer_; }
   DeviceContext& context() const { return tracer_->context(); }
   const LightTables& lights() const { return tables_; }
-  const device::LightLayout& layout() const { return layout_; }
   const ShadeFeatures& features() const { return features_; }
 
  private:
@@ -65,10 +61,8 @@ class TransportScene {
   double skyRotation_;
   bool choosePunctual_;
   LightTables tables_;
-  device::LightLayout layout_;
   ShadeFeatures features_;
-  ShadedSurface surface_;
-  LightBuffers lights_;
+  DeviceScene handle_;
 };
 
 }  // namespace prelight

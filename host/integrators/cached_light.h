@@ -3,6 +3,7 @@
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
 #include "photon/caustic_light.h"
+#include "shared/cached_light_types.h"
 
 namespace prelight::reference {
 
@@ -18,10 +19,8 @@ struct CachedLight {
 /// Options of a program of reference/cached_path_kernels.cl, added to those of its paths.
 BuildOptions cachedLightOptions(const CachedLight& light, BuildOptions options);
 
-/// The kernel that takes paths on by a surface, which lacks its first `firstOfScene` arguments: what changes
-/// from surface to surface. `samples`: paths a pixel.
-cl::Kernel followPathsKernel(const cl::Program& program, const TransportScene& scene,
-                             const CompiledScene& compiled, const CachedLight& light, std::uint32_t samples);
-constexpr cl_uint firstOfScene = 14;
+/// Sets all but the paths' own parameters. `samples`: paths a pixel.
+void setCachedLight(const CachedLight& light, std::uint32_t samples,
+                    device::CachedPathParameters& parameters);
 
 }  // namespace prelight::reference

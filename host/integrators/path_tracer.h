@@ -10,7 +10,7 @@
 #include "integrators/reference.h"
 #include "integrators/reference_plan.h"
 #include "integrators/virtual_lights.h"
-#include "shared/reference_types.h"
+#include "shared/cached_light_types.h"
 
 namespace prelight::reference {
 
@@ -33,8 +33,7 @@ class PathTracer {
 
  private:
   void buildKernels(const ReferenceRequest& request);
-  void buildCachedKernels(const ReferenceRequest& request, const CompiledScene& compiled,
-                          const CachedLight& cached);
+  void buildCachedKernels(const ReferenceRequest& request);
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   std::uint32_t followToCachedLight(std::uint32_t count, std::uint32_t depth);
   void collect(std::uint32_t count, std::uint32_t depth);
@@ -42,7 +41,9 @@ class PathTracer {
   void addVirtualLights(std::uint32_t count);
   void castShadows(std::uint32_t shadows);
   std::uint32_t scatter(std::uint32_t count, std::uint32_t depth);
+  void clearCounters() { queue_.fill(0, PRELIGHT_QUEUE_HEAD); }
   std::array<std::uint32_t, 2> readCounters() const;
+  device::PathStep step(std::uint32_t count, std::uint32_t depth) const;
 
   TransportScene& scene_;
   DeviceContext& device_;
@@ -54,20 +55,41 @@ class PathTracer {
   std::optional<VirtualLights> virtual_;
   std::optional<std::uint64_t> virtualPass_;  ///< whose lights they are
 
+  std::uint32_t mostPaths_ = 0;  ///< of a block
+  std::uint32_t current_ = 0;    ///< of two parts of the rays and the queue, the one to trace
   Buffer<device::ReferenceParameters> parameters_;
-
   Buffer<device::PathState> paths_;
-  std::array<Buffer<device::Ray>, 2> rayBuffers_;
-  std::array<Buffer<std::uint32_t>, 2> queues_;
-  std::size_t current_ = 0;  ///< of the two, the one to trace
+  Buffer<device::Ray> rayBuffer_;  ///< [two parts, shadow rays][mostPaths_]
+  Buffer<std::uint32_t> queue_;    ///< its head, then [two parts][mostPaths_]
   Buffer<device::Hit> hits_, shadowHits_;
-  Buffer<device::Ray> shadowRays_;
   Buffer<device::ShadowItem> items_;
-  Buffer<std::uint32_t> counters_;
   Buffer<glm::vec4> meanBuffer_;
-  bool cached_ = false;       ///< paths end at cached light
-  bool meetsLights_ = false;  ///< CachedLight::meetsLights
-  cl::Kernel generate_, collect_, sample_, sampleVirtual_, follow_, add_, scatter_, average_;
+  std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
+  device::CachedPathParameters cachedValues_{};
+  Buffer<device::CachedPathParameters> cachedParameters_;
+  Buffer<device::DensityLine> caustics_;
+
+  using Parameters = Buffer<device::ReferenceParameters>;
+  using Paths = Buffer<device::PathState>;
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  using Queue = Buffer<std::uint32_t>;
+  using Items = Buffer<device::ShadowItem>;
+  using Surface = Buffer<device::SurfaceLine>;
+  using Shading = Buffer<device::ShadingLine>;
+  using Lights = Buffer<device::LightLine>;
+  Kernel<Parameters, Paths, Queue, Rays> generate_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Lights, Rays, Hits, Queue, Paths> collect_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Lights, Rays, Hits, Queue, Paths, Items> sample_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Queue, Paths,
+         Buffer<device::VirtualLight>, Items>
+      sampleVirtual_;
+  Kernel<Buffer<device::CachedPathParameters>, device::PathStep, Surface, Shading, Lights,
+         Buffer<device::IrradianceLine>, Buffer<device::DensityLine>, Rays, Hits, Queue, Paths, Items>
+      follow_;
+  Kernel<std::uint32_t, Hits, Items, Paths> add_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Queue, Paths> scatter_;
+  Kernel<Parameters, Paths, Buffer<glm::vec4>> average_;
 };
 
 }  // namespace prelight::reference

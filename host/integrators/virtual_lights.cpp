@@ -7,22 +7,15 @@
 
 namespace prelight::reference {
 
-namespace {
-
 using namespace device;
-
-constexpr std::size_t groupSize = 64;
-
-}  // namespace
 
 VirtualLights::VirtualLights(TransportScene& scene, const CompiledScene& compiled,
                              const ReferenceRequest& request)
     : scene_(scene),
       request_(request),
       tracer_(compiled, scene),
-      make_(scene.context().program("reference/virtual_kernels.cl",
-                                    buildOptions(request, std::nullopt, scene.options())),
-            "makeVirtualLights") {
+      make_(scene.context(), "reference/virtual_kernels.cl",
+            buildOptions(request, std::nullopt, scene.options()), "makeVirtualLights") {
   for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t)
     area_ += 0.5 * glm::length(geometricNormal(compiled, t));
 }
@@ -48,10 +41,8 @@ void VirtualLights::make(std::uint64_t pass) {
     lights_ = Buffer<VirtualLight>(device, 2 * count_);
   }
   photons_.write(std::span<const Photon>(hits.photons));
-  prelight::setArguments(make_, static_cast<cl_uint>(count_), photons_.get());
-  const cl_uint index = scene_.surface().setArguments(make_, 2);
-  make_.setArg(index, lights_.get());
-  device.launch(make_, count_, groupSize);
+  const DeviceScene& handle = scene_.handle();
+  make_.launch(count_, count_, handle.layoutBuffer(), handle.surface(), handle.shading(), photons_, lights_);
 }
 
 }  // namespace prelight::reference

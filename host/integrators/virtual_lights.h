@@ -37,7 +37,9 @@ class VirtualLights {
   float leastSquare_ = 0.0f;
   Buffer<device::Photon> photons_;
   Buffer<device::VirtualLight> lights_;
-  cl::Kernel make_;
+  Kernel<std::uint32_t, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
+         Buffer<device::Photon>, Buffer<device::VirtualLight>>
+      make_;
 };
 
 }  // namespace prelight::reference

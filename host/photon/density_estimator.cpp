@@ -6,6 +6,8 @@
 #include <cassert>
 
 #include "base/error.h"
+#include "base/span_of.h"
+#include "device/packed_arrays.h"
 
 namespace prelight {
 
@@ -39,13 +41,24 @@ DensityEstimator::DensityEstimator(const DensitySurface& surface, const DensityO
       parameters_(device_, 1),
       mapCount_(2 * std::size_t{surface.regionCount()}) {
   check(options);
-  values_ = {static_cast<float>(options.minRadius), static_cast<float>(options.leastCosine),
-             static_cast<float>(options.flatness), 0};
-  parameters_.write(std::span<const DensityParameters>(&values_, 1));
-  places_ = Buffer<SurfacePlace>(device_, std::span<const SurfacePlace>(surface.places));
-  areaTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(surface.areaTrees));
-  areaNodes_ = Buffer<AreaNode>(device_, std::span<const AreaNode>(surface.areaNodes));
-  triangles_ = Buffer<AreaTriangle>(device_, std::span<const AreaTriangle>(surface.triangles));
+  values_ = {static_cast<float>(options.minRadius),
+             static_cast<float>(options.leastCosine),
+             static_cast<float>(options.flatness),
+             0,
+             0,
+             0,
+             0,
+             0,
+             0,
+             0,
+             0};
+  PackedArrays<DensityLine> pack;
+  values_.places = pack.add(spanOf(surface.places));
+  values_.areaTrees = pack.add(spanOf(surface.areaTrees));
+  values_.areaNodes = pack.add(spanOf(surface.areaNodes));
+  values_.areaTriangles = pack.add(spanOf(surface.triangles));
+  surfaceLines_ = pack.lines();
+  lines_ = pack.upload(device_);
   setPhotons({.trees = std::vector<LeafTree>(mapCount_), .boxes = {}, .blocks = {}, .photonCount = 0});
 }
 
@@ -55,43 +68,33 @@ BuildOptions& DensityEstimator::addOptions(BuildOptions& options, const DensityO
 }
 
 void DensityEstimator::follow(const DensitySurface& surface) {
-  areaNodes_.write(std::span<const AreaNode>(surface.areaNodes));
-  triangles_.write(std::span<const AreaTriangle>(surface.triangles));
+  lines_.writeArray(spanOf(surface.areaNodes), values_.areaNodes);
+  lines_.writeArray(spanOf(surface.triangles), values_.areaTriangles);
 }
 
 void DensityEstimator::setPhotons(const PhotonMaps& maps) {
   assert(maps.trees.size() == mapCount_);
-  photonTrees_ = Buffer<LeafTree>(device_, std::span<const LeafTree>(maps.trees));
-  boxes_ = Buffer<float>(device_, std::span<const float>(maps.boxes));
-  blocks_ = Buffer<PhotonBlock>(device_, std::span<const PhotonBlock>(maps.blocks));
+  PackedArrays<DensityLine> pack(surfaceLines_);
+  values_.photonTrees = pack.add(spanOf(maps.trees));
+  values_.photonBoxes = pack.add(spanOf(maps.boxes));
+  values_.photonBlocks = pack.add(spanOf(maps.blocks));
+  Buffer<DensityLine> lines(device_, pack.lines());
+  lines.copy(lines_, surfaceLines_);
+  pack.upload(lines);
+  lines_ = std::move(lines);
 }
 
-void DensityEstimator::setArguments(cl::Kernel& kernel, cl_uint index) const {
-  kernel.setArg(index, parameters_.get());
-  kernel.setArg(index + 1, photonTrees_.get());
-  kernel.setArg(index + 2, boxes_.get());
-  kernel.setArg(index + 3, blocks_.get());
-  kernel.setArg(index + 4, places_.get());
-  kernel.setArg(index + 5, areaTrees_.get());
-  kernel.setArg(index + 6, areaNodes_.get());
-  kernel.setArg(index + 7, triangles_.get());
-}
-
-void DensityEstimator::launch(cl::Kernel& kernel, const Buffer<DensityQuery>& queries, std::size_t count,
+void DensityEstimator::launch(Estimate& kernel, const Buffer<DensityQuery>& queries, std::size_t count,
                               Buffer<float>& values) {
   values_.queryCount = static_cast<std::uint32_t>(count);
   parameters_.write(std::span<const DensityParameters>(&values_, 1));
-  setArguments(kernel, 0);
-  kernel.setArg(8, queries.get());
-  kernel.setArg(9, values.get());
-  device_.launch(kernel, count, groupSize);
+  kernel.launch({count, groupSize}, parameters_, lines_, queries, values);
 }
 
-cl::Kernel& DensityEstimator::estimateKernel() {
-  if (estimate_() == nullptr) {
+DensityEstimator::Estimate& DensityEstimator::estimateKernel() {
+  if (!estimate_) {
     BuildOptions build;
-    estimate_ = cl::Kernel(device_.program("photon/density_kernels.cl", addOptions(build, options_)),
-                           "estimateIrradiance");
+    estimate_ = {device_, "photon/density_kernels.cl", addOptions(build, options_), "estimateIrradiance"};
   }
   return estimate_;
 }
@@ -102,7 +105,7 @@ void DensityEstimator::estimate(const Buffer<DensityQuery>& queries, std::size_t
 }
 
 /// [query][length]
-std::vector<float> DensityEstimator::estimateWith(cl::Kernel& kernel, std::size_t length,
+std::vector<float> DensityEstimator::estimateWith(Estimate& kernel, std::size_t length,
                                                   std::span<const DensityQuery> queries) {
   std::vector<float> values(length * queries.size());
   const std::size_t most = std::min(queries.size(), queriesPerLaunch);
@@ -127,10 +130,10 @@ std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> 
 }
 
 std::vector<float> DensityEstimator::estimateIncident(std::span<const DensityQuery> queries) {
-  if (estimateIncident_() == nullptr) {
+  if (!estimateIncident_) {
     BuildOptions build;
-    estimateIncident_ = cl::Kernel(device_.program("photon/incident_kernels.cl", addOptions(build, options_)),
-                                   "estimateIncident");
+    estimateIncident_ = {device_, "photon/incident_kernels.cl", addOptions(build, options_),
+                         "estimateIncident"};
   }
   return estimateWith(estimateIncident_, 15, queries);
 }

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "device/buffer.h"
 #include "device/device.h"
+#include "device/kernel.h"
 #include "photon/density_surface.h"
 #include "photon/photon_maps.h"
 
@@ -28,7 +28,7 @@ struct DensityOptions {
 };
 
 /// Irradiance from photon maps on a device. Photons count for queries on the same region of the surface and
-/// the same side. This header shows OpenCL types: kernels of other folders look maps up themselves.
+/// the same side.
 class DensityEstimator {
  public:
   /// Throws UsageError for options out of range.
@@ -53,28 +53,28 @@ class DensityEstimator {
   /// Options for programs that include kernels/photon/density_funcs.cl.
   static BuildOptions& addOptions(BuildOptions& options, const DensityOptions& density);
 
-  /// Sets the members of DensityMaps as eight kernel arguments from `index` on.
-  void setArguments(cl::Kernel& kernel, cl_uint index) const;
+  /// For kernels that look maps up themselves; both change with setPhotons().
+  const device::DensityParameters& parameters() const { return values_; }
+  const Buffer<device::DensityLine>& lines() const { return lines_; }
 
  private:
-  void launch(cl::Kernel& kernel, const Buffer<device::DensityQuery>& queries, std::size_t count,
+  using Estimate = Kernel<Buffer<device::DensityParameters>, Buffer<device::DensityLine>,
+                          Buffer<device::DensityQuery>, Buffer<float>>;
+
+  void launch(Estimate& kernel, const Buffer<device::DensityQuery>& queries, std::size_t count,
               Buffer<float>& values);
-  cl::Kernel& estimateKernel();
-  std::vector<float> estimateWith(cl::Kernel& kernel, std::size_t length,
+  Estimate& estimateKernel();
+  std::vector<float> estimateWith(Estimate& kernel, std::size_t length,
                                   std::span<const device::DensityQuery> queries);
 
   DeviceContext& device_;
   DensityOptions options_;
   device::DensityParameters values_{};
   Buffer<device::DensityParameters> parameters_;
-  Buffer<device::SurfacePlace> places_;
-  Buffer<device::LeafTree> areaTrees_, photonTrees_;
-  Buffer<device::AreaNode> areaNodes_;
-  Buffer<device::AreaTriangle> triangles_;
-  Buffer<float> boxes_;
-  Buffer<device::PhotonBlock> blocks_;
+  std::size_t surfaceLines_ = 0;
+  Buffer<device::DensityLine> lines_;  ///< of the surface, then of the photons
   std::size_t mapCount_ = 0;
-  cl::Kernel estimate_, estimateIncident_;  ///< once they are needed
+  Estimate estimate_, estimateIncident_;  ///< once they are needed
 };
 
 }  // namespace prelight

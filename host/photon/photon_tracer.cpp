@@ -10,7 +10,6 @@ namespace {
 
 using namespace device;
 
-constexpr std::size_t groupSize = 64;
 constexpr std::uint32_t tallyRun = 256;  // tallies that one work-item adds up
 constexpr std::uint32_t tallyColumns = 6;
 constexpr double countsAPhoton = 67108864.0;  // 2^26: fine enough for one photon, and 10^11 fit in 63 bits
@@ -53,6 +52,9 @@ PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
       parameters_(device_, 1),
       chosen_(device_, 0),
       paths_(device_, blockPhotons_),
+      rays_(device_, 2 * std::size_t{blockPhotons_}),
+      queue_(device_, blockPhotons_),
+      nextQueue_(device_, blockPhotons_),
       hits_(device_, blockPhotons_),
       candidates_(device_, blockPhotons_),
       photons_(device_, blockPhotons_),
@@ -60,19 +62,16 @@ PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
       numbers_(device_, blockPhotons_),
       outcomes_(device_, blockPhotons_),
       tallies_(device_, std::size_t{tallyColumns} * blockPhotons_),
-      sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)) {
-  for (auto& rays : rays_) rays = Buffer<Ray>(device_, blockPhotons_);
-  for (auto& queue : queues_) queue = Buffer<std::uint32_t>(device_, blockPhotons_);
-}
+      sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)) {}
 
 void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sources) {
-  emit_ = cl::Kernel(device_.program("photon/emit_kernels.cl", scene_.options()), "emitPhotons");
-  const cl::Program& program =
-      device_.program("photon/scatter_kernels.cl", scatterOptions(request, scene_.options()));
-  scatter_ = cl::Kernel(program, "scatterPhotons");
-  compactPaths_ = cl::Kernel(program, "compactPaths");
-  compactPhotons_ = cl::Kernel(program, "compactPhotons");
-  sum_ = cl::Kernel(program, "sumTallies");
+  emit_ = {device_, "photon/emit_kernels.cl", scene_.options(), "emitPhotons"};
+  const char* file = "photon/scatter_kernels.cl";
+  const BuildOptions options = scatterOptions(request, scene_.options());
+  scatter_ = {device_, file, options, "scatterPhotons"};
+  compactPaths_ = {device_, file, options, "compactPaths"};
+  compactPhotons_ = {device_, file, options, "compactPhotons"};
+  sum_ = {device_, file, options, "sumTallies"};
   const double sceneRadius =
       0.5 * glm::length(glm::dvec3(compiled_.boundsMax) - glm::dvec3(compiled_.boundsMin));
   values_.rouletteDepth = static_cast<std::uint32_t>(request.rouletteDepth);
@@ -80,7 +79,7 @@ void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sour
   values_.radius = static_cast<float>(sources.radius);
   values_.distance = static_cast<float>(2.01 * sceneRadius);
   for (int k = 0; k < 3; ++k) values_.centre[k] = static_cast<float>(sources.centre[k]);
-  values_.lights = scene_.layout();
+  values_.scene = scene_.handle().layout();
   cells_ = Buffer<std::uint32_t>(device_, std::span<const std::uint32_t>(sources.cells));
 }
 
@@ -140,21 +139,14 @@ PhotonReport PhotonTracer::trace(const PhotonRequest& request, const PhotonSourc
 void PhotonTracer::traceBlock(const PhotonRequest& request, std::uint32_t firstPath, PhotonHits& hits,
                               PhotonReport& report) {
   parameters_.write(std::span<const PhotonParameters>(&values_, 1));
-  emit_.setArg(0, parameters_.get());
-  const cl_uint index = scene_.setArguments(emit_, 1);
-  emit_.setArg(index, cells_.get());
-  emit_.setArg(index + 1, chosen_.get());
-  emit_.setArg(index + 2, paths_.get());
-  emit_.setArg(index + 3, queues_[0].get());
-  emit_.setArg(index + 4, rays_[0].get());
-  emit_.setArg(index + 5, tallies_.get());
   std::uint32_t active = values_.pathCount;
-  device_.launch(emit_, active, groupSize);
+  const DeviceScene& handle = scene_.handle();
+  emit_.launch(active, parameters_, handle.surface(), handle.shading(), handle.lights(), cells_, chosen_,
+               paths_, queue_, rays_, tallies_);
   std::array<std::int64_t, 3> emitted{};
   sum(active, 3, emitted);
   for (std::size_t c = 0; c < 3; ++c) report.power.emitted[c] += emitted[c];
   report.emitted += active;
-  current_ = 0;
   std::array<std::int64_t, 3> left = emitted;
   for (std::uint32_t depth = 0; active > 0; ++depth) {
     if (depth == static_cast<std::uint32_t>(request.depth)) {
@@ -171,22 +163,13 @@ void PhotonTracer::traceBlock(const PhotonRequest& request, std::uint32_t firstP
 /// One surface of the photons that are on their way; returns how many go on.
 std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t count, std::uint32_t depth,
                                     std::uint32_t firstPath, PhotonHits& hits, PhotonReport& report) {
-  const std::size_t next = 1 - current_;
-  scene_.tracer().traceClosest(rays_[current_], hits_, count);
+  scene_.tracer().traceClosest(rays_, hits_, count);
   report.rays += count;
   if (request.flights) keepFlights(count, firstPath, hits);
-  setArguments(scatter_, parameters_.get(), count, depth);
-  const cl_uint index = scene_.surface().setArguments(scatter_, 3);
-  scatter_.setArg(index, scene_.lightBuffers().punctual().get());
-  scatter_.setArg(index + 1, rays_[current_].get());
-  scatter_.setArg(index + 2, hits_.get());
-  scatter_.setArg(index + 3, queues_[current_].get());
-  scatter_.setArg(index + 4, paths_.get());
-  scatter_.setArg(index + 5, outcomes_.get());
-  scatter_.setArg(index + 6, rays_[next].get());
-  scatter_.setArg(index + 7, candidates_.get());
-  scatter_.setArg(index + 8, tallies_.get());
-  device_.launch(scatter_, count, groupSize);
+  const DeviceScene& handle = scene_.handle();
+  scatter_.launch(count, parameters_, PhotonStep{count, depth, blockPhotons_}, handle.surface(),
+                  handle.shading(), handle.lights(), rays_, hits_, queue_, paths_, outcomes_, candidates_,
+                  tallies_);
   std::array<std::int64_t, tallyColumns> sums{};
   sum(count, tallyColumns, sums);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -210,10 +193,8 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   if (left == 0) return 0;
   // In the order of their numbers, whatever the device did first. The rays that were traced are done with.
   order_.write(std::span<const std::uint32_t>(goesOn_));
-  setArguments(compactPaths_, left, order_.get(), rays_[next].get(), queues_[current_].get(),
-               rays_[current_].get(), queues_[next].get());
-  device_.launch(compactPaths_, left, groupSize);
-  std::swap(queues_[0], queues_[1]);
+  compactPaths_.launch(left, left, blockPhotons_, order_, rays_, queue_, nextQueue_);
+  std::swap(queue_, nextQueue_);
   return left;
 }
 
@@ -228,9 +209,7 @@ void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {
 void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {
   if (count == 0) return;
   order_.write(std::span<const std::uint32_t>(stays_));
-  setArguments(compactPhotons_, count, order_.get(), candidates_.get(), queues_[current_].get(),
-               photons_.get(), numbers_.get());
-  device_.launch(compactPhotons_, count, groupSize);
+  compactPhotons_.launch(count, count, order_, candidates_, queue_, photons_, numbers_);
   const std::size_t before = hits.photons.size();
   hits.photons.resize(before + count);
   hits.paths.resize(before + count);
@@ -243,9 +222,9 @@ void PhotonTracer::keepFlights(std::uint32_t count, std::uint32_t firstPath, Pho
   std::vector<Ray> rays(count);
   std::vector<Hit> met(count);
   std::vector<std::uint32_t> numbers(count);
-  rays_[current_].read(std::span(rays));
+  rays_.read(std::span(rays));
   hits_.read(std::span(met));
-  queues_[current_].read(std::span(numbers));
+  queue_.read(std::span(numbers));
   for (std::uint32_t i = 0; i < count; ++i) {
     if (met[i].triangle != PRELIGHT_NO_TRIANGLE) rays[i].tMax = met[i].t;
     hits.flights.push_back({rays[i], met[i].triangle});
@@ -256,8 +235,7 @@ void PhotonTracer::keepFlights(std::uint32_t count, std::uint32_t firstPath, Pho
 /// Adds up the tallies, [count][columns].
 void PhotonTracer::sum(std::uint32_t count, std::uint32_t columns, std::span<std::int64_t> sums) {
   const std::uint32_t groups = (count + tallyRun - 1) / tallyRun;
-  setArguments(sum_, count, columns, tallyRun, tallies_.get(), sums_.get());
-  device_.launch(sum_, std::size_t{groups} * columns, groupSize);
+  sum_.launch(std::size_t{groups} * columns, count, columns, tallyRun, tallies_, sums_);
   std::vector<std::int64_t> parts(std::size_t{groups} * columns);
   sums_.read(std::span(parts));
   for (std::size_t i = 0; i < parts.size(); ++i) sums[i % columns] += parts[i];

@@ -106,9 +106,8 @@ class PhotonTracer {
   Buffer<device::PhotonParameters> parameters_;
   Buffer<std::uint32_t> cells_, chosen_;
   Buffer<device::PhotonPath> paths_;
-  std::array<Buffer<device::Ray>, 2> rays_;
-  std::array<Buffer<std::uint32_t>, 2> queues_;
-  std::size_t current_ = 0;  ///< of the two, the one to trace
+  Buffer<device::Ray> rays_;  ///< [those to trace, those that scattering sends on][blockPhotons_]
+  Buffer<std::uint32_t> queue_, nextQueue_;
   Buffer<device::Hit> hits_;
   Buffer<device::Photon> candidates_, photons_;
   Buffer<std::uint32_t> order_, numbers_;
@@ -116,7 +115,20 @@ class PhotonTracer {
   Buffer<std::int64_t> tallies_, sums_;
   std::vector<std::uint8_t> outcome_;
   std::vector<std::uint32_t> goesOn_, stays_;
-  cl::Kernel emit_, scatter_, compactPaths_, compactPhotons_, sum_;
+
+  using Parameters = Buffer<device::PhotonParameters>;
+  using Numbers = Buffer<std::uint32_t>;
+  Kernel<Parameters, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>, Buffer<device::LightLine>,
+         Numbers, Numbers, Buffer<device::PhotonPath>, Numbers, Buffer<device::Ray>, Buffer<std::int64_t>>
+      emit_;
+  Kernel<Parameters, device::PhotonStep, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
+         Buffer<device::LightLine>, Buffer<device::Ray>, Buffer<device::Hit>, Numbers,
+         Buffer<device::PhotonPath>, Buffer<std::uint8_t>, Buffer<device::Photon>, Buffer<std::int64_t>>
+      scatter_;
+  Kernel<std::uint32_t, std::uint32_t, Numbers, Buffer<device::Ray>, Numbers, Numbers> compactPaths_;
+  Kernel<std::uint32_t, Numbers, Buffer<device::Photon>, Numbers, Buffer<device::Photon>, Numbers>
+      compactPhotons_;
+  Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Buffer<std::int64_t>, Buffer<std::int64_t>> sum_;
 };
 
 }  // namespace prelight

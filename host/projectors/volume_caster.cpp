@@ -11,8 +11,6 @@ namespace {
 
 using namespace device;
 
-constexpr std::size_t groupSize = 64;
-
 class VolumeCaster {
  public:
   VolumeCaster(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer, const SlotTransfer& surface,
@@ -32,14 +30,14 @@ class VolumeCaster {
         geometricNormals_(device_, std::span<const float>(orientedNormals(scene))),
         twoSided_(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene))),
         values_(device_, blockSize_ * (1 + columns_)) {
-    const auto& program = device_.program("cast/volume_kernels.cl",
-                                          tracer.surfaceOptions()
-                                              .define("PRELIGHT_SH_ORDER", options.order)
-                                              .define("PRELIGHT_COLUMNS", static_cast<int>(columns_)));
-    generate_ = cl::Kernel(program, "generateVolumeRays");
-    project_ = cl::Kernel(program, "projectVolume");
+    const char* file = "cast/volume_kernels.cl";
+    const BuildOptions build = tracer.surfaceOptions()
+                                   .define("PRELIGHT_SH_ORDER", options.order)
+                                   .define("PRELIGHT_COLUMNS", static_cast<int>(columns_));
+    generate_ = {device_, file, build, "generateVolumeRays"};
+    project_ = {device_, file, build, "projectVolume"};
     if (options.bounces == 0) return;
-    gather_ = cl::Kernel(program, "gatherVolume");
+    gather_ = {device_, file, build, "gatherVolume"};
     backs_ = surface.backReflected.empty() ? 0 : 1;
     transfer_ = Buffer<float>(device_, std::span<const float>(sentTransfer(mesh, surface, columns_)));
     reflected_ = Buffer<float>(device_, blockSize_ * 3 * columns_);
@@ -67,16 +65,12 @@ class VolumeCaster {
                                     static_cast<float>(reachOf(options_.limits)),
                                     static_cast<float>(options_.limits.obscurance)};
     parameters_.write(std::span(&parameters, 1));
-    const cl_float4 lower = {{float(lower_.x), float(lower_.y), float(lower_.z), float(grid_.cell())}};
-    const cl_uint4 size = {
-        {cl_uint(grid_.size.x), cl_uint(grid_.size.y), cl_uint(grid_.size.z), cl_uint(first)}};
-    const auto seed = static_cast<cl_uint>(options_.seed ^ options_.seed >> 32);
-    setArguments(generate_, parameters_.get(), lower, size, seed, rays_.get());
-    device_.launch(generate_, std::size_t{count} * options_.rays / 8, groupSize);
+    const glm::vec4 lower(glm::vec3(lower_), grid_.cell());
+    const glm::uvec4 size(glm::uvec3(grid_.size), first);
+    const auto seed = static_cast<std::uint32_t>(options_.seed ^ options_.seed >> 32);
+    generate_.launch(std::size_t{count} * options_.rays / 8, parameters_, lower, size, seed, rays_);
     tracer_.traceClosest(rays_, hits_, std::size_t{count} * options_.rays);
-    setArguments(project_, parameters_.get(), shTable_.get(), rays_.get(), hits_.get(),
-                 geometricNormals_.get(), twoSided_.get(), values_.get());
-    device_.launch(project_, count, groupSize);
+    project_.launch(count, parameters_, shTable_, rays_, hits_, geometricNormals_, twoSided_, values_);
     std::vector<float> values(count * (1 + columns_)), reflected;
     values_.read(std::span(values));
     if (options_.bounces > 0) gather(count, reflected);
@@ -84,15 +78,8 @@ class VolumeCaster {
   }
 
   void gather(std::uint32_t count, std::vector<float>& reflected) {
-    gather_.setArg(0, parameters_.get());
-    gather_.setArg(1, rays_.get());
-    gather_.setArg(2, hits_.get());
-    tracer_.setSurfaceArguments(gather_, 3);
-    gather_.setArg(8, geometricNormals_.get());
-    gather_.setArg(9, transfer_.get());
-    gather_.setArg(10, backs_);
-    gather_.setArg(11, reflected_.get());
-    device_.launch(gather_, count, groupSize);
+    gather_.launch(count, parameters_, tracer_.scene().layoutBuffer(), tracer_.scene().surface(),
+                   geometricNormals_, rays_, hits_, transfer_, backs_, reflected_);
     reflected.resize(count * 3 * columns_);
     reflected_.read(std::span(reflected));
   }
@@ -126,8 +113,14 @@ class VolumeCaster {
   Buffer<float> values_;
   Buffer<float> transfer_;
   Buffer<float> reflected_;
-  cl_uint backs_ = 0;
-  cl::Kernel generate_, project_, gather_;
+  std::uint32_t backs_ = 0;
+  Kernel<Buffer<CastParameters>, glm::vec4, glm::uvec4, std::uint32_t, Buffer<Ray>> generate_;
+  Kernel<Buffer<CastParameters>, Buffer<float>, Buffer<Ray>, Buffer<Hit>, Buffer<float>, Buffer<std::uint8_t>,
+         Buffer<float>>
+      project_;
+  Kernel<Buffer<CastParameters>, Buffer<SceneLayout>, Buffer<SurfaceLine>, Buffer<float>, Buffer<Ray>,
+         Buffer<Hit>, Buffer<float>, std::uint32_t, Buffer<float>>
+      gather_;
 };
 
 }  // namespace

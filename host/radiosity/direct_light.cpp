@@ -10,7 +10,6 @@ namespace {
 
 using namespace device;
 
-constexpr std::size_t groupSize = 64;
 constexpr std::uint32_t emitterSamples = 8;  ///< a point
 constexpr std::uint32_t skySamples = 16;
 constexpr std::uint32_t raysPerBlock = 1u << 18;
@@ -33,7 +32,7 @@ DirectLight::DirectLight(const CompiledScene& scene, const ElementPoints& points
       tracer_(tracer),
       device_(tracer.context()),
       pointsPerElement_(pointsPerElement),
-      layout_(device_, 1),
+      lit_(tracer.scene()),
       positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
 
 DirectLight::DirectLight(const CompiledScene& scene, Tracer& tracer)
@@ -41,31 +40,30 @@ DirectLight::DirectLight(const CompiledScene& scene, Tracer& tracer)
       tracer_(tracer),
       device_(tracer.context()),
       pointsPerElement_(1),
-      layout_(device_, 1),
+      lit_(tracer.scene()),
       positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
 
 void DirectLight::setLights(const RadiosityLights& lights) {
   const LightTables tables = makeLightTables(scene_, lights.punctual, lights.sky, false);
-  buffers_.emplace(device_, tables);
-  const LightLayout layout = lightLayout(tables, lights.skyRotation);
-  layout_.write(std::span<const LightLayout>(&layout, 1));
+  lit_.setLights(tables, lights.skyRotation);
   std::vector<RadiosityEmitter> emitters;
   if (lights.emitters) emitters = emittersOf(scene_, tables);
   emitterBuffer_ = Buffer<RadiosityEmitter>(device_, spanOf(emitters));
   const std::uint32_t before = slots();
-  punctual_ = static_cast<std::uint32_t>(tables.punctual.size());
+  counts_.punctual = static_cast<std::uint32_t>(tables.punctual.size());
   emitters_ = static_cast<std::uint32_t>(emitters.size());
-  emitterSamples_ = emitters.empty() ? 0 : emitterSamples;
-  skySamples_ = tables.sky.empty() ? 0 : skySamples;
-  const auto options = BuildOptions()
-                           .defineIf(punctual_ > 0, "PRELIGHT_PUNCTUAL")
-                           .defineIf(skySamples_ > 0, "PRELIGHT_SKY")
-                           .defineIf(emitters_ > 0, "PRELIGHT_RADIOSITY_EMITTERS")
-                           .defineIf(emitters_ > 0 && emitters_ <= mostIntegratedEmitters, "PRELIGHT_FEW_EMITTERS");
-  const auto& program = device_.program("radiosity/direct_kernels.cl", options);
-  aim_ = cl::Kernel(program, "aimAtLights");
-  sum_ = cl::Kernel(program, "sumLights");
-  sumIncident_ = cl::Kernel(program, "sumIncident");
+  counts_.emitterSamples = emitters.empty() ? 0 : emitterSamples;
+  counts_.skySamples = tables.sky.empty() ? 0 : skySamples;
+  const auto options =
+      BuildOptions()
+          .defineIf(counts_.punctual > 0, "PRELIGHT_PUNCTUAL")
+          .defineIf(counts_.skySamples > 0, "PRELIGHT_SKY")
+          .defineIf(emitters_ > 0, "PRELIGHT_RADIOSITY_EMITTERS")
+          .defineIf(emitters_ > 0 && emitters_ <= mostIntegratedEmitters, "PRELIGHT_FEW_EMITTERS");
+  const char* file = "radiosity/direct_kernels.cl";
+  aim_ = {device_, file, options, "aimAtLights"};
+  sum_ = {device_, file, options, "sumLights"};
+  sumIncident_ = {device_, file, options, "sumIncident"};
   if (slots() == before || slots() == 0) return;
   blockPoints_ = std::max(pointsPerElement_, raysPerBlock / slots() / pointsPerElement_ * pointsPerElement_);
   receivers_ = Buffer<Receiver>(device_, blockPoints_);
@@ -111,10 +109,7 @@ std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers) 
   for (std::size_t first = 0; first < receivers.size(); first += blockPoints_) {
     const std::size_t count = std::min<std::size_t>(blockPoints_, receivers.size() - first);
     aimBlock(receivers.subspan(first, count));
-    setArguments(sumIncident_, static_cast<cl_uint>(count), static_cast<cl_uint>(punctual_),
-                 static_cast<cl_uint>(emitterSamples_), static_cast<cl_uint>(skySamples_), receivers_.get(),
-                 rayBuffer_.get(), hits_.get(), values_.get(), incident_.get());
-    device_.launch(sumIncident_, count, groupSize);
+    sumIncident_.launch(count, counts_, receivers_, rayBuffer_, hits_, values_, incident_);
     incident_.read(std::span(&values[length * first], length * count));
   }
   return values;
@@ -122,30 +117,19 @@ std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers) 
 
 void DirectLight::aimBlock(std::span<const Receiver> receivers) {
   receivers_.write(receivers);
-  const auto count = static_cast<cl_uint>(receivers.size());
-  const std::size_t rayCount = std::size_t{count} * slots();
-  setArguments(aim_, count, static_cast<cl_uint>(punctual_), static_cast<cl_uint>(emitterSamples_),
-               static_cast<cl_uint>(skySamples_), receivers_.get(), layout_.get());
-  cl_uint index = buffers_->setArguments(aim_, 6);
-  aim_.setArg(index++, emitterBuffer_.get());
-  aim_.setArg(index++, tracer_.surfaceTriangles().get());
-  aim_.setArg(index++, positions_.get());
-  aim_.setArg(index++, rayBuffer_.get());
-  aim_.setArg(index, values_.get());
-  device_.launch(aim_, rayCount, groupSize);
+  counts_.points = static_cast<std::uint32_t>(receivers.size());
+  const std::size_t rayCount = receivers.size() * slots();
+  aim_.launch(rayCount, counts_, receivers_, lit_.layoutBuffer(), lit_.surface(), lit_.lights(),
+              emitterBuffer_, positions_, rayBuffer_, values_);
   tracer_.traceAny(rayBuffer_, hits_, rayCount);
   rays_ += rayCount;
 }
 
 void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointLight* values) {
   aimBlock(receivers);
-  const auto count = static_cast<cl_uint>(receivers.size());
-  setArguments(sum_, count, static_cast<cl_uint>(punctual_), static_cast<cl_uint>(emitterSamples_),
-               static_cast<cl_uint>(skySamples_), static_cast<cl_uint>(emitters_), receivers_.get(),
-               hits_.get(), values_.get(), emitterBuffer_.get(), tracer_.surfaceTriangles().get(),
-               positions_.get(), irradiance_.get());
-  device_.launch(sum_, count, groupSize);
-  irradiance_.read(std::span(values, count));
+  sum_.launch(receivers.size(), counts_, emitters_, lit_.layoutBuffer(), lit_.surface(), receivers_, hits_,
+              values_, emitterBuffer_, positions_, irradiance_);
+  irradiance_.read(std::span(values, receivers.size()));
 }
 
 }  // namespace prelight

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/progress.h"
-#include "gpu/light_buffers.h"
 #include "gpu/tracer.h"
 #include "images/environment.h"
 #include "radiosity/element_points.h"
@@ -62,7 +60,7 @@ class DirectLight {
   std::uint64_t rays() const { return rays_; }  ///< so far
 
  private:
-  std::uint32_t slots() const { return punctual_ + emitterSamples_ + skySamples_; }
+  std::uint32_t slots() const { return counts_.punctual + counts_.emitterSamples + counts_.skySamples; }
   void aimBlock(std::span<const device::Receiver> receivers);
   void estimateBlock(std::span<const device::Receiver> receivers, PointLight* values);
 
@@ -71,11 +69,11 @@ class DirectLight {
   Tracer& tracer_;
   DeviceContext& device_;
   std::uint32_t pointsPerElement_;
-  std::uint32_t punctual_ = 0, emitterSamples_ = 0, skySamples_ = 0, emitters_ = 0;
+  device::DirectRays counts_{};  ///< points: of the block at hand
+  std::uint32_t emitters_ = 0;
   std::uint64_t rays_ = 0;
   std::uint32_t blockPoints_ = 0;
-  std::optional<LightBuffers> buffers_;
-  Buffer<device::LightLayout> layout_;
+  DeviceScene lit_;  ///< the surface with the lights
   Buffer<device::RadiosityEmitter> emitterBuffer_;
   Buffer<float> positions_;
   Buffer<device::Receiver> receivers_;
@@ -84,7 +82,18 @@ class DirectLight {
   Buffer<float> values_;
   Buffer<PointLight> irradiance_;
   Buffer<float> incident_;
-  cl::Kernel aim_, sum_, sumIncident_;
+
+  using Receivers = Buffer<device::Receiver>;
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  using Emitters = Buffer<device::RadiosityEmitter>;
+  Kernel<device::DirectRays, Receivers, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
+         Buffer<device::LightLine>, Emitters, Buffer<float>, Rays, Buffer<float>>
+      aim_;
+  Kernel<device::DirectRays, std::uint32_t, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
+         Receivers, Hits, Buffer<float>, Emitters, Buffer<float>, Buffer<PointLight>>
+      sum_;
+  Kernel<device::DirectRays, Receivers, Rays, Hits, Buffer<float>, Buffer<float>> sumIncident_;
 };
 
 }  // namespace prelight

@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t groupSize = 64;
+constexpr const char* file = "radiosity/solve_kernels.cl";
 constexpr std::uint32_t elementsPerSum = 256;
 constexpr std::uint32_t seidelBlocks = 32;
 constexpr double stepsOfALaunch = 2e7;  // elements looked at; far below a second
@@ -28,15 +28,15 @@ ExchangeSolver::ExchangeSolver(const ExchangeSystem& system)
       unsent_(device_, system.size()),
       sums_(device_, (system.size() + elementsPerSum - 1) / elementsPerSum),
       taken_(device_, 1),
-      gather_(system.program(), "gatherRows"),
-      measure_(system.program(), "measureRows"),
-      reflect_(system.program(), "reflectRows"),
-      accelerate_(system.program(), "accelerateRows"),
-      sum_(system.program(), "sumResiduals"),
-      rank_(system.program(), "rankRows"),
-      relax_(system.program(), "relaxGreatest"),
-      takeUnsendable_(system.program(), "takeUnsendable"),
-      takeRest_(system.program(), "takeRest") {}
+      gather_(device_, file, system.options(), "gatherRows"),
+      measure_(device_, file, system.options(), "measureRows"),
+      reflect_(device_, file, system.options(), "reflectRows"),
+      accelerate_(device_, file, system.options(), "accelerateRows"),
+      sum_(device_, file, system.options(), "sumResiduals"),
+      rank_(device_, file, system.options(), "rankRows"),
+      relax_(device_, file, system.options(), "relaxGreatest"),
+      takeUnsendable_(device_, file, system.options(), "takeUnsendable"),
+      takeRest_(device_, file, system.options(), "takeRest") {}
 
 void ExchangeSolver::setDirect(const std::vector<glm::vec4>& direct) {
   direct_.write(std::span<const glm::vec4>(direct));
@@ -51,32 +51,25 @@ void ExchangeSolver::restart() {
 
 /// Greatest channel of the sum of area x |value|.
 double ExchangeSolver::norm(const Buffer<glm::vec4>& values) {
-  setArguments(sum_, static_cast<cl_uint>(system_.size()), system_.areas().get(), values.get(), sums_.get());
-  device_.launch(sum_, sums_.size(), groupSize);
+  sum_.launch(sums_.size(), system_.size(), system_.areas(), values, sums_);
   glm::dvec3 total(0.0);
   for (const glm::vec4& sum : sums_.read()) total += glm::dvec3(sum);
   return std::max({total.x, total.y, total.z});
 }
 
 void ExchangeSolver::gather(std::uint32_t first, std::uint32_t count) {
-  setArguments(gather_, static_cast<cl_uint>(first), static_cast<cl_uint>(count), system_.rowStart().get(),
-               system_.columns().get(), system_.values().get(), system_.scale().get(), direct_.get(),
-               exitance_.get(), irradiance_.get(), residual_.get());
-  device_.launch(gather_, count, groupSize);
+  gather_.launch(count, first, count, system_.rowStart(), system_.columns(), system_.values(),
+                 system_.scale(), direct_, exitance_, irradiance_, residual_);
 }
 
 void ExchangeSolver::reflect(std::uint32_t first, std::uint32_t count) {
-  setArguments(reflect_, static_cast<cl_uint>(first), static_cast<cl_uint>(count),
-               static_cast<cl_uint>(system_.perSide()), system_.albedo().get(), system_.transmission().get(),
-               irradiance_.get(), exitance_.get());
-  device_.launch(reflect_, count, groupSize);
+  reflect_.launch(count, first, count, system_.perSide(), system_.albedo(), system_.transmission(),
+                  irradiance_, exitance_);
 }
 
 void ExchangeSolver::measure() {
-  setArguments(measure_, static_cast<cl_uint>(system_.size()), system_.rowStart().get(),
-               system_.columns().get(), system_.values().get(), system_.scale().get(), direct_.get(),
-               exitance_.get(), irradiance_.get(), residual_.get());
-  device_.launch(measure_, system_.size(), groupSize);
+  measure_.launch(system_.size(), system_.size(), system_.rowStart(), system_.columns(), system_.values(),
+                  system_.scale(), direct_, exitance_, irradiance_, residual_);
 }
 
 SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, double maxSweeps,
@@ -118,8 +111,7 @@ SolveReport ExchangeSolver::solve(RadiosityMethod method, double tolerance, doub
   }
   if (!measured) return report;
   // The residual is at hand: taking it in is one more iteration of Jacobi's.
-  setArguments(takeRest_, static_cast<cl_uint>(system_.size()), irradiance_.get(), residual_.get());
-  device_.launch(takeRest_, system_.size(), groupSize);
+  takeRest_.launch(system_.size(), system_.size(), irradiance_, residual_);
   return report;
 }
 
@@ -153,9 +145,8 @@ double ExchangeSolver::chebyshev() {
     weight_ = 1.0 / (1.0 - 0.5 * bound * bound);
   } else {
     gather(0, system_.size());
-    setArguments(accelerate_, static_cast<cl_uint>(system_.size()), static_cast<cl_float>(weight_),
-                 residual_.get(), irradiance_.get(), previous_.get());
-    device_.launch(accelerate_, system_.size(), groupSize);
+    accelerate_.launch(system_.size(), system_.size(), static_cast<float>(weight_), residual_, irradiance_,
+                       previous_);
     weight_ = 1.0 / (1.0 - 0.25 * bound * bound * weight_);
   }
   reflect(0, system_.size());
@@ -163,8 +154,7 @@ double ExchangeSolver::chebyshev() {
 }
 
 double ExchangeSolver::gaussSeidel() {
-  const std::uint32_t size =
-      std::max<std::uint32_t>(groupSize, (system_.size() + seidelBlocks - 1) / seidelBlocks);
+  const std::uint32_t size = std::max<std::uint32_t>(64, (system_.size() + seidelBlocks - 1) / seidelBlocks);
   for (std::uint32_t first = 0; first < system_.size(); first += size) {
     const std::uint32_t count = std::min(size, system_.size() - first);
     gather(first, count);
@@ -175,32 +165,26 @@ double ExchangeSolver::gaussSeidel() {
 
 /// As many relaxations as a launch may take, at most one a row.
 double ExchangeSolver::southwell() {
-  const auto n = static_cast<cl_uint>(system_.size());
-  const auto perSide = static_cast<cl_uint>(system_.perSide());
+  const std::uint32_t n = system_.size(), perSide = system_.perSide();
   if (!residualKnown_) measure();
-  setArguments(rank_, n, perSide, system_.areas().get(), system_.albedo().get(), system_.transmission().get(),
-               residual_.get(), unsent_.get());
-  device_.launch(rank_, n, groupSize);
+  rank_.launch(n, n, perSide, system_.areas(), system_.albedo(), system_.transmission(), residual_, unsent_);
   const auto most = static_cast<std::uint32_t>(std::max(16.0, stepsOfALaunch / n));
   std::uint32_t steps = 0;
   while (steps < n) {
-    const auto launch = static_cast<cl_uint>(std::min(most, n - steps));
-    setArguments(relax_, n, launch, static_cast<cl_float>(0.1 * goal_ / n), perSide, system_.rowStart().get(),
-                 system_.columns().get(), system_.values().get(), system_.scale().get(),
-                 system_.areas().get(), system_.albedo().get(), system_.transmission().get(),
-                 irradiance_.get(), residual_.get(), unsent_.get(), taken_.get());
-    device_.launch(relax_, PRELIGHT_SOUTHWELL_ITEMS, PRELIGHT_SOUTHWELL_ITEMS);
+    const std::uint32_t launch = std::min(most, n - steps);
+    const device::RelaxStep step{n, launch, static_cast<float>(0.1 * goal_ / n), perSide};
+    relax_.launch({PRELIGHT_SOUTHWELL_ITEMS, PRELIGHT_SOUTHWELL_ITEMS}, step, system_.rowStart(),
+                  system_.columns(), system_.values(), system_.scale(), system_.areas(), system_.albedo(),
+                  system_.transmission(), irradiance_, residual_, unsent_, taken_);
     const std::uint32_t taken = taken_.read()[0];
     steps += taken;
     if (taken < launch) break;
   }
   // When nothing worth sending is left, all take what is.
   if (steps < n) {
-    setArguments(takeRest_, n, irradiance_.get(), residual_.get());
-    device_.launch(takeRest_, n, groupSize);
+    takeRest_.launch(n, n, irradiance_, residual_);
   } else {
-    setArguments(takeUnsendable_, n, irradiance_.get(), residual_.get(), unsent_.get());
-    device_.launch(takeUnsendable_, n, groupSize);
+    takeUnsendable_.launch(n, n, irradiance_, residual_, unsent_);
   }
   reflect(0, system_.size());
   return steps == 0 ? 1.0 : double(steps) / n;

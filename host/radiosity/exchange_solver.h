@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "radiosity/exchange_system.h"
+#include "shared/radiosity_types.h"
 #include "transfer/radiosity_report.h"
 
 namespace prelight {
@@ -64,7 +65,22 @@ class ExchangeSolver {
   Buffer<float> unsent_;
   Buffer<glm::vec4> sums_;
   Buffer<std::uint32_t> taken_;
-  cl::Kernel gather_, measure_, reflect_, accelerate_, sum_, rank_, relax_, takeUnsendable_, takeRest_;
+
+  using Count = std::uint32_t;
+  using Floats = Buffer<float>;
+  using Numbers = Buffer<std::uint32_t>;
+  using Colors = Buffer<glm::vec4>;
+  Kernel<Count, Count, Numbers, Numbers, Floats, Floats, Colors, Colors, Colors, Colors> gather_;
+  Kernel<Count, Numbers, Numbers, Floats, Floats, Colors, Colors, Colors, Colors> measure_;
+  Kernel<Count, Count, Count, Colors, Colors, Colors, Colors> reflect_;
+  Kernel<Count, float, Colors, Colors, Colors> accelerate_;
+  Kernel<Count, Floats, Colors, Colors> sum_;
+  Kernel<Count, Count, Floats, Colors, Colors, Colors, Floats> rank_;
+  Kernel<device::RelaxStep, Numbers, Numbers, Floats, Floats, Floats, Colors, Colors, Colors, Colors, Floats,
+         Numbers>
+      relax_;
+  Kernel<Count, Colors, Colors, Floats> takeUnsendable_;
+  Kernel<Count, Colors, Colors> takeRest_;
 };
 
 }  // namespace prelight

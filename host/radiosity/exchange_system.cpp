@@ -47,8 +47,7 @@ ExchangeSystem::ExchangeSystem(DeviceContext& device, const CompiledScene& scene
     for (int c = 0; c < 3; ++c)
       greatestAlbedo_ =
           std::max(greatestAlbedo_, double(factors.albedo[i][c]) + (translucent ? through[i][c] : 0.0f));
-  program_ = device.program("radiosity/solve_kernels.cl",
-                            BuildOptions().defineIf(translucent, "PRELIGHT_TRANSLUCENT"));
+  options_.defineIf(translucent, "PRELIGHT_TRANSLUCENT");
 }
 
 }  // namespace prelight

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "radiosity/form_factors.h"
 #include "scene/compiled_scene.h"
 
@@ -25,7 +25,9 @@ class ExchangeSystem {
   double greatestAlbedo() const { return greatestAlbedo_; }
 
   DeviceContext& device() const { return device_; }
-  const cl::Program& program() const { return program_; }
+
+  /// Of the kernels that solve it.
+  const BuildOptions& options() const { return options_; }
 
   const Buffer<std::uint32_t>& rowStart() const { return rowStart_; }
   const Buffer<std::uint32_t>& columns() const { return columns_; }
@@ -47,7 +49,7 @@ class ExchangeSystem {
   Buffer<float> areas_;
   Buffer<glm::vec4> albedo_;
   Buffer<glm::vec4> transmission_;
-  cl::Program program_;
+  BuildOptions options_;
 };
 
 /// [element] what comes through from the other side; all 0 where nothing is translucent.

@@ -13,7 +13,6 @@ namespace {
 
 using namespace device;
 
-constexpr std::size_t groupSize = 64;
 constexpr std::uint32_t mostRaysPerPoint = 16;
 constexpr std::uint32_t maxBackRounds = 4;  // backs seen from backs, and so on
 
@@ -65,10 +64,10 @@ FormFactorCast::FormFactorCast(const CompiledScene& scene, const RadiosityElemen
   std::iota(queue_.begin(), queue_.end(), 0u);
   counts_.offsets.push_back(0);
   marks_.fill(0);
-  generate_ = cl::Kernel(device_.program("cast/generate_kernels.cl", {}), "generateRays");
-  const auto& program = device_.program("radiosity/form_factor_kernels.cl", tracer_.surfaceOptions());
-  code_ = cl::Kernel(program, "codeElements");
-  judge_ = cl::Kernel(program, "judgePoints");
+  generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
+  const char* file = "radiosity/form_factor_kernels.cl";
+  code_ = {device_, file, tracer_.surfaceOptions(), "codeElements"};
+  judge_ = {device_, file, tracer_.surfaceOptions(), "judgePoints"};
 }
 
 void FormFactorCast::run(Progress& progress) {
@@ -114,25 +113,20 @@ void FormFactorCast::castBlock(std::uint32_t count) {
     receivers.push_back(places[i].receiver);
     points.push_back({s.triangle, s.b1, s.b2, back ? 1u : 0u});
   }
-  const auto pointCount = static_cast<cl_uint>(places.size());
-  const auto rayCount = static_cast<cl_uint>(places.size() * raysPerPoint_);
+  const auto pointCount = static_cast<std::uint32_t>(places.size());
+  const auto rayCount = static_cast<std::uint32_t>(places.size() * raysPerPoint_);
   CastParameters parameters{};
   parameters.receiverCount = pointCount;
   parameters.raysPerReceiver = raysPerPoint_;
   parameters_.write(std::span<const CastParameters>(&parameters, 1));
   receivers_.write(spanOf(receivers));
   elementPoints_.write(spanOf(points));
-  setArguments(generate_, parameters_.get(), receivers_.get(), rays_.get());
-  device_.launch(generate_, rayCount / 8, groupSize);
+  generate_.launch(rayCount / 8, parameters_, receivers_, rays_);
   tracer_.traceClosest(rays_, hits_, rayCount);
-  setArguments(code_, rayCount, static_cast<cl_uint>(elements_.perSide()), rays_.get(), hits_.get(),
-               pieces_.get(), normals_.get(), reflecting_.get(), codes_.get(), marks_.get());
-  device_.launch(code_, rayCount, groupSize);
-  setArguments(judge_, pointCount, static_cast<cl_uint>(raysPerPoint_), elementPoints_.get(), rays_.get(),
-               hits_.get(), normals_.get(), twoSided_.get());
-  tracer_.setSurfaceArguments(judge_, 7);
-  judge_.setArg(12, judged_.get());
-  device_.launch(judge_, pointCount, groupSize);
+  code_.launch(rayCount, rayCount, elements_.perSide(), rays_, hits_, pieces_, normals_, reflecting_, codes_,
+               marks_);
+  judge_.launch(pointCount, pointCount, raysPerPoint_, tracer_.scene().layoutBuffer(),
+                tracer_.scene().surface(), elementPoints_, rays_, hits_, normals_, twoSided_, judged_);
   std::vector<std::uint32_t> codes(rayCount);
   std::vector<glm::vec4> judged(pointCount);
   codes_.read(std::span(codes));

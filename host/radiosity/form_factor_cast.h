@@ -80,7 +80,17 @@ class FormFactorCast {
   Buffer<std::uint8_t> twoSided_;
   Buffer<std::uint8_t> reflecting_;
   Buffer<std::uint8_t> marks_;
-  cl::Kernel generate_, code_, judge_;
+
+  using Rays = Buffer<device::Ray>;
+  using Hits = Buffer<device::Hit>;
+  using Bytes = Buffer<std::uint8_t>;
+  Kernel<Buffer<device::CastParameters>, Buffer<device::Receiver>, Rays> generate_;
+  Kernel<std::uint32_t, std::uint32_t, Rays, Hits, Buffer<glm::uvec2>, Buffer<float>, Bytes,
+         Buffer<std::uint32_t>, Bytes>
+      code_;
+  Kernel<std::uint32_t, std::uint32_t, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
+         Buffer<device::ElementPoint>, Rays, Hits, Buffer<float>, Bytes, Buffer<glm::vec4>>
+      judge_;
 };
 
 }  // namespace prelight

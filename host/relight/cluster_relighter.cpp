@@ -7,8 +7,6 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t groupSize = 64;
-
 template <typename T>
 Buffer<T> upload(DeviceContext& device, const std::vector<T>& values) {
   return Buffer<T>(device, std::span<const T>(values));
@@ -21,9 +19,6 @@ ClusterRelighter::ClusterRelighter(DeviceContext& device, const CompressedTransf
   if (transfer.method == CompressionMethod::Half || transfer.method == CompressionMethod::Band8)
     throw UsageError("relighting", "got halves or bytes, expected clustered transfer");
   clusters_ = upload(device, transfer.clusterOf);
-  floats_ = upload(device, transfer.weightFloats);
-  halves_ = upload(device, transfer.weightHalves);
-  bytes_ = upload(device, transfer.weightBytes);
   shared_.weightFloats = {};
   shared_.weightHalves = {};
   shared_.weightBytes = {};
@@ -33,12 +28,23 @@ ClusterRelighter::ClusterRelighter(DeviceContext& device, const CompressedTransf
                                    .define("PRELIGHT_COMPONENTS", transfer.components)
                                    .define("PRELIGHT_STORAGE", static_cast<int>(transfer.weights))
                                    .defineIf(clusters_.size() > 0, "PRELIGHT_CLUSTERED");
-  kernel_ = cl::Kernel(device.program("relight/cluster_kernels.cl", options), "relightClusters");
+  if (!transfer.weightHalves.empty())
+    store(transfer.weightHalves, options);
+  else if (!transfer.weightBytes.empty())
+    store(transfer.weightBytes, options);
+  else
+    store(transfer.weightFloats, options);
+}
+
+template <typename Number>
+void ClusterRelighter::store(const std::vector<Number>& weights, const BuildOptions& options) {
+  stored_ = Stored<Number>{upload(device_, weights),
+                           {device_, "relight/cluster_kernels.cl", options, "relightClusters"}};
+  weightBytes_ = weights.size() * sizeof(Number);
 }
 
 std::size_t ClusterRelighter::bytesMoved() const {
-  const auto of = [](const auto& buffer) { return buffer.size() > 0 ? buffer.bytes() : 0; };
-  return of(clusters_) + of(floats_) + of(halves_) + of(bytes_) + vertices_ * 3 * sizeof(float);
+  return (clusters_.size() > 0 ? clusters_.bytes() : 0) + weightBytes_ + vertices_ * 3 * sizeof(float);
 }
 
 void ClusterRelighter::setLight(std::span<const double> light) {
@@ -50,12 +56,12 @@ void ClusterRelighter::setLight(std::span<const double> light) {
 }
 
 void ClusterRelighter::relight(Buffer<float>& radiance) {
-  const cl::Buffer& weights = halves_.size() > 0  ? halves_.get()
-                              : bytes_.size() > 0 ? bytes_.get()
-                                                  : floats_.get();
-  setArguments(kernel_, terms_.get(), clusters_.get(), weights, static_cast<cl_uint>(vertices_),
-               radiance.get());
-  device_.launch(kernel_, vertices_, groupSize);
+  std::visit(
+      [&](auto& stored) {
+        stored.kernel.launch(vertices_, terms_, clusters_, stored.weights,
+                             static_cast<std::uint32_t>(vertices_), radiance);
+      },
+      stored_);
 }
 
 }  // namespace prelight

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
+#include <vector>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "transfer/compressed_transfer.h"
 
 namespace prelight {
@@ -31,10 +33,17 @@ class ClusterRelighter {
   std::size_t vertices_;
   Buffer<float> terms_;  ///< [cluster][1 + component][4]
   Buffer<std::uint16_t> clusters_;
-  Buffer<float> floats_;
-  Buffer<std::uint16_t> halves_;
-  Buffer<std::uint8_t> bytes_;
-  cl::Kernel kernel_;
+  std::size_t weightBytes_ = 0;
+  /// Weights as they are stored, and the kernel that reads them.
+  template <typename Number>
+  struct Stored {
+    Buffer<Number> weights;
+    Kernel<Buffer<float>, Buffer<std::uint16_t>, Buffer<Number>, std::uint32_t, Buffer<float>> kernel;
+  };
+  template <typename Number>
+  void store(const std::vector<Number>& weights, const BuildOptions& options);
+
+  std::variant<Stored<float>, Stored<std::uint16_t>, Stored<std::uint8_t>> stored_;
 };
 
 }  // namespace prelight

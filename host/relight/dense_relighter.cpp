@@ -18,13 +18,11 @@ void checkLight(std::span<const double> light, std::size_t count) {
     throw UsageError("light", fmt::format("got {} coefficients, expected 3 x {}", light.size(), count));
 }
 
-cl::Kernel denseKernel(DeviceContext& device, const LaneLaunch& launch, std::size_t count,
-                       std::size_t channels, int storage, const char* name) {
-  const BuildOptions options = launch.options()
-                                   .define("PRELIGHT_COUNT", static_cast<int>(count))
-                                   .define("PRELIGHT_CHANNELS", static_cast<int>(channels))
-                                   .define("PRELIGHT_STORAGE", storage);
-  return cl::Kernel(device.program("relight/dense_kernels.cl", options), name);
+BuildOptions denseOptions(const LaneLaunch& launch, std::size_t count, std::size_t channels, int storage) {
+  return launch.options()
+      .define("PRELIGHT_COUNT", static_cast<int>(count))
+      .define("PRELIGHT_CHANNELS", static_cast<int>(channels))
+      .define("PRELIGHT_STORAGE", storage);
 }
 
 /// The kernel's light: coefficients, then a constant for each colour.
@@ -36,45 +34,40 @@ std::vector<float> lightArgument(std::span<const double> light) {
 
 }  // namespace
 
-DenseRelighter::DenseRelighter(DeviceContext& device, std::size_t count, int channels, int storage,
-                               std::size_t numbers)
+DenseRelighter::DenseRelighter(DeviceContext& device, std::size_t count, int channels, std::size_t numbers)
     : device_(device),
       launch_(device.info()),
       count_(count),
       channels_(static_cast<std::size_t>(channels)),
       vertices_(count == 0 ? 0 : numbers / (count * channels_)),
-      light_(device, 3 * count + 3),
-      kernel_(denseKernel(device, launch_, count, channels_, storage, "relightDense")) {}
+      light_(device, 3 * count + 3) {}
+
+template <typename Number>
+void DenseRelighter::store(std::span<const Number> transfer, int storage) {
+  const std::vector<Number> tiles = tiled(transfer, channels_ * count_);
+  stored_ = Stored<Number>{Buffer<Number>(device_, std::span<const Number>(tiles)),
+                           {device_, "relight/dense_kernels.cl",
+                            denseOptions(launch_, count_, channels_, storage), "relightDense"}};
+  transferBytes_ = transfer.size_bytes();
+}
 
 DenseRelighter::DenseRelighter(DeviceContext& device, const HarmonicTransfer& transfer)
-    : DenseRelighter(device, squareOf(transfer.order), transfer.channels, FloatStorage,
-                     transfer.coefficients.size()) {
-  const auto tiles = tiled(std::span<const float>(transfer.coefficients), channels_ * count_);
-  floats_ = Buffer<float>(device, std::span<const float>(tiles));
-  transferBytes_ = transfer.coefficients.size() * sizeof(float);
+    : DenseRelighter(device, squareOf(transfer.order), transfer.channels, transfer.coefficients.size()) {
+  store(std::span<const float>(transfer.coefficients), FloatStorage);
 }
 
 DenseRelighter::DenseRelighter(DeviceContext& device, const LightGroupTransfer& transfer)
-    : DenseRelighter(device, transfer.groups.size(), transfer.channels, FloatStorage,
-                     transfer.coefficients.size()) {
-  const auto tiles = tiled(std::span<const float>(transfer.coefficients), channels_ * count_);
-  floats_ = Buffer<float>(device, std::span<const float>(tiles));
-  transferBytes_ = transfer.coefficients.size() * sizeof(float);
+    : DenseRelighter(device, transfer.groups.size(), transfer.channels, transfer.coefficients.size()) {
+  store(std::span<const float>(transfer.coefficients), FloatStorage);
 }
 
 DenseRelighter::DenseRelighter(DeviceContext& device, const CompressedTransfer& transfer)
     : DenseRelighter(device, squareOf(transfer.order), transfer.channels,
-                     transfer.method == CompressionMethod::Half ? HalfStorage : ByteStorage,
                      transfer.vertexCount * transfer.dimension()) {
-  const std::size_t rows = channels_ * count_;
   if (transfer.method == CompressionMethod::Half) {
-    const auto tiles = tiled(std::span<const std::uint16_t>(transfer.halves), rows);
-    halves_ = Buffer<std::uint16_t>(device, std::span<const std::uint16_t>(tiles));
-    transferBytes_ = transfer.halves.size() * sizeof(std::uint16_t);
+    store(std::span<const std::uint16_t>(transfer.halves), HalfStorage);
   } else if (transfer.method == CompressionMethod::Band8) {
-    const auto tiles = tiled(std::span<const std::uint8_t>(transfer.bytes), rows);
-    bytes_ = Buffer<std::uint8_t>(device, std::span<const std::uint8_t>(tiles));
-    transferBytes_ = transfer.bytes.size();
+    store(std::span<const std::uint8_t>(transfer.bytes), ByteStorage);
     ranges_ = transfer.ranges;
   } else {
     throw UsageError("relighting", "got clustered transfer, expected halves or bytes");
@@ -103,11 +96,12 @@ void DenseRelighter::setLight(std::span<const double> light) {
 }
 
 void DenseRelighter::relight(Buffer<float>& radiance) {
-  const cl::Buffer& transfer = halves_.size() > 0  ? halves_.get()
-                               : bytes_.size() > 0 ? bytes_.get()
-                                                   : floats_.get();
-  setArguments(kernel_, transfer, light_.get(), static_cast<cl_uint>(vertices_), radiance.get());
-  device_.launch(kernel_, launch_.items(vertices_), launch_.groupSize);
+  std::visit(
+      [&](auto& stored) {
+        stored.kernel.launch(launch_.size(vertices_), stored.tiles, light_,
+                             static_cast<std::uint32_t>(vertices_), radiance);
+      },
+      stored_);
 }
 
 KeyframeRelighter::KeyframeRelighter(DeviceContext& device, std::span<const HarmonicTransfer> keys)
@@ -126,8 +120,9 @@ KeyframeRelighter::KeyframeRelighter(DeviceContext& device, std::span<const Harm
     keys_.emplace_back(device, std::span<const float>(tiles));
   }
   light_ = Buffer<float>(device, 3 * count_ + 3);
-  kernel_ = denseKernel(device, launch_, count_, static_cast<std::size_t>(first.channels), FloatStorage,
-                        "relightBetweenKeys");
+  kernel_ = {device, "relight/dense_kernels.cl",
+             denseOptions(launch_, count_, static_cast<std::size_t>(first.channels), FloatStorage),
+             "relightBetweenKeys"};
 }
 
 void KeyframeRelighter::setLight(std::span<const double> light) {
@@ -142,9 +137,8 @@ void KeyframeRelighter::relight(std::size_t key, double blend, Buffer<float>& ra
                                  "with in [0,1]",
                                  key, blend, keys_.size()));
   const Buffer<float>& next = keys_[key + 1 < keys_.size() ? key + 1 : key];
-  setArguments(kernel_, keys_[key].get(), next.get(), static_cast<cl_float>(blend), light_.get(),
-               static_cast<cl_uint>(vertices_), radiance.get());
-  device_.launch(kernel_, launch_.items(vertices_), launch_.groupSize);
+  kernel_.launch(launch_.size(vertices_), keys_[key], next, static_cast<float>(blend), light_,
+                 static_cast<std::uint32_t>(vertices_), radiance);
 }
 
 }  // namespace prelight

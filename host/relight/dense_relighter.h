@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "relight/tiles.h"
 #include "transfer/compressed_transfer.h"
 
@@ -32,18 +33,24 @@ class DenseRelighter {
   void relight(Buffer<float>& radiance);
 
  private:
-  DenseRelighter(DeviceContext& device, std::size_t count, int channels, int storage, std::size_t numbers);
+  DenseRelighter(DeviceContext& device, std::size_t count, int channels, std::size_t numbers);
 
   DeviceContext& device_;
   LaneLaunch launch_;
   std::size_t count_, channels_, vertices_;
   std::size_t transferBytes_ = 0;
-  Buffer<float> floats_;
-  Buffer<std::uint16_t> halves_;
-  Buffer<std::uint8_t> bytes_;
+  /// Transfer as it is stored, and the kernel that reads it.
+  template <typename Number>
+  struct Stored {
+    Buffer<Number> tiles;
+    Kernel<Buffer<Number>, Buffer<float>, std::uint32_t, Buffer<float>> kernel;
+  };
+  template <typename Number>
+  void store(std::span<const Number> transfer, int storage);
+
+  std::variant<Stored<float>, Stored<std::uint16_t>, Stored<std::uint8_t>> stored_;
   std::vector<float> ranges_;  ///< of 8-bit transfer: [channel][band][offset, scale]
   Buffer<float> light_;
-  cl::Kernel kernel_;
 };
 
 /// Transfer at the keys of an animation: dot products of the two keys around a moment, blended. Since they
@@ -67,7 +74,7 @@ class KeyframeRelighter {
   std::size_t count_ = 0, vertices_ = 0;
   std::vector<Buffer<float>> keys_;
   Buffer<float> light_;
-  cl::Kernel kernel_;
+  Kernel<Buffer<float>, Buffer<float>, float, Buffer<float>, std::uint32_t, Buffer<float>> kernel_;
 };
 
 }  // namespace prelight

@@ -33,9 +33,8 @@ GlossyRelighter::GlossyRelighter(DeviceContext& device, const GlossyTransfer& tr
   const BuildOptions options = launch_.options()
                                    .define("PRELIGHT_ORDER", transfer.order)
                                    .define("PRELIGHT_CHANNELS", transfer.channels);
-  const cl::Program& program = device.program("relight/glossy_kernels.cl", options);
-  lightKernel_ = cl::Kernel(program, "lightMatrices");
-  shadeKernel_ = cl::Kernel(program, "shadeGlossy");
+  lightKernel_ = {device, "relight/glossy_kernels.cl", options, "lightMatrices"};
+  shadeKernel_ = {device, "relight/glossy_kernels.cl", options, "shadeGlossy"};
 }
 
 std::size_t GlossyRelighter::bytesMoved() const {
@@ -49,8 +48,8 @@ void GlossyRelighter::light(std::span<const double> light) {
                      fmt::format("got {} coefficients, expected 3 x {}", light.size(), order_ * order_));
   const std::vector<float> values(light.begin(), light.end());
   light_.write(std::span<const float>(values));
-  setArguments(lightKernel_, matrices_.get(), light_.get(), static_cast<cl_uint>(vertices_), arriving_.get());
-  device_.launch(lightKernel_, launch_.items(vertices_), launch_.groupSize);
+  lightKernel_.launch(launch_.size(vertices_), matrices_, light_, static_cast<std::uint32_t>(vertices_),
+                      arriving_);
 }
 
 std::vector<float> GlossyRelighter::arriving() const {
@@ -70,9 +69,8 @@ void GlossyRelighter::shade(Buffer<float>& directions, std::span<const double> l
   if (vertices_ == 0) return;
   const std::vector<float> values(lobe.begin(), lobe.end());
   lobe_.write(std::span<const float>(values));
-  setArguments(shadeKernel_, arriving_.get(), directions.get(), lobe_.get(), table_.get(),
-               static_cast<cl_uint>(vertices_), radiance.get());
-  device_.launch(shadeKernel_, launch_.items(vertices_), launch_.groupSize);
+  shadeKernel_.launch(launch_.size(vertices_), arriving_, directions, lobe_, table_,
+                      static_cast<std::uint32_t>(vertices_), radiance);
 }
 
 }  // namespace prelight

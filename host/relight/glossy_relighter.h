@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "relight/tiles.h"
 #include "transfer/bake.h"
 
@@ -40,7 +40,9 @@ class GlossyRelighter {
   Buffer<float> arriving_;
   Buffer<float> lobe_;
   Buffer<float> table_;
-  cl::Kernel lightKernel_, shadeKernel_;
+  using Floats = Buffer<float>;
+  Kernel<Floats, Floats, std::uint32_t, Floats> lightKernel_;
+  Kernel<Floats, Floats, Floats, Floats, std::uint32_t, Floats> shadeKernel_;
 };
 
 }  // namespace prelight

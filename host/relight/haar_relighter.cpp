@@ -25,12 +25,11 @@ HaarRelighter::HaarRelighter(DeviceContext& device, const HaarTransfer& transfer
                                    .define("PRELIGHT_CHANNELS", transfer.channels)
                                    .define("PRELIGHT_BLOCK", static_cast<int>(blockVertexCount))
                                    .define("PRELIGHT_COLUMN_COUNT", static_cast<int>(texels_));
-  const cl::Program& program = device.program("relight/haar_kernels.cl", options);
   if (form == HaarForm::Rows) {
-    kernel_ = cl::Kernel(program, "relightHaarRows");
+    rowsKernel_ = {device, "relight/haar_kernels.cl", options, "relightHaarRows"};
     uploadRows(transfer);
   } else {
-    kernel_ = cl::Kernel(program, "relightHaarColumns");
+    columnsKernel_ = {device, "relight/haar_kernels.cl", options, "relightHaarColumns"};
     uploadColumns(transfer);
   }
 }
@@ -102,22 +101,20 @@ void HaarRelighter::setLight(std::span<const LitWavelet> light) {
 }
 
 void HaarRelighter::relight(Buffer<float>& radiance) {
-  const auto vertices = static_cast<cl_uint>(vertices_);
+  const auto vertices = static_cast<std::uint32_t>(vertices_);
   if (form_ == HaarForm::Rows) {
-    setArguments(kernel_, offsets_.get(), indices_.get(), values_.get(), light_.get(), vertices,
-                 radiance.get());
-    device_.launch(kernel_, vertices_, rowGroupSize);
+    rowsKernel_.launch({vertices_, rowGroupSize}, offsets_, indices_, values_, light_, vertices, radiance);
     return;
   }
   if (litCount_ == 0) {
     radiance.fill(0.0f);
     return;
   }
-  setArguments(kernel_, offsets_.get(), blockVertices_.get(), values_.get(), lit_.get(), light_.get(),
-               static_cast<cl_uint>(litCount_), vertices, radiance.get());
   // A group works on a block; on a CPU its only item is a core.
   const std::size_t items = device_.info().kind == DeviceKind::Cpu ? 1 : 64;
-  device_.launch(kernel_, (vertices_ + blockVertexCount - 1) / blockVertexCount * items, items);
+  columnsKernel_.launch({(vertices_ + blockVertexCount - 1) / blockVertexCount * items, items}, offsets_,
+                        blockVertices_, values_, lit_, light_, static_cast<std::uint32_t>(litCount_),
+                        vertices, radiance);
 }
 
 }  // namespace prelight

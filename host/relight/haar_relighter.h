@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "transfer/bake.h"
 #include "transfer/lit_wavelet.h"
 
@@ -48,7 +48,11 @@ class HaarRelighter {
   Buffer<float> values_;
   Buffer<std::uint32_t> lit_;
   Buffer<float> light_;
-  cl::Kernel kernel_;
+  using Numbers = Buffer<std::uint32_t>;
+  Kernel<Numbers, Numbers, Buffer<float>, Buffer<float>, std::uint32_t, Buffer<float>> rowsKernel_;
+  Kernel<Numbers, Buffer<std::uint16_t>, Buffer<float>, Numbers, Buffer<float>, std::uint32_t, std::uint32_t,
+         Buffer<float>>
+      columnsKernel_;
 };
 
 }  // namespace prelight

@@ -16,8 +16,6 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t groupSize = 64;
-
 std::size_t sizeOf(int number) { return static_cast<std::size_t>(number); }
 
 /// Turns a frame whose polar axis is the sky's +Y into the world, as sh::projectEnvironment does:
@@ -73,7 +71,7 @@ ShRotator::ShRotator(DeviceContext& device, int order)
     : device_(device),
       order_(order),
       matrices_(device, sizeOf(order) * sizeOf(4 * order * order - 1) / 3),
-      kernel_(device.program("relight/light_kernels.cl", {}), "rotateBands") {}
+      kernel_(device, "relight/light_kernels.cl", {}, "rotateBands") {}
 
 void ShRotator::setRotation(const glm::dmat3& rotation) {
   const sh::ShRotation turn(order_, rotation);
@@ -86,9 +84,8 @@ void ShRotator::setRotation(const glm::dmat3& rotation) {
 }
 
 void ShRotator::rotate(const Buffer<float>& in, Buffer<float>& out, std::size_t functions) {
-  setArguments(kernel_, matrices_.get(), in.get(), static_cast<cl_uint>(order_),
-               static_cast<cl_uint>(functions), out.get());
-  device_.launch(kernel_, functions * sizeOf(order_ * order_), groupSize);
+  kernel_.launch(functions * sizeOf(order_ * order_), matrices_, in, static_cast<std::uint32_t>(order_),
+                 static_cast<std::uint32_t>(functions), out);
 }
 
 LightProjector::LightProjector(DeviceContext& device, int width, int height, int order)
@@ -104,11 +101,11 @@ LightProjector::LightProjector(DeviceContext& device, int width, int height, int
       inSkyFrame_(device, 3 * sizeOf(order * order)),
       coefficients_(device, 3 * sizeOf(order * order)),
       toWorld_(device, order) {
-  const cl::Program& program = device.program("relight/light_kernels.cl", {});
-  momentsKernel_ = cl::Kernel(program, "skyMoments");
-  coefficientsKernel_ = cl::Kernel(program, "skyCoefficients");
-  cubeKernel_ = cl::Kernel(program, "sampleCube");
-  haarKernel_ = cl::Kernel(program, "haarLevel");
+  const char* file = "relight/light_kernels.cl";
+  momentsKernel_ = {device, file, {}, "skyMoments"};
+  coefficientsKernel_ = {device, file, {}, "skyCoefficients"};
+  cubeKernel_ = {device, file, {}, "sampleCube"};
+  haarKernel_ = {device, file, {}, "haarLevel"};
   toWorld_.setRotation(worldFromSkyFrame());
 }
 
@@ -124,12 +121,11 @@ void LightProjector::setSky(const Environment& sky) {
 }
 
 std::vector<float> LightProjector::projectSh() {
-  const auto width = static_cast<cl_uint>(width_), height = static_cast<cl_uint>(height_),
-             order = static_cast<cl_uint>(order_);
-  setArguments(momentsKernel_, sky_.get(), cosine_.get(), sine_.get(), width, height, order, moments_.get());
-  device_.launch(momentsKernel_, sizeOf(height_) * sizeOf(order_), groupSize);
-  setArguments(coefficientsKernel_, moments_.get(), polar_.get(), height, order, inSkyFrame_.get());
-  device_.launch(coefficientsKernel_, 3 * sizeOf(order_ * order_), groupSize);
+  const auto width = static_cast<std::uint32_t>(width_), height = static_cast<std::uint32_t>(height_),
+             order = static_cast<std::uint32_t>(order_);
+  momentsKernel_.launch(sizeOf(height_) * sizeOf(order_), sky_, cosine_, sine_, width, height, order,
+                        moments_);
+  coefficientsKernel_.launch(3 * sizeOf(order_ * order_), moments_, polar_, height, order, inSkyFrame_);
   toWorld_.rotate(inSkyFrame_, coefficients_, 3);
   return coefficients_.read();
 }
@@ -137,16 +133,14 @@ std::vector<float> LightProjector::projectSh() {
 std::vector<float> LightProjector::projectHaar(int faceSize, int samples) {
   checkCubeFaceSize(faceSize, "faceSize");
   const std::size_t texels = cubeTexelCount(faceSize);
-  const auto size = static_cast<cl_uint>(faceSize);
+  const auto size = static_cast<std::uint32_t>(faceSize);
   Buffer<float> values(device_, 3 * texels);
-  setArguments(cubeKernel_, sky_.get(), static_cast<cl_uint>(width_), static_cast<cl_uint>(height_), size,
-               static_cast<cl_uint>(samples), values.get());
-  device_.launch(cubeKernel_, texels, groupSize);
-  constexpr cl_uint images = 3 * cubeFaces;
-  for (cl_uint half = 1; half < size; half *= 2) {
+  cubeKernel_.launch(texels, sky_, static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_),
+                     size, static_cast<std::uint32_t>(samples), values);
+  constexpr std::uint32_t images = 3 * cubeFaces;
+  for (std::uint32_t half = 1; half < size; half *= 2) {
     const std::size_t blocks = size / (2 * half);
-    setArguments(haarKernel_, values.get(), images, size, half);
-    device_.launch(haarKernel_, images * blocks * blocks, groupSize);
+    haarKernel_.launch(images * blocks * blocks, values, images, size, half);
   }
   return values.read();
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "images/environment.h"
 
 namespace prelight {
@@ -26,7 +26,7 @@ class ShRotator {
   DeviceContext& device_;
   int order_;
   Buffer<float> matrices_;
-  cl::Kernel kernel_;
+  Kernel<Buffer<float>, Buffer<float>, std::uint32_t, std::uint32_t, Buffer<float>> kernel_;
 };
 
 /// Projects equirectangular skies of one size on the device, so that a sky may change every frame. Tables are
@@ -59,7 +59,11 @@ class LightProjector {
   Buffer<float> cosine_, sine_, polar_;
   Buffer<float> moments_, inSkyFrame_, coefficients_;
   ShRotator toWorld_;
-  cl::Kernel momentsKernel_, coefficientsKernel_, cubeKernel_, haarKernel_;
+  using Floats = Buffer<float>;
+  Kernel<Floats, Floats, Floats, std::uint32_t, std::uint32_t, std::uint32_t, Floats> momentsKernel_;
+  Kernel<Floats, Floats, std::uint32_t, std::uint32_t, Floats> coefficientsKernel_;
+  Kernel<Floats, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, Floats> cubeKernel_;
+  Kernel<Floats, std::uint32_t, std::uint32_t, std::uint32_t> haarKernel_;
 };
 
 }  // namespace prelight

@@ -56,17 +56,15 @@ OccluderRelighter::OccluderRelighter(DeviceContext& device, const OccluderTransf
   receivers_ =
       Buffer<device::OccluderReceiverPoint>(device, std::span<const device::OccluderReceiverPoint>(points));
   upload_.records = {};
-  const cl::Program& program = device.program("relight/occluder_kernels.cl", {});
-  prepareKernel_ = cl::Kernel(program, "prepareOccluders");
-  relightKernel_ = cl::Kernel(program, "relightOccluders");
+  prepareKernel_ = {device, "relight/occluder_kernels.cl", {}, "prepareOccluders"};
+  relightKernel_ = {device, "relight/occluder_kernels.cl", {}, "relightOccluders"};
 }
 
 void OccluderRelighter::prepare(const device::OccluderTerms& terms) {
   if (preparedFor_ && samePreparation(*preparedFor_, terms)) return;
   const std::size_t count = recordCount();
-  setArguments(prepareKernel_, records_.get(), owners_.get(), receivers_.get(), waves_.get(), terms,
-               static_cast<cl_uint>(count), prepared_.get());
-  if (count > 0) device_.launch(prepareKernel_, count, groupSize);
+  prepareKernel_.launch(count, records_, owners_, receivers_, waves_, terms,
+                        static_cast<std::uint32_t>(count), prepared_);
   preparedFor_ = terms;
 }
 
@@ -79,9 +77,8 @@ void OccluderRelighter::relight(std::span<const device::OccluderLight> lights, c
   const std::size_t step = std::max(groupSize, mostPairs / pairs / groupSize * groupSize);
   for (std::size_t first = 0; first < vertices_; first += step) {
     const std::size_t end = std::min(vertices_, first + step);
-    setArguments(relightKernel_, offsets_.get(), prepared_.get(), receivers_.get(), onDevice.get(),
-                 waves_.get(), terms, static_cast<cl_uint>(first), static_cast<cl_uint>(end), lit.get());
-    device_.launch(relightKernel_, end - first, groupSize);
+    relightKernel_.launch({end - first, groupSize}, offsets_, prepared_, receivers_, onDevice, waves_, terms,
+                          static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), lit);
   }
 }
 

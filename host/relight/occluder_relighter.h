@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "device/buffer.h"
+#include "device/kernel.h"
 #include "occluders/occluder_upload.h"
 #include "transfer/transfer.h"
 
@@ -55,7 +55,14 @@ class OccluderRelighter {
   Buffer<glm::vec4> waves_;
   Buffer<glm::vec4> prepared_;
   std::optional<device::OccluderTerms> preparedFor_;
-  cl::Kernel prepareKernel_, relightKernel_;
+  using Records = Buffer<glm::vec4>;
+  using Receivers = Buffer<device::OccluderReceiverPoint>;
+  Kernel<Records, Buffer<std::int32_t>, Receivers, Buffer<glm::vec4>, device::OccluderTerms, std::uint32_t,
+         Records>
+      prepareKernel_;
+  Kernel<Buffer<std::uint32_t>, Records, Receivers, Buffer<device::OccluderLight>, Buffer<glm::vec4>,
+         device::OccluderTerms, std::uint32_t, std::uint32_t, Buffer<device::LitVertex>>
+      relightKernel_;
 };
 
 }  // namespace prelight

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "device/context.h"
+#include "device/kernel.h"
 
 namespace prelight {
 
@@ -35,7 +35,7 @@ struct LaneLaunch {
       : wide(info.kind == DeviceKind::Cpu), groupSize(wide ? tileVertices : 64) {}
 
   BuildOptions options() const { return BuildOptions().defineIf(wide, "PRELIGHT_WIDE_LANES"); }
-  std::size_t items(std::size_t vertices) const { return wide ? tileCount(vertices) : vertices; }
+  WorkSize size(std::size_t vertices) const { return {wide ? tileCount(vertices) : vertices, groupSize}; }
 };
 
 }  // namespace prelight

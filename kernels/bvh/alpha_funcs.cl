@@ -2,6 +2,7 @@
 #ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
 #define PRELIGHT_BVH_ALPHA_FUNCS_CL
 
+#include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 
 typedef struct Surface {
@@ -12,7 +13,16 @@ typedef struct Surface {
   __global const ushort4* texels;             // linear RGBA in 1/65535: decoded once, not at every hit
 } Surface;
 
-// Texel coordinate of u in [0, size): IEC-free integer wrapping as in glTF samplers.
+Surface surfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface) {
+  const Surface s = {(__global const DeviceTriangle*)(surface + layout->triangles),
+                     (__global const DeviceMaterial*)(surface + layout->materials),
+                     (__global const float2*)(surface + layout->texCoords),
+                     (__global const float4*)(surface + layout->colors),
+                     (__global const ushort4*)(surface + layout->texels)};
+  return s;
+}
+
+// Texel coordinate of u in [0, size): wrapped with integers, as glTF samplers do.
 uint wrapTexel(int i, uint size, uint mode) {
   const int n = (int)size;
   if (mode == PRELIGHT_WRAP_CLAMP) return (uint)clamp(i, 0, n - 1);

@@ -8,15 +8,13 @@
 
 #include "bvh/narrow_funcs.cl"
 
-// A ray a work-item. rays [rayCount] -> hits [rayCount].
+// A ray a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount].
 __kernel void traceRays(__global const NarrowNode* nodes, __global const NarrowTriangle* leaves,
-                        __global const DeviceTriangle* triangles, __global const DeviceMaterial* materials,
-                        __global const float2* texCoords, __global const float4* colors,
-                        __global const ushort4* texels, __global const Ray* rays, __global Hit* hits,
-                        const uint rayCount) {
+                        __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                        __global const Ray* rays, __global Hit* hits, const uint firstRay, const uint rayCount) {
   const size_t i = get_global_id(0);
   if (i >= rayCount) return;
   const Bvh bvh = {nodes, leaves};
-  const Surface surface = {triangles, materials, texCoords, colors, texels};
-  hits[i] = traceRay(bvh, surface, rays[i]);
+  const Surface surface = surfaceOf(layout, surfaceLines);
+  hits[i] = traceRay(bvh, surface, rays[firstRay + i]);
 }

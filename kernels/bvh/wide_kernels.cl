@@ -84,20 +84,18 @@ void writeHits(const Batch* batch, uint count, __global Hit* hits) {
   }
 }
 
-// A batch of rays a work-item. rays [rayCount] -> hits [rayCount]. The hint keeps compilers from making vectors of
+// A batch of rays a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount]. The hint keeps compilers from making vectors of
 // work-items: the rays of one are in vectors already.
 __kernel __attribute__((vec_type_hint(float16))) void traceRays(__global const WideNode* nodes, __global const TriangleBlock* blocks,
-                        __global const DeviceTriangle* triangles, __global const DeviceMaterial* materials,
-                        __global const float2* texCoords, __global const float4* colors,
-                        __global const ushort4* texels, __global const Ray* rays, __global Hit* hits,
-                        const uint rayCount) {
+                        __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                        __global const Ray* rays, __global Hit* hits, const uint firstRay, const uint rayCount) {
   const size_t first = get_global_id(0) * PRELIGHT_BATCH;
   if (first >= rayCount) return;
   const uint count = min((uint)(rayCount - first), (uint)PRELIGHT_BATCH);
   const Bvh bvh = {nodes, blocks};
-  const Surface surface = {triangles, materials, texCoords, colors, texels};
+  const Surface surface = surfaceOf(layout, surfaceLines);
   Batch batch;
-  prepareBatch(rays + first, count, &batch);
+  prepareBatch(rays + firstRay + first, count, &batch);
   traceBundles(bvh, surface, &batch);
   traceLoose(bvh, surface, &batch);
   writeHits(&batch, count, hits + first);

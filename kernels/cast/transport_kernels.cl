@@ -1,7 +1,7 @@
 // Rows of stored transport: what each receiver's rays hit, kept so that bounces need no new rays.
 #include "bvh/alpha_funcs.cl"
-#include "cast/visibility_funcs.cl"
 #include "core/sampling_funcs.cl"
+#include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
@@ -47,18 +47,16 @@ bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float
 // front. The hit's value will be interpolated from three vertices: taking one of them with its barycentric weight as
 // probability has the same mean and a third of the reads.
 // Next: gatherBounce.
-__kernel void storeSenders(__constant const CastParameters* parameters, __global const Ray* rays,
-                           __global const Hit* hits, __global const DeviceTriangle* triangles,
-                           __global const DeviceMaterial* materials, __global const float2* texCoords,
-                           __global const float4* colors, __global const ushort4* texels,
-                           __global const float* geometricNormals, __global const Receiver* receivers,
+__kernel void storeSenders(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
+                           __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
+                           __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
                            __global Sender* senders, __global uchar* marks) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
   const Hit hit = hits[i];
   Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
-    const Surface surface = {triangles, materials, texCoords, colors, texels};
+    const Surface surface = surfaceOf(layout, surfaceLines);
     const float blocked = 1.0f - visibilityOf(parameters, hit);
     float3 albedo = blocked * clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
     __global const Receiver* r = receivers + i / parameters->raysPerReceiver;
@@ -74,7 +72,7 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __global
       const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
       const bool back = (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
       if (back) marks[hit.triangle] = 1;
-      sender.slot = triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
+      sender.slot = surface.triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
       sender.albedo = bits;
     }
   }

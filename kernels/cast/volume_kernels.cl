@@ -1,9 +1,9 @@
 // Points in the air that look all around: a grid of voxels.
 // Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send.
 #include "bvh/alpha_funcs.cl"
-#include "cast/visibility_funcs.cl"
 #include "core/sampling_block_funcs.cl"
 #include "project/sh_funcs.cl"
+#include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
@@ -109,16 +109,14 @@ void addSide(__constant const CastParameters* parameters, __global const float* 
 // A voxel a work-item. rays, hits as above; transfer [slot][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
 // then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_COLUMNS], the mean over rays of albedo x transfer
 // at the hit, and what comes through it.
-__kernel void gatherVolume(__constant const CastParameters* parameters, __global const Ray* rays,
-                           __global const Hit* hits, __global const DeviceTriangle* triangles,
-                           __global const DeviceMaterial* materials, __global const float2* texCoords,
-                           __global const float4* colors, __global const ushort4* texels,
-                           __global const float* geometricNormals, __global const float* transfer, uint backs,
-                           __global float* values) {
+__kernel void gatherVolume(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
+                           __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
+                           __global const Ray* rays, __global const Hit* hits, __global const float* transfer,
+                           uint backs, __global float* values) {
   const size_t voxel = get_global_id(0);
   if (voxel >= parameters->receiverCount) return;
   const uint count = parameters->raysPerReceiver, width = 3 * PRELIGHT_COLUMNS;
-  const Surface surface = {triangles, materials, texCoords, colors, texels};
+  const Surface surface = surfaceOf(layout, surfaceLines);
   float sum[3 * PRELIGHT_COLUMNS];
   for (uint i = 0; i < width; ++i) sum[i] = 0.0f;
   for (uint j = 0; j < count; ++j) {
@@ -128,12 +126,12 @@ __kernel void gatherVolume(__constant const CastParameters* parameters, __global
     const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
     const float3 color = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
     const float3 albedo = (1.0f - visibilityOf(parameters, hit)) * color;
-    if (!back || backs != 0) addSide(parameters, transfer, triangles[hit.triangle], back, hit, albedo, sum);
+    if (!back || backs != 0) addSide(parameters, transfer, surface.triangles[hit.triangle], back, hit, albedo, sum);
     // A translucent surface also lets through what arrives on its other side.
-    const uint bits = materials[triangles[hit.triangle].material].transmission;
+    const uint bits = surface.materials[surface.triangles[hit.triangle].material].transmission;
     if (bits == 0u || (!back && backs == 0)) continue;
     const float3 through = (float3)((float)(bits & 1023u), (float)(bits >> 10 & 1023u), (float)(bits >> 20 & 1023u));
-    addSide(parameters, transfer, triangles[hit.triangle], !back, hit,
+    addSide(parameters, transfer, surface.triangles[hit.triangle], !back, hit,
             (1.0f - visibilityOf(parameters, hit)) * (1.0f / 1023.0f) * through, sum);
   }
   for (uint i = 0; i < width; ++i) values[voxel * width + i] = sum[i] / (float)count;

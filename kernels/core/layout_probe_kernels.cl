@@ -2,6 +2,7 @@
 // Output: [struct] sizeof, then the offset of a late field, in the order of host/device/layout.cpp.
 
 #include "shared/bvh_types.h"
+#include "shared/cached_light_types.h"
 #include "shared/cast_types.h"
 #include "shared/density_types.h"
 #include "shared/gather_types.h"
@@ -14,6 +15,7 @@
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
+#include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
 
@@ -21,9 +23,8 @@
   out[2 * (index)] = (uint)sizeof(Type);                  \
   out[2 * (index) + 1] = (uint)(size_t)(&((Type*)0)->field)
 
-// One work-item. out: [struct][size, offset].
-__kernel void probeLayout(__global uint* out) {
-  if (get_global_id(0) != 0) return;
+// out: [struct][size, offset].
+void probeFirstHalf(__global uint* out) {
   PROBE(0, Ray, tMax);
   PROBE(1, Hit, v);
   PROBE(2, WideNode, child);
@@ -35,7 +36,7 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(8, Receiver, firstSample);
   PROBE(9, CastParameters, firstStored);
   PROBE(10, Sender, albedo);
-  PROBE(11, ReferenceParameters, lights);
+  PROBE(11, ReferenceParameters, scene);
   PROBE(12, ShadeMaterial, flags);
   PROBE(13, PunctualLight, coneOffset);
   PROBE(14, PathState, diffuseBounces);
@@ -54,12 +55,15 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(27, PhotonBlock, direction);
   PROBE(28, AreaNode, triangleCount);
   PROBE(29, AreaTriangle, normal);
-  PROBE(30, DensityParameters, queryCount);
+  PROBE(30, DensityParameters, photonBlocks);
+}
+
+void probeSecondHalf(__global uint* out) {
   PROBE(31, DensityQuery, radius);
   PROBE(32, PhotonSource, tangent);
-  PROBE(33, PhotonParameters, lights);
+  PROBE(33, PhotonParameters, scene);
   PROBE(34, PhotonPath, mirrored);
-  PROBE(35, GatherParameters, lights);
+  PROBE(35, GatherParameters, scene);
   PROBE(36, GatherPath, widened);
   PROBE(37, PhotonGrid, firstCell);
   PROBE(38, DeviceInstance, triangleCount);
@@ -70,4 +74,28 @@ __kernel void probeLayout(__global uint* out) {
   PROBE(43, RadiosityEmitter, radiance);
   PROBE(44, VirtualLight, through);
   PROBE(45, SurfacePlace, clearance);
+  PROBE(46, SurfaceLine, words);
+  PROBE(47, ShadingLine, words);
+  PROBE(48, LightLine, words);
+  PROBE(49, OccluderLine, words);
+  PROBE(50, SceneLayout, occluderVertices);
+  PROBE(51, PathStep, goesOn);
+  PROBE(52, PhotonStep, next);
+  PROBE(53, IrradianceLine, words);
+  PROBE(54, IrradianceMapLayout, triangleCount);
+  PROBE(55, GatherStep, next);
+  PROBE(56, DensityLine, words);
+  PROBE(57, CachedPathParameters, causticSamples);
+  PROBE(58, GlassStep, reach);
+  PROBE(59, DirectRays, skySamples);
+  PROBE(60, RelaxStep, perSide);
+  PROBE(61, LightGroupLine, words);
+  PROBE(62, LightGroupLayout, normals);
+}
+
+// One work-item.
+__kernel void probeLayout(__global uint* out) {
+  if (get_global_id(0) != 0) return;
+  probeFirstHalf(out);
+  probeSecondHalf(out);
 }

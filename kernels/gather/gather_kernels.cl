@@ -9,9 +9,9 @@
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
 #include "transport/irradiance_funcs.cl"
-#include "transport/light_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 #define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
 
@@ -45,35 +45,27 @@ bool follow(__constant const GatherParameters* p, __global const Receiver* recei
 }
 #endif
 
-// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays, hits
-// [count], paths [count] of them;
-// radiance [ray of the block][3] is set at depth 0 and added to beyond -> nextRays, nextPaths [counter].
-__kernel void gatherRadiance(__constant const GatherParameters* p, const uint count, const uint depth,
-                             __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                             __global const float2* texCoords, __global const float4* colors,
-                             __global const ushort4* texels, __global const float* vertices,
-                             __global const uchar* flat, __global const ShadeMaterial* materials,
-                             __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                             __global const uint* tables, __global const uint* emitters,
-                             __global const float* emitterDensities, __global const PunctualLight* punctual,
-                             __global const float4* sky, __global const float2* corners,
-                             __global const float4* irradiances, __global const Receiver* receivers,
-                             __global const Ray* rays, __global const Hit* hits, __global const GatherPath* paths,
-                             __global float* radiances, __global Ray* nextRays, __global GatherPath* nextPaths,
-                             __global uint* counter) {
+// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays
+// and paths lie where the step says, hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond ->
+// rays and paths of those that go on [counter].
+__kernel void gatherRadiance(__constant const GatherParameters* p, const GatherStep step,
+                             __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                             __global const LightLine* lightLines, __global const IrradianceLine* irradiances,
+                             __global const Receiver* receivers, __global Ray* rays, __global const Hit* hits,
+                             __global GatherPath* paths, __global float* radiances, __global uint* counter) {
   const size_t i = get_global_id(0);
-  if (i >= count) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
-  const IrradianceMap map = {corners, irradiances, (int2)((int)p->mapWidth, (int)p->mapHeight), p->triangleCount};
+  if (i >= step.count) return;
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
+  const PathScene s = scene.surface;
+  const IrradianceMap map = irradianceMapOf(&p->map, irradiances);
   GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u};
-  if (depth > 0u) path = paths[i];
-  const Ray ray = rays[i];
+  if (step.depth > 0u) path = paths[step.first + i];
+  const Ray ray = rays[step.first + i];
   const Hit hit = hits[i];
   float3 radiance = (float3)(0.0f);
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
-  if (path.widened != 0u) radiance = evalLight(lights, &p->lights, s, ray, hit, surface.front);
+  if (path.widened != 0u) radiance = evalLight(scene.lights, &p->scene.lights, s, ray, hit, surface.front);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
     const Bsdf bsdf = loadBsdf(s, surface);
 #ifdef PRELIGHT_ABSORPTION
@@ -90,17 +82,17 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const uint co
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     Ray next;
-    if (follow(p, receivers, surface, bsdf, depth, &path, &next)) {
+    if (follow(p, receivers, surface, bsdf, step.depth, &path, &next)) {
       const uint slot = atomic_inc(counter);
-      nextRays[slot] = next;
-      nextPaths[slot] = path;
+      rays[step.next + slot] = next;
+      paths[step.next + slot] = path;
     }
 #endif
   } else {
     radiance *= vload3(0, path.throughput);
   }
   __global float* out = radiances + 3 * (size_t)path.ray;
-  vstore3(depth == 0u ? radiance : vload3(0, out) + radiance, 0, out);
+  vstore3(step.depth == 0u ? radiance : vload3(0, out) + radiance, 0, out);
 }
 
 // A receiver a work-item. radiances [receiver][raysPerReceiver][3] -> irradiance [receiver][3]: pi times their mean, as

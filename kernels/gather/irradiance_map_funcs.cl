@@ -2,12 +2,21 @@
 #ifndef PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 #define PRELIGHT_GATHER_IRRADIANCE_MAP_FUNCS_CL
 
+#include "shared/gather_types.h"
+
 typedef struct IrradianceMap {
   __global const float2* corners;  // [face][3] texels; a face is a triangle's front, or triangleCount + triangle its back
   __global const float4* texels;   // [row][column] irradiance, W/m2; w unused
   int2 size;
   uint triangleCount;
 } IrradianceMap;
+
+IrradianceMap irradianceMapOf(__constant const IrradianceMapLayout* layout, __global const IrradianceLine* lines) {
+  const IrradianceMap m = {(__global const float2*)(lines + layout->corners),
+                           (__global const float4*)(lines + layout->texels),
+                           (int2)((int)layout->width, (int)layout->height), layout->triangleCount};
+  return m;
+}
 
 // Bilinear between the centres of texels; 0 on a face without a place in the map.
 float3 irradianceAt(IrradianceMap m, uint triangle, bool front, float u, float v) {

@@ -30,6 +30,18 @@ typedef struct DensityMaps {
   __global const AreaTriangle* areaTriangles;
 } DensityMaps;
 
+DensityMaps densityMapsOf(__constant const DensityParameters* parameters, __global const DensityLine* lines) {
+  const DensityMaps maps = {parameters,
+                            (__global const LeafTree*)(lines + parameters->photonTrees),
+                            (__global const float*)(lines + parameters->photonBoxes),
+                            (__global const PhotonBlock*)(lines + parameters->photonBlocks),
+                            (__global const SurfacePlace*)(lines + parameters->places),
+                            (__global const LeafTree*)(lines + parameters->areaTrees),
+                            (__global const AreaNode*)(lines + parameters->areaNodes),
+                            (__global const AreaTriangle*)(lines + parameters->areaTriangles)};
+  return maps;
+}
+
 // Where a query stands.
 typedef struct DensityPlace {
   float3 position;

@@ -2,14 +2,11 @@
 #include "photon/density_funcs.cl"
 
 // A query a work-item. queries [query] -> irradiance [query][3], W/m2.
-__kernel void estimateIrradiance(__constant const DensityParameters* parameters, __global const LeafTree* photonTrees,
-                                 __global const float* photonBoxes, __global const PhotonBlock* photonBlocks,
-                                 __global const SurfacePlace* places, __global const LeafTree* areaTrees,
-                                 __global const AreaNode* areaNodes, __global const AreaTriangle* areaTriangles,
+__kernel void estimateIrradiance(__constant const DensityParameters* parameters, __global const DensityLine* lines,
                                  __global const DensityQuery* queries, __global float* irradiance) {
   const size_t i = get_global_id(0);
   if (i >= parameters->queryCount) return;
-  const DensityMaps maps = {parameters, photonTrees, photonBoxes, photonBlocks, places, areaTrees, areaNodes, areaTriangles};
+  const DensityMaps maps = densityMapsOf(parameters, lines);
   const float3 position = vload3(0, queries[i].position), side = vload3(0, queries[i].normal);
   vstore3(photonIrradiance(maps, position, side, queries[i].triangle, queries[i].radius), i, irradiance);
 }

@@ -2,6 +2,7 @@
 // Options: those of the included files.
 #include "photon/path_funcs.cl"
 #include "transport/emission_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 // Point of the square of directions: the plain sequence, so that photons whose numbers agree modulo a power of two start
 // in much the same direction; or the sequence within each of the cells in turn.
@@ -16,23 +17,17 @@ uint2 directionBits(PhotonSource s, __global const uint* cells, uint photon) {
 // A photon a work-item: one after the other or, of a choice, those that `numbers` has from firstPhoton on. cells
 // [source.firstCell + cell] -> paths, queue, rays [pathCount]; emitted [pathCount][3], in counts of the tallies. Next: trace,
 // scatterPhotons.
-__kernel void emitPhotons(__constant const PhotonParameters* p, __global const DeviceTriangle* triangles,
-                          __global const DeviceMaterial* bases, __global const float2* texCoords,
-                          __global const float4* colors, __global const ushort4* texels, __global const float* vertices,
-                          __global const uchar* flat, __global const ShadeMaterial* materials,
-                          __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                          __global const uint* tables, __global const uint* emitters,
-                          __global const float* emitterDensities, __global const PunctualLight* punctual,
-                          __global const float4* sky, __global const uint* cells, __global const uint* numbers,
-                          __global PhotonPath* paths, __global uint* queue, __global Ray* rays, __global long* emitted) {
+__kernel void emitPhotons(__constant const PhotonParameters* p, __global const SurfaceLine* surfaceLines,
+                          __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
+                          __global const uint* cells, __global const uint* numbers, __global PhotonPath* paths,
+                          __global uint* queue, __global Ray* rays, __global long* emitted) {
   const size_t i = get_global_id(0);
   if (i >= p->pathCount) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const Lights lights = {tables, emitters, emitterDensities, punctual, sky};
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const uint rank = p->firstPhoton + (uint)i;
   const uint photon = p->chosen != 0u ? numbers[rank] : rank;
   const uint2 bits = directionBits(p->source, cells, photon);
-  const Emission e = emitLight(p, lights, s, bits, photonPoint(p, photon, PRELIGHT_PAIR_PLACE),
+  const Emission e = emitLight(p, scene.lights, scene.surface, bits, photonPoint(p, photon, PRELIGHT_PAIR_PLACE),
                                photonBits(p, photon, PRELIGHT_PAIR_EMITTER));
   const PhotonSource source = p->source;
   float share = 1.0f / (float)source.count;

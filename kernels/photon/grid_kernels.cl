@@ -3,10 +3,17 @@
 // PRELIGHT_DENSITY_NEAREST: k, 0: all within the radius.
 #include "photon/density_funcs.cl"
 
+// Photons of a map: their grid and [cell] first photons of all grids, members x, y, z, red, green, blue [photon].
+typedef struct GridPhotons {
+  __global const PhotonGrid* grid;
+  __global const uint* starts;
+  __global const float* members[6];
+} GridPhotons;
+
 // Photons from `first` up to `last`, eight at a time.
-float8 squaredInGrid(__global const float* x, __global const float* y, __global const float* z, uint first, uint last,
-                     float3 p) {
-  const float8 dx = vload8(0, x + first) - p.x, dy = vload8(0, y + first) - p.y, dz = vload8(0, z + first) - p.z;
+float8 squaredInGrid(const GridPhotons* photons, uint first, uint last, float3 p) {
+  const float8 dx = vload8(0, photons->members[0] + first) - p.x, dy = vload8(0, photons->members[1] + first) - p.y,
+               dz = vload8(0, photons->members[2] + first) - p.z;
   const int8 inside = (int8)(0, 1, 2, 3, 4, 5, 6, 7) < (int8)((int)(last - first));
   return select((float8)(INFINITY), dx * dx + dy * dy + dz * dz, inside);
 }
@@ -21,8 +28,9 @@ uint rowStart(__global const PhotonGrid* grid, int y, int z) {
   return grid->firstCell + ((uint)z * grid->cells[1] + (uint)y) * grid->cells[0];
 }
 
-float3 gatherFromGrid(__global const PhotonGrid* grid, __global const uint* starts, __global const float* const* members,
-                      float3 p, float r2) {
+float3 gatherFromGrid(const GridPhotons* photons, float3 p, float r2) {
+  __global const PhotonGrid* grid = photons->grid;
+  __global const uint* starts = photons->starts;
   const float inverse = 1.0f / r2, r = sqrt(r2);
   const int3 low = cellOf(grid, p - r), high = cellOf(grid, p + r);
   float8 red = 0.0f, green = 0.0f, blue = 0.0f;
@@ -31,21 +39,20 @@ float3 gatherFromGrid(__global const PhotonGrid* grid, __global const uint* star
       const uint row = rowStart(grid, y, z);
       const uint last = starts[row + (uint)high.x + 1u];
       for (uint i = starts[row + (uint)low.x]; i < last; i += 8u) {
-        const float8 weights = kernelWeights(squaredInGrid(members[0], members[1], members[2], i, last, p) * inverse);
-        red += weights * vload8(0, members[3] + i);
-        green += weights * vload8(0, members[4] + i);
-        blue += weights * vload8(0, members[5] + i);
+        const float8 weights = kernelWeights(squaredInGrid(photons, i, last, p) * inverse);
+        red += weights * vload8(0, photons->members[3] + i);
+        green += weights * vload8(0, photons->members[4] + i);
+        blue += weights * vload8(0, photons->members[5] + i);
       }
     }
   return (float3)(sumOf(red), sumOf(green), sumOf(blue));
 }
 
 #if PRELIGHT_DENSITY_NEAREST > 0
-float visitCells(__global const uint* starts, __global const float* const* members, uint cell, uint cellCount, float3 p,
-                 float* heap, uint* count, float limit) {
-  const uint last = starts[cell + cellCount];
-  for (uint i = starts[cell]; i < last; i += 8u) {
-    const float8 squared = squaredInGrid(members[0], members[1], members[2], i, last, p);
+float visitCells(const GridPhotons* photons, uint cell, uint cellCount, float3 p, float* heap, uint* count, float limit) {
+  const uint last = photons->starts[cell + cellCount];
+  for (uint i = photons->starts[cell]; i < last; i += 8u) {
+    const float8 squared = squaredInGrid(photons, i, last, p);
     if (!any(isless(squared, (float8)(limit)))) continue;
     float reaches[8];
     vstore8(squared, 0, reaches);
@@ -62,8 +69,8 @@ float visitCells(__global const uint* starts, __global const float* const* membe
 }
 
 // Shell after shell of cells around p's.
-float nearestInGrid(__global const PhotonGrid* grid, __global const uint* starts, __global const float* const* members,
-                    float3 p, float limit) {
+float nearestInGrid(const GridPhotons* photons, float3 p, float limit) {
+  __global const PhotonGrid* grid = photons->grid;
   float heap[PRELIGHT_DENSITY_NEAREST];
   uint count = 0u;
   const int3 centre = cellOf(grid, p);
@@ -78,12 +85,12 @@ float nearestInGrid(__global const PhotonGrid* grid, __global const uint* starts
       for (int y = low.y; y <= high.y; ++y) {
         const uint row = rowStart(grid, y, z);
         if (abs(z - centre.z) == s || abs(y - centre.y) == s) {
-          limit = visitCells(starts, members, row + (uint)low.x, (uint)(high.x - low.x) + 1u, p, heap, &count, limit);
+          limit = visitCells(photons, row + (uint)low.x, (uint)(high.x - low.x) + 1u, p, heap, &count, limit);
           continue;
         }
-        if (centre.x - s >= 0) limit = visitCells(starts, members, row + (uint)(centre.x - s), 1u, p, heap, &count, limit);
+        if (centre.x - s >= 0) limit = visitCells(photons, row + (uint)(centre.x - s), 1u, p, heap, &count, limit);
         if (centre.x + s <= most.x && s > 0)
-          limit = visitCells(starts, members, row + (uint)(centre.x + s), 1u, p, heap, &count, limit);
+          limit = visitCells(photons, row + (uint)(centre.x + s), 1u, p, heap, &count, limit);
       }
   }
   return limit;
@@ -91,32 +98,25 @@ float nearestInGrid(__global const PhotonGrid* grid, __global const uint* starts
 #endif
 
 // A query a work-item, as estimateIrradiance. The hint keeps Intel's compiler from joining work-items, which loses the area of
-// some. starts [cell of all grids + 1]; x .. blue [photon, padded by 8].
-__kernel __attribute__((vec_type_hint(float8))) void estimateFromGrid(__constant const DensityParameters* parameters, __global const PhotonGrid* grids,
-                               __global const uint* starts, __global const float* x, __global const float* y,
-                               __global const float* z, __global const float* red, __global const float* green,
-                               __global const float* blue, __global const SurfacePlace* places,
-                               __global const LeafTree* areaTrees, __global const AreaNode* areaNodes,
-                               __global const AreaTriangle* areaTriangles, __global const DensityQuery* queries,
-                               __global float* irradiance) {
+// some. starts [cell of all grids + 1]; members [6][memberLength]: x .. blue [photon, padded by 8].
+__kernel __attribute__((vec_type_hint(float8))) void estimateFromGrid(
+    __constant const DensityParameters* parameters, __global const DensityLine* lines, __global const PhotonGrid* grids,
+    __global const uint* starts, __global const float* members, const uint memberLength,
+    __global const DensityQuery* queries, __global float* irradiance) {
   const size_t i = get_global_id(0);
   if (i >= parameters->queryCount) return;
-  const SurfacePlace at = places[queries[i].triangle];
-  DensityPlace place;
-  place.position = vload3(0, queries[i].position);
-  place.normal = vload3(0, areaTriangles[at.slot].normal);
-  place.region = at.region & ~PRELIGHT_PLANAR_REGION;
-  place.slot = at.slot;
+  const DensityMaps maps = densityMapsOf(parameters, lines);
+  const float3 position = vload3(0, queries[i].position);
+  DensityPlace place = findDensityPlace(maps, position, (float3)(0.0f), queries[i].triangle);
   place.planar = true;
-  place.clearance = at.clearance;
-  const DensityMaps maps = {parameters, 0, 0, 0, places, areaTrees, areaNodes, areaTriangles};
-  __global const PhotonGrid* grid = grids + place.region;
-  __global const float* members[6] = {x, y, z, red, green, blue};
+  GridPhotons photons = {grids + place.region, starts, {0, 0, 0, 0, 0, 0}};
+  for (uint k = 0; k < 6u; ++k) photons.members[k] = members + (size_t)k * memberLength;
   float r2 = queries[i].radius * queries[i].radius;
 #if PRELIGHT_DENSITY_NEAREST > 0
+  __global const PhotonGrid* grid = photons.grid;
   if (starts[grid->firstCell + grid->cells[0] * grid->cells[1] * grid->cells[2]] - starts[grid->firstCell] >= PRELIGHT_DENSITY_NEAREST)
-    r2 = nearestInGrid(grid, starts, members, place.position, r2);
+    r2 = nearestInGrid(&photons, position, r2);
 #endif
-  const float3 power = gatherFromGrid(grid, starts, members, place.position, r2);
+  const float3 power = gatherFromGrid(&photons, position, r2);
   vstore3(power / fmax(densityArea(maps, place, sqrt(r2)), PRELIGHT_LEAST_AREA * r2), i, irradiance);
 }

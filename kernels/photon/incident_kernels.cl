@@ -33,14 +33,11 @@ void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 nor
 }
 
 // A query a work-item. queries [query] -> incident [query][3][5]: irradiance, W/m2, and incident radiance in SH of order 2.
-__kernel void estimateIncident(__constant const DensityParameters* parameters, __global const LeafTree* photonTrees,
-                               __global const float* photonBoxes, __global const PhotonBlock* photonBlocks,
-                               __global const SurfacePlace* places, __global const LeafTree* areaTrees,
-                               __global const AreaNode* areaNodes, __global const AreaTriangle* areaTriangles,
+__kernel void estimateIncident(__constant const DensityParameters* parameters, __global const DensityLine* lines,
                                __global const DensityQuery* queries, __global float* incident) {
   const size_t i = get_global_id(0);
   if (i >= parameters->queryCount) return;
-  const DensityMaps maps = {parameters, photonTrees, photonBoxes, photonBlocks, places, areaTrees, areaNodes, areaTriangles};
+  const DensityMaps maps = densityMapsOf(parameters, lines);
   const float3 side = normalize(vload3(0, queries[i].normal));
   const DensityPlace place = findDensityPlace(maps, vload3(0, queries[i].position), side, queries[i].triangle);
   float3 sums[PRELIGHT_INCIDENT_VALUES];

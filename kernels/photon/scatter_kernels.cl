@@ -8,6 +8,7 @@
 #include "transport/material_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 // Light that is caught between mirrors or in glass loses nothing and would not end. From so many times in a row on, roulette
 // ends it, too.
@@ -72,21 +73,18 @@ void countPower(__constant const PhotonParameters* p, const float* power, float 
   for (uint c = 0; c < 3; ++c) counts[c] += (sign < 0.0f ? -1 : 1) * countsOf(p, power[c]);
 }
 
-// A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; nextRays [count] where
+// A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; rays from step.next on where
 // it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: compactPaths,
 // compactPhotons, sumTallies.
-__kernel void scatterPhotons(__constant const PhotonParameters* p, const uint count, const uint depth,
-                             __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                             __global const float2* texCoords, __global const float4* colors,
-                             __global const ushort4* texels, __global const float* vertices,
-                             __global const uchar* flat, __global const ShadeMaterial* materials,
-                             __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                             __global const PunctualLight* punctual, __global const Ray* rays, __global const Hit* hits,
+__kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonStep step,
+                             __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                             __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
                              __global const uint* queue, __global PhotonPath* paths, __global uchar* outcomes,
-                             __global Ray* nextRays, __global Photon* stored, __global long* tallies) {
+                             __global Photon* stored, __global long* tallies) {
   const size_t i = get_global_id(0);
-  if (i >= count) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
+  if (i >= step.count) return;
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
+  const PathScene s = scene.surface;
   PhotonPath path = paths[queue[i]];
   const Hit hit = hits[i];
   long absorbed[3] = {0, 0, 0}, escaped[3] = {0, 0, 0};
@@ -99,8 +97,8 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
     const Bsdf bsdf = loadBsdf(s, surface);
     float3 power = vload3(0, path.power);
 #ifdef PRELIGHT_PUNCTUAL
-    if (depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
-      const float ratio = hit.t * punctual[p->source.light].inverseRange;
+    if (step.depth == 0u && p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) {
+      const float ratio = hit.t * scene.lights.punctual[p->source.light].inverseRange;
       power *= clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
     }
 #endif
@@ -119,7 +117,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
       stored[i] = photon;
       outcome |= PRELIGHT_PHOTON_STORED;
     }
-    if (goesOnFrom(path, bsdf) && scatterPhoton(p, depth, surface, bsdf, power, &path, nextRays + i)) {
+    if (goesOnFrom(path, bsdf) && scatterPhoton(p, step.depth, surface, bsdf, power, &path, rays + step.next + i)) {
       paths[queue[i]] = path;
       countPower(p, path.power, -1.0f, absorbed);
       outcome |= PRELIGHT_PHOTON_GOES_ON;
@@ -132,12 +130,12 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const uint co
   }
 }
 
-// order [count]: those of the photons that go on -> their rays and queue, close together.
-__kernel void compactPaths(const uint count, __global const uint* order, __global const Ray* rays,
-                           __global const uint* queue, __global Ray* nextRays, __global uint* nextQueue) {
+// order [count]: those of the photons that go on, whose rays lie from `next` on -> their rays and queue, close together.
+__kernel void compactPaths(const uint count, const uint next, __global const uint* order, __global Ray* rays,
+                           __global const uint* queue, __global uint* nextQueue) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  nextRays[i] = rays[order[i]];
+  rays[i] = rays[next + order[i]];
   nextQueue[i] = queue[order[i]];
 }
 

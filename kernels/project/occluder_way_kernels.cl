@@ -4,10 +4,11 @@
 #define PRELIGHT_GLOSSY
 #define PRELIGHT_MIRROR
 #define PRELIGHT_GLASS
+#include "project/occluder_scene_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/occluder_types.h"
-#include "transport/material_funcs.cl"
 #include "transport/medium_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 #define PRELIGHT_ALWAYS 0.99999994f      // a chance that only total reflection is above
 #define PRELIGHT_LEAST_THROUGHPUT 1e-3f  // what is darker is as good as blocked
@@ -16,19 +17,19 @@ bool materialHas(Hit hit, __global const DeviceTriangle* triangles, __global con
   return hit.triangle != PRELIGHT_NO_TRIANGLE && (flags[triangles[hit.triangle].material] & flag) != 0u;
 }
 
-// A ray a work-item. rays, hits [ray] -> mirrored [ray], and mirrorRays [counter] that find out whether they are open.
-__kernel void listMirrored(__constant const CastParameters* parameters, __global const Ray* rays,
-                           __global const Hit* hits, __global const uint* flags,
-                           __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                           __global const float2* texCoords, __global const float4* colors,
-                           __global const ushort4* texels, __global const float* vertices,
-                           __global const uchar* flat, __global const ShadeMaterial* materials,
-                           const float reach, __global OccluderWay* mirrored, __global Ray* mirrorRays, __global uint* counter) {
+// A ray a work-item. rays, hits [ray] -> ways [ray], and mirrorRays [counter] that find out whether they are open.
+__kernel void listMirrored(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
+                           __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                           __global const OccluderLine* occluderLines, __global const Ray* rays,
+                           __global const Hit* hits, const float reach, __global OccluderWay* ways,
+                           __global Ray* mirrorRays, __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
-  mirrored[i].share = 0.0f;
-  if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_SHINY)) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
+  __global OccluderWay* mirrored = ways + PRELIGHT_WAYS * i + PRELIGHT_WAY_MIRRORED;
+  mirrored->share = 0.0f;
+  const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
+  __global const uint* flags = occludersOf(layout, occluderLines).flags;
+  if (!materialHas(hits[i], s.surface.triangles, flags, PRELIGHT_OCCLUDER_SHINY)) return;
   const Interaction surface = loadInteraction(s, rays[i], hits[i]);
   if (!surface.front && (flags[surface.material] & PRELIGHT_OCCLUDER_TWO_SIDED) == 0u) return;
   const Bsdf bsdf = loadBsdf(s, surface);
@@ -41,20 +42,22 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __global
   const float glass = bsdf.glass * sampleGlassAbout(surface, bsdf, surface.frame.z, PRELIGHT_ALWAYS).reflected;
   vstore3(clamp(specularReflectance(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
   way.slot = atomic_inc(counter);
-  mirrored[i] = way;
+  *mirrored = way;
   mirrorRays[way.slot] = rayFrom(surface, direction, reach);
 }
 
-// A ray a work-item. rays, hits [ray] -> through [ray], blocked as yet, and the paths of those that met glass with their
+// A ray a work-item. rays, hits [ray] -> ways [ray], blocked as yet, and the paths of those that met glass with their
 // rays and hits [counter]. Next: followGlass.
-__kernel void listGlass(__constant const CastParameters* parameters, __global const Ray* rays, __global const Hit* hits,
-                        __global const uint* flags, __global const DeviceTriangle* triangles,
-                        __global OccluderWay* through, __global GlassPath* paths, __global Ray* pathRays,
-                        __global Hit* pathHits, __global uint* counter) {
+__kernel void listGlass(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
+                        __global const SurfaceLine* surfaceLines, __global const OccluderLine* occluderLines,
+                        __global const Ray* rays, __global const Hit* hits, __global OccluderWay* ways,
+                        __global GlassPath* paths, __global Ray* pathRays, __global Hit* pathHits,
+                        __global uint* counter) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
-  through[i].share = 0.0f;
-  if (!materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_GLASS)) return;
+  ways[PRELIGHT_WAYS * i + PRELIGHT_WAY_THROUGH].share = 0.0f;
+  if (!materialHas(hits[i], surfaceOf(layout, surfaceLines).triangles, occludersOf(layout, occluderLines).flags,
+                   PRELIGHT_OCCLUDER_GLASS)) return;
   const uint slot = atomic_inc(counter);
   paths[slot] = (GlassPath){{1.0f, 1.0f, 1.0f}, (uint)i, PRELIGHT_NO_MEDIUM};
   pathRays[slot] = rays[i];
@@ -62,29 +65,29 @@ __kernel void listGlass(__constant const CastParameters* parameters, __global co
 }
 
 // A path a work-item, at the end of its ray. What has reached free space is a way through; what meets more glass goes on
-// in nextPaths and nextRays [counter]; all else is blocked. Of what a face reflects, only total reflection is followed.
-__kernel void followGlass(const uint count, __global const GlassPath* paths, __global const Ray* rays,
-                          __global const Hit* hits, __global const uint* flags,
-                          __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                          __global const float2* texCoords, __global const float4* colors,
-                          __global const ushort4* texels, __global const float* vertices, __global const uchar* flat,
-                          __global const ShadeMaterial* materials, const float reach, __global OccluderWay* through,
-                          __global GlassPath* nextPaths, __global Ray* nextRays, __global uint* counter) {
+// from step.next on [counter]; all else is blocked. Of what a face reflects, only total reflection is followed.
+__kernel void followGlass(__constant const SceneLayout* layout, const GlassStep step,
+                          __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                          __global const OccluderLine* occluderLines, __global GlassPath* paths, __global Ray* rays,
+                          __global const Hit* hits, __global OccluderWay* ways, __global uint* counter) {
   const size_t i = get_global_id(0);
-  if (i >= count) return;
-  GlassPath path = paths[i];
+  if (i >= step.count) return;
+  const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
+  GlassPath path = paths[step.first + i];
+  const Ray ray = rays[step.first + i];
   const float3 throughput = vload3(0, path.throughput);
-  const bool glass = materialHas(hits[i], triangles, flags, PRELIGHT_OCCLUDER_GLASS);
-  const bool away = hits[i].triangle == PRELIGHT_NO_TRIANGLE || hits[i].t > reach;
+  const bool glass = materialHas(hits[i], s.surface.triangles, occludersOf(layout, occluderLines).flags,
+                                 PRELIGHT_OCCLUDER_GLASS);
+  const bool away = hits[i].triangle == PRELIGHT_NO_TRIANGLE || hits[i].t > step.reach;
   if (!glass && away && path.medium == PRELIGHT_NO_MEDIUM) {
-    vstore3(vload3(0, rays[i].direction), 0, through[path.ray].vector);
-    vstore3(throughput, 0, through[path.ray].color);
-    through[path.ray].share = 1.0f;
+    __global OccluderWay* through = ways + PRELIGHT_WAYS * (size_t)path.ray + PRELIGHT_WAY_THROUGH;
+    vstore3(vload3(0, ray.direction), 0, through->vector);
+    vstore3(throughput, 0, through->color);
+    through->share = 1.0f;
     return;
   }
   if (!glass) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, 0, 0};
-  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  const Interaction surface = loadInteraction(s, ray, hits[i]);
   const Bsdf bsdf = loadBsdf(s, surface);
   const GlassSample sample = sampleGlassRadiance(surface, bsdf, PRELIGHT_ALWAYS);
   // Light that is reflected off the outside never was on its way through.
@@ -99,6 +102,6 @@ __kernel void followGlass(const uint count, __global const GlassPath* paths, __g
   if (!(largest(left) > PRELIGHT_LEAST_THROUGHPUT)) return;
   vstore3(left, 0, path.throughput);
   const uint slot = atomic_inc(counter);
-  nextPaths[slot] = path;
-  nextRays[slot] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
+  paths[step.next + slot] = path;
+  rays[step.next + slot] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
 }

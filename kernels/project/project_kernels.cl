@@ -1,6 +1,6 @@
 // Projectors: the hits of a receiver become ambient occlusion, bent normal and SH transfer.
 // Option: PRELIGHT_SH_ORDER, 0 when no SH is asked for.
-#include "cast/visibility_funcs.cl"
+#include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 

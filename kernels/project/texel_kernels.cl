@@ -1,6 +1,6 @@
 // Where rays go on a cube map, for projections that need every ray: wavelets.
-#include "cast/visibility_funcs.cl"
 #include "project/cube_funcs.cl"
+#include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 

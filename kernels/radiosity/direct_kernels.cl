@@ -1,11 +1,12 @@
 // Light that comes straight from punctual lights, emissive triangles and the sky to points of elements.
+// Every point sends a ray to each punctual light, then some to emissive triangles and to the sky: DirectRays.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (transport/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
 #include "project/incident_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
 #include "transport/aim_funcs.cl"
-#include "transport/light_funcs.cl"
+#include "transport/scene_funcs.cl"
 
 // Terms of a sum that are added up by themselves. A million of one size in a row would be off by a hundredth.
 #define PRELIGHT_SUM_RUN 1024u
@@ -127,48 +128,46 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
 }
 #endif
 
-// A shadow ray a work-item: of every point one to each punctual light, then emitterSamples, then skySamples.
-// receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is open: 0 for a ray that
-// cannot bring anything, which is made to hit nothing. Next: traceRays.
-__kernel void aimAtLights(uint pointCount, uint punctualCount, uint emitterSamples, uint skySamples,
-                          __global const Receiver* receivers, __constant const LightLayout* layout,
-                          __global const uint* tables, __global const uint* emitterTriangles,
-                          __global const float* emitterDensities, __global const PunctualLight* punctual,
-                          __global const float4* sky, __global const RadiosityEmitter* emitters,
-                          __global const DeviceTriangle* triangles, __global const float* positions,
-                          __global Ray* rays, __global float* values) {
-  const uint slots = punctualCount + emitterSamples + skySamples;
+uint slotsOf(DirectRays counts) { return counts.punctual + counts.emitterSamples + counts.skySamples; }
+
+// A shadow ray a work-item. receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is
+// open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
+__kernel void aimAtLights(const DirectRays counts, __global const Receiver* receivers,
+                          __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                          __global const LightLine* lightLines, __global const RadiosityEmitter* emitters,
+                          __global const float* positions, __global Ray* rays, __global float* values) {
+  const uint slots = slotsOf(counts);
   const size_t i = get_global_id(0);
-  if (i >= (size_t)pointCount * slots) return;
+  if (i >= (size_t)counts.points * slots) return;
   const Receiver r = receivers[i / slots];
   const uint slot = (uint)(i % slots);
   const float3 point = vload3(0, r.position), normal = vload3(0, r.normal);
-  const Lights lights = {tables, emitterTriangles, emitterDensities, punctual, sky};
+  const Lights lights = lightsOf(layout, lightLines);
   Aim aim;
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (slot < punctualCount) {
+  if (slot < counts.punctual) {
     float share;
-    arrives = aimAtPunctual(punctual + slot, point, normal, &aim, &share);
-    if (arrives) aim.value = share * vload3(0, punctual[slot].intensity);
+    arrives = aimAtPunctual(lights.punctual + slot, point, normal, &aim, &share);
+    if (arrives) aim.value = share * vload3(0, lights.punctual[slot].intensity);
   }
 #endif
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
-  if (slot >= punctualCount && slot < punctualCount + emitterSamples) {
-    const uint index = r.firstSample * emitterSamples + slot - punctualCount;
+  if (slot >= counts.punctual && slot < counts.punctual + counts.emitterSamples) {
+    const uint index = r.firstSample * counts.emitterSamples + slot - counts.punctual;
     const uint2 choice = sampleSobolBits(index, hashInteger(r.seed ^ 0x68bc21ebu));
     const uint2 place = samplePaddedBits(index, hashInteger(r.seed ^ 0x02e5be93u));
-    arrives = aimAtEmitter(lights, layout, emitters, triangles, positions, choice.x,
-                           (float2)(unitFloat(place.x), unitFloat(place.y)), (float)emitterSamples, point, normal, &aim);
+    arrives = aimAtEmitter(lights, &layout->lights, emitters, surfaceOf(layout, surfaceLines).triangles, positions, choice.x,
+                           (float2)(unitFloat(place.x), unitFloat(place.y)), (float)counts.emitterSamples, point, normal, &aim);
   }
 #endif
 #ifdef PRELIGHT_SKY
-  if (slot >= punctualCount + emitterSamples) {
-    const uint sample = slot - punctualCount - emitterSamples;
-    const uint count = (sample & 1u) != 0u ? skySamples / 2u : (skySamples + 1u) / 2u;
+  if (slot >= counts.punctual + counts.emitterSamples) {
+    const uint sample = slot - counts.punctual - counts.emitterSamples;
+    const uint count = (sample & 1u) != 0u ? counts.skySamples / 2u : (counts.skySamples + 1u) / 2u;
     const uint2 bits = sampleSobolBits(r.firstSample * count + sample / 2u,
                                        hashInteger(r.seed ^ (0x967a889bu + (sample & 1u))));
-    arrives = aimAtSky(lights, layout, sample, skySamples, bits, normal, &aim);
+    arrives = aimAtSky(lights, &layout->lights, sample, counts.skySamples, bits, normal, &aim);
   }
 #endif
   rays[i] = shadowRay(receivers + i / slots, aim, arrives);
@@ -178,18 +177,19 @@ __kernel void aimAtLights(uint pointCount, uint punctualCount, uint emitterSampl
 // A point a work-item. hits, values [point][slot] of the rays above -> irradiance [point][2], rgb: of punctual lights
 // and the sky, and of emitters. Where the emitters are few, what they would bring unhindered is exact, and the samples
 // only tell which share of it arrives.
-__kernel void sumLights(uint pointCount, uint punctualCount, uint emitterSamples, uint skySamples, uint emitterCount,
-                        __global const Receiver* receivers, __global const Hit* hits, __global const float* values,
-                        __global const RadiosityEmitter* emitters, __global const DeviceTriangle* triangles,
-                        __global const float* positions, __global float4* irradiance) {
+__kernel void sumLights(const DirectRays counts, uint emitterCount, __constant const SceneLayout* layout,
+                        __global const SurfaceLine* surfaceLines, __global const Receiver* receivers,
+                        __global const Hit* hits, __global const float* values,
+                        __global const RadiosityEmitter* emitters, __global const float* positions,
+                        __global float4* irradiance) {
   const size_t point = get_global_id(0);
-  if (point >= pointCount) return;
-  const uint slots = punctualCount + emitterSamples + skySamples;
+  if (point >= counts.points) return;
+  const uint slots = slotsOf(counts);
   float3 sum = (float3)(0.0f), run = (float3)(0.0f), open = (float3)(0.0f), all = (float3)(0.0f);
   for (uint s = 0; s < slots; ++s) {
     const size_t at = point * slots + s;
     const float3 value = vload3(at, values);
-    const bool emitter = s >= punctualCount && s < punctualCount + emitterSamples;
+    const bool emitter = s >= counts.punctual && s < counts.punctual + counts.emitterSamples;
     const float3 arrives = hits[at].triangle == PRELIGHT_NO_TRIANGLE ? value : (float3)(0.0f);
     if (emitter) {
       open += arrives;
@@ -204,7 +204,8 @@ __kernel void sumLights(uint pointCount, uint punctualCount, uint emitterSamples
   sum += run;
 #ifdef PRELIGHT_FEW_EMITTERS
   const Receiver r = receivers[point];
-  const float3 exact = openIrradiance(emitterCount, emitters, triangles, positions, vload3(0, r.position), vload3(0, r.normal));
+  const float3 exact = openIrradiance(emitterCount, emitters, surfaceOf(layout, surfaceLines).triangles, positions,
+                                     vload3(0, r.position), vload3(0, r.normal));
   open = all.x + all.y + all.z > 0.0f ? exact * (open / fmax(all, 1e-30f)) : (float3)(0.0f);
 #endif
   irradiance[2 * point] = (float4)(sum, 0.0f);
@@ -213,18 +214,17 @@ __kernel void sumLights(uint pointCount, uint punctualCount, uint emitterSamples
 
 // A point a work-item. rays, hits, values [point][slot] of aimAtLights -> incident [point][3][5], of punctual lights and
 // the sky: irradiance, and incident radiance in SH of order 2.
-__kernel void sumIncident(uint pointCount, uint punctualCount, uint emitterSamples, uint skySamples,
-                          __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
-                          __global const float* values, __global float* incident) {
+__kernel void sumIncident(const DirectRays counts, __global const Receiver* receivers, __global const Ray* rays,
+                          __global const Hit* hits, __global const float* values, __global float* incident) {
   const size_t point = get_global_id(0);
-  if (point >= pointCount) return;
-  const uint slots = punctualCount + emitterSamples + skySamples;
+  if (point >= counts.points) return;
+  const uint slots = slotsOf(counts);
   const float3 normal = vload3(0, receivers[point].normal);
   float3 sums[PRELIGHT_INCIDENT_VALUES];
   for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) sums[i] = (float3)(0.0f);
   for (uint s = 0; s < slots; ++s) {
     const size_t at = point * slots + s;
-    if (s >= punctualCount && s < punctualCount + emitterSamples) continue;
+    if (s >= counts.punctual && s < counts.punctual + counts.emitterSamples) continue;
     if (hits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
     const float3 direction = normalize(vload3(0, rays[at].direction));
     addIncident(vload3(at, values), direction, inverseCosine(direction, normal), sums);

@@ -37,15 +37,14 @@ __kernel void codeElements(uint count, uint perSide, __global const Ray* rays, _
 // [triangle][3], of the fronts; twoSided [triangle] -> judged [point]: albedo, and 1 where the point counts. It does not
 // in a hole of an alpha mask, nor, on a front, where every ray that leaves meets the back of a one-sided surface: such a
 // place lies inside an object.
-__kernel void judgePoints(uint count, uint raysPerPoint, __global const ElementPoint* points, __global const Ray* rays,
-                          __global const Hit* hits, __global const float* normals, __global const uchar* twoSided,
-                          __global const DeviceTriangle* triangles, __global const DeviceMaterial* materials,
-                          __global const float2* texCoords, __global const float4* colors,
-                          __global const ushort4* texels, __global float4* judged) {
+__kernel void judgePoints(uint count, uint raysPerPoint, __constant const SceneLayout* layout,
+                          __global const SurfaceLine* surfaceLines, __global const ElementPoint* points,
+                          __global const Ray* rays, __global const Hit* hits, __global const float* normals,
+                          __global const uchar* twoSided, __global float4* judged) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const ElementPoint point = points[i];
-  const Surface surface = {triangles, materials, texCoords, colors, texels};
+  const Surface surface = surfaceOf(layout, surfaceLines);
   const float3 albedo = clamp(surfaceColor(surface, point.triangle, point.u, point.v).xyz, 0.0f, 1.0f);
   bool there = surfaceIsThere(surface, point.triangle, point.u, point.v);
   if (there && point.back == 0u) {

@@ -5,6 +5,22 @@
 // `perSide` of the fronts.
 #include "shared/radiosity_types.h"
 
+// F, row by row.
+typedef struct Exchange {
+  __global const uint* rowStart;
+  __global const uint* columns;
+  __global const float* values;
+  __global const float* scale;
+} Exchange;
+
+// What leaves elements of what arrives.
+typedef struct Reflection {
+  uint perSide;
+  __global const float* areas;
+  __global const float4* albedo;
+  __global const float4* transmission;
+} Reflection;
+
 float4 gatherRow(uint i, __global const uint* rowStart, __global const uint* columns, __global const float* values,
                  __global const float* scale, __global const float4* exitance) {
   float4 sum = (float4)(0.0f);
@@ -88,72 +104,78 @@ __kernel void sumResiduals(uint count, __global const float* areas, __global con
 }
 
 // What of a residual the element sends on, W of the strongest channel: the greatest goes first.
-float unsentPower(uint i, uint perSide, __global const float* areas, __global const float4* albedo,
-                  __global const float4* transmission, float4 residual) {
-  float4 share = albedo[i];
+float unsentPower(uint i, Reflection r, float4 residual) {
+  float4 share = r.albedo[i];
 #ifdef PRELIGHT_TRANSLUCENT
-  share += transmission[i < perSide ? i + perSide : i - perSide];
+  share += r.transmission[i < r.perSide ? i + r.perSide : i - r.perSide];
 #endif
   const float4 sent = fabs(share * residual);
-  return areas[i] * fmax(sent.x, fmax(sent.y, sent.z));
+  return r.areas[i] * fmax(sent.x, fmax(sent.y, sent.z));
 }
 
 // An element a work-item.
 __kernel void rankRows(uint count, uint perSide, __global const float* areas, __global const float4* albedo,
                        __global const float4* transmission, __global const float4* residual, __global float* unsent) {
   const uint i = (uint)get_global_id(0);
-  if (i < count) unsent[i] = unsentPower(i, perSide, areas, albedo, transmission, residual[i]);
+  const Reflection r = {perSide, areas, albedo, transmission};
+  if (i < count) unsent[i] = unsentPower(i, r, residual[i]);
 }
 
 // Sends what `source` throws onto what it sees, which its row tells as well as its column does.
-void shootRow(uint source, float4 leaves, uint local0, uint items, uint perSide, __global const uint* rowStart,
-              __global const uint* columns, __global const float* values, __global const float* scale,
-              __global const float* areas, __global const float4* albedo, __global const float4* transmission,
-              __global float4* residual, __global float* unsent) {
-  const uint end = rowStart[source + 1u];
-  for (uint k = rowStart[source] + local0; k < end; k += items) {
-    const uint j = columns[k];
-    if (scale[j] <= 0.0f) continue;
-    residual[j] += scale[j] * values[k] * leaves;
-    unsent[j] = unsentPower(j, perSide, areas, albedo, transmission, residual[j]);
+void shootRow(uint source, float4 leaves, Exchange f, Reflection r, __global float4* residual, __global float* unsent) {
+  const uint end = f.rowStart[source + 1u];
+  for (uint k = f.rowStart[source] + (uint)get_local_id(0); k < end; k += PRELIGHT_SOUTHWELL_ITEMS) {
+    const uint j = f.columns[k];
+    if (f.scale[j] <= 0.0f) continue;
+    residual[j] += f.scale[j] * f.values[k] * leaves;
+    unsent[j] = unsentPower(j, r, residual[j]);
   }
 }
 
-// Southwell's relaxation, `steps` times: the element with the most unsent power takes its residual and sends it on, as
+// The greatest of the work-item's part of `unsent`. A contiguous part an item: processors read them fastest so, and on them one
+// runs after the other.
+float greatestOfPart(uint count, __global const float* unsent, uint* at) {
+  const uint item = (uint)get_local_id(0);
+  const uint part = (count + PRELIGHT_SOUTHWELL_ITEMS - 1u) / PRELIGHT_SOUTHWELL_ITEMS;
+  const uint end = min(count, (item + 1u) * part);
+  float best = 0.0f;
+  *at = 0u;
+  for (uint i = item * part; i < end; ++i)
+    if (unsent[i] > best) {
+      best = unsent[i];
+      *at = i;
+    }
+  return best;
+}
+
+// Southwell's relaxation, step.steps times: the element with the most unsent power takes its residual and sends it on, as
 // progressive radiosity shoots (Cohen et al. 1988). One work-group, so that the order is that of one thread.
 __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) void relaxGreatest(
-    uint count, uint steps, float enough, uint perSide, __global const uint* rowStart, __global const uint* columns,
-    __global const float* values, __global const float* scale, __global const float* areas,
-    __global const float4* albedo, __global const float4* transmission, __global float4* irradiance,
-    __global float4* residual, __global float* unsent, __global uint* taken) {
+    const RelaxStep step, __global const uint* rowStart, __global const uint* columns, __global const float* values,
+    __global const float* scale, __global const float* areas, __global const float4* albedo,
+    __global const float4* transmission, __global float4* irradiance, __global float4* residual,
+    __global float* unsent, __global uint* taken) {
   __local float most[PRELIGHT_SOUTHWELL_ITEMS];
   __local uint place[PRELIGHT_SOUTHWELL_ITEMS];
+  const Exchange f = {rowStart, columns, values, scale};
+  const Reflection r = {step.perSide, areas, albedo, transmission};
   const uint item = (uint)get_local_id(0);
   uint done = 0;
-  for (uint step = 0; step < steps; ++step) {
-    float best = 0.0f;
-    uint at = 0u;
-    // A contiguous part an item: processors read them fastest so, and on them one runs after the other.
-    const uint part = (count + PRELIGHT_SOUTHWELL_ITEMS - 1u) / PRELIGHT_SOUTHWELL_ITEMS;
-    const uint end = min(count, (item + 1u) * part);
-    for (uint i = item * part; i < end; ++i)
-      if (unsent[i] > best) {
-        best = unsent[i];
-        at = i;
-      }
-    most[item] = best;
+  for (uint k = 0; k < step.steps; ++k) {
+    uint at;
+    most[item] = greatestOfPart(step.count, unsent, &at);
     place[item] = at;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item == 0u)
-      for (uint k = 1; k < PRELIGHT_SOUTHWELL_ITEMS; ++k)
-        if (most[k] > most[0]) {
-          most[0] = most[k];
-          place[0] = place[k];
+      for (uint other = 1; other < PRELIGHT_SOUTHWELL_ITEMS; ++other)
+        if (most[other] > most[0]) {
+          most[0] = most[other];
+          place[0] = place[other];
         }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    best = most[0];
+    const float best = most[0];
     at = place[0];
-    if (best <= enough) break;
+    if (best <= step.enough) break;
     const float4 change = residual[at];
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     if (item == 0u) {
@@ -162,13 +184,11 @@ __kernel __attribute__((reqd_work_group_size(PRELIGHT_SOUTHWELL_ITEMS, 1, 1))) v
       unsent[at] = 0.0f;
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    shootRow(at, albedo[at] * change, item, PRELIGHT_SOUTHWELL_ITEMS, perSide, rowStart, columns, values, scale, areas,
-             albedo, transmission, residual, unsent);
+    shootRow(at, albedo[at] * change, f, r, residual, unsent);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 #ifdef PRELIGHT_TRANSLUCENT
-    const uint other = at < perSide ? at + perSide : at - perSide;
-    shootRow(other, transmission[other] * change, item, PRELIGHT_SOUTHWELL_ITEMS, perSide, rowStart, columns, values,
-             scale, areas, albedo, transmission, residual, unsent);
+    const uint other = at < step.perSide ? at + step.perSide : at - step.perSide;
+    shootRow(other, transmission[other] * change, f, r, residual, unsent);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 #endif
     ++done;

@@ -4,7 +4,7 @@
 
 #include "reference/path_funcs.cl"
 
-// A path a work-item. -> paths, queue, rays [pathCount].
+// A path a work-item. -> paths, rays [pathCount], numbers in the queue.
 __kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* queue,
                             __global Ray* rays) {
   const size_t i = get_global_id(0);
@@ -23,7 +23,7 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   ray.sourceTriangle = PRELIGHT_NO_TRIANGLE;
   ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;
   rays[i] = ray;
-  queue[i] = (uint)i;
+  queue[PRELIGHT_QUEUE_HEAD + i] = (uint)i;
   PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0u, 0u}};
   paths[i] = path;
 }

@@ -47,7 +47,7 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
     }
 #endif
   }
-  float3 radiance = evalLight(lights, &p->lights, s, ray, hit, surface.front);
+  float3 radiance = evalLight(lights, &p->scene.lights, s, ray, hit, surface.front);
   if (depth == 0u && hit.triangle != PRELIGHT_NO_TRIANGLE && (surface.flags & PRELIGHT_UNLIT) != 0u)
     radiance = baseColor(s, hit.triangle, hit.u, hit.v);
   float weight = 1.0f;
@@ -55,7 +55,7 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
 #if defined(PRELIGHT_LIGHTS_ONLY)
     weight = 0.0f;
 #elif !defined(PRELIGHT_SCATTER_ONLY)
-    weight = misWeight(scattered, pdfLight(lights, &p->lights, ray, hit, cosine));
+    weight = misWeight(scattered, pdfLight(lights, &p->scene.lights, ray, hit, cosine));
 #endif
   }
   vstore3(vload3(0, path->radiance) + weight * throughput * radiance, 0, path->radiance);
@@ -75,7 +75,7 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
 #ifdef PRELIGHT_PUNCTUAL
   if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights.punctual + light, at.surface.position, &a);
 #endif
-  if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->lights, s, at.surface.position, choice, place, &a);
+  if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a);
   if (!arrives) return false;
   Scattered f;
   if (!evalBsdf(at.surface, at.bsdf, a.direction, PRELIGHT_RADIANCE, &f)) return false;

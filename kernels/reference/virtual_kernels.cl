@@ -4,6 +4,7 @@
 #include "core/octahedral_funcs.cl"
 #include "reference/path_funcs.cl"
 #include "shared/photon_types.h"
+#include "transport/scene_funcs.cl"
 #include "transport/virtual_light_funcs.cl"
 
 // Barycentric weights of a triangle's vertices 1 and 2 of a point in its plane.
@@ -15,18 +16,14 @@ float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
 }
 
 // A photon a work-item -> lights [photon]. Its power is scattered diffusely where it landed.
-__kernel void makeVirtualLights(const uint count, __global const Photon* photons,
-                                __global const DeviceTriangle* triangles, __global const DeviceMaterial* bases,
-                                __global const float2* texCoords, __global const float4* colors,
-                                __global const ushort4* texels, __global const float* vertices,
-                                __global const uchar* flat, __global const ShadeMaterial* materials,
-                                __global const DeviceMaterial* layers, __global const ushort4* layerTexels,
-                                __global VirtualLight* lights) {
+__kernel void makeVirtualLights(const uint count, __constant const SceneLayout* layout,
+                                __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                                __global const Photon* photons, __global VirtualLight* lights) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
+  const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
   const Photon photon = photons[i];
-  const DeviceTriangle t = triangles[photon.triangle];
+  const DeviceTriangle t = s.surface.triangles[photon.triangle];
   const float3 at = vload3(0, photon.position);
   const float2 place = placeOnTriangle(vertexPosition(s, t.vertex[0]), vertexPosition(s, t.vertex[1]),
                                        vertexPosition(s, t.vertex[2]), at);
@@ -40,35 +37,31 @@ __kernel void makeVirtualLights(const uint count, __global const Photon* photons
   lights[i] = virtualLightAt(surface, loadBsdf(s, surface), vload3(0, photon.power));
 }
 
-// A ray a work-item. Light that could arrive from virtual light `index` where the ray ends; nearer than the square root
-// of `leastSquare` it counts as at that distance. -> shadowRays, items [counters[0]].
-__kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const uint count, __global const Ray* rays,
-                                 __global const Hit* hits, __global const uint* queue,
-                                 __global const PathState* paths, __global const DeviceTriangle* triangles,
-                                 __global const DeviceMaterial* bases, __global const float2* texCoords,
-                                 __global const float4* colors, __global const ushort4* texels,
-                                 __global const float* vertices, __global const uchar* flat,
-                                 __global const ShadeMaterial* materials, __global const DeviceMaterial* layers,
-                                 __global const ushort4* layerTexels, __global const VirtualLight* lights,
-                                 const uint index, const float leastSquare, __global Ray* shadowRays,
-                                 __global ShadowItem* items, __global uint* counters) {
+// A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays and items
+// [shadow counter].
+__kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const PathStep step,
+                                 __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                                 __global Ray* rays, __global const Hit* hits, __global uint* queue,
+                                 __global const PathState* paths, __global const VirtualLight* lights,
+                                 __global ShadowItem* items) {
   const size_t i = get_global_id(0);
-  if (i >= count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
-  const VirtualLight light = lights[index];
-  const PathScene s = {{triangles, bases, texCoords, colors, texels}, vertices, flat, materials, layers, layerTexels};
-  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  const VirtualLight light = lights[step.light];
+  const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
+  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const Interaction surface = loadInteraction(s, rays[step.first + i], hits[i]);
   VirtualSample sample;
-  if (!sampleVirtual(light, surface.position, leastSquare, &sample)) return;
+  if (!sampleVirtual(light, surface.position, step.leastSquare, &sample)) return;
   const Bsdf bsdf = loadBsdf(s, surface);
   if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
   Scattered f;
   if (!evalBsdf(surface, bsdf, sample.direction, PRELIGHT_RADIANCE, &f)) return;
-  const float3 radiance = vload3(0, paths[queue[i]].throughput) * (f.diffuse + f.glossy) * sample.intensity * sample.falloff;
+  const float3 radiance = vload3(0, paths[number].throughput) * (f.diffuse + f.glossy) * sample.intensity * sample.falloff;
   if (largest(radiance) <= 0.0f) return;
-  const uint slot = atomic_inc(counters);
-  shadowRays[slot] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
+  const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
+  rays[step.shadow + slot] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
   ShadowItem item;
   vstore3(radiance, 0, item.radiance);
-  item.path = queue[i];
+  item.path = number;
   items[slot] = item;
 }

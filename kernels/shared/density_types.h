@@ -9,8 +9,8 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_BLOCK_PHOTONS 8u
 #define PRELIGHT_LEAF_TRIANGLES 4u
 
-/// A complete binary tree: node 1 is the root, nodes 2 i and 2 i + 1 are node i's children, the leaves are the last
-/// 2^levels ones. Node i lies at firstNode + i - 1.
+/// A complete binary tree: node 1 is the root, nodes 2 i and 2 i + 1 are node i's children, the leaves are
+/// the last 2^levels ones. Node i lies at firstNode + i - 1.
 typedef struct LeafTree {
   uint firstNode;
   uint firstLeaf;  ///< of the leaves' contents
@@ -35,10 +35,10 @@ typedef struct AreaNode {
   float lower[3];  ///< scene coordinates
   float area;      ///< m2
   float upper[3];
-  float moment;       ///< integral over the surface of the squared distance from `centre`, m4
-  float centre[3];    ///< of the area
-  float spread;       ///< cosine of the largest angle between `normal` and a triangle's
-  float normal[3];    ///< unit
+  float moment;        ///< integral over the surface of the squared distance from `centre`, m4
+  float centre[3];     ///< of the area
+  float spread;        ///< cosine of the largest angle between `normal` and a triangle's
+  float normal[3];     ///< unit
   uint triangleCount;  ///< of a leaf
 } AreaNode;
 
@@ -52,16 +52,29 @@ typedef struct AreaTriangle {
 
 /// Where to find a triangle of the scene.
 typedef struct SurfacePlace {
-  uint region;  ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
-  uint slot;    ///< among the AreaTriangles
+  uint region;      ///< | PRELIGHT_PLANAR_REGION where all of it lies in one plane
+  uint slot;        ///< among the AreaTriangles
   float clearance;  ///< m; discs about its points in its plane that are no wider lie within its region
 } SurfacePlace;
+
+/// 64 bytes of a buffer of arrays, as SurfaceLine.
+typedef struct DensityLine {
+  uint words[16];
+} DensityLine;
 
 typedef struct DensityParameters {
   float minRadius;    ///< m, of k nearest photons
   float leastCosine;  ///< between the normals of the query's triangle and of a photon's
   float flatness;     ///< largest distance of the query from a photon's plane, in radii
   uint queryCount;
+  // The first DensityLine of each array.
+  uint places;         ///< SurfacePlace [triangle]
+  uint areaTrees;      ///< LeafTree [region]
+  uint areaNodes;      ///< AreaNode
+  uint areaTriangles;  ///< AreaTriangle
+  uint photonTrees;    ///< LeafTree [region][front, back]
+  uint photonBoxes;    ///< float [node][lower 3, upper 3]
+  uint photonBlocks;   ///< PhotonBlock
 } DensityParameters;
 
 typedef struct DensityQuery {

@@ -3,20 +3,41 @@
 #define PRELIGHT_SHARED_GATHER_TYPES_H
 
 #include "shared/compat.h"
-#include "shared/shade_types.h"
+#include "shared/scene_layout_types.h"
 
 PRELIGHT_SHARED_BEGIN
+
+/// 64 bytes of a buffer of arrays, as SurfaceLine.
+typedef struct IrradianceLine {
+  uint words[16];
+} IrradianceLine;
+
+/// An irradiance map, and where its arrays lie in IrradianceLines.
+typedef struct IrradianceMapLayout {
+  uint corners;  ///< float2 [face][3]
+  uint texels;   ///< float4 [row][column]
+  uint width;    ///< texels
+  uint height;
+  uint triangleCount;  ///< of the scene
+} IrradianceMapLayout;
 
 typedef struct GatherParameters {
   uint receiverCount;
   uint raysPerReceiver;
   uint seed;
-  uint mapWidth;  ///< of the irradiance map, texels
-  uint mapHeight;
-  uint triangleCount;  ///< of the scene
-  uint longWay;  ///< mirrors and glass in a row after which one more is passed by half of the rays, of twice the weight
-  LightLayout lights;
+  uint longWay;  ///< mirrors and glass in a row after which one more is passed by half of the rays, of twice
+                 ///< the weight
+  IrradianceMapLayout map;
+  SceneLayout scene;
 } GatherParameters;
+
+/// A step of gathering rays to their next surface.
+typedef struct GatherStep {
+  uint count;  ///< rays on their way
+  uint depth;  ///< surfaces before
+  uint first;  ///< place of their rays and paths
+  uint next;   ///< of those that go on
+} GatherStep;
 
 /// A gathering ray that has met mirrors, glass or glossy surfaces.
 typedef struct GatherPath {

@@ -8,7 +8,8 @@ PRELIGHT_SHARED_BEGIN
 
 #define PRELIGHT_NO_EMITTER 0xffffffffu
 
-/// One of the shadow rays that every receiver sends: towards a punctual light, or a point of a group's emitters.
+/// One of the shadow rays that every receiver sends: towards a punctual light, or a point of a group's
+/// emitters.
 typedef struct LightSlot {
   uint group;
   uint light;         ///< punctual light; PRELIGHT_NO_EMITTER: emitters
@@ -18,6 +19,24 @@ typedef struct LightSlot {
   uint sampleCount;  ///< emitter samples of the group
   uint pad[2];
 } LightSlot;
+
+/// 64 bytes of a buffer of arrays, as SurfaceLine.
+typedef struct LightGroupLine {
+  uint words[16];
+} LightGroupLine;
+
+/// Groups of lights, and the first LightGroupLine of each array.
+typedef struct LightGroupLayout {
+  uint slotCount;
+  uint groupCount;
+  uint slots;              ///< LightSlot [slot]
+  uint punctual;           ///< PunctualLight [light]
+  uint factors;            ///< float [light][3], intensity over the group's colour
+  uint emitterOfTriangle;  ///< uint [triangle] GroupEmitter, or PRELIGHT_NO_EMITTER
+  uint samplesOfGroup;     ///< uint [group]
+  uint positions;          ///< float [vertex][3]
+  uint normals;            ///< float [triangle][3] of the fronts, unit
+} LightGroupLayout;
 
 /// An emissive triangle.
 typedef struct GroupEmitter {

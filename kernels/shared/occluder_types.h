@@ -44,6 +44,19 @@ typedef struct OccluderWaySums {
   float pad;
 } OccluderWaySums;
 
+// Ways of a ray and their sums lie side by side.
+#define PRELIGHT_WAY_MIRRORED 0u
+#define PRELIGHT_WAY_THROUGH 1u
+#define PRELIGHT_WAYS 2u
+
+/// A step of rays through glass to what is next on their way.
+typedef struct GlassStep {
+  uint count;   ///< rays that are followed
+  uint first;   ///< place of their paths and rays
+  uint next;    ///< of those that go on
+  float reach;  ///< m; what meets nothing nearer is in free space
+} GlassStep;
+
 /// A ray on its way through glass.
 typedef struct GlassPath {
   float throughput[3];

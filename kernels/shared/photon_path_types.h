@@ -3,7 +3,7 @@
 #define PRELIGHT_SHARED_PHOTON_PATH_TYPES_H
 
 #include "shared/compat.h"
-#include "shared/shade_types.h"
+#include "shared/scene_layout_types.h"
 
 PRELIGHT_SHARED_BEGIN
 
@@ -19,9 +19,9 @@ typedef struct PhotonSource {
   uint light;  ///< punctual light, or the one emitter; PRELIGHT_ALL_EMITTERS: chosen by power
   uint count;  ///< photons that share its power
   uint seed;
-  uint firstCell;   ///< of the directions that it sends photons in, into the list of cells
-  uint cellCount;   ///< 0: in all directions
-  uint cellsASide;  ///< the square of directions is cut into as many columns and rows
+  uint firstCell;    ///< of the directions that it sends photons in, into the list of cells
+  uint cellCount;    ///< 0: in all directions
+  uint cellsASide;   ///< the square of directions is cut into as many columns and rows
   float tangent[3];  ///< with cells: unit, across the axis that directions are around, where a turn starts
 } PhotonSource;
 
@@ -30,13 +30,20 @@ typedef struct PhotonParameters {
   uint chosen;       ///< 1: photons of a list alone
   uint pathCount;    ///< of the block
   uint rouletteDepth;
-  float unit;        ///< W a count of the tallies
-  float centre[3];   ///< scene coordinates: light from afar covers the disc of this radius around it
+  float unit;       ///< W a count of the tallies
+  float centre[3];  ///< scene coordinates: light from afar covers the disc of this radius around it
   float radius;
   float distance;  ///< from the centre, at which light from afar starts
   PhotonSource source;
-  LightLayout lights;
+  SceneLayout scene;
 } PhotonParameters;
+
+/// A step of photons to their next surface.
+typedef struct PhotonStep {
+  uint count;  ///< photons on their way
+  uint depth;  ///< surfaces before
+  uint next;   ///< place of the rays of those that go on; those that are followed start at 0
+} PhotonStep;
 
 // How a photon has been scattered so far.
 #define PRELIGHT_SCATTERED_SPECULAR 1u  ///< by a mirror, glass, or a lobe that is nearly one

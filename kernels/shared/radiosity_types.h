@@ -12,6 +12,22 @@ PRELIGHT_SHARED_BEGIN
 /// Work-items that find the greatest residual together.
 #define PRELIGHT_SOUTHWELL_ITEMS 64
 
+/// Shadow rays of points, one after the other.
+typedef struct DirectRays {
+  uint points;
+  uint punctual;        ///< rays a point, one to each light
+  uint emitterSamples;  ///< rays a point
+  uint skySamples;      ///< rays a point
+} DirectRays;
+
+/// Southwell's relaxation by a launch.
+typedef struct RelaxStep {
+  uint count;    ///< elements
+  uint steps;    ///< relaxations at most
+  float enough;  ///< W of the strongest channel: less is not worth sending
+  uint perSide;  ///< elements of the fronts
+} RelaxStep;
+
 /// A point of an element.
 typedef struct ElementPoint {
   uint triangle;

@@ -3,7 +3,7 @@
 #define PRELIGHT_SHARED_REFERENCE_TYPES_H
 
 #include "shared/compat.h"
-#include "shared/shade_types.h"
+#include "shared/scene_layout_types.h"
 
 PRELIGHT_SHARED_BEGIN
 
@@ -24,8 +24,27 @@ typedef struct ReferenceParameters {
   float zNear;
   float zFar;          ///< MAXFLOAT: infinite
   uint rouletteDepth;  ///< first vertex at which a path may end by chance
-  LightLayout lights;
+  SceneLayout scene;
 } ReferenceParameters;
+
+/// Counters at the beginning of a queue of paths' numbers; the numbers follow.
+#define PRELIGHT_QUEUE_HEAD 16u
+#define PRELIGHT_SHADOW_COUNTER 0u
+#define PRELIGHT_NEXT_COUNTER 1u
+
+/// A step of paths by a vertex. Rays that are followed, those that go on and shadow rays lie in one buffer,
+/// and the numbers of the paths of the former two in one queue, in the same places.
+typedef struct PathStep {
+  uint count;         ///< rays that are followed
+  uint depth;         ///< vertices before
+  uint first;         ///< place of the rays that are followed
+  uint next;          ///< of those that go on
+  uint shadow;        ///< of shadow rays
+  uint light;         ///< a punctual or virtual one, or PRELIGHT_NO_TRIANGLE: by chance
+  float leastSquare;  ///< m2; a virtual light nearer than its root counts as at that distance
+  uint meets;         ///< of paths to cached light: 0: emission alone counts at this vertex
+  uint goesOn;        ///< of those: 0: no ray leaves it
+} PathStep;
 
 typedef struct PathState {
   float throughput[3];
@@ -47,8 +66,8 @@ typedef struct ShadowItem {
 typedef struct VirtualLight {
   float position[3];
   uint triangle;
-  float normal[3];  ///< for shading; unit, on the side that shines
-  float f0;         ///< of the layer over the surface, the strongest channel; see ShadeMaterial
+  float normal[3];     ///< for shading; unit, on the side that shines
+  float f0;            ///< of the layer over the surface, the strongest channel; see ShadeMaterial
   float intensity[3];  ///< W/sr along `geometric`, without the layer's loss on the way out
   float f90;
   float geometric[3];  ///< unit, of its triangle, on the side that shines

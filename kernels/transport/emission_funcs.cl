@@ -64,7 +64,7 @@ Emission emitFromPunctual(__constant const PhotonParameters* p, __global const P
 // choice.y decides about the side of an emitter that has two.
 Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u, float2 place) {
   const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
-  const EmitterPoint at = all ? sampleEmitterPoint(l, &p->lights, s, choice.x, place)
+  const EmitterPoint at = all ? sampleEmitterPoint(l, &p->scene.lights, s, choice.x, place)
                               : pointOnEmitter(l, s, p->source.light, 1.0f, place);
   const bool twoSided = (s.materials[s.surface.triangles[at.triangle].material].flags & PRELIGHT_DOUBLE_SIDED) != 0u;
   const bool front = !twoSided || choice.y < 0x80000000u;
@@ -81,7 +81,7 @@ Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathSce
 #ifdef PRELIGHT_SKY
 Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits, float2 place) {
   LightSample a;
-  sampleSky(l, &p->lights, bits, &a);
+  sampleSky(l, &p->scene.lights, bits, &a);
   Emission e;
   e.power = a.radiance / a.pdf;
   startAfar(p, -a.direction, place, &e);

@@ -5,6 +5,7 @@
 #include "basis/sh.h"
 #include "basis/sh_table.h"
 #include "device/buffer.h"
+#include "device/launch_once.h"
 #include "gpu/tracer.h"
 #include "receivers/sampling.h"
 #include "shared/cast_types.h"
@@ -45,9 +46,8 @@ std::vector<Ray> generate(DeviceContext& device, const std::vector<Receiver>& re
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Receiver> receiverBuffer(device, std::span<const Receiver>(receivers));
   Buffer<Ray> rays(device, receivers.size() * count);
-  cl::Kernel kernel(device.program("cast/generate_kernels.cl", {}), "generateRays");
-  setArguments(kernel, parameterBuffer.get(), receiverBuffer.get(), rays.get());
-  device.launch(kernel, rays.size() / 8, 64);
+  launchOnce(device, "cast/generate_kernels.cl", {}, "generateRays", rays.size() / 8, parameterBuffer,
+             receiverBuffer, rays);
   return rays.read();
 }
 
@@ -214,11 +214,8 @@ TEST_P(ProjectHits, RandomHits_AgreeWithDoubleReference) {
   Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
   Buffer<Hit> hitBuffer(device, std::span<const Hit>(hits));
   Buffer<float> values(device, receivers.size() * (4 + n));
-  cl::Kernel kernel(
-      device.program("project/project_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order)),
-      "projectHits");
-  setArguments(kernel, parameterBuffer.get(), table.get(), rayBuffer.get(), hitBuffer.get(), values.get());
-  device.launch(kernel, receivers.size(), 64);
+  launchOnce(device, "project/project_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
+             "projectHits", receivers.size(), parameterBuffer, table, rayBuffer, hitBuffer, values);
   const auto result = values.read();
 
   for (std::size_t r = 0; r < receivers.size(); ++r) {
@@ -283,18 +280,9 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
   Buffer<Sender> senders(device, (receivers + 2) * raysPerReceiver);
   Buffer<std::uint8_t> marks(device, 2);
   marks.fill(0);
-  cl::Kernel kernel(
-      device.program("cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", 1)),
-      "storeSenders");
-  kernel.setArg(0, parameterBuffer.get());
-  kernel.setArg(1, rayBuffer.get());
-  kernel.setArg(2, hitBuffer.get());
-  tracer.setSurfaceArguments(kernel, 3);
-  kernel.setArg(8, normals.get());
-  kernel.setArg(9, receiverBuffer.get());
-  kernel.setArg(10, senders.get());
-  kernel.setArg(11, marks.get());
-  device.launch(kernel, rays.size(), 64);
+  launchOnce(device, "cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", 1),
+             "storeSenders", rays.size(), parameterBuffer, tracer.scene().layoutBuffer(),
+             tracer.scene().surface(), normals, receiverBuffer, rayBuffer, hitBuffer, senders, marks);
 
   EXPECT_EQ(marks.read(), (std::vector<std::uint8_t>{0, 1}));
   const auto rows = senders.read();
@@ -336,11 +324,9 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
   Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   Buffer<float> values(device, receivers * 3 * n);
-  cl::Kernel kernel(device.program("cast/transport_kernels.cl",
-                                   tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order)),
-                    "gatherBounce");
-  setArguments(kernel, parameterBuffer.get(), senderBuffer.get(), transferBuffer.get(), values.get());
-  device.launch(kernel, receivers, 64);
+  launchOnce(device, "cast/transport_kernels.cl",
+             tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order), "gatherBounce", receivers,
+             parameterBuffer, senderBuffer, transferBuffer, values);
   const auto result = values.read();
   for (std::size_t r = 0; r < receivers; ++r)
     for (std::size_t c = 0; c < 3; ++c)

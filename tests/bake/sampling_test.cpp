@@ -20,16 +20,14 @@ TEST(Sampling, HashOfDifferentNumbers_Differs) {
 }
 
 TEST(Sampling, HashOfTheDevice_IsTheHosts) {
-  const cl::Program program = test::buildProbe(
+  const std::string file = test::probeFile(
       "#include \"core/sampling_funcs.cl\"\n"
       "__kernel void probe(__global uint* out) {\n"
       "  out[get_global_id(0)] = hashInteger((uint)get_global_id(0) * 0x9e3779b9u);\n"
       "}\n");
   DeviceContext& device = test::sharedDevice().context();
   const Buffer<std::uint32_t> out(device, 1024);
-  cl::Kernel kernel(program, "probe");
-  setArguments(kernel, out.get());
-  device.launch(kernel, 1024, 64);
+  launchOnce(device, file, {}, "probe", 1024, out);
   const std::vector<std::uint32_t> hashes = out.read();
   for (std::uint32_t i = 0; i < 1024; ++i) EXPECT_EQ(hashes[i], sampling::hashInteger(i * 0x9e3779b9u)) << i;
 }

@@ -52,9 +52,8 @@ TEST(PlaneDistance, AnyTriangleAndRay_AgreesWithDoublePrecision) {
   const Buffer<TriangleBlock> triangles(device, std::span<const TriangleBlock>(blocks));
   const Buffer<Ray> from(device, std::span<const Ray>(rays));
   const Buffer<float> out(device, lanes * count);
-  cl::Kernel kernel(test::buildProbe(text), "probe");
-  setArguments(kernel, triangles.get(), from.get(), static_cast<cl_uint>(count), out.get());
-  device.launch(kernel, count, 64);
+  launchOnce(device, test::probeFile(text), {}, "probe", count, triangles, from,
+             static_cast<std::uint32_t>(count), out);
   const std::vector<float> distances = out.read();
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec3 o(rays[i].origin[0], rays[i].origin[1], rays[i].origin[2]),

@@ -51,7 +51,7 @@ TEST(DeviceContext, ProgramThatDoesNotBuild_ReportsDeviceOptionsAndLog) {
   DeviceContext& device = test::sharedDevice().context();
   try {
     // The traversal needs a stack: a negative size cannot compile.
-    device.program("bvh/wide_kernels.cl", BuildOptions().define("PRELIGHT_STACK_SIZE", -1));
+    device.build("bvh/wide_kernels.cl", BuildOptions().define("PRELIGHT_STACK_SIZE", -1));
     FAIL() << "built";
   } catch (const Error& error) {
     const std::string text = error.what();
@@ -77,7 +77,7 @@ TEST(DeviceContext, DumpKernels_WritesTheExpandedSource) {
   DeviceOptions options;
   options.dumpKernels = folder;
   const Device device = Device::open(options);
-  device.context().program("core/layout_probe_kernels.cl", {});
+  device.context().build("core/layout_probe_kernels.cl", {});
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
   std::filesystem::remove_all(folder);
 }

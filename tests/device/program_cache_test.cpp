@@ -125,7 +125,7 @@ TEST_F(ProgramCacheTest, DeviceWithCache_RebuildsFromACorruptEntry) {
   options.cacheKernels = true;
   const auto build = [&] {
     const Device device = Device::open(options);
-    EXPECT_NO_THROW(device.context().program("core/layout_probe_kernels.cl", {}));
+    EXPECT_NO_THROW(device.context().build("core/layout_probe_kernels.cl", {}));
   };
   build();
   const fs::path kernels = folder_ / "prelight" / "kernels";

@@ -24,7 +24,7 @@ struct GatherRoom {
     TransportScene transport({scene, noImages(), {}, sky}, sharedDevice());
     IrradianceMap map(transport.context(), layout());
     map.set(std::vector<glm::vec3>(layout().texelCount(), irradiance));
-    FinalGather gatherer(scene, transport, map, request);
+    FinalGather gatherer(transport, map, request);
     Progress progress;
     return gatherer.gather(receivers(), progress);
   }

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "base/octahedral.h"
-#include "device/buffer.h"
+#include "device/launch_once.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 
@@ -39,9 +39,8 @@ Probed probe(const std::vector<glm::vec3>& directions) {
   const Buffer<glm::vec4> in(device, std::span<const glm::vec4>(padded));
   const Buffer<std::uint32_t> packed(device, directions.size());
   const Buffer<glm::vec4> unpacked(device, directions.size());
-  cl::Kernel kernel(device.program("photon/direction_probe_kernels.cl", {}), "probeDirections");
-  setArguments(kernel, static_cast<cl_uint>(directions.size()), in.get(), packed.get(), unpacked.get());
-  device.launch(kernel, directions.size(), 64);
+  launchOnce(device, "photon/direction_probe_kernels.cl", {}, "probeDirections", directions.size(),
+             static_cast<std::uint32_t>(directions.size()), in, packed, unpacked);
   return {packed.read(), unpacked.read()};
 }
 

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/buffer.h"
-#include "device/context.h"
+#include "device/launch_once.h"
 #include "support/devices.h"
 
 namespace prelight::test {
@@ -43,10 +42,8 @@ class BsdfProbe {
         to(device, std::span<const glm::vec4>(wi));
     const Buffer<glm::vec4> scattered(device, 2 * wo.size());
     const Buffer<float> densities(device, wo.size());
-    cl::Kernel kernel(program(), "probeReflection");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(wo.size()), from.get(), to.get(),
-                 scattered.get(), densities.get());
-    device.launch(kernel, wo.size(), 64);
+    launchOnce(device, file, options_, "probeReflection", wo.size(), surface,
+               static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
     return {scattered.read(), densities.read()};
   }
 
@@ -54,9 +51,8 @@ class BsdfProbe {
     DeviceContext& device = sharedDevice().context();
     const Buffer<float> surface(device, std::span<const float>(values_));
     const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), samples(device, 2 * count);
-    cl::Kernel kernel(program(), "probeScatter");
-    setArguments(kernel, surface.get(), static_cast<cl_uint>(count), from.get(), samples.get());
-    device.launch(kernel, count, 64);
+    launchOnce(device, file, options_, "probeScatter", count, surface, static_cast<std::uint32_t>(count),
+               from, samples);
     const std::vector<glm::vec4> read = samples.read();
     std::vector<ProbedSample> drawn(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -65,9 +61,7 @@ class BsdfProbe {
   }
 
  private:
-  const cl::Program& program() const {
-    return sharedDevice().context().program("reference/probe_kernels.cl", options_);
-  }
+  static constexpr const char* file = "reference/probe_kernels.cl";
 
   BuildOptions options_;
   std::vector<float> values_;

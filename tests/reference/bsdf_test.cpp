@@ -5,9 +5,9 @@
 #include <numbers>
 #include <random>
 
-#include "device/buffer.h"
 #include "device/context.h"
-#include "gpu/light_buffers.h"
+#include "device/launch_once.h"
+#include "gpu/light_tables.h"
 #include "reference/bsdf_probe.h"
 #include "shared/shade_types.h"
 #include "support/devices.h"
@@ -262,11 +262,8 @@ TEST(SkySampling, Directions_FollowTheirDensityAndIntegrateTheSky) {
   const Buffer<std::uint32_t> table(device, std::span<const std::uint32_t>(tables.tables));
   const Buffer<glm::vec4> texels(device, std::span<const glm::vec4>(tables.sky));
   const Buffer<glm::vec4> directions(device, count), lookups(device, count);
-  cl::Kernel kernel(device.program("reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_SKY")),
-                    "probeSky");
-  setArguments(kernel, p.get(), static_cast<cl_uint>(count), table.get(), texels.get(), directions.get(),
-               lookups.get());
-  device.launch(kernel, count, 64);
+  launchOnce(device, "reference/probe_kernels.cl", BuildOptions().define("PRELIGHT_SKY"), "probeSky", count,
+             p, static_cast<std::uint32_t>(count), table, texels, directions, lookups);
 
   double sphere = 0.0, blue = 0.0;
   std::size_t unequal = 0;

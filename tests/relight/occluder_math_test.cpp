@@ -12,7 +12,7 @@ namespace {
 
 /// One function of the file at every argument.
 std::vector<float> valuesOf(const std::string& function, const std::vector<float>& arguments) {
-  const cl::Program program = test::buildProbe(
+  const std::string file = test::probeFile(
       "#include \"relight/occluder_math_funcs.cl\"\n"
       "__kernel void probe(__global const float* in, __global float* out, uint count) {\n"
       "  const uint i = get_global_id(0);\n"
@@ -22,9 +22,8 @@ std::vector<float> valuesOf(const std::string& function, const std::vector<float
       "}\n");
   DeviceContext& device = test::sharedDevice().context();
   const Buffer<float> in(device, std::span<const float>(arguments)), out(device, arguments.size());
-  cl::Kernel kernel(program, "probe");
-  setArguments(kernel, in.get(), out.get(), static_cast<cl_uint>(arguments.size()));
-  device.launch(kernel, arguments.size(), 64);
+  launchOnce(device, file, {}, "probe", arguments.size(), in, out,
+             static_cast<std::uint32_t>(arguments.size()));
   return out.read();
 }
 

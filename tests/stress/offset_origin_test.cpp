@@ -1,20 +1,19 @@
-// kernels/core/offset_funcs.cl: origins of rays that leave a hit point, by a kernel of its own.
+// kernels/core/offset_funcs.cl: origins of rays that leave a hit point.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "device/buffer.h"
-#include "device/kernel_source.h"
-#include "device/kernel_sources.h"
 #include "gpu/tracer.h"
 #include "stress/rays.h"
 #include "support/devices.h"
+#include "support/probe_program.h"
 #include "support/scenes.h"
 
 namespace prelight {
 namespace {
 
 constexpr const char* thinKernel = R"(
+#include "core/offset_funcs.cl"
 // inputs [item][16]: corners a, b, c; u, v; unit normal; 2 unused. directions, origins [item][3].
 __kernel void offsetOrigins(__global const float* inputs, __global const float* directions, __global float* origins) {
   const size_t i = get_global_id(0);
@@ -59,14 +58,10 @@ Leaving leavingPoints(std::size_t count, float size, float away) {
 
 std::vector<float> offsetOrigins(const Leaving& l) {
   DeviceContext& device = test::sharedDevice().context();
-  cl::Program program(device.context(),
-                      expandKernelSource("core/offset_funcs.cl", kernelSources()) + thinKernel);
-  program.build("-cl-std=CL1.2");
-  cl::Kernel kernel(program, "offsetOrigins");
-  Buffer<float> inputs(device, l.inputs), directions(device, l.directions),
+  const Buffer<float> inputs(device, l.inputs), directions(device, l.directions),
       origins(device, l.directions.size());
-  setArguments(kernel, inputs.get(), directions.get(), origins.get());
-  device.launch(kernel, l.normals.size(), 1);
+  launchOnce(device, test::probeFile(thinKernel), {}, "offsetOrigins", {l.normals.size(), 1}, inputs,
+             directions, origins);
   return origins.read();
 }
 

@@ -66,7 +66,7 @@ LiveGather::LiveGather(const CompiledScene& scene, TransportScene& transport, co
       options_(options),
       rays_(requestOf(options).raysPerReceiver),
       receivers_(std::max(1u, options.rays / rays_)),
-      gather_(scene, transport, approximation, requestOf(options)),
+      gather_(transport, approximation, requestOf(options)),
       places_(layout.texels),
       triangleRegions_(regions.regionOf),
       bare_(regionsWithoutTexels(scene, layout, regions)),

@@ -1,6 +1,6 @@
 // What a hit leaves of the light from behind it.
-#ifndef PRELIGHT_CAST_VISIBILITY_FUNCS_CL
-#define PRELIGHT_CAST_VISIBILITY_FUNCS_CL
+#ifndef PRELIGHT_PROJECT_VISIBILITY_FUNCS_CL
+#define PRELIGHT_PROJECT_VISIBILITY_FUNCS_CL
 
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"

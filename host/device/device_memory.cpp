@@ -1,0 +1,34 @@
+#include "device/device_memory.h"
+
+#include "device/opencl_context.h"
+#include "device/opencl_memory.h"
+
+namespace prelight {
+
+DeviceMemory::DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOnly)
+    : opencl_(std::make_unique<OpenCl>(
+          OpenCl{device.opencl().queue(),
+                 device.opencl().allocate(bytes, readOnly ? CL_MEM_READ_ONLY : CL_MEM_READ_WRITE)})) {}
+
+DeviceMemory::~DeviceMemory() = default;
+
+void DeviceMemory::write(const void* data, std::size_t bytes, std::size_t at) {
+  opencl_->queue.enqueueWriteBuffer(opencl_->buffer, CL_TRUE, at, bytes, data);
+}
+
+void DeviceMemory::read(void* data, std::size_t bytes, std::size_t at) const {
+  opencl_->queue.enqueueReadBuffer(opencl_->buffer, CL_TRUE, at, bytes, data);
+}
+
+void DeviceMemory::fill(const void* pattern, std::size_t patternBytes, std::size_t bytes) {
+  // The bindings take patterns by their type alone.
+  const cl_int status = clEnqueueFillBuffer(opencl_->queue(), opencl_->buffer(), pattern, patternBytes, 0,
+                                            bytes, 0, nullptr, nullptr);
+  if (status != CL_SUCCESS) throw cl::Error(status, "clEnqueueFillBuffer");
+}
+
+void DeviceMemory::copy(const DeviceMemory& from, std::size_t bytes) {
+  opencl_->queue.enqueueCopyBuffer(from.opencl_->buffer, opencl_->buffer, 0, 0, bytes);
+}
+
+}  // namespace prelight

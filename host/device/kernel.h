@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "device/buffer.h"
+
+namespace prelight {
+
+/// Work-items of a launch, rounded up to groups; kernels check their bound.
+struct WorkSize {
+  WorkSize(std::size_t itemCount, std::size_t groupSize = 64) : items(itemCount), group(groupSize) {}
+
+  std::size_t items;
+  std::size_t group;
+};
+
+/// What a program passes for a parameter of a kernel.
+struct KernelArgument {
+  bool isBuffer = false;
+  std::size_t size = 0;  ///< bytes of the value, or of an element of the buffer
+};
+
+/// A kernel of an embedded file, built with `options`: what the typed ones below share.
+class BuiltKernel {
+ public:
+  /// Throws Error(RuntimeFailure) when the kernel's parameters are not as many as `arguments`, or, where the
+  /// device tells, are no buffers, or values of other sizes.
+  BuiltKernel(DeviceContext& device, const std::string& file, const BuildOptions& options,
+              const std::string& name, std::span<const KernelArgument> arguments);
+  ~BuiltKernel();
+  BuiltKernel(const BuiltKernel&) = delete;
+  BuiltKernel& operator=(const BuiltKernel&) = delete;
+
+  template <typename T>
+  void set(std::uint32_t index, const T& value) {
+    setValue(index, &value, sizeof(T));
+  }
+  template <typename T>
+  void set(std::uint32_t index, const Buffer<T>& buffer) {
+    setMemory(index, buffer.memory());
+  }
+  void launch(WorkSize size);
+
+ private:
+  void setValue(std::uint32_t index, const void* value, std::size_t bytes);
+  void setMemory(std::uint32_t index, const DeviceMemory* memory);
+
+  struct OpenCl;
+  std::unique_ptr<OpenCl> opencl_;
+};
+
+template <typename T>
+struct KernelArgumentOf {
+  static_assert(std::is_trivially_copyable_v<T>, "kernels take buffers and plain values");
+  static constexpr KernelArgument description{false, sizeof(T)};
+};
+
+template <typename T>
+struct KernelArgumentOf<Buffer<T>> {
+  static constexpr KernelArgument description{true, sizeof(T)};
+};
+
+/// A kernel with the types of its parameters, in their order: Buffer<T> for pointers, plain values for the
+/// rest. A launch takes exactly these types: any other argument does not compile.
+template <typename... Parameters>
+class Kernel {
+  template <typename...>
+  struct Types {};
+
+ public:
+  /// None: must not be launched.
+  Kernel() = default;
+
+  /// As BuiltKernel.
+  Kernel(DeviceContext& device, const std::string& file, const BuildOptions& options,
+         const std::string& name) {
+    const std::array<KernelArgument, sizeof...(Parameters)> arguments{
+        KernelArgumentOf<Parameters>::description...};
+    kernel_ = std::make_shared<BuiltKernel>(device, file, options, name, arguments);
+  }
+
+  explicit operator bool() const { return kernel_ != nullptr; }
+
+  /// Does not wait.
+  template <typename... Arguments>
+  requires std::same_as<Types<Arguments...>, Types<Parameters...>>
+  void launch(WorkSize size, const Arguments&... arguments) {
+    std::uint32_t index = 0;
+    (kernel_->set(index++, arguments), ...);
+    kernel_->launch(size);
+  }
+
+ private:
+  std::shared_ptr<BuiltKernel> kernel_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "device/kernel.h"
+
+namespace prelight {
+
+/// Makes a kernel with parameters of the arguments' types and launches it: for what is done once. Does not
+/// wait.
+template <typename... Arguments>
+void launchOnce(DeviceContext& device, const std::string& file, const BuildOptions& options,
+                const std::string& name, WorkSize size, const Arguments&... arguments) {
+  Kernel<Arguments...>(device, file, options, name).launch(size, arguments...);
+}
+
+}  // namespace prelight

@@ -1,0 +1,92 @@
+#include "gpu/device_scene.h"
+
+#include <numbers>
+#include <utility>
+
+#include "base/span_of.h"
+#include "device/packed_arrays.h"
+#include "gpu/surface_arrays.h"
+#include "gpu/surface_upload.h"
+
+namespace prelight {
+
+using namespace device;
+
+DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene) : device_(&device) {
+  SurfaceArrays arrays = makeSurfaceArrays(scene);
+  const bool textured = !arrays.texels.empty();
+  PackedArrays<SurfaceLine> pack;
+  layout_.triangles = pack.add(std::move(arrays.triangles));
+  layout_.materials = pack.add(std::move(arrays.materials));
+  layout_.texels = pack.add(std::move(arrays.texels));
+  layout_.texCoords = textured ? pack.add(spanOf(scene.texCoords)) : 0;
+  layout_.colors = pack.add(spanOf(scene.colors));
+  surface_ = pack.upload(device);
+  uploadLayout();
+}
+
+void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image>& images,
+                             bool layerTextures) {
+  Layers layers = makeLayers(scene, images);
+  PackedArrays<ShadingLine> pack;
+  layout_.vertices = pack.add(interleaveVertices(scene));
+  layout_.flat = pack.add(spanOf(scene.triangleFlat));
+  layout_.bases = pack.add(makeBaseMaterials(scene));
+  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene));
+  layout_.layers = pack.add(std::move(layers.materials));
+  layout_.layerTexels = pack.add(std::move(layers.texels));
+  layout_.layerTexCoords = layerTextures ? pack.add(spanOf(scene.texCoords)) : 0;
+  shading_ = pack.upload(*device_);
+  uploadLayout();
+}
+
+void DeviceScene::setPlainShading(const CompiledScene& scene) {
+  PackedArrays<ShadingLine> pack;
+  layout_.vertices = pack.add(interleaveVertices(scene));
+  layout_.flat = pack.add(spanOf(scene.triangleFlat));
+  layout_.bases = pack.add(makeBaseMaterials(scene));
+  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene));
+  shading_ = pack.upload(*device_);
+  uploadLayout();
+}
+
+void DeviceScene::follow(const CompiledScene& scene) {
+  shading_.writeArray(std::span<const float>(interleaveVertices(scene)), layout_.vertices);
+}
+
+void DeviceScene::setLights(const LightTables& lights, double skyRotation) {
+  PackedArrays<LightLine> pack;
+  layout_.tables = pack.add(spanOf(lights.tables));
+  layout_.emitters = pack.add(spanOf(lights.emitters));
+  layout_.emitterDensities = pack.add(spanOf(lights.emitterDensities));
+  layout_.punctual = pack.add(spanOf(lights.punctual));
+  layout_.sky = pack.add(spanOf(lights.sky));
+  layout_.lights = lightLayout(lights, skyRotation);
+  lights_ = pack.upload(*device_);
+  uploadLayout();
+}
+
+void DeviceScene::setSkyRotation(double angle) {
+  layout_.lights.skyTurn = skyTurn(angle);
+  uploadLayout();
+}
+
+void DeviceScene::setOccluders(std::span<const std::uint32_t> flags, std::span<const std::uint32_t> groups) {
+  PackedArrays<OccluderLine> pack;
+  layout_.occluderFlags = pack.add(flags);
+  layout_.occluderGroups = pack.add(groups);
+  layout_.occluderVertices = pack.reserve<OccluderVertex>(groups.size());
+  occluders_ = pack.upload(*device_);
+  uploadLayout();
+}
+
+void DeviceScene::setOccluderVertices(std::span<const OccluderVertex> vertices) {
+  occluders_.writeArray(vertices, layout_.occluderVertices);
+}
+
+/// Into a buffer of its own: copies of the scene keep theirs.
+void DeviceScene::uploadLayout() {
+  layoutBuffer_ = Buffer<SceneLayout>(*device_, std::span<const SceneLayout>(&layout_, 1));
+}
+
+}  // namespace prelight

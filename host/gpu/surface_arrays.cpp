@@ -1,0 +1,61 @@
+#include "gpu/surface_arrays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/compile/compile_parts.h"
+#include "scene/compile/device_wrap.h"
+
+namespace prelight {
+
+namespace {
+
+using device::DeviceMaterial;
+
+glm::u16vec4 linearTexel(const std::uint8_t* srgb) {
+  const glm::vec3 linear(linearFromSrgb(srgb[0]), linearFromSrgb(srgb[1]), linearFromSrgb(srgb[2]));
+  return {glm::u16vec3(glm::round(65535.0f * linear)), static_cast<std::uint16_t>(257 * srgb[3])};
+}
+
+DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image>& images,
+                              const std::vector<std::uint32_t>& offsets) {
+  DeviceMaterial d{};
+  for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
+  d.alphaCutoff = m.alphaCutoff;
+  d.alphaFactor = m.alphaFactor;
+  for (int c = 0; c < 3; ++c)
+    d.transmission |=
+        static_cast<std::uint32_t>(std::lround(1023.0f * std::clamp(m.diffuseTransmission[c], 0.0f, 1.0f)))
+        << (10 * c);
+  d.texelOffset = PRELIGHT_NO_TEXTURE;
+  d.wrapS = deviceWrap(m.wrapS);
+  d.wrapT = deviceWrap(m.wrapT);
+  if (m.albedoImage >= 0) {
+    const auto image = static_cast<std::size_t>(m.albedoImage);
+    d.texelOffset = offsets[image];
+    d.width = static_cast<std::uint32_t>(images[image].width);
+    d.height = static_cast<std::uint32_t>(images[image].height);
+  }
+  return d;
+}
+
+}  // namespace
+
+SurfaceArrays makeSurfaceArrays(const CompiledScene& scene) {
+  SurfaceArrays arrays;
+  arrays.triangles.resize(scene.triangleCount());
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+    arrays.triangles[t] = {{scene.triangles[t].x, scene.triangles[t].y, scene.triangles[t].z},
+                           scene.triangleMaterials[t]};
+  std::vector<std::uint32_t> offsets;
+  for (const Image& image : scene.albedoImages) {
+    offsets.push_back(static_cast<std::uint32_t>(arrays.texels.size()));
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
+      arrays.texels.push_back(linearTexel(&image.rgba[i]));
+  }
+  for (const auto& material : scene.materials)
+    arrays.materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
+  return arrays;
+}
+
+}  // namespace prelight

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "scene/compiled_scene.h"
+#include "shared/scene_types.h"
+
+namespace prelight {
+
+/// What rays and bounces ask of a scene's surface.
+struct SurfaceArrays {
+  std::vector<device::DeviceTriangle> triangles;
+  std::vector<device::DeviceMaterial> materials;
+  std::vector<glm::u16vec4> texels;  ///< linear RGBA in 1/65535, of all images one after the other
+};
+
+SurfaceArrays makeSurfaceArrays(const CompiledScene& scene);
+
+}  // namespace prelight

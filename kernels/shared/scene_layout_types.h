@@ -1,0 +1,57 @@
+// Where the arrays of a scene lie in its buffers. The one list of them: host/gpu/device_scene.cpp fills it,
+// and surfaceOf (bvh/alpha_funcs.cl) and sceneOf (transport/scene_funcs.cl) read it.
+#ifndef PRELIGHT_SHARED_SCENE_LAYOUT_TYPES_H
+#define PRELIGHT_SHARED_SCENE_LAYOUT_TYPES_H
+
+#include "shared/compat.h"
+#include "shared/shade_types.h"
+
+PRELIGHT_SHARED_BEGIN
+
+/// 64 bytes of a buffer of arrays: each array starts at the beginning of a line. A type a buffer, so that one
+/// is not taken for another.
+typedef struct SurfaceLine {
+  uint words[16];
+} SurfaceLine;
+typedef struct ShadingLine {
+  uint words[16];
+} ShadingLine;
+typedef struct LightLine {
+  uint words[16];
+} LightLine;
+typedef struct OccluderLine {
+  uint words[16];
+} OccluderLine;
+
+/// The first line of each array.
+typedef struct SceneLayout {
+  // What rays and bounces ask of the surface, in SurfaceLines.
+  uint triangles;  ///< DeviceTriangle [triangle]
+  uint materials;  ///< DeviceMaterial [material] with the albedo's textures
+  uint texCoords;  ///< float2 [vertex]
+  uint colors;     ///< float4 [vertex]
+  uint texels;     ///< ushort4
+  // What following light asks beyond that, in ShadingLines.
+  uint vertices;        ///< float [vertex][6] position, normal
+  uint flat;            ///< uchar [triangle] 1: no shading normals
+  uint bases;           ///< DeviceMaterial [material], base colours without textures
+  uint shadeMaterials;  ///< ShadeMaterial [material]
+  uint layers;          ///< DeviceMaterial [material][PRELIGHT_LAYERS] textures
+  uint layerTexCoords;  ///< float2 [vertex]
+  uint layerTexels;     ///< ushort4
+  // Lights, in LightLines.
+  uint tables;            ///< uint: lower bounds of intervals
+  uint emitters;          ///< uint [emitter] triangle
+  uint emitterDensities;  ///< float [triangle]
+  uint punctual;          ///< PunctualLight
+  uint sky;               ///< float4 [row][column]
+  LightLayout lights;
+  // What occluders are told apart by, in OccluderLines.
+  uint occluderFlags;     ///< uint [material] PRELIGHT_OCCLUDER_*
+  uint occluderGroups;    ///< uint [vertex]
+  uint occluderVertices;  ///< OccluderVertex [vertex]
+} SceneLayout;
+
+PRELIGHT_SHARED_END
+
+#endif

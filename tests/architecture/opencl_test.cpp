@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace prelight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t mostParameters = 12;
+constexpr std::size_t mostLines = 60;
+
+/// Files below a folder of the project, from the root.
+std::vector<std::string> filesBelow(const std::string& folder, const std::vector<std::string>& extensions) {
+  std::vector<std::string> files;
+  const fs::path root = PRELIGHT_SOURCE_DIR;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder))
+    if (std::count(extensions.begin(), extensions.end(), entry.path().extension().string()) > 0)
+      files.push_back(fs::relative(entry.path(), root).generic_string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string textOf(const std::string& file) {
+  std::ifstream in(fs::path(PRELIGHT_SOURCE_DIR) / file);
+  EXPECT_TRUE(in) << file;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// Comments and lines for the preprocessor are blank, so that braces and commas are the code's alone; lines
+/// stay where they are.
+std::string codeOf(const std::string& text) {
+  std::string code = std::regex_replace(text, std::regex("//[^\n]*"), "");
+  return std::regex_replace(code, std::regex("(^|\n)[ \t]*#[^\n]*"), "$1");
+}
+
+struct Function {
+  std::string name;
+  std::size_t parameters = 0;
+  std::size_t lines = 0;  ///< from its name's to that of its closing brace
+};
+
+std::size_t countParameters(const std::string& list) {
+  if (list.find_first_not_of(" \t\n") == std::string::npos) return 0;
+  return static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
+}
+
+/// Place behind the brace that closes the one before `at`.
+std::size_t endOfBody(const std::string& code, std::size_t at) {
+  for (int depth = 1; depth > 0 && at < code.size(); ++at) depth += (code[at] == '{') - (code[at] == '}');
+  return at;
+}
+
+/// Functions that OpenCL C defines. Its parameters hold no parentheses.
+std::vector<Function> functionsOf(const std::string& text) {
+  const std::string code = codeOf(text);
+  const std::regex head(R"((\w+)\s*\(([^(){};]*)\)\s*\{)");
+  std::vector<Function> functions;
+  std::smatch match;
+  for (auto at = code.begin(); std::regex_search(at, code.end(), match, head);) {
+    const auto begin = static_cast<std::size_t>(match[0].first - code.begin());
+    const std::size_t end = endOfBody(code, static_cast<std::size_t>(match[0].second - code.begin()));
+    functions.push_back(
+        {match[1], countParameters(match[2]),
+         static_cast<std::size_t>(std::count(code.begin() + static_cast<std::ptrdiff_t>(begin),
+                                             code.begin() + static_cast<std::ptrdiff_t>(end), '\n')) +
+             1});
+    at = code.begin() + static_cast<std::ptrdiff_t>(end);
+  }
+  return functions;
+}
+
+/// The counts count: of parameters, of lines, and past comments and branches of the preprocessor.
+TEST(OpenCl, FunctionsOfAText_AreFoundWithTheirLengths) {
+  const std::vector<Function> functions = functionsOf(
+      "#define TWICE(x) { x, x }\n"
+      "float4 sum(float4 a, // the first, and {\n"
+      "           float4 b) {\n"
+      "  if (a.x > 0.0f) { return a; }\n"
+      "  return a + b;\n"
+      "}\n"
+      "__kernel __attribute__((vec_type_hint(float8))) void run(__global int* out, const uint count, const "
+      "uint n) { *out = 1; }\n"
+      "void nothing() {}\n");
+  ASSERT_EQ(functions.size(), 3u);
+  EXPECT_EQ(functions[0].name, "sum");
+  EXPECT_EQ(functions[0].parameters, 2u);
+  EXPECT_EQ(functions[0].lines, 5u);
+  EXPECT_EQ(functions[1].name, "run");
+  EXPECT_EQ(functions[1].parameters, 3u);
+  EXPECT_EQ(functions[1].lines, 1u);
+  EXPECT_EQ(functions[2].parameters, 0u);
+}
+
+/// What travels together is a struct or a buffer: a longer list is read by nobody.
+TEST(OpenCl, ParametersOfKernelsAndFunctions_AreTwelveAtMost) {
+  for (const std::string& file : filesBelow("kernels", {".cl"}))
+    for (const Function& function : functionsOf(textOf(file)))
+      EXPECT_LE(function.parameters, mostParameters) << file << ": " << function.name;
+}
+
+TEST(OpenCl, KernelsAndFunctions_AreSixtyLinesLongAtMost) {
+  for (const std::string& file : filesBelow("kernels", {".cl"}))
+    for (const Function& function : functionsOf(textOf(file)))
+      EXPECT_LE(function.lines, mostLines) << file << ": " << function.name;
+}
+
+/// A kernel's arguments have types everywhere else.
+TEST(OpenCl, ItsTypesAndArguments_AreHostDevicesAlone) {
+  const std::regex shown(
+      R"(\bcl::|\bcl_(?:u?int|u?char|u?short|u?long|float|double|half|mem|kernel)\w*|setArg\b|[<"]CL/)");
+  for (const char* top : {"host", "viewer", "benchmarks", "tests"})
+    for (const std::string& file : filesBelow(top, {".h", ".cpp"})) {
+      if (file.rfind("host/device/", 0) == 0 || file.rfind("tests/architecture/", 0) == 0) continue;
+      std::smatch found;
+      const std::string code = std::regex_replace(textOf(file), std::regex("//[^\n]*"), "");
+      EXPECT_FALSE(std::regex_search(code, found, shown)) << file << " shows " << found.str();
+    }
+}
+
+/// Headers of host/device that others include show nothing of it either.
+TEST(OpenCl, HeadersThatShowIt_AreIncludedByHostDeviceAlone) {
+  const std::regex include(R"((?:^|\n)#include "device/opencl[^"]*")");
+  for (const char* top : {"host", "viewer", "benchmarks", "tests"})
+    for (const std::string& file : filesBelow(top, {".h", ".cpp"})) {
+      const bool mayShow = file.rfind("host/device/", 0) == 0 &&
+                           (file.ends_with(".cpp") || file.rfind("host/device/opencl", 0) == 0);
+      EXPECT_TRUE(mayShow || !std::regex_search(textOf(file), include)) << file;
+    }
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,102 @@
+#include "device/kernel.h"
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <glm/glm.hpp>
+
+#include "base/error.h"
+#include "device/packed_arrays.h"
+#include "shared/scene_layout_types.h"
+#include "support/probe_program.h"
+
+namespace prelight {
+namespace {
+
+using device::SurfaceLine;
+
+constexpr const char* text =
+    "__kernel void scale(const uint count, const float factor, __global const float* in, __global float* "
+    "out) {\n"
+    "  const size_t i = get_global_id(0);\n"
+    "  if (i < count) out[i] = factor * in[i];\n"
+    "}\n";
+
+using Scale = Kernel<std::uint32_t, float, Buffer<float>, Buffer<float>>;
+
+template <typename K, typename... Arguments>
+concept Launches = requires(K& kernel, const Arguments&... arguments) {
+  kernel.launch(1, arguments...);
+};
+
+static_assert(Launches<Scale, std::uint32_t, float, Buffer<float>, Buffer<float>>);
+static_assert(!Launches<Scale, int, float, Buffer<float>, Buffer<float>>, "a value of another type");
+static_assert(!Launches<Scale, std::uint32_t, double, Buffer<float>, Buffer<float>>,
+              "a value of another size");
+static_assert(!Launches<Scale, std::uint32_t, float, Buffer<std::uint32_t>, Buffer<float>>,
+              "a buffer of others");
+static_assert(!Launches<Scale, float, std::uint32_t, Buffer<float>, Buffer<float>>, "another order");
+static_assert(!Launches<Scale, std::uint32_t, float, Buffer<float>>, "one too few");
+
+DeviceContext& context() { return test::sharedDevice().context(); }
+
+TEST(Kernel, TypedArguments_ReachTheDevice) {
+  const std::vector<float> values = {1.0f, -2.0f, 0.5f};
+  const Buffer<float> in(context(), std::span<const float>(values)), out(context(), 3);
+  Scale kernel(context(), test::probeFile(text), {}, "scale");
+  kernel.launch(3, std::uint32_t{3}, 4.0f, in, out);
+  EXPECT_THAT(out.read(), testing::ElementsAre(4.0f, -8.0f, 2.0f));
+}
+
+/// Expects an error that says what is wrong when a kernel of these types is made.
+template <typename K>
+void expectRefused(const std::string& said) {
+  try {
+    const K kernel(context(), test::probeFile(text), {}, "scale");
+    FAIL() << "made, where \"" << said << "\" was expected";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::RuntimeFailure);
+    EXPECT_THAT(error.what(), testing::HasSubstr("kernel scale"));
+    EXPECT_THAT(error.what(), testing::HasSubstr(said));
+  }
+}
+
+TEST(Kernel, ParametersOtherThanTheBuiltOnes_AreRefused) {
+  expectRefused<Kernel<std::uint32_t, float, Buffer<float>>>("takes 4 arguments, got 3");
+  expectRefused<Kernel<std::uint32_t, float, Buffer<float>, Buffer<float>, float>>(
+      "takes 4 arguments, got 5");
+}
+
+/// Where the device tells what its parameters are.
+TEST(Kernel, KindsOtherThanTheBuiltOnes_AreRefused) {
+  if (!context().info().isPocl) GTEST_SKIP() << "only PoCL is known to tell";
+  expectRefused<Kernel<std::uint32_t, float, Buffer<float>, float>>(
+      "parameter 3 expects a buffer, got a value");
+  expectRefused<Kernel<Buffer<float>, float, Buffer<float>, Buffer<float>>>("parameter 0 expects a value");
+  expectRefused<Kernel<std::uint32_t, double, Buffer<float>, Buffer<float>>>(
+      "parameter 1 expects a float of 4 bytes, got 8 bytes");
+}
+
+/// Arrays of any type, an empty one among them, begin with a line and hold what they were made of.
+TEST(PackedArrays, ArraysOfSeveralTypes_BeginWithLinesAndKeepTheirBytes) {
+  const std::vector<std::uint8_t> bytes(65, 7);
+  const std::vector<glm::vec2> pairs = {{1.0f, 2.0f}, {3.0f, 4.0f}};
+  PackedArrays<SurfaceLine> pack;
+  EXPECT_EQ(pack.add(std::span<const std::uint8_t>(bytes)), 0u);
+  EXPECT_EQ(pack.add(std::vector<float>()), 2u);
+  EXPECT_EQ(pack.reserve<float>(17), 2u);
+  EXPECT_EQ(pack.add(std::vector<glm::vec2>(pairs)), 4u);
+  EXPECT_EQ(pack.lines(), 5u);
+  Buffer<SurfaceLine> buffer = pack.upload(context());
+  const std::vector<float> late = {9.0f};
+  buffer.writeArray(std::span<const float>(late), 2);
+  const std::vector<SurfaceLine> lines = buffer.read();
+  EXPECT_EQ(lines[0].words[15], 0x07070707u);
+  EXPECT_EQ(lines[1].words[0] & 0xffu, 7u);
+  EXPECT_EQ(std::bit_cast<float>(lines[2].words[0]), 9.0f);
+  EXPECT_EQ(std::bit_cast<float>(lines[4].words[1]), 2.0f);
+  EXPECT_EQ(std::bit_cast<float>(lines[4].words[2]), 3.0f);
+}
+
+}  // namespace
+}  // namespace prelight
