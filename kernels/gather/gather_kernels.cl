@@ -65,7 +65,8 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
   float3 radiance = (float3)(0.0f);
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
-  if (path.widened != 0u) radiance = evalLight(scene.lights, &p->scene.lights, s, ray, hit, surface.front);
+  const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;  // nothing may be read of a surface that is none
+  if (path.widened != 0u) radiance = evalLight(scene.lights, &p->scene.lights, s, ray, hit, front);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
     const Bsdf bsdf = loadBsdf(s, surface);
 #ifdef PRELIGHT_ABSORPTION

@@ -47,7 +47,9 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
     }
 #endif
   }
-  float3 radiance = evalLight(lights, &p->scene.lights, s, ray, hit, surface.front);
+  // Nothing may read the surface where there is none: compilers take such a read as proof that there is one.
+  const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;
+  float3 radiance = evalLight(lights, &p->scene.lights, s, ray, hit, front);
   if (depth == 0u && hit.triangle != PRELIGHT_NO_TRIANGLE && (surface.flags & PRELIGHT_UNLIT) != 0u)
     radiance = baseColor(s, hit.triangle, hit.u, hit.v);
   float weight = 1.0f;
