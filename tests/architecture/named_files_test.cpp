@@ -3,38 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
-#include <set>
 #include <string>
 #include <vector>
+
+#include "architecture/source_files.h"
 
 namespace prelight {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = PRELIGHT_SOURCE_DIR;
-
-std::string textOf(const fs::path& file) {
-  std::ifstream in(file);
-  EXPECT_TRUE(in) << file;
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<fs::path> filesBelow(const fs::path& folder, const std::set<std::string>& extensions) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (extensions.count(entry.path().extension().string()) > 0) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::vector<fs::path> documents() {
-  std::vector<fs::path> files = filesBelow(root / "docs", {".md"});
-  files.push_back(root / "README.md");
-  files.push_back(root / "CONTRIBUTING.md");
+std::vector<std::string> documents() {
+  std::vector<std::string> files = test::filesBelow("docs", {".md"});
+  files.emplace_back("README.md");
+  files.emplace_back("CONTRIBUTING.md");
   return files;
 }
 
@@ -51,22 +34,23 @@ std::vector<std::string> matchesIn(const std::string& text, const std::string& p
 bool existsBelowAny(const std::string& name) {
   constexpr std::array<const char*, 5> bases = {"", "host", "kernels", "viewer", "tests"};
   return std::any_of(bases.begin(), bases.end(),
-                     [&](const char* base) { return fs::exists(root / base / name); });
+                     [&](const char* base) { return fs::exists(test::sourceRoot() / base / name); });
 }
 
 TEST(Documents, Links_LeadToFiles) {
-  for (const fs::path& document : documents()) {
-    for (const std::string& link : matchesIn(textOf(document), "\\]\\(([^)#: ]+)[)# ]")) {
-      EXPECT_TRUE(fs::exists(document.parent_path() / link)) << document << " links to " << link;
+  for (const std::string& document : documents()) {
+    for (const std::string& link : matchesIn(test::textOf(document), "\\]\\(([^)#: ]+)[)# ]")) {
+      EXPECT_TRUE(fs::exists((test::sourceRoot() / document).parent_path() / link))
+          << document << " links to " << link;
     }
   }
 }
 
 TEST(Documents, SourcesThatTheyName_Exist) {
   std::size_t named = 0;
-  for (const fs::path& document : documents()) {
+  for (const std::string& document : documents()) {
     const std::vector<std::string> files = matchesIn(
-        textOf(document), "\\b((?:host|kernels|viewer|tests|benchmarks)/[a-z0-9_/]+(?:\\.[a-z]+)?)");
+        test::textOf(document), "\\b((?:host|kernels|viewer|tests|benchmarks)/[a-z0-9_/]+(?:\\.[a-z]+)?)");
     for (const std::string& file : files) EXPECT_TRUE(existsBelowAny(file)) << document << " names " << file;
     named += files.size();
   }
@@ -76,10 +60,10 @@ TEST(Documents, SourcesThatTheyName_Exist) {
 TEST(Sources, FilesThatTheirCommentsName_Exist) {
   std::size_t named = 0;
   for (const char* folder : {"host", "kernels", "viewer", "benchmarks", "tests"}) {
-    for (const fs::path& source :
-         filesBelow(root / folder, {".h", ".cpp", ".cl", ".glsl", ".frag", ".vert", ".py"})) {
+    for (const std::string& source :
+         test::filesBelow(folder, {".h", ".cpp", ".cl", ".glsl", ".frag", ".vert", ".py"})) {
       const std::vector<std::string> files =
-          matchesIn(textOf(source),
+          matchesIn(test::textOf(source),
                     "//[^\\n\"]*?\\b((?:docs|[a-z_]+)/[a-zA-Z0-9_/-]+\\.(?:h|cl|cpp|md|glsl|frag|json))\\b");
       for (const std::string& file : files) EXPECT_TRUE(existsBelowAny(file)) << source << " names " << file;
       named += files.size();

@@ -1,39 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "architecture/source_files.h"
 
 namespace prelight {
 namespace {
 
-namespace fs = std::filesystem;
+using test::filesBelow;
+using test::textOf;
 
 constexpr std::size_t mostParameters = 12;
 constexpr std::size_t mostLines = 60;
-
-/// Files below a folder of the project, from the root.
-std::vector<std::string> filesBelow(const std::string& folder, const std::vector<std::string>& extensions) {
-  std::vector<std::string> files;
-  const fs::path root = PRELIGHT_SOURCE_DIR;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder))
-    if (std::count(extensions.begin(), extensions.end(), entry.path().extension().string()) > 0)
-      files.push_back(fs::relative(entry.path(), root).generic_string());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::string textOf(const std::string& file) {
-  std::ifstream in(fs::path(PRELIGHT_SOURCE_DIR) / file);
-  EXPECT_TRUE(in) << file;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// Comments and lines for the preprocessor are blank, so that braces and commas are the code's alone; lines
 /// stay where they are.

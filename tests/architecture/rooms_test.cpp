@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "architecture/source_files.h"
+
 namespace prelight {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// An include of another file of the project.
 struct Include {
@@ -20,29 +20,16 @@ struct Include {
   std::string included;
 };
 
+std::vector<std::string> sourcesBelow(const std::string& folder) {
+  return test::filesBelow(folder, {".h", ".cpp", ".cl"});
+}
+
 /// A room is a folder of sources; "host/scene" and "host/scene/gltf" are two.
 std::string roomOf(const std::string& file) { return file.substr(0, file.rfind('/')); }
 
-bool startsWith(const std::string& text, const std::string& beginning) {
-  return text.compare(0, beginning.size(), beginning) == 0;
-}
-
-std::vector<std::string> sourcesBelow(const std::string& folder) {
-  std::vector<std::string> files;
-  const fs::path root = PRELIGHT_SOURCE_DIR;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".h" || extension == ".cpp" || extension == ".cl")
-      files.push_back(fs::relative(entry.path(), root).generic_string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 /// Includes of a file, in quotes or angle brackets as `form` says, as they are written.
 std::vector<std::string> writtenIncludes(const std::string& file, const char* form) {
-  std::ifstream in(fs::path(PRELIGHT_SOURCE_DIR) / file);
-  EXPECT_TRUE(in) << file;
+  std::istringstream in(test::textOf(file));
   const std::regex pattern(form);
   std::vector<std::string> includes;
   for (std::string line; std::getline(in, line);) {
@@ -52,13 +39,12 @@ std::vector<std::string> writtenIncludes(const std::string& file, const char* fo
   return includes;
 }
 
-/// Includes of the project's own files. What host/ includes is relative to host/, viewer/ and benchmarks/ to
-/// the root.
+/// Includes of the project's own files, which are written relative to host/, to kernels/ or to the root.
 std::vector<Include> includesOf(const std::string& file) {
   std::vector<Include> includes;
   for (const std::string& included : writtenIncludes(file, "^#include \"([^\"]+)\"")) {
     for (const char* base : {"host/", "kernels/", ""}) {
-      if (fs::exists(fs::path(PRELIGHT_SOURCE_DIR) / (base + included))) {
+      if (std::filesystem::exists(test::sourceRoot() / (base + included))) {
         includes.push_back({file, base + included});
         break;
       }
@@ -75,7 +61,7 @@ Graph graphBelow(const std::string& folder) {
   for (const std::string& file : sourcesBelow(folder)) {
     for (const Include& include : includesOf(file)) {
       const std::string from = roomOf(file), to = roomOf(include.included);
-      if (from != to && startsWith(to, folder + "/")) graph[from].emplace(to, include);
+      if (from != to && to.starts_with(folder + "/")) graph[from].emplace(to, include);
     }
   }
   return graph;
@@ -135,9 +121,9 @@ TEST(Rooms, CycleOfThree_IsFound) {
 /// The program joins library, viewer and benchmarks; nothing else of host/ knows the other two.
 TEST(Rooms, HostButTheProgram_IncludesNeitherViewerNorBenchmarks) {
   for (const std::string& file : sourcesBelow("host")) {
-    if (startsWith(file, "host/cli/")) continue;
+    if (file.starts_with("host/cli/")) continue;
     for (const Include& include : includesOf(file))
-      EXPECT_TRUE(startsWith(include.included, "host/") || startsWith(include.included, "kernels/shared/"))
+      EXPECT_TRUE(include.included.starts_with("host/") || include.included.starts_with("kernels/shared/"))
           << file << " includes " << include.included;
   }
 }
@@ -145,9 +131,9 @@ TEST(Rooms, HostButTheProgram_IncludesNeitherViewerNorBenchmarks) {
 TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
   for (const char* top : {"host", "viewer", "benchmarks"}) {
     for (const std::string& file : sourcesBelow(top)) {
-      if (startsWith(file, "host/cli/")) continue;
+      if (file.starts_with("host/cli/")) continue;
       for (const Include& include : includesOf(file))
-        EXPECT_FALSE(startsWith(include.included, "host/cli/")) << file << " includes " << include.included;
+        EXPECT_FALSE(include.included.starts_with("host/cli/")) << file << " includes " << include.included;
     }
   }
 }
