@@ -76,7 +76,7 @@ void averages(std::uint32_t samples, double spread, const char* stress, Trials& 
   const Buffer<device::ReferenceParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<device::PathState> pathBuffer(device, std::span<const device::PathState>(paths));
   const Buffer<glm::vec4> means(device, pixels);
-  launchOnce(device, "reference/path_ends_kernels.cl", {}, "averageSamples", {pixels, 1}, parameterBuffer,
+  launchOnce(device, "integrate/path_ends_kernels.cl", {}, "averageSamples", {pixels, 1}, parameterBuffer,
              pathBuffer, means);
   const std::vector<glm::vec4> got = means.read();
   Differences differences;

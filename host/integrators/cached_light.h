@@ -16,7 +16,7 @@ struct CachedLight {
                              ///< alone have no bound
 };
 
-/// Options of a program of reference/cached_path_kernels.cl, added to those of its paths.
+/// Options of a program of integrate/cached_path_kernels.cl, added to those of its paths.
 BuildOptions cachedLightOptions(const CachedLight& light, BuildOptions options);
 
 /// Sets all but the paths' own parameters. `samples`: paths a pixel.

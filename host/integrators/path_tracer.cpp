@@ -52,20 +52,20 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
 }
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
-  const char* file = "reference/path_kernels.cl";
+  const char* file = "integrate/path_kernels.cl";
   const BuildOptions options = buildOptions(request, std::nullopt, scene_.options());
   generate_ = {device_, file, options, "generatePaths"};
   collect_ = {device_, file, options, "collectRadiance"};
   sample_ = {device_, file, options, "sampleLights"};
   if (request.integrator == Integrator::Instant)
-    sampleVirtual_ = {device_, "reference/virtual_kernels.cl", options, "sampleVirtualLight"};
+    sampleVirtual_ = {device_, "integrate/virtual_kernels.cl", options, "sampleVirtualLight"};
   add_ = {device_, file, options, "addArrivals"};
   scatter_ = {device_, file, options, "scatterPaths"};
   average_ = {device_, file, options, "averageSamples"};
 }
 
 void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
-  const char* file = "reference/cached_path_kernels.cl";
+  const char* file = "integrate/cached_path_kernels.cl";
   const BuildOptions options =
       cachedLightOptions(*cached_, buildOptions(request, cached_->meetsLights, scene_.options()));
   generate_ = {device_, file, options, "generatePaths"};

@@ -14,7 +14,7 @@ VirtualLights::VirtualLights(TransportScene& scene, const CompiledScene& compile
     : scene_(scene),
       request_(request),
       tracer_(compiled, scene),
-      make_(scene.context(), "reference/virtual_kernels.cl",
+      make_(scene.context(), "integrate/virtual_kernels.cl",
             buildOptions(request, std::nullopt, scene.options()), "makeVirtualLights") {
   for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t)
     area_ += 0.5 * glm::length(geometricNormal(compiled, t));

@@ -157,5 +157,19 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
       EXPECT_TRUE(allowed.count(roomOf(include.included)) > 0) << file << " includes " << include.included;
 }
 
+/// A folder of tests is named after the room whose code it tests; the others look at several rooms, or are no
+/// tests of code.
+TEST(Rooms, Tests_MirrorThem) {
+  const std::set<std::string> others = {"accuracy", "architecture", "benchmarks", "clients",
+                                        "coverage", "lab",          "mutation",   "portability",
+                                        "stress",   "support",      "transport",  "viewer"};
+  for (const std::string& file : sourcesBelow("tests")) {
+    const std::string room = roomOf(file).substr(std::string("tests/").size());
+    EXPECT_TRUE(others.count(room.substr(0, room.find('/'))) > 0 || room.starts_with("cli") ||
+                std::filesystem::is_directory(test::sourceRoot() / "host" / room))
+        << file << " belongs to no room of host/";
+  }
+}
+
 }  // namespace
 }  // namespace prelight

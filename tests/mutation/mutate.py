@@ -18,12 +18,14 @@ import mutations
 import suite
 
 # Rooms of tests that know a folder's code best, where the name alone does not say so.
-NEAR = {"host/cli": ["cli"], "host/images": ["io"], "host/gpu": ["bvh", "reference", "photon"], "host/transfer": ["bake", "compress"],
-        "host/receivers": ["bake", "lightmap"], "host/cast": ["bake"], "host/fit": ["bake"],
-        "host/projectors": ["bake", "gather", "lightmap"], "host/gi": ["gather", "full", "update"],
-        "host/integrators": ["reference", "full"], "host/oracle": ["bvh", "relight"], "kernels/core": ["device", "bake", "bvh"],
-        "kernels/cast": ["bake"], "kernels/project": ["bake"], "kernels/transport": ["reference", "photon", "full"],
-        "kernels/shared": ["device"]}
+# Rooms of tests beside the changed file's own folder.
+NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/transfer": ["bake", "compress"], "host/plan": ["plan", "bake"],
+        "host/receivers": ["receivers", "fit", "lightmap"], "host/cast": ["cast", "projectors", "bake"],
+        "host/fit": ["fit", "projectors"], "host/projectors": ["projectors", "bake", "lightmap", "io"],
+        "host/integrators": ["integrators"], "host/oracle": ["gpu", "relight"], "kernels/core": ["device", "receivers", "bvh"],
+        "kernels/bvh": ["bvh", "gpu"], "kernels/cast": ["cast", "bake"], "kernels/project": ["cast", "projectors"],
+        "kernels/transport": ["transport", "integrators", "photon"], "kernels/gather": ["gi", "lightmap"],
+        "kernels/integrate": ["integrators"], "kernels/shared": ["device"]}
 
 
 def parse():
@@ -88,9 +90,10 @@ class Workplace:
 
 
 def rooms_near(mutation):
-    """Rooms of tests that are about the changed code."""
-    folder = "/".join(mutation.file.split("/")[:2])
-    return NEAR.get(folder, [folder.split("/")[1]])
+    """Rooms of tests that are about the changed code, the nearest first."""
+    parts = mutation.file.split("/")
+    own = ["/".join(parts[1:end]) for end in range(len(parts) - 1, 1, -1)]
+    return own + NEAR.get("/".join(parts[:2]), [])
 
 
 def programs_for(mutation, programs, covering):

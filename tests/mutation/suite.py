@@ -14,7 +14,7 @@ MEMORY = 12 << 30  # bytes of address space that a test program may take
 @dataclasses.dataclass
 class TestProgram:
     name: str
-    room: str  # folder below tests/
+    room: str  # folder below tests/, "scene/gltf"
     folder: str  # it runs in
     seconds: float = 0.0  # of processor time, of a whole run without a mutation
     failing: tuple = ()  # tests that fail without a mutation
@@ -30,9 +30,10 @@ class Outcome:
 def test_programs(build):
     """Those that gtest_discover_tests knows, by name. None is run for it."""
     programs = {}
-    for script in sorted(pathlib.Path(build, "tests").glob("*/*_include.cmake")):
+    for script in sorted(pathlib.Path(build, "tests").glob("**/*_include.cmake")):
         name = re.sub(r"\[\d+\]_include$", "", script.stem)
-        programs[name] = TestProgram(name, script.parent.name, str(script.parent))
+        room = script.parent.relative_to(pathlib.Path(build, "tests")).as_posix()
+        programs[name] = TestProgram(name, room, str(script.parent))
     return programs
 
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "photon/photon_tracer.h"
-#include "reference/shot.h"
+#include "support/shot.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake/run_bake.h"
+#include "support/run_bake.h"
 #include "base/error.h"
 #include "support/scenes.h"
 

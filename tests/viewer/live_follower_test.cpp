@@ -4,7 +4,7 @@
 
 #include "gi/update/live_light.h"
 #include "support/devices.h"
-#include "update/live_scenes.h"
+#include "gi/update/live_scenes.h"
 
 namespace prelight::viewer {
 namespace {

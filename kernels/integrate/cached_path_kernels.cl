@@ -1,0 +1,96 @@
+// Paths of a camera that end where they meet light which was computed beforehand. All that a path does at a surface is one
+// kernel: most of the time goes into finding out what the surface is like.
+//   generatePaths -> [trace -> followPaths -> trace -> addArrivals] ... -> averageSamples
+// Options: those of the included files, PRELIGHT_CACHED_CAUSTICS (there are caustic photons).
+#include "gather/irradiance_map_funcs.cl"
+#ifdef PRELIGHT_CACHED_CAUSTICS
+#include "photon/density_funcs.cl"
+#endif
+#include "integrate/path_ends_kernels.cl"
+#include "integrate/path_point_funcs.cl"
+#include "shared/cached_light_types.h"
+#include "transport/irradiance_funcs.cl"
+#include "transport/scene_funcs.cl"
+
+#ifdef PRELIGHT_CACHED_CAUSTICS
+// Adds the irradiance of caustics in front of the vertex, and beyond it where the surface is translucent. They are smooth over
+// a pixel, as their filter is wider, and cost most: of a pixel's samples that meet a surface straight, causticSamples look them
+// up for all. Glass and mirrors send a pixel's samples to places far apart.
+void addCaustics(__constant const CachedPathParameters* c, __global const DensityLine* maps, uint depth, PathPoint at,
+                 float3* irradiance, float3* beyond) {
+  const uint samples = c->paths.samplesPerPass;
+  const bool shared = depth == 0u;
+  if (shared && at.path % samples >= c->causticSamples) return;
+  const DensityMaps photons = densityMapsOf(&c->caustics, maps);
+  const float share = shared ? (float)samples / (float)c->causticSamples : 1.0f;
+  const Interaction v = at.surface;
+  *irradiance += photonIrradiance(photons, v.position, v.geometric, v.triangle, c->causticRadius) * share;
+#ifdef PRELIGHT_TRANSLUCENT
+  if (largest(at.bsdf.transmitted) > 0.0f)
+    *beyond += photonIrradiance(photons, v.position, -v.geometric, v.triangle, c->causticRadius) * share;
+#endif
+}
+#endif
+
+// What a surface sends towards the camera of the light that was computed beforehand.
+float3 cachedRadiance(__constant const CachedPathParameters* c, __global const IrradianceLine* indirect,
+                      __global const DensityLine* maps, uint depth, PathPoint at) {
+  const IrradianceMap map = irradianceMapOf(&c->indirect, indirect);
+  const Interaction v = at.surface;
+  float3 irradiance = irradianceAt(map, v.triangle, v.front, v.u, v.v);
+  float3 beyond = (float3)(0.0f);
+#ifdef PRELIGHT_TRANSLUCENT
+  beyond = irradianceAt(map, v.triangle, !v.front, v.u, v.v);
+#endif
+#ifdef PRELIGHT_CACHED_CAUSTICS
+  addCaustics(c, maps, depth, at, &irradiance, &beyond);
+#endif
+  float3 radiance = reflectIrradiance(at.bsdf, v.woLocal.z, irradiance);
+#ifdef PRELIGHT_TRANSLUCENT
+  radiance += transmitIrradiance(at.bsdf, v.woLocal.z, beyond);
+#endif
+  return radiance;
+}
+
+// A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays and items [shadow counter]; rays that go on
+// [next counter].
+__kernel void followPaths(__constant const CachedPathParameters* c, const PathStep step,
+                          __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                          __global const LightLine* lightLines, __global const IrradianceLine* indirect,
+                          __global const DensityLine* maps, __global Ray* rays, __global const Hit* hits,
+                          __global uint* queue, __global PathState* paths, __global ShadowItem* items) {
+  const size_t i = get_global_id(0);
+  if (i >= step.count) return;
+  __constant const ReferenceParameters* p = &c->paths;
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
+  const Ray ray = rays[step.first + i];
+  const Hit hit = hits[i];
+  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  PathState path = paths[number];
+  Interaction surface;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
+  collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
+  // A ray of a diffuse lobe looks for lights alone.
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE && step.meets != 0u && path.diffuseBounces == 0u) {
+    const PathPoint at = pathPointAt(scene.surface, surface, number);
+    if (isDiffuse(at.bsdf)) {
+      const float3 radiance = cachedRadiance(c, indirect, maps, step.depth, at);
+      vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
+    }
+    Ray shadow;
+    ShadowItem item;
+    if (p->scene.lights.groupCount > 0u &&
+        sampleLightAt(p, step.depth, scene.surface, scene.lights, at, path, PRELIGHT_NO_TRIANGLE, &shadow, &item)) {
+      const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
+      rays[step.shadow + slot] = shadow;
+      items[slot] = item;
+    }
+    Ray next;
+    if (step.goesOn != 0u && scatterAt(p, step.depth, at, &path, &next)) {
+      const uint slot = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
+      rays[step.next + slot] = next;
+      queue[PRELIGHT_QUEUE_HEAD + step.next + slot] = number;
+    }
+  }
+  paths[number] = path;
+}

@@ -1,0 +1,58 @@
+// Where paths of a camera begin and where they end: kernels of every way to follow them.
+#ifndef PRELIGHT_REFERENCE_PATH_ENDS_CL
+#define PRELIGHT_REFERENCE_PATH_ENDS_CL
+
+#include "integrate/path_funcs.cl"
+
+// A path a work-item. -> paths, rays [pathCount], numbers in the queue.
+__kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* queue,
+                            __global Ray* rays) {
+  const size_t i = get_global_id(0);
+  if (i >= p->pathCount) return;
+  const uint pixel = p->firstPixel + (uint)i / p->samplesPerPass;
+  const float2 jitter = pathPoint(p, (uint)i, PRELIGHT_PAIR_PIXEL);
+  const float x = 2.0f * ((float)(pixel % p->width) + jitter.x) / (float)p->width - 1.0f;
+  const float y = 1.0f - 2.0f * ((float)(pixel / p->width) + jitter.y) / (float)p->height;
+  const float3 forward = vload3(0, p->forward), across = x * vload3(0, p->right) + y * vload3(0, p->up);
+  const bool perspective = p->perspective != 0u;
+  const float3 way = perspective ? forward + across : forward;
+  const float stretch = length(way);  // metres along the ray for one of depth
+  Ray ray;
+  vstore3(vload3(0, p->eye) + way * p->zNear + (perspective ? (float3)(0.0f) : across), 0, ray.origin);
+  vstore3(way / stretch, 0, ray.direction);
+  ray.sourceTriangle = PRELIGHT_NO_TRIANGLE;
+  ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;
+  rays[i] = ray;
+  queue[PRELIGHT_QUEUE_HEAD + i] = (uint)i;
+  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0u, 0u}};
+  paths[i] = path;
+}
+
+// A shadow ray a work-item; a path has at most one.
+__kernel void addArrivals(const uint count, __global const Hit* hits, __global const ShadowItem* items,
+                          __global PathState* paths) {
+  const size_t i = get_global_id(0);
+  if (i >= count || hits[i].triangle != PRELIGHT_NO_TRIANGLE) return;
+  const ShadowItem item = items[i];
+  __global PathState* path = paths + item.path;
+  vstore3(vload3(0, path->radiance) + vload3(0, item.radiance), 0, path->radiance);
+}
+
+// A pixel of the block a work-item. paths [pixel][samplesPerPass] -> means [pixel], w unused. Compensated (Neumaier).
+__kernel void averageSamples(__constant const ReferenceParameters* p, __global const PathState* paths,
+                             __global float4* means) {
+#pragma OPENCL FP_CONTRACT OFF
+  const size_t i = get_global_id(0);
+  const uint n = p->samplesPerPass;
+  if (i >= p->pathCount / n) return;
+  float3 sum = (float3)(0.0f), lost = (float3)(0.0f);
+  for (uint s = 0; s < n; ++s) {
+    const float3 term = vload3(0, paths[i * n + s].radiance);
+    const float3 next = sum + term;
+    lost += select((term - next) + sum, (sum - next) + term, fabs(sum) >= fabs(term));
+    sum = next;
+  }
+  means[i] = (float4)((sum + lost) / (float)n, 0.0f);
+}
+
+#endif

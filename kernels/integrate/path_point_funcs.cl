@@ -1,0 +1,129 @@
+// What a path does where it meets the surface: gather light, ask for light that may arrive, go on.
+// Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
+// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs).
+#ifndef PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
+#define PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
+
+#include "integrate/path_funcs.cl"
+#include "transport/medium_funcs.cl"
+#include "transport/roulette_funcs.cl"
+
+typedef struct PathPoint {
+  Interaction surface;
+  Bsdf bsdf;
+  uint path;  // whose it is
+} PathPoint;
+
+PathPoint pathPointAt(PathScene s, Interaction surface, uint path) {
+  const PathPoint at = {surface, loadBsdf(s, surface), path};
+  return at;
+}
+
+// Lobes that a path may still go on by.
+uint lobesOf(PathState path) {
+  uint lobes = PRELIGHT_LOBES_ALL;
+#ifdef PRELIGHT_DIFFUSE_BOUNCES
+  if (path.diffuseBounces >= PRELIGHT_DIFFUSE_BOUNCES) lobes &= ~PRELIGHT_LOBES_DIFFUSE;
+#endif
+#ifdef PRELIGHT_NO_GLOSSY_BOUNCES
+  lobes &= ~PRELIGHT_LOBE_GLOSSY;
+#endif
+  return lobes;
+}
+
+// Adds what the surface or the sky sends along a ray and takes away what glass absorbs. surface: where the ray hits.
+void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, Ray ray, Hit hit,
+               Interaction surface, PathState* path) {
+  const float scattered = path->scatterDensity;
+  float3 throughput = vload3(0, path->throughput);
+  float cosine = 1.0f;
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
+    cosine = dot(surface.wo, surface.geometric);
+#ifdef PRELIGHT_ABSORPTION
+    const uint medium = mediumBefore(surface, path->medium);
+    if (medium != PRELIGHT_NO_MEDIUM) {
+      throughput *= transmittance(s, medium, hit.t);
+      vstore3(throughput, 0, path->throughput);
+    }
+#endif
+  }
+  // Nothing may read the surface where there is none: compilers take such a read as proof that there is one.
+  const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;
+  float3 radiance = evalLight(lights, &p->scene.lights, s, ray, hit, front);
+  if (depth == 0u && hit.triangle != PRELIGHT_NO_TRIANGLE && (surface.flags & PRELIGHT_UNLIT) != 0u)
+    radiance = baseColor(s, hit.triangle, hit.u, hit.v);
+  float weight = 1.0f;
+  if (scattered > 0.0f) {
+#if defined(PRELIGHT_LIGHTS_ONLY)
+    weight = 0.0f;
+#elif !defined(PRELIGHT_SCATTER_ONLY)
+    weight = misWeight(scattered, pdfLight(lights, &p->scene.lights, ray, hit, cosine));
+#endif
+  }
+  vstore3(vload3(0, path->radiance) + weight * throughput * radiance, 0, path->radiance);
+}
+
+// Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
+bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, PathPoint at,
+                   PathState path, uint light, Ray* shadow, ShadowItem* item) {
+  if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
+  if (at.surface.woLocal.z <= 0.0f) return false;
+
+  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
+  const uint2 choice = pathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT);
+  const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
+  LightSample a;
+  bool arrives = false;
+#ifdef PRELIGHT_PUNCTUAL
+  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights.punctual + light, at.surface.position, &a);
+#endif
+  if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a);
+  if (!arrives) return false;
+  Scattered f;
+  if (!evalBsdf(at.surface, at.bsdf, a.direction, PRELIGHT_RADIANCE, &f)) return false;
+  float3 reflected = f.diffuse + f.glossy;
+#ifndef PRELIGHT_LIGHTS_ONLY
+  if (!a.punctual) {
+#ifdef PRELIGHT_SCATTER_ONLY
+    return false;
+#else
+    // A lobe that no ray follows leaves all its light to this sample.
+    const uint lobes = lobesOf(path);
+    const float weight = misWeight(a.pdf, pdfBsdf(at.surface, at.bsdf, a.direction, lobes));
+    reflected = (lobes & PRELIGHT_LOBES_DIFFUSE) != 0u ? reflected * weight : f.diffuse + f.glossy * weight;
+#endif
+  }
+#endif
+  float3 radiance = vload3(0, path.throughput) * reflected * a.radiance / a.pdf;
+#ifdef PRELIGHT_ABSORPTION
+  if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, a.distance);
+#endif
+  if (largest(radiance) <= 0.0f) return false;
+  *shadow = a.surface ? rayTo(at.surface, a.direction, a.target, 0.99998f) : rayFrom(at.surface, a.direction, a.distance);
+  vstore3(radiance, 0, item->radiance);
+  item->path = at.path;
+  return true;
+}
+
+// Draws the direction in which a path goes on. False: it ends.
+bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathPoint at, PathState* path, Ray* next) {
+  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
+  const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
+  const float2 u = pathPoint(p, at.path, pair + PRELIGHT_PAIR_DIRECTION);
+  BsdfSample sample;
+  if (!sampleBsdf(at.surface, at.bsdf, lobesOf(*path), PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
+  if ((sample.lobe & PRELIGHT_LOBES_DIFFUSE) != 0u) ++path->diffuseBounces;
+  float3 throughput = carriedBy(sample, vload3(0, path->throughput));
+  path->relativeIor2 *= sample.eta2;
+  const float strength = largest(throughput) * path->relativeIor2;
+  if (!(strength > 0.0f)) return false;
+  // What has lost nothing goes on: the depth ends it.
+  if (!survives(depth < p->rouletteDepth ? 1.0f : fmin(strength, 1.0f), chance.y, &throughput)) return false;
+  vstore3(throughput, 0, path->throughput);
+  path->scatterDensity = sample.pdf;
+  path->medium = mediumAfter(at.surface, sample.lobe, path->medium);
+  *next = rayFrom(at.surface, normalize(sample.direction), MAXFLOAT);
+  return true;
+}
+
+#endif

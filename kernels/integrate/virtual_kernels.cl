@@ -1,0 +1,67 @@
+// Instant radiosity (Keller 1997): light paths leave virtual point lights where they meet diffuse surfaces. Those on
+// translucent ones shine to both sides.
+// Options: those of the included files.
+#include "core/octahedral_funcs.cl"
+#include "integrate/path_funcs.cl"
+#include "shared/photon_types.h"
+#include "transport/scene_funcs.cl"
+#include "transport/virtual_light_funcs.cl"
+
+// Barycentric weights of a triangle's vertices 1 and 2 of a point in its plane.
+float2 placeOnTriangle(float3 a, float3 b, float3 c, float3 point) {
+  const float3 e = b - a, f = c - a, p = point - a;
+  const float ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), pe = dot(p, e), pf = dot(p, f);
+  const float scale = 1.0f / fmax(ee * ff - ef * ef, 1e-36f);
+  return clamp((float2)(ff * pe - ef * pf, ee * pf - ef * pe) * scale, 0.0f, 1.0f);
+}
+
+// A photon a work-item -> lights [photon]. Its power is scattered diffusely where it landed.
+__kernel void makeVirtualLights(const uint count, __constant const SceneLayout* layout,
+                                __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                                __global const Photon* photons, __global VirtualLight* lights) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
+  const Photon photon = photons[i];
+  const DeviceTriangle t = s.surface.triangles[photon.triangle];
+  const float3 at = vload3(0, photon.position);
+  const float2 place = placeOnTriangle(vertexPosition(s, t.vertex[0]), vertexPosition(s, t.vertex[1]),
+                                       vertexPosition(s, t.vertex[2]), at);
+  Ray ray;
+  vstore3(-unpackDirection(photon.direction), 0, ray.direction);
+  Hit hit;
+  hit.triangle = photon.triangle;
+  hit.u = place.x;
+  hit.v = place.y;
+  const Interaction surface = loadInteraction(s, ray, hit);
+  lights[i] = virtualLightAt(surface, loadBsdf(s, surface), vload3(0, photon.power));
+}
+
+// A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays and items
+// [shadow counter].
+__kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const PathStep step,
+                                 __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
+                                 __global Ray* rays, __global const Hit* hits, __global uint* queue,
+                                 __global const PathState* paths, __global const VirtualLight* lights,
+                                 __global ShadowItem* items) {
+  const size_t i = get_global_id(0);
+  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  const VirtualLight light = lights[step.light];
+  const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
+  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const Interaction surface = loadInteraction(s, rays[step.first + i], hits[i]);
+  VirtualSample sample;
+  if (!sampleVirtual(light, surface.position, step.leastSquare, &sample)) return;
+  const Bsdf bsdf = loadBsdf(s, surface);
+  if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
+  Scattered f;
+  if (!evalBsdf(surface, bsdf, sample.direction, PRELIGHT_RADIANCE, &f)) return;
+  const float3 radiance = vload3(0, paths[number].throughput) * (f.diffuse + f.glossy) * sample.intensity * sample.falloff;
+  if (largest(radiance) <= 0.0f) return;
+  const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
+  rays[step.shadow + slot] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
+  ShadowItem item;
+  vstore3(radiance, 0, item.radiance);
+  item.path = number;
+  items[slot] = item;
+}

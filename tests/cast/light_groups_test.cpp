@@ -1,0 +1,173 @@
+#include "cast/light_groups.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/run_bake.h"
+#include "base/error.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Light pointLight(const std::string& name, const glm::vec3& intensity, const glm::dvec3& position) {
+  Light light;
+  light.name = name;
+  light.intensity = intensity;
+  light.position = position;
+  return light;
+}
+
+BakeRequest groupRequest(int bounces = 0, std::uint64_t rays = 256) {
+  BakeRequest request;
+  request.lightGroups = true;
+  request.bounces = bounces;
+  request.rays = rays;
+  return request;
+}
+
+TEST(GroupLights, NamedAndOthers_AreDealtInOrder) {
+  CompiledScene scene = test::ground(1, 1.0f);
+  scene.primitives[0].name = "glowing floor";
+  scene.materials[0].emission = {2.0f, 1.0f, 0.0f};
+  scene.lights = {pointLight("Lamp.1", {1, 1, 1}, {0, 1, 0}), pointLight("Sun", {3, 3, 3}, {0, 9, 0}),
+                  pointLight("Lamp.2", {4, 2, 2}, {1, 1, 0}), pointLight("dark", {0, 0, 0}, {1, 1, 0})};
+  const GroupedLights lights = groupLights(scene, {{"lamps", {"Lamp*"}}});
+  ASSERT_EQ(lights.groups.size(), 3u);
+  EXPECT_EQ(lights.groups[0].name, "lamps");
+  EXPECT_EQ(lights.groups[0].color, glm::vec3(4, 2, 2));
+  EXPECT_EQ(lights.groups[1].name, "Sun");
+  EXPECT_EQ(lights.groups[2].name, "glowing floor");
+  EXPECT_EQ(lights.factors[0], 0.25f);  // of Lamp.1's red
+  EXPECT_EQ(lights.emitters.size(), 2u);
+  EXPECT_EQ(lights.emitters[0].factor[2], 1.0f);  // no blue: it still says where blue would go
+}
+
+TEST(GroupLights, GroupWithoutLights_IsNamedWithThoseThatAre) {
+  CompiledScene scene = test::ground(1, 1.0f);
+  scene.lights = {pointLight("Sun", {3, 3, 3}, {0, 9, 0})};
+  try {
+    groupLights(scene, {{"lamps", {"Lamp*"}}});
+    FAIL() << "an empty group was taken";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("lamps"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("Sun"), std::string::npos);
+  }
+  scene.lights.clear();
+  EXPECT_THROW(groupLights(scene, {}), InputError);
+}
+
+TEST(LightGroupBake, PointLightAbovePlane_IsTheInverseSquareLaw) {
+  CompiledScene scene = test::ground(40, 1.0f);
+  scene.lights = {pointLight("lamp", {5, 3, 1}, {0.0, 1.0, 0.0})};
+  const Bake bake = test::runBake(scene, groupRequest()).bake;
+  ASSERT_EQ(bake.lightGroups->groups.size(), 1u);
+  EXPECT_EQ(bake.lightGroups->groups[0].color, glm::vec3(5, 3, 1));
+  for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
+    const double r2 = glm::dot(scene.positions[v], scene.positions[v]) + 1.0;
+    EXPECT_NEAR(bake.lightGroups->coefficients[v], 1.0 / (pi * r2 * std::sqrt(r2)), 6e-4) << v;
+  }
+}
+
+TEST(LightGroupBake, Directional_IsTheCosineOverPi) {
+  CompiledScene scene = test::ground(3, 1.0f);
+  Light sun = pointLight("sun", {1, 1, 1}, {});
+  sun.type = LightType::Directional;
+  sun.direction = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
+  scene.lights = {sun};
+  const Bake bake = test::runBake(scene, groupRequest()).bake;
+  for (const float t : bake.lightGroups->coefficients) EXPECT_NEAR(t, std::sqrt(0.5) / pi, 1e-5);
+}
+
+// Two faces of light: form factor of a square above a point of a parallel plane (Howell's B-3), four corners.
+TEST(LightGroupBake, SquareEmitterAbovePlane_IsItsFormFactor) {
+  CompiledScene scene = test::ground(24, 0.6f);
+  CompiledScene lamp = test::ground(2, 0.25f);
+  for (auto& p : lamp.positions) p.y = 0.5f;
+  for (auto& t : lamp.triangles) std::swap(t.y, t.z);  // shines downwards
+  for (auto& n : lamp.normals) n = -n;
+  test::append(scene, lamp);
+  scene.materials[1].emission = {7.0f, 7.0f, 7.0f};
+  const Bake bake = test::runBake(scene, groupRequest(0, 1024)).bake;
+  const auto corner = [](double a, double b) {
+    const double x = std::sqrt(1 + a * a), y = std::sqrt(1 + b * b);
+    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * pi);
+  };
+  double worst = 0.0, squares = 0.0;
+  for (std::size_t v = 0; v < 25 * 25; ++v) {
+    const glm::dvec3 p(scene.positions[v]);
+    const double h = 0.5, x0 = (-0.25 - p.x) / h, x1 = (0.25 - p.x) / h, z0 = (-0.25 - p.z) / h,
+                 z1 = (0.25 - p.z) / h;
+    const double expected = corner(x1, z1) - corner(x0, z1) - corner(x1, z0) + corner(x0, z0);
+    const double error = bake.lightGroups->coefficients[v] - expected;
+    worst = std::max(worst, std::abs(error));
+    squares += error * error;
+  }
+  EXPECT_LT(std::sqrt(squares / 625.0), 0.002);
+  EXPECT_LT(worst, 0.012);
+}
+
+TEST(LightGroupBake, BlockerBetween_CastsItsShadow) {
+  CompiledScene scene = test::ground(20, 1.0f);
+  test::append(scene, test::box(2, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false));
+  scene.lights = {pointLight("lamp", {1, 1, 1}, {0.0, 1.0, 0.0})};
+  const Bake bake = test::runBake(scene, groupRequest()).bake;
+  // The box's upper edge throws its shadow to 0.2 / (1 - 0.5), four tenths of a metre from the middle.
+  for (std::size_t v = 0; v < 21 * 21; ++v) {
+    const double reach = std::max(std::abs(scene.positions[v].x), std::abs(scene.positions[v].z));
+    const double r2 = glm::dot(scene.positions[v], scene.positions[v]) + 1.0;
+    if (reach > 0.25 && reach < 0.65) continue;
+    const double expected = reach < 0.25 ? 0.0 : 1.0 / (pi * r2 * std::sqrt(r2));
+    EXPECT_NEAR(bake.lightGroups->coefficients[v], expected, 0.02) << v;
+  }
+}
+
+// Walls of radiance 1 and albedo a, seen from within: a point receives 1 + a + a^2 + ... of light over pi.
+TEST(LightGroupBake, GlowingRoom_IsAFurnaceOfGeometricSums) {
+  CompiledScene scene = test::box(5, {-1, -1, -1}, {1, 1, 1}, true);
+  scene.materials[0].albedo = {0.5f, 0.25f, 0.0f};
+  scene.materials[0].emission = {3.0f, 3.0f, 3.0f};
+  const Bake direct = test::runBake(scene, groupRequest(0)).bake;
+  double sum = 0.0, squares = 0.0;
+  for (const float t : direct.lightGroups->coefficients) {
+    sum += t - 1.0;
+    squares += (t - 1.0) * (t - 1.0);
+  }
+  EXPECT_NEAR(sum / scene.vertexCount(), 0.0, 0.003);
+  EXPECT_LT(std::sqrt(squares / scene.vertexCount()), 0.02);
+  const Bake bake = test::runBake(scene, groupRequest(3)).bake;
+  ASSERT_EQ(bake.lightGroups->channels, 3);
+  EXPECT_EQ(bake.lightGroups->groups[0].color, glm::vec3(3.0f));
+  double mean[3] = {};
+  for (std::size_t v = 0; v < scene.vertexCount(); ++v)
+    for (std::size_t c = 0; c < 3; ++c)
+      mean[c] += double(bake.lightGroups->coefficients[3 * v + c]) / scene.vertexCount();
+  EXPECT_NEAR(mean[0], 1.0 + 0.5 + 0.25 + 0.125, 0.01);
+  EXPECT_NEAR(mean[1], 1.0 + 0.25 + 0.0625 + 0.015625, 0.01);
+  EXPECT_NEAR(mean[2], 1.0, 0.01);
+}
+
+TEST(LightGroupBake, TwoGroups_AddUpToOneOfBoth) {
+  // A convex room: no shadow's edge makes a fit dip below 0, where it would be cut off.
+  CompiledScene scene = test::box(6, {-1, -1, -1}, {1, 1, 1}, true);
+  scene.materials[0].albedo = glm::vec3(0.7f);
+  scene.lights = {pointLight("a", {2, 2, 2}, {0.2, 0.1, 0.0}), pointLight("b", {4, 4, 4}, {-0.2, 0.3, 0.2})};
+  const Bake apart = test::runBake(scene, groupRequest(1)).bake;
+  BakeRequest request = groupRequest(1);
+  request.namedGroups = {{"both", {"a", "b"}}};
+  const Bake together = test::runBake(scene, request).bake;
+  ASSERT_EQ(apart.lightGroups->groups.size(), 2u);
+  ASSERT_EQ(together.lightGroups->groups.size(), 1u);
+  for (std::size_t i = 0; i < together.lightGroups->coefficients.size(); ++i)
+    EXPECT_NEAR(
+        4.0f * together.lightGroups->coefficients[i],
+        2.0f * apart.lightGroups->coefficients[2 * i] + 4.0f * apart.lightGroups->coefficients[2 * i + 1],
+        2e-4);
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "integrators/film_state.h"
+#include "support/shot.h"
+#include "support/devices.h"
+#include "support/gltf_files.h"
+
+namespace prelight::test {
+namespace {
+
+using reference::Film;
+
+/// A lit corner with a mirror ball: every kind of noise.
+Shot cornerShot() {
+  Shot shot =
+      shotOf(box(1, {-1, 0, -1}, {1, 2, 1}, true), cameraAt({0.5, 1, 0.9}, {-0.3, 0.5, -1}, 1.0), 10, 96);
+  append(shot.scene, sphere(8, 0.3f, {-0.2f, 0.4f, -0.3f}));
+  append(shot.scene,
+         sceneOf({{-0.3f, 1.9f, -0.3f}, {0.3f, 1.9f, -0.3f}, {0.3f, 1.9f, 0.3f}, {-0.3f, 1.9f, 0.3f}},
+                 {{0, 1, 2}, {0, 2, 3}}));
+  shot.scene.materials = {lambert(0.6f), metal(0.9f, 0.0f), emitter(glm::vec3(5.0f))};
+  return shot;
+}
+
+bool same(const Film& a, const Film& b) {
+  return a.passes == b.passes && a.blockPixels == b.blockPixels && a.sums == b.sums && a.means == b.means &&
+         a.squares == b.squares;
+}
+
+TEST(Film, MeansAndVariance_AreThoseOfThePasses) {
+  Film film(2, 1);
+  const std::vector<float> values{1.0f, 4.0f, 2.0f, 9.0f};
+  for (const float v : values) film.add(std::vector<glm::vec4>{glm::vec4(v), glm::vec4(2.0f)});
+  EXPECT_EQ(film.passes, 4u);
+  EXPECT_FLOAT_EQ(film.picture().pixels[0].g, 4.0f);
+  // Squared deviations 9, 0, 4, 25 over n (n - 1) = 12.
+  EXPECT_FLOAT_EQ(film.variance()[0], 38.0f / 12.0f);
+  EXPECT_NEAR(film.variance()[1], 0.0, 1e-12);
+  EXPECT_NEAR(film.relativeError(), std::sqrt(38.0 / 24.0) / 3.0, 1e-6);
+}
+
+TEST(Film, ManyPasses_LoseNothing) {
+  Film film(1, 1);
+  for (int i = 0; i < 200000; ++i) film.add(std::vector<glm::vec4>{glm::vec4(i % 2 == 0 ? 1e6f : 1e-2f)});
+  EXPECT_NEAR(film.picture().pixels[0].r, 500000.005, 0.05);
+  EXPECT_NEAR(film.variance()[0], 0.25e12 / 199999.0, 1.0);
+}
+
+TEST(Film, BeforeTheSecondPass_HasNoVariance) {
+  Film film(1, 1);
+  EXPECT_TRUE(std::isinf(film.relativeError()));
+  film.add(std::vector<glm::vec4>{glm::vec4(1.0f)});
+  EXPECT_TRUE(film.variance().empty());
+}
+
+TEST(Reference, SamplesPerPass_DividesTheSamples) {
+  reference::ReferenceRequest request;
+  for (const std::uint64_t samples : {1u, 2u, 31u, 32u, 64u, 97u, 100u, 256u, 1000u, 4096u, 100000u}) {
+    request.samples = samples;
+    const std::uint32_t perPass = reference::samplesPerPass(request);
+    EXPECT_EQ(samples % perPass, 0u) << samples;
+    EXPECT_TRUE(perPass == 1 || samples / perPass >= 32) << samples;
+  }
+}
+
+TEST(Reference, SameSeed_GivesTheSameBits_AnotherSeedDoesNot) {
+  Shot shot = cornerShot();
+  const Film first = shot.render();
+  EXPECT_TRUE(same(first, shot.render()));
+  shot.request.seed = 1;
+  EXPECT_FALSE(same(first, shot.render()));
+  shot.request.seed = std::uint64_t{1} << 40;
+  EXPECT_FALSE(same(first, shot.render()));
+}
+
+// The variance that one picture states against the scatter of many pictures.
+TEST(Reference, StatedVariance_IsTheScatterOverSeeds) {
+  Shot shot = cornerShot();
+  shot.request.width = shot.request.height = 4;
+  constexpr int pictures = 48;
+  std::vector<double> mean(16, 0.0), square(16, 0.0), stated(16, 0.0);
+  for (int seed = 0; seed < pictures; ++seed) {
+    shot.request.seed = static_cast<std::uint64_t>(seed);
+    const Film film = shot.render();
+    const std::vector<float> variance = film.variance();
+    for (std::size_t i = 0; i < 16; ++i) {
+      mean[i] += film.means[i] / pictures;
+      square[i] += film.means[i] * film.means[i] / pictures;
+      stated[i] += static_cast<double>(variance[i]) / pictures;
+    }
+  }
+  double actualSum = 0.0, statedSum = 0.0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    actualSum += (square[i] - mean[i] * mean[i]) * pictures / (pictures - 1.0) / (mean[i] * mean[i]);
+    statedSum += stated[i] / (mean[i] * mean[i]);
+  }
+  // 16 pixels with 47 degrees of freedom each: 5 % standard deviation, more where tails are heavy.
+  EXPECT_NEAR(actualSum / statedSum, 1.0, 0.25);
+}
+
+TEST(Reference, Error_IsReachedAndNotFarOvershot) {
+  Shot shot = cornerShot();
+  shot.request.error = 0.05;
+  const Film film = shot.render();
+  EXPECT_LE(film.relativeError(), 0.05);
+  EXPECT_GT(film.relativeError(), 0.02);
+}
+
+/// Asks to stop after so many reports.
+class StopAfter final : public Progress {
+ public:
+  explicit StopAfter(int reports) : left_(reports) {}
+  void report(std::string_view, double) override { --left_; }
+  bool stopRequested() const override { return left_ < 0; }
+
+ private:
+  int left_;
+};
+
+TEST(Reference, Interrupted_GoesOnToTheSameBits) {
+  Shot shot = cornerShot();
+  // More than a block: a stop may fall between blocks of a pass.
+  shot.request.width = shot.request.height = 160;
+  shot.request.samples = 96;
+  shot.request.depth = 3;
+  const Film whole = shot.render();
+  const TemporaryFolder folder;
+  const auto key = reference::filmKey(shot.inputs(), shot.request, sharedDevice().info());
+  reference::ReferenceReport report;
+  bool withinPass = false;
+  Film film(160, 160);
+  for (int stop = 1;; stop += 7) {
+    StopAfter progress(stop);
+    try {
+      reference::renderReference(
+          shot.inputs(), shot.request, sharedDevice(), progress, [] {}, film, report);
+      break;
+    } catch (const Interrupted&) {
+      withinPass = withinPass || film.blockPixels > 0;
+      reference::writeFilmState(folder / "a.exr.state", key, film);
+      film = reference::readFilmState(folder / "a.exr.state", key).value();
+    }
+  }
+  EXPECT_TRUE(withinPass);
+  EXPECT_TRUE(same(film, whole));
+}
+
+TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
+  Shot shot = cornerShot();
+  const TemporaryFolder folder;
+  const auto path = folder / "a.exr.state";
+  const auto key = [&] { return reference::filmKey(shot.inputs(), shot.request, sharedDevice().info()); };
+  EXPECT_FALSE(reference::readFilmState(path, key()).has_value());
+  reference::writeFilmState(path, key(), Film(10, 10));
+  EXPECT_TRUE(reference::readFilmState(path, key()).has_value());
+  const auto refusal = [&]() -> std::string {
+    try {
+      (void)reference::readFilmState(path, key());
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  shot.request.depth = 7;
+  shot.request.seed = 3;
+  EXPECT_NE(refusal().find("--depth"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("--seed"), std::string::npos) << refusal();
+  EXPECT_EQ(refusal().find("--size"), std::string::npos) << refusal();
+  shot = cornerShot();
+  shot.scene.materials[0].baseColor.x = 0.1f;
+  EXPECT_NE(refusal().find("the scene"), std::string::npos) << refusal();
+  shot = cornerShot();
+  shot.sky = constantEnvironment(glm::vec3(1.0f));
+  EXPECT_NE(refusal().find("--env"), std::string::npos) << refusal();
+}
+
+TEST(FilmState, BrokenOrCutShort_IsRefused) {
+  const Shot shot = cornerShot();
+  const TemporaryFolder folder;
+  const auto path = folder / "a.exr.state";
+  const auto key = reference::filmKey(shot.inputs(), shot.request, sharedDevice().info());
+  reference::writeFilmState(path, key, Film(10, 10));
+  const std::string whole = readBytes(path);
+  for (const std::string& bytes : {std::string(), whole.substr(0, 30), whole.substr(0, whole.size() / 2),
+                                   whole.substr(0, whole.size() - 1), whole + "x"}) {
+    writeBytes(path, bytes);
+    EXPECT_NE(inputErrorOf([&] { (void)reference::readFilmState(path, key); }), "") << bytes.size();
+  }
+}
+
+}  // namespace
+}  // namespace prelight::test

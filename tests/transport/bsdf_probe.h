@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <utility>
+#include <vector>
+
+#include "device/launch_once.h"
+#include "support/devices.h"
+
+namespace prelight::test {
+
+/// What kernels/integrate/probe_kernels.cl says of pairs of directions.
+struct Probed {
+  std::vector<glm::vec4> scattered;  ///< diffuse and glossy part of each pair, times the cosine
+  std::vector<float> densities;      ///< with which the second would have been drawn, 1/sr
+
+  double total(std::size_t i) const {
+    return static_cast<double>(scattered[2 * i].x + scattered[2 * i + 1].x);
+  }
+};
+
+/// What sampling has drawn; all of it 0 where no light goes on.
+struct ProbedSample {
+  glm::vec4 direction;
+  float density;  ///< 1/sr
+  glm::vec3 weight;
+
+  bool goesOn() const { return density > 0.0f; }
+};
+
+/// A surface whose scattering is asked for on the device. `values`: as probeBsdf() reads them.
+class BsdfProbe {
+ public:
+  BsdfProbe(BuildOptions options, std::vector<float> values)
+      : options_(std::move(options)), values_(std::move(values)) {}
+
+  Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
+    DeviceContext& device = sharedDevice().context();
+    const Buffer<float> surface(device, std::span<const float>(values_));
+    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(wo)),
+        to(device, std::span<const glm::vec4>(wi));
+    const Buffer<glm::vec4> scattered(device, 2 * wo.size());
+    const Buffer<float> densities(device, wo.size());
+    launchOnce(device, file, options_, "probeReflection", wo.size(), surface,
+               static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
+    return {scattered.read(), densities.read()};
+  }
+
+  std::vector<ProbedSample> sample(const glm::vec4& wo, std::size_t count) const {
+    DeviceContext& device = sharedDevice().context();
+    const Buffer<float> surface(device, std::span<const float>(values_));
+    const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), samples(device, 2 * count);
+    launchOnce(device, file, options_, "probeScatter", count, surface, static_cast<std::uint32_t>(count),
+               from, samples);
+    const std::vector<glm::vec4> read = samples.read();
+    std::vector<ProbedSample> drawn(count);
+    for (std::size_t i = 0; i < count; ++i)
+      drawn[i] = {glm::vec4(glm::vec3(read[2 * i]), 0.0f), read[2 * i].w, glm::vec3(read[2 * i + 1])};
+    return drawn;
+  }
+
+ private:
+  static constexpr const char* file = "integrate/probe_kernels.cl";
+
+  BuildOptions options_;
+  std::vector<float> values_;
+};
+
+inline glm::vec4 directionOf(double cosine, double azimuth) {
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine, 0.0};
+}
+
+}  // namespace prelight::test

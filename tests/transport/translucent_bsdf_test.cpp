@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numbers>
+#include <random>
+
+#include "transport/bsdf_probe.h"
+
+// Scattering to both sides of a translucent surface (kernels/transport/bsdf_funcs.cl).
+namespace prelight::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Sheet {
+  const char* name;
+  float diffuse, f0, f90, alpha;
+  float transmitted;
+};
+
+/// As loadBsdf makes them: what comes through is divided by the mean of what the layer lets pass.
+constexpr float passes(float f0, float f90) { return 1.0f - f0 - (f90 - f0) / 21.0f; }
+
+const std::array sheets{Sheet{"Leaf", 0.0f, 0, 0, 1, 0.8f}, Sheet{"Paper", 0.5f, 0, 0, 1, 0.5f},
+                        Sheet{"WaxedPaper", 0.4f, 0.04f, 1, 0.36f, 0.6f / passes(0.04f, 1.0f)},
+                        Sheet{"Shade", 0.0f, 0.17f, 1, 1, 1.0f / passes(0.17f, 1.0f)}};
+
+class TranslucentBsdf : public ::testing::TestWithParam<Sheet> {
+ protected:
+  Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
+    return sheet_.probe(wo, wi);
+  }
+  std::vector<ProbedSample> sample(const glm::vec4& wo, std::size_t count) const {
+    return sheet_.sample(wo, count);
+  }
+
+ private:
+  static std::vector<float> values() {
+    const Sheet& s = GetParam();
+    const float layer = s.f90 > 0.0f ? 1.0f : 0.0f;
+    return {s.diffuse,     s.diffuse,     s.diffuse,    0, 0, 0, s.f0, s.f0, s.f0, s.f90, layer, s.alpha,
+            s.transmitted, s.transmitted, s.transmitted};
+  }
+
+  BsdfProbe sheet_{BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_TRANSLUCENT"), values()};
+};
+
+/// Directions over the sphere in a grid of equal solid angles.
+std::vector<glm::vec4> sphereGrid(int rings, int sectors) {
+  std::vector<glm::vec4> directions;
+  for (int r = 0; r < rings; ++r)
+    for (int s = 0; s < sectors; ++s)
+      directions.push_back(directionOf(2.0 * (r + 0.5) / rings - 1.0, 2 * pi * ((s + 0.5) / sectors - 0.5)));
+  return directions;
+}
+
+double schlick(const Sheet& s, double cosine) {
+  return double(s.f0) + double(s.f90 - s.f0) * std::pow(1.0 - cosine, 5.0);
+}
+
+// What goes there through the sheet comes back along the same way; the other side's frame is this one upside
+// down.
+TEST_P(TranslucentBsdf, Transmission_IsReciprocal) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.001, 1.0);
+  std::vector<glm::vec4> a, b, aBelow, bBelow;
+  for (int i = 0; i < 4000; ++i) {
+    a.push_back(directionOf(unit(random), 2 * pi * unit(random)));
+    b.push_back(directionOf(unit(random), 2 * pi * unit(random)));
+    aBelow.push_back(a.back() * glm::vec4(1, 1, -1, 1));
+    bBelow.push_back(b.back() * glm::vec4(1, 1, -1, 1));
+  }
+  const Probed there = probe(a, bBelow), back = probe(b, aBelow);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double f = there.total(i) / double(b[i].z), g = back.total(i) / double(a[i].z);
+    EXPECT_NEAR(f, g, 2e-4 * (1e-3 + std::abs(f))) << i;
+    EXPECT_GT(f, 0.0);
+  }
+}
+
+// By quadrature over the sphere: as much goes through of what passes the layer as the material says, and all
+// together is no more than arrives.
+TEST_P(TranslucentBsdf, Energy_IsKept) {
+  const std::vector<glm::vec4> wi = sphereGrid(800, 64);
+  const double cell = 4.0 * pi / static_cast<double>(wi.size());
+  const Sheet& s = GetParam();
+  const double through = double(s.transmitted) * double(passes(s.f0, s.f90));
+  for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
+    const Probed probed = probe(std::vector<glm::vec4>(wi.size(), directionOf(cosine, 0.3)), wi);
+    double above = 0.0, below = 0.0;
+    for (std::size_t i = 0; i < wi.size(); ++i) (wi[i].z > 0.0f ? above : below) += probed.total(i) * cell;
+    EXPECT_NEAR(below, through * (1.0 - schlick(s, cosine)), 2e-3) << "cosine " << cosine;
+    EXPECT_LT(above + below, 1.001) << "cosine " << cosine;
+    if (s.diffuse == 0.0f && s.f90 == 0.0f) {
+      EXPECT_EQ(above, 0.0);
+    }
+  }
+}
+
+// Chi square over cells of the sphere of equal solid angle; expected counts by quadrature of the density.
+TEST_P(TranslucentBsdf, Sampling_FollowsItsDensityOnBothSides) {
+  constexpr int rings = 16, sectors = 12, fine = 24;
+  constexpr std::size_t count = 1 << 17;
+  for (const double cosine : {0.95, 0.5, 0.15}) {
+    const glm::vec4 wo = directionOf(cosine, 1.0);
+    std::vector<double> found(rings * sectors, 0.0), expected(rings * sectors, 0.0);
+    double lost = 0.0;  // what a glossy lobe sends below the horizon goes nowhere
+    const auto cellOf = [](const glm::vec4& w) {
+      const double turn = std::atan2(double(w.y), double(w.x)) / (2 * pi) + 0.5;
+      const int ring = std::clamp(int((double(w.z) + 1.0) / 2.0 * rings), 0, rings - 1);
+      return std::size_t(ring * sectors + std::min(sectors - 1, int(turn * sectors)));
+    };
+    for (const ProbedSample& drawn : sample(wo, count))
+      ++(drawn.goesOn() ? found[cellOf(drawn.direction)] : lost);
+    const std::vector<glm::vec4> wi = sphereGrid(rings * fine, sectors * fine);
+    const Probed probed = probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    const double cell = 4.0 * pi / static_cast<double>(wi.size());
+    double below = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      expected[cellOf(wi[i])] += double(probed.densities[i]) * cell * count;
+      all += double(probed.densities[i]) * cell * count;
+      if (wi[i].z < 0.0f) below += double(probed.densities[i]) * cell * count;
+    }
+    double chiSquare = 0.0;
+    int cells = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (expected[i] < 50.0) continue;
+      chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
+      ++cells;
+    }
+    EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
+    EXPECT_GT(cells, 10);
+    EXPECT_GT(below, 0.05 * count);
+    EXPECT_NEAR(all, count - lost, 4.0 * std::sqrt(double(count))) << "the density counts what goes on";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sheets, TranslucentBsdf, ::testing::ValuesIn(sheets),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace prelight::test
