@@ -45,9 +45,9 @@ class PoseBakes {
   PoseBakes(const BenchmarkScene& rest, const Device& device, const BenchmarkOptions& options,
             const Progress& progress)
       : posed_(rest), device_(device), progress_(progress) {
-    request_.shOrder = options.compressOrder;
+    request_.sh.order = options.compressOrder;
     request_.bounces = options.compressBounces;
-    request_.rays = options.bakeRays;
+    request_.effort.rays = options.bakeRays;
   }
 
   const HarmonicTransfer& at(double seconds, std::uint64_t seed = 0) {

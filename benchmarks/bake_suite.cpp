@@ -42,7 +42,7 @@ struct MeasuredBake {
 std::vector<MeasuredBake> bakes(std::uint64_t rays) {
   const BakeRequest ao = aoRequest(rays, 0);
   BakeRequest sh = ao;
-  sh.shOrder = 3;
+  sh.sh.order = 3;
   BakeRequest bounces = sh;
   bounces.bounces = 1;
   return {{"--ao", ao}, {"--ao --sh 3", sh}, {"--ao --sh 3 --bounces 1", bounces}};

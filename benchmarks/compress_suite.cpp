@@ -15,9 +15,9 @@ namespace {
 HarmonicTransfer bakedTransfer(const BenchmarkScene& scene, const Device& device,
                                const BenchmarkOptions& options, const Progress& progress) {
   BakeRequest request;
-  request.shOrder = options.compressOrder;
+  request.sh.order = options.compressOrder;
   request.bounces = options.compressBounces;
-  request.rays = options.bakeRays;
+  request.effort.rays = options.bakeRays;
   return timedBake(scene, request, device, progress).bake.sh.value();
 }
 

@@ -41,7 +41,7 @@ void addPlaces(const BenchmarkScene& scene, const LightMapLayout& layout, double
 SurfaceLight lightOfSurface(const BenchmarkScene& scene, std::size_t places, BakeRequest request,
                             const Device& device, Progress& progress) {
   const Plan plan = makePlan(scene.scene, scene.compiled, request);
-  const LightMapCharts charts = makeLightMapCharts(scene.scene, scene.compiled, LightMapRequest{});
+  const LightMapCharts charts = makeLightMapCharts(scene.scene, scene.compiled, LightMapLayoutRequest{});
   const LightMapLayout layout = layOutLightMap(scene.compiled, charts);
   SurfaceLight light;
   addPlaces(scene, layout, static_cast<double>(places) / charts.area, light);

@@ -21,25 +21,25 @@ class LightMapTrial {
 
   /// All texels of one size, such that there are about so many.
   void measureSize(std::uint32_t texels, std::vector<BenchmarkResult>& results) {
-    LightMapRequest shape;
+    LightMapLayoutRequest shape;
     shape.texels = texels;
     BakeRequest request = requestOf(options_.lightMapRays);
-    request.lightMapTexel = makeLightMapCharts(scene_.scene, scene_.compiled, shape).texelSize;
+    request.lightMap.texelSize = makeLightMapCharts(scene_.scene, scene_.compiled, shape).texelSize;
     measure(request, fmt::format("{}/one size/{}", scene_.name, texels), results);
   }
 
   void measureError(double error, std::vector<BenchmarkResult>& results) {
     BakeRequest request = requestOf(options_.lightMapRays);
-    request.lightMapError = error;
+    request.lightMap.error = error;
     measure(request, fmt::format("{}/by error/{:g}", scene_.name, error), results);
   }
 
  private:
   BakeRequest requestOf(std::uint64_t rays) const {
     BakeRequest request;
-    request.lightMap = true;
-    request.rays = rays;
-    request.photons = options_.lightMapPhotons;
+    request.lightMap.wanted = true;
+    request.effort.rays = rays;
+    request.lightMap.photons = options_.lightMapPhotons;
     return request;
   }
 

@@ -45,7 +45,7 @@ double secondsOf(const std::function<void()>& work) {
 BakeRequest aoRequest(std::uint64_t rays, std::uint64_t seed) {
   BakeRequest request;
   request.ao = true;
-  request.rays = rays;
+  request.effort.rays = rays;
   request.seed = seed;
   return request;
 }

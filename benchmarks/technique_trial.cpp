@@ -72,7 +72,7 @@ void warmUp(const std::vector<Technique>& techniques, const Device& device, cons
   const BenchmarkScene scene = makeDetailedRooms(warmingTriangles);
   for (const Technique& technique : techniques) {
     BakeRequest request = technique.request;
-    request.rays = warmingRays;
+    request.effort.rays = warmingRays;
     if (request.anything()) timedBake(scene, request, device, progress);
   }
 }
@@ -119,9 +119,9 @@ void TechniqueTrial::add(const Technique& technique) {
   auto entry = std::make_unique<Entry>(technique, scene_, device_);
   BakeRequest request = technique.request;
   if (request.anything()) {
-    request.rays = rays_;
+    request.effort.rays = rays_;
     if (scene_.sky && (request.radiosity || request.lightMap))
-      request.radiosityShape.environment = std::make_shared<Environment>(*scene_.sky);
+      request.radiosity.environment = std::make_shared<Environment>(*scene_.sky);
     TimedBake baked = timedBake(scene_.scene, request, device_, progress_);
     for (const auto& [stage, seconds] : baked.report.stageSeconds)
       (stage == "bounce" || stage == "glossy" ? entry->secondPass : entry->firstPass) += seconds;

@@ -13,16 +13,15 @@ using viewer::Shading;
 BakeRequest occludersOf(OccluderKind kind) {
   BakeRequest request;
   request.ao = true;  // the thesis counts it, too
-  request.occluders = true;
-  request.occluderKind = kind;
-  request.occluderRecords = 12.0;
+  request.occluders.wanted = true;
+  request.occluders.kind = kind;
+  request.occluders.records = 12.0;
   return request;
 }
 
-BakeRequest harmonicsOf(int BakeRequest::*member, int order, int glossyOrder) {
+BakeRequest glossyOf(int glossyOrder) {
   BakeRequest request;
-  request.*member = order;
-  request.glossyOrder = glossyOrder;
+  request.glossy.order = glossyOrder;
   request.bounces = 1;
   return request;
 }
@@ -39,16 +38,17 @@ Technique vectorOccluders(const std::string& name, OccluderKind kind, bool specu
 
 void addHarmonics(int order, bool specular, const ThesisRow& sh, const ThesisRow& ch,
                   std::vector<Technique>& list) {
-  const int glossy = specular ? order : 0;
+  BakeRequest ofSh = glossyOf(specular ? order : 0), ofCh = ofSh;
+  ofSh.sh.order = ofCh.ch.order = order;
   const char* terms = specular ? "DD+SS" : "DD";
   list.push_back({fmt::format("SH{}/{}", order, terms),
-                  harmonicsOf(&BakeRequest::shOrder, order, glossy),
+                  ofSh,
                   specular ? Shading::Glossy : Shading::Sh,
                   {},
                   specular,
                   sh});
   list.push_back({fmt::format("CH{}/{}", order, terms),
-                  harmonicsOf(&BakeRequest::chOrder, order, glossy),
+                  ofCh,
                   specular ? Shading::Glossy : Shading::Ch,
                   {},
                   specular,
@@ -69,7 +69,7 @@ std::vector<Technique> comparedTechniques(int order, int haarSize) {
   BakeRequest ao;
   ao.ao = true;
   BakeRequest haar;
-  haar.haarSize = haarSize;
+  haar.haar.size = haarSize;
   haar.bounces = 1;
   std::vector<Technique> list = {
       {"Phong", {}, Shading::Phong, {}, false, ThesisRow{0, 0, 5500, 0}},

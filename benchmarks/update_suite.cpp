@@ -105,7 +105,7 @@ class UpdateSuite {
     const std::size_t column = triangles < 1000 ? 0 : triangles < 50000 ? 1 : 2;
     LiveLightOptions options = thesisOptions(ChangeDetection::Flights);
     TransportScene transport({scene.compiled, scene.scene.images, scene.scene.lights}, device_);
-    LightMapRequest request;
+    LightMapLayoutRequest request;
     request.texels = options.texels;
     const LightMapLayout layout = makeLightMapLayout(scene.scene, scene.compiled, request);
     IrradianceMap map(device_.context(), layout);

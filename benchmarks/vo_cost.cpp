@@ -75,10 +75,10 @@ void measureOccluderBake(const Device& device, const BenchmarkOptions& options, 
   const BenchmarkScene scene = loadBuiltinScene("shapes");
   const BakeRequest plain = aoRequest(options.voCostRays, 0);
   BakeRequest byNode = plain;
-  byNode.occluders = true;
+  byNode.occluders.wanted = true;
   BakeRequest byPart = byNode;
-  byPart.occluderKind = OccluderKind::Auto;
-  byPart.occluderRecords = 12.0;
+  byPart.occluders.kind = OccluderKind::Auto;
+  byPart.occluders.records = 12.0;
   const auto bakes = [&](const BakeRequest& request) {
     return [&, request](std::size_t) { timedBake(scene, request, device, progress); };
   };
@@ -102,8 +102,8 @@ void measureOccluderShading(const Device& device, const BenchmarkOptions& option
       static_cast<std::uint64_t>(trianglesOfVertex * static_cast<double>(options.voShadingVertices));
   const BenchmarkScene scene = makeDetailedRooms(std::max<std::uint64_t>(triangles, 1000));
   BakeRequest request;
-  request.occluders = true;
-  request.rays = shadingRays;
+  request.occluders.wanted = true;
+  request.effort.rays = shadingRays;
   const Bake bake = timedBake(scene, request, device, progress).bake;
   ShadingTurns(scene, *bake.occluders, device, options).run(options.voShadingRounds, progress, results);
 }

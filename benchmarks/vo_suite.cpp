@@ -48,9 +48,9 @@ constexpr std::array<Grouping, 2> groupings = {
 Bake bakeOccluders(const BenchmarkScene& scene, const Grouping& grouping, std::uint64_t rays,
                    const Device& device, const Progress& progress) {
   BakeRequest request = aoRequest(rays, 0);
-  request.occluders = true;
-  request.occluderKind = grouping.kind;
-  if (grouping.kind == OccluderKind::Auto) request.occluderRecords = grouping.records;
+  request.occluders.wanted = true;
+  request.occluders.kind = grouping.kind;
+  if (grouping.kind == OccluderKind::Auto) request.occluders.records = grouping.records;
   return timedBake(scene, request, device, progress).bake;
 }
 

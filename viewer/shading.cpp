@@ -24,52 +24,52 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
      [](BakeRequest& request, const BakeRequest&) { request.ao = true; }},
     {Shading::Sh, "sh", "light through spherical-harmonic transfer", "--sh 3",
      [](const Bake& bake) { return bake.sh.has_value() || bake.compressedSh.has_value(); },
-     [](const BakeRequest& request) { return request.shOrder > 0; },
+     [](const BakeRequest& request) { return request.sh.order > 0; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.shOrder = orDefault(asked.shOrder, defaultOrder);
+       request.sh.order = orDefault(asked.sh.order, defaultOrder);
      }},
     {Shading::Ch, "ch", "through cpherical-harmonic transfer", "--ch 3",
      [](const Bake& bake) { return bake.ch.has_value(); },
-     [](const BakeRequest& request) { return request.chOrder > 0; },
+     [](const BakeRequest& request) { return request.ch.order > 0; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.chOrder = orDefault(asked.chOrder, defaultOrder);
+       request.ch.order = orDefault(asked.ch.order, defaultOrder);
      }},
     {Shading::Haar, "haar", "through wavelet transfer", "--haar 32",
      [](const Bake& bake) { return bake.haar.has_value(); },
-     [](const BakeRequest& request) { return request.haarSize > 0; },
+     [](const BakeRequest& request) { return request.haar.size > 0; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.haarSize = orDefault(asked.haarSize, defaultHaarSize);
+       request.haar.size = orDefault(asked.haar.size, defaultHaarSize);
      }},
     {Shading::Glossy, "glossy", "diffuse and glossy reflection through transfer matrices", "--glossy 4",
      [](const Bake& bake) { return bake.glossy.has_value(); },
-     [](const BakeRequest& request) { return request.glossyOrder > 0; },
+     [](const BakeRequest& request) { return request.glossy.order > 0; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.glossyOrder = orDefault(asked.glossyOrder, defaultGlossyOrder);
+       request.glossy.order = orDefault(asked.glossy.order, defaultGlossyOrder);
      }},
     {Shading::Lights, "lights", "the scene's own lights, with shadows", "--light-groups",
      [](const Bake& bake) { return bake.lightGroups.has_value(); },
-     [](const BakeRequest& request) { return request.lightGroups; },
+     [](const BakeRequest& request) { return request.lightGroups.wanted; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.lightGroups = true;
-       request.namedGroups = asked.namedGroups;
+       request.lightGroups.wanted = true;
+       request.lightGroups.named = asked.lightGroups.named;
      }},
     {Shading::Vo, "vo", "lights anywhere, with the shadows and colours of vector occluders", "--vo",
      [](const Bake& bake) { return bake.occluders.has_value(); },
-     [](const BakeRequest& request) { return request.occluders; },
-     [](BakeRequest& request, const BakeRequest&) { request.occluders = true; }},
+     [](const BakeRequest& request) { return request.occluders.wanted; },
+     [](BakeRequest& request, const BakeRequest&) { request.occluders.wanted = true; }},
     {Shading::Radiosity, "radiosity", "the scene's own lights as baked, with shadows and all diffuse bounces",
      "--radiosity", [](const Bake& bake) { return bake.irradiance.has_value(); },
-     [](const BakeRequest& request) { return request.radiosity; },
+     [](const BakeRequest& request) { return request.radiosity.wanted; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.radiosity = true;
-       request.radiosityShape = asked.radiosityShape;
+       request.radiosity = asked.radiosity;
+       request.radiosity.wanted = true;
      }},
     {Shading::LightMap, "lightmap", "the scene's own lights as baked in a light map", "--lightmap",
      [](const Bake& bake) { return bake.lightMap.has_value(); },
-     [](const BakeRequest& request) { return request.lightMap; },
+     [](const BakeRequest& request) { return request.lightMap.wanted; },
      [](BakeRequest& request, const BakeRequest& asked) {
-       request.lightMap = true;
-       request.lightMapTexel = asked.lightMapTexel;
+       request.lightMap.wanted = true;
+       request.lightMap.texelSize = asked.lightMap.texelSize;
      }},
     {Shading::Full, "full", "all light, with caustics, mirrors and glass", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },

@@ -23,7 +23,7 @@ Bake bakeOf(const CompiledScene& scene, const BakeRequest& request, Trials& tria
 
 BakeRequest requestOf(std::uint64_t rays) {
   BakeRequest request;
-  request.rays = rays;
+  request.effort.rays = rays;
   return request;
 }
 
@@ -32,7 +32,7 @@ void openFloor(const char* stress, double half, const glm::dvec3& offset, int or
   const CompiledScene scene = floorScene(half, 1, matte(1.0), offset);
   BakeRequest request = requestOf(64);
   request.ao = true;
-  request.shOrder = order;
+  request.sh.order = order;
   const Bake bake = bakeOf(scene, request, trials);
   std::vector<double> truth(static_cast<std::size_t>(order * order));
   sh::openTransfer({0, 1, 0}, order, truth);
@@ -50,7 +50,7 @@ void bouncingRoom(const char* stress, double half, double albedo, double emissio
                   Trials& trials) {
   const CompiledScene scene = roomScene(half, 2, matte(albedo, emission));
   BakeRequest request = requestOf(256);
-  request.lightGroups = true;
+  request.lightGroups.wanted = true;
   request.bounces = bounces;
   const Bake bake = bakeOf(scene, request, trials);
   double truth = 0.0, left = 1.0;
@@ -73,7 +73,7 @@ void litFloor(const char* stress, double half, const Light& light, double irradi
   CompiledScene scene = floorScene(half, 1, matte(1.0));
   scene.lights = {light};
   BakeRequest request = requestOf(64);
-  request.lightGroups = true;
+  request.lightGroups.wanted = true;
   const Bake bake = bakeOf(scene, request, trials);
   Differences differences;
   for (const float value : bake.lightGroups->coefficients)
@@ -85,8 +85,8 @@ void litFloor(const char* stress, double half, const Light& light, double irradi
 void closedRoom(const char* stress, double half, const glm::dvec3& offset, Trials& trials) {
   const CompiledScene scene = roomScene(half, 2, matte(0.5), offset);
   BakeRequest request = requestOf(128);
-  request.ao = request.occluders = true;
-  request.shOrder = 4;
+  request.ao = request.occluders.wanted = true;
+  request.sh.order = 4;
   const Bake bake = bakeOf(scene, request, trials);
   Differences differences;
   for (const float ao : bake.ao) differences.add(ao, 0.0, 1.0);
@@ -127,11 +127,11 @@ void everything(const std::string& name, double size, const glm::dvec3& offset, 
     if (albedo >= 0.0) material.baseColor = glm::vec4(glm::vec3(static_cast<float>(albedo)), 1.0f);
   const CompiledScene scene = compileScene(loaded, warnings);
   BakeRequest request = requestOf(trials.options().stabilityBakeRays);
-  request.ao = request.occluders = request.lightGroups = true;
-  request.shOrder = request.chOrder = 4;
-  request.haarSize = 8;
-  request.glossyOrder = 2;
-  request.volumeSize = 4;
+  request.ao = request.occluders.wanted = request.lightGroups.wanted = true;
+  request.sh.order = request.ch.order = 4;
+  request.haar.size = 8;
+  request.glossy.order = 2;
+  request.volume.size = 4;
   request.bounces = 2;
   const Bake bake = bakeOf(scene, request, trials);
   Differences differences;

@@ -37,7 +37,7 @@ class PoseProgress final : public Progress {
 
 BakeRequest onlySh(const BakeRequest& request) {
   BakeRequest only = request.withoutTechniques();
-  only.shOrder = request.shOrder;
+  only.sh.order = request.sh.order;
   return only;
 }
 
@@ -156,7 +156,7 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
                                const BakeRequest& request, const KeyRequest& keys,
                                const HarmonicTransfer& rest, const Device& device, Progress& progress,
                                AnimationReport& report) {
-  if (request.shOrder < 1)
+  if (request.sh.order < 1)
     throw UsageError("animation", "keys carry SH transfer, and none is asked for", "add --sh N");
   PoseBaker baker(scene, compiled, animation, request, rest, device, progress, report);
   const Animation& played = scene.animations.at(animation);

@@ -32,7 +32,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
 /// Irradiance of the scene's own lights depends on how it is solved, and on the sky.
 void addStaticLight(const BakeRequest& request, StateHash& hash) {
   if (!request.radiosity && !request.lightMap) return;
-  const RadiosityRequest& shape = request.radiosityShape;
+  const RadiosityRequest& shape = request.radiosity;
   hash.value(shape.patchSize).value(shape.method).value(shape.tolerance).value(shape.skyRotation);
   hash.value(shape.environment != nullptr);
   if (shape.environment) hash.values(shape.environment->radiance);
@@ -45,7 +45,7 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
     for (const std::string& pattern : set.receivers) hash.text(pattern);
     for (const std::string& pattern : set.occluders) hash.text(pattern);
   }
-  hash.value(request.nearLimit).value(request.farLimit).value(request.obscurance);
+  hash.value(request.limits.nearest).value(request.limits.farthest).value(request.limits.obscurance);
 }
 
 constexpr std::size_t techniquesBeforeBounces = 2;
@@ -67,8 +67,8 @@ std::uint64_t hashOf(const BakeRequest& request) {
     if (technique.staticLight && technique.addToKey != nullptr) technique.addToKey(request, hash);
   addStaticLight(request, hash);
   // Rays a vertex are ignored beside the two others.
-  hash.value(request.error.value_or(0.0)).value(request.seconds.value_or(0.0));
-  hash.value(request.error || request.seconds ? 0 : request.rays);
+  hash.value(request.effort.error.value_or(0.0)).value(request.effort.seconds.value_or(0.0));
+  hash.value(request.effort.error || request.effort.seconds ? 0 : request.effort.rays);
   return hash.result();
 }
 

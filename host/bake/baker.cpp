@@ -55,10 +55,6 @@ std::string backNote(const SceneCast& cast) {
              : "back faces: skipped, no ray meets one that reflects";
 }
 
-CastLimits castLimits(const BakeRequest& request) {
-  return {request.nearLimit, request.farLimit, request.obscurance};
-}
-
 /// The occluders that a bake tells apart.
 struct BakedOccluders {
   std::optional<OccluderTree> tree;  ///< whose leaves they are
@@ -120,22 +116,22 @@ class BakeRunner : BakeParts {
   void makeTransfers(const std::vector<double>& fitted, Bake& bake) {
     const SlotTransfer transfer = makeTransfer(scene, mesh, caster, cast, fitted, transferOrder(request),
                                                bounces_, progress_, report_.notes);
-    if (request.shOrder > 0) bake.sh = packSh(mesh, transfer, scene, request.shOrder);
-    if (request.chOrder > 0) bake.ch = packCh(mesh, transfer, scene, request.chOrder, request.chNaive);
+    if (request.sh.order > 0) bake.sh = packSh(mesh, transfer, scene, request.sh.order);
+    if (request.ch.order > 0) bake.ch = packCh(mesh, transfer, scene, request.ch.order, request.ch.naive);
     if (request.lightGroups)
       bake.lightGroups = packLightGroups(mesh, transfer, scene, lights.groups, groupChannels(transfer));
     clock_.mark("bounce");
-    if (request.volumeSize > 0) makeVolumeTransfer(transfer, bake);
+    if (request.volume.size > 0) makeVolumeTransfer(transfer, bake);
     if (charts != nullptr && !charts->charts.empty()) makeTexels(transfer, bake);
-    if (request.haarSize > 0) makeHaar(transfer, bake);
-    if (request.glossyOrder > 0) makeGlossy(fitted, transfer, bake);
+    if (request.haar.size > 0) makeHaar(transfer, bake);
+    if (request.glossy.order > 0) makeGlossy(fitted, transfer, bake);
   }
 
   void makeOccluders(const std::vector<double>& accessibility, Bake& bake) {
     OccluderTransfer transfer = makeOccluderTransfer(scene, mesh, cast.front().occluders(), accessibility,
                                                      occluders->groups, neededVectors(scene));
     if (occluders->tree) transfer = cutThroughTree(std::move(transfer), *occluders->tree);
-    const DroppedOccluders dropped = dropOccluders(transfer, request.leastFormFactor);
+    const DroppedOccluders dropped = dropOccluders(transfer, request.occluders.leastFormFactor);
     reportOccluders(transfer, dropped);
     bake.occluders = std::move(transfer);
     clock_.mark("occluders");
@@ -145,23 +141,22 @@ class BakeRunner : BakeParts {
   OccluderTransfer cutThroughTree(OccluderTransfer leaves, const OccluderTree& tree) {
     const std::vector<std::uint32_t> nodes = leafNodes(tree);
     for (std::uint32_t& occluder : leaves.occluders) occluder = nodes[occluder];
-    return cutOccluders(leaves, tree, surfaceOfVertices(scene), request.occluderRecords);
+    return cutOccluders(leaves, tree, surfaceOfVertices(scene), request.occluders.records);
   }
 
   void reportOccluders(const OccluderTransfer& transfer, const DroppedOccluders& dropped) {
     std::string text = fmt::format(
         "vector occluders: {} of them, {:.1f} records a vertex, {} vectors a record", transfer.names.size(),
         double(transfer.recordCount()) / scene.vertexCount(), transfer.stored.size());
-    if (request.leastFormFactor > 0.0)
+    if (request.occluders.leastFormFactor > 0.0)
       text += fmt::format("; what was dropped hides {:.2g} of the sky on average, {:.2g} at most",
                           dropped.mean, dropped.most);
     report_.notes.push_back(text);
   }
 
   void makeVolumeTransfer(const SlotTransfer& transfer, Bake& bake) {
-    const VolumeGrid grid = makeVolumeGrid(scene, request.volumeSize);
-    const VolumeOptions options{request.shOrder, bounces_, raysEach(request), request.seed,
-                                castLimits(request)};
+    const VolumeGrid grid = makeVolumeGrid(scene, request.volume.size);
+    const VolumeOptions options{request.sh.order, bounces_, raysEach(request), request.seed, request.limits};
     bake.volume = makeVolume(scene, mesh, tracer, transfer, grid, options, progress_);
     report_.rays += std::uint64_t{options.rays} * grid.count();
     report_.notes.push_back(
@@ -172,8 +167,8 @@ class BakeRunner : BakeParts {
   }
 
   void makeTexels(const SlotTransfer& transfer, Bake& bake) {
-    const ChartOptions options{request.shOrder,     bounces_, raysEach(request), request.seed,
-                               castLimits(request), &sets,    setTracers};
+    const ChartOptions options{request.sh.order, bounces_, raysEach(request), request.seed,
+                               request.limits,   &sets,    setTracers};
     ChartReport made;
     bake.texels = makeChartTransfer(scene, *charts, mesh, tracer, transfer, options, progress_, made);
     report_.rays += made.rays;
@@ -187,25 +182,25 @@ class BakeRunner : BakeParts {
   }
 
   void makeHaar(const SlotTransfer& transfer, Bake& bake) {
-    const TexelTransfer direct(scene, mesh, cast.front(), request.haarSize);
-    bake.haar = makeHaarTransfer(mesh, direct, transfer, request.haarSize, request.haarError, progress_);
+    const TexelTransfer direct(scene, mesh, cast.front(), request.haar.size);
+    bake.haar = makeHaarTransfer(mesh, direct, transfer, request.haar.size, request.haar.error, progress_);
     report_.notes.push_back(
         fmt::format("wavelets: {:.0f} of {} coefficients a row are kept, on average",
                     double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),
-                    cubeTexelCount(request.haarSize)));
+                    cubeTexelCount(request.haar.size)));
     clock_.mark("haar");
   }
 
   void makeGlossy(const std::vector<double>& fitted, const SlotTransfer& transfer, Bake& bake) {
     const std::vector<float> matrices =
-        makeGlossyMatrices(scene, mesh, caster, cast, fitted, transfer, request.glossyOrder, progress_);
-    bake.glossy = packGlossy(mesh, transfer, matrices, scene, request.glossyOrder);
+        makeGlossyMatrices(scene, mesh, caster, cast, fitted, transfer, request.glossy.order, progress_);
+    bake.glossy = packGlossy(mesh, transfer, matrices, scene, request.glossy.order);
     clock_.mark("glossy");
   }
 
   /// Lights of different colours in one group make its channels differ even without bounces.
   int groupChannels(const SlotTransfer& transfer) const {
-    return request.namedGroups.empty() ? transfer.channels() : 3;
+    return request.lightGroups.named.empty() ? transfer.channels() : 3;
   }
 
   int bounces_;
@@ -223,11 +218,11 @@ CastOptions castOptions(const BakeRequest& request, const Schedule& schedule, st
   options.raysPerReceiver = schedule.raysPerReceiver;
   options.storedReceivers = capacity;
   options.bounceColumns = static_cast<std::size_t>(order * order) + lights.groups.size();
-  options.texelFaceSize = request.haarSize;
+  options.texelFaceSize = request.haar.size;
   options.lights = lights.empty() ? nullptr : &lights;
   options.sets = &sets;
   options.setTracers = setTracers;
-  options.limits = castLimits(request);
+  options.limits = request.limits;
   options.occluders = occluders != nullptr ? &occluders->groups : nullptr;
   return options;
 }
@@ -240,12 +235,12 @@ Projections projectionsOf(const BakeRequest& request, const Plan& plan, const Sc
   projections.shOrder = castOrder(request);
   projections.bentNormal = request.ao;
   projections.groups = static_cast<std::uint32_t>(lights.groups.size());
-  if (request.haarSize > 0) {
+  if (request.haar.size > 0) {
     projections.texelRows = plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
-    projections.texelCount = cubeTexelCount(request.haarSize);
+    projections.texelCount = cubeTexelCount(request.haar.size);
   }
   projections.backs = plan.runs(Pass::Bounces);
-  projections.receivers = request.glossyOrder > 0 && plan.runs(Pass::Bounces);
+  projections.receivers = request.glossy.order > 0 && plan.runs(Pass::Bounces);
   projections.occluders = occluders != nullptr;
   if (occluders != nullptr)
     projections.occluderCount = static_cast<std::uint32_t>(occluders->groups.names.size());
@@ -259,14 +254,14 @@ double secondsSince(Clock::time_point start) {
 /// Of receivers that are not vertices.
 void checkPlaces(const BakeRequest& request, const Charts* charts) {
   const bool texels = charts != nullptr && !charts->charts.empty();
-  if (request.shOrder == 0 && (request.volumeSize > 0 || texels))
-    throw UsageError(request.volumeSize > 0 ? "--volume" : "--texels",
+  if (request.sh.order == 0 && (request.volume.size > 0 || texels))
+    throw UsageError(request.volume.size > 0 ? "--volume" : "--texels",
                      "it has the order of the SH transfer, and none is asked for", "add --sh N");
   if (!texels) return;
   std::uint64_t bytes = 0;
   for (const Chart& chart : charts->charts)
     bytes += static_cast<std::uint64_t>(chart.width) * static_cast<std::uint64_t>(chart.height) * 4u *
-             static_cast<std::uint64_t>(request.shOrder * request.shOrder * (request.bounces > 0 ? 3 : 1));
+             static_cast<std::uint64_t>(request.sh.order * request.sh.order * (request.bounces > 0 ? 3 : 1));
   if (bytes > request.maxMemory)
     throw UsageError("--texels",
                      fmt::format("{} light maps take {} MB, more than the {} MB of --max-memory",
@@ -286,8 +281,8 @@ class ReceiverBake {
         schedule_(makeSchedule(request, mesh.slotCount(), start)),
         setTracers_(tracersOf(scene, sets, tracer)),
         capacity_(plan.runs(Pass::Bounces) ? storedCapacity(plan, device, schedule_.raysPerReceiver) : 0),
-        lights_(request.lightGroups ? groupLights(scene, request.namedGroups) : GroupedLights{}),
-        occluders_(request.occluders ? std::optional(occludersOf(scene, request.occluderKind))
+        lights_(request.lightGroups ? groupLights(scene, request.lightGroups.named) : GroupedLights{}),
+        occluders_(request.occluders ? std::optional(occludersOf(scene, request.occluders.kind))
                                      : std::nullopt),
         caster_(scene, tracer,
                 castOptions(request, schedule_, capacity_, lights_, sets, occluders_ ? &*occluders_ : nullptr,
@@ -303,7 +298,7 @@ class ReceiverBake {
     for (const Tracer& part : setTracers_) report.bytesBvh += part.bvhBytes();
     report.rays += cast_.rays() + caster_.furtherRays();
     report.receivers = cast_.receivers();
-    if (!request_.error && !request_.seconds)
+    if (!request_.effort.error && !request_.effort.seconds)
       report.skippedRayFraction = std::max(
           0.0, 1.0 - double(cast_.front().receivers()) / (schedule_.receiversPerPass * schedule_.passes));
     return bake;

@@ -56,7 +56,7 @@ PlannedPass planCast(const BakeRequest& request, bool bounces, const std::vector
   for (const Planning& technique : techniques)
     if (const char* reason = technique.closestHits ? technique.closestHits(request) : nullptr)
       return {Pass::Cast, true, reason};
-  if (request.obscurance > 0.0)
+  if (request.limits.obscurance > 0.0)
     return {Pass::Cast, true, "closest hits, because obscurance fades with the distance"};
   for (const Planning& technique : techniques)
     if (const char* reason = technique.closestHitsOfSome ? technique.closestHitsOfSome(request) : nullptr)

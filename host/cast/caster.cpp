@@ -34,9 +34,9 @@ std::vector<float> orientedNormals(const CompiledScene& scene) {
   return normals;
 }
 
-double reachOf(const CastLimits& limits) {
-  if (limits.obscurance <= 0.0) return limits.farLimit;
-  return limits.farLimit > 0.0 ? std::min(limits.farLimit, limits.obscurance) : limits.obscurance;
+double reachOf(const OcclusionLimits& limits) {
+  if (limits.obscurance <= 0.0) return limits.farthest;
+  return limits.farthest > 0.0 ? std::min(limits.farthest, limits.obscurance) : limits.obscurance;
 }
 
 Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& options)
@@ -94,7 +94,7 @@ void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
                                   valueCount_,
                                   vertexCount_,
                                   firstStored,
-                                  static_cast<float>(options_.limits.nearLimit),
+                                  static_cast<float>(options_.limits.nearest),
                                   static_cast<float>(reachOf(options_.limits)),
                                   static_cast<float>(options_.limits.obscurance)};
   parameters_.write(std::span(&parameters, 1));

@@ -9,19 +9,13 @@
 #include "cast/light_caster.h"
 #include "cast/occluder_caster.h"
 #include "gpu/tracer.h"
+#include "plan/occlusion_limits.h"
 #include "shared/cast_types.h"
 
 namespace prelight {
 
-/// Where rays begin and end, and how occlusion fades; metres, as in BakeRequest.
-struct CastLimits {
-  double nearLimit = 0.0;
-  double farLimit = 0.0;
-  double obscurance = 0.0;
-};
-
 /// Where rays end: nothing that obscures lies farther than where obscurance has faded out. 0: nowhere.
-double reachOf(const CastLimits& limits);
+double reachOf(const OcclusionLimits& limits);
 
 /// [triangle][3], orientedNormal of each.
 std::vector<float> orientedNormals(const CompiledScene& scene);
@@ -40,7 +34,7 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   bool incident = false;                  ///< of the lights: incident radiance in SH of order 2 as well
-  CastLimits limits;
+  OcclusionLimits limits;
   const OccluderGroups* occluders =
       nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
   bool marksInside = false;           ///< tell which receivers lie inside objects

@@ -51,11 +51,12 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
                        "add --animation NAME|INDEX");
     return;
   }
-  if (request.shOrder == 0)
+  if (request.sh.order == 0)
     throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
   if (command.bake.compression)
     throw UsageError("--animation", "keys are not compressed", "leave out --compress");
-  if (request.texelSize > 0) throw UsageError("--animation", "keys have no light maps", "leave out --texels");
+  if (request.texels.size > 0)
+    throw UsageError("--animation", "keys have no light maps", "leave out --texels");
   if (command.resume)
     throw UsageError("--resume", "a bake of an animation starts anew", "leave out --resume");
 }
@@ -70,20 +71,20 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
     session.warn("--bounces: ambient occlusion has none, add a transfer such as --sh N; ignored");
     request.bounces = 0;
   }
-  if (command.bake.compression && request.shOrder == 0)
+  if (command.bake.compression && request.sh.order == 0)
     throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
   if (command.quantizesOccluders && !request.occluders)
     throw UsageError("--vo-compress", "it compresses vector occluders, and none are asked for", "add --vo");
-  if (request.volumeSize > 0 && request.shOrder == 0)
+  if (request.volume.size > 0 && request.sh.order == 0)
     throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
                      "add --sh N");
-  if (request.texelSize > 0 && request.shOrder == 0)
+  if (request.texels.size > 0 && request.sh.order == 0)
     throw UsageError("--texels", "light maps have the order of the SH transfer, and none is asked for",
                      "add --sh N");
   checkAnimationOptions(command, request);
-  if (request.farLimit > 0.0 && request.nearLimit >= request.farLimit)
-    throw UsageError("--near",
-                     fmt::format("{} m is not below --far {} m", request.nearLimit, request.farLimit));
+  if (request.limits.farthest > 0.0 && request.limits.nearest >= request.limits.farthest)
+    throw UsageError("--near", fmt::format("{} m is not below --far {} m", request.limits.nearest,
+                                           request.limits.farthest));
   return request;
 }
 
@@ -92,7 +93,7 @@ void readSky(const BakeCommand& command, Session& session, BakeRequest& request)
   if (command.environment.empty()) return;
   const Environment sky = readEnvironment(command.environment);
   if (request.radiosity || request.lightMap)
-    request.radiosityShape.environment = std::make_shared<const Environment>(sky);
+    request.radiosity.environment = std::make_shared<const Environment>(sky);
   else
     session.warn("--env: the transfer holds for every sky; give the map to render or view instead");
 }
@@ -210,9 +211,9 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
 /// Options that only a light map has.
 void checkMapOptions(const BakeRequest& request) {
   if (request.lightMap) return;
-  for (const auto& [given, option] :
-       {std::pair{request.photons > 0, "--photons"}, std::pair{request.lightMapTexel > 0.0, "--texel-size"},
-        std::pair{request.lightMapError > 0.0, "--texel-error"}})
+  for (const auto& [given, option] : {std::pair{request.lightMap.photons > 0, "--photons"},
+                                      std::pair{request.lightMap.texelSize > 0.0, "--texel-size"},
+                                      std::pair{request.lightMap.error > 0.0, "--texel-error"}})
     if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
 }
 
@@ -268,10 +269,10 @@ void addAnimationOptions(CLI::App& app, BakeCommand& command) {
 /// Not among the techniques that render and view share: there caustics are drawn, not baked.
 void addMapPhotonOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag_callback(
-      "--caustics", [&] { request.caustics = request.lightMap = true; },
+      "--caustics", [&] { request.lightMap.caustics = request.lightMap.wanted = true; },
       "a light map with the light that mirrors and glass throw, from photons sent towards them");
   addWholeNumber(
-      app, "--photons", {1, 1'000'000'000}, [&](std::uint64_t n) { request.photons = n; },
+      app, "--photons", {1, 1'000'000'000}, [&](std::uint64_t n) { request.lightMap.photons = n; },
       "light map: photons that leave lights (default: four a texel), and as many towards mirrors and glass");
 }
 

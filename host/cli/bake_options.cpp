@@ -35,7 +35,7 @@ void BakeOptions::addTo(DeviceOptions& device) const {
 
 void useDefaultTechniques(BakeRequest& request) {
   request.ao = true;
-  request.shOrder = defaultShOrder;
+  request.sh.order = defaultShOrder;
   if (request.bounces == 0) request.bounces = defaultBounces;
 }
 
@@ -45,17 +45,17 @@ std::string techniqueText(const BakeRequest& request) {
     if (given) text += (text.empty() ? "" : " ") + option;
   };
   add(request.ao, "--ao");
-  add(request.shOrder > 0, fmt::format("--sh {}", request.shOrder));
-  add(request.chOrder > 0, fmt::format("--ch {}", request.chOrder));
-  add(request.haarSize > 0, fmt::format("--haar {}", request.haarSize));
-  add(request.glossyOrder > 0, fmt::format("--glossy {}", request.glossyOrder));
-  add(request.occluders, "--vo");
-  add(request.volumeSize > 0, fmt::format("--volume {}", request.volumeSize));
-  add(request.texelSize > 0, fmt::format("--texels {}", request.texelSize));
-  add(request.lightGroups, "--light-groups");
-  add(request.radiosity, "--radiosity");
-  add(request.lightMap, "--lightmap");
-  add(request.caustics, "--caustics");
+  add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
+  add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
+  add(request.haar.size > 0, fmt::format("--haar {}", request.haar.size));
+  add(request.glossy.order > 0, fmt::format("--glossy {}", request.glossy.order));
+  add(request.occluders.wanted, "--vo");
+  add(request.volume.size > 0, fmt::format("--volume {}", request.volume.size));
+  add(request.texels.size > 0, fmt::format("--texels {}", request.texels.size));
+  add(request.lightGroups.wanted, "--light-groups");
+  add(request.radiosity.wanted, "--radiosity");
+  add(request.lightMap.wanted, "--lightmap");
+  add(request.lightMap.caustics, "--caustics");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -80,13 +80,13 @@ void addWaveletOptions(CLI::App& app, BakeRequest& request) {
            if (error != std::errc{} || end != text.data() + text.size() || size < 1 ||
                size > BakeRequest::maxHaarSize || !std::has_single_bit(static_cast<unsigned>(size)))
              throw CLI::ValidationError("--haar", fmt::format("got '{}', expected {}", text, expected));
-           request.haarSize = size;
+           request.haar.size = size;
          },
          "Haar wavelet transfer on cube maps with faces of this many texels a side, a power of two")
       ->type_name("SIZE");
   addRealNumber(
-      app, "--haar-error", {0.0, 1.0}, [&](double value) { request.haarError = value; },
-      fmt::format("relative error that leaving out wavelets may make (default {})", request.haarError));
+      app, "--haar-error", {0.0, 1.0}, [&](double value) { request.haar.error = value; },
+      fmt::format("relative error that leaving out wavelets may make (default {})", request.haar.error));
 }
 
 /// "name=pattern,pattern".
@@ -116,13 +116,13 @@ ShadowSetRequest parseShadowSet(const std::string& text) {
 }
 
 void addLightGroupOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--light-groups", request.lightGroups,
+  app.add_flag("--light-groups", request.lightGroups.wanted,
                "transfer of the scene's own lights, each scaled and coloured at run time");
   app.add_option_function<std::vector<std::string>>(
          "--light-group",
          [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) request.namedGroups.push_back(parseLightGroup(text));
-           request.lightGroups = true;
+           for (const std::string& text : texts) request.lightGroups.named.push_back(parseLightGroup(text));
+           request.lightGroups.wanted = true;
          },
          "lights that go together, once for each group: NAME=PATTERN[,PATTERN...] of light or node names, "
          "with * "
@@ -137,7 +137,7 @@ void readOccluderKind(const std::string& text, BakeRequest& request) {
       {{"node", OccluderKind::Node}, {"mesh", OccluderKind::Mesh}, {"material", OccluderKind::Material}}};
   for (const auto& [name, kind] : kinds)
     if (text == name) {
-      request.occluderKind = kind;
+      request.occluders.kind = kind;
       return;
     }
   int records = 0;
@@ -148,12 +148,12 @@ void readOccluderKind(const std::string& text, BakeRequest& request) {
     throw CLI::ValidationError(
         "--occluders",
         fmt::format("got '{}', expected node, mesh, material or auto:N with N from 1 to 256", text));
-  request.occluderKind = OccluderKind::Auto;
-  request.occluderRecords = records;
+  request.occluders.kind = OccluderKind::Auto;
+  request.occluders.records = records;
 }
 
 void addOccluderOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--vo", request.occluders,
+  app.add_flag("--vo", request.occluders.wanted,
                "vector occluders: what every vertex sees of each object, for shadows and colour bleeding");
   app.add_option_function<std::string>(
          "--occluders", [&](const std::string& text) { readOccluderKind(text, request); },
@@ -162,48 +162,49 @@ void addOccluderOptions(CLI::App& app, BakeRequest& request) {
          "vertex so that there are N records a vertex in the mean")
       ->type_name("KIND");
   addRealNumber(
-      app, "--vo-min-form-factor", {0.0, 1.0}, [&](double value) { request.leastFormFactor = value; },
+      app, "--vo-min-form-factor", {0.0, 1.0},
+      [&](double value) { request.occluders.leastFormFactor = value; },
       "drop occluders of a vertex that hide less of its sky than this (default 0)");
 }
 
 void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
   constexpr double most = 1e9;
   addRealNumber(
-      app, "--near", {0.0, most}, [&](double value) { request.nearLimit = value; },
+      app, "--near", {0.0, most}, [&](double value) { request.limits.nearest = value; },
       "what is nearer to a surface than this occludes nothing, metres")
       ->type_name("M");
   addRealNumber(
-      app, "--far", {1e-9, most}, [&](double value) { request.farLimit = value; },
+      app, "--far", {1e-9, most}, [&](double value) { request.limits.farthest = value; },
       "what is farther away than this occludes nothing, metres")
       ->type_name("M");
   addRealNumber(
-      app, "--obscurance", {1e-9, most}, [&](double value) { request.obscurance = value; },
+      app, "--obscurance", {1e-9, most}, [&](double value) { request.limits.obscurance = value; },
       "occluders fade out linearly with their distance, up to this many metres")
       ->type_name("M");
 }
 
 void addLightMapOptions(CLI::App& app, BakeRequest& request) {
-  app.add_flag("--lightmap", request.lightMap,
+  app.add_flag("--lightmap", request.lightMap.wanted,
                "light map: irradiance of the scene's own lights, direct and through "
                "all bounces, in an .exr beside the "
                "file and at the vertices; charts are made for all "
                "meshes");
   addRealNumber(
-      app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMapTexel = value; },
+      app, "--texel-size", {1e-6, 1e6}, [&](double value) { request.lightMap.texelSize = value; },
       "light map: side of a texel, metres (default: about 65 thousand texels); with --texel-error of the "
       "smallest")
       ->type_name("M");
   addRealNumber(
-      app, "--texel-error", {1e-4, 1.0}, [&](double value) { request.lightMapError = value; },
+      app, "--texel-error", {1e-4, 1.0}, [&](double value) { request.lightMap.error = value; },
       "light map: a texel size for each chart, such that light between texels is off by about this much of "
       "the chart's mean light (rms); the smallest texels are a quarter of the usual")
       ->type_name("E");
 }
 
 void addRadiosityOptions(CLI::App& app, BakeRequest& request) {
-  RadiosityRequest& shape = request.radiosityShape;
+  RadiosityRequest& shape = request.radiosity;
   app.add_flag(
-      "--radiosity", request.radiosity,
+      "--radiosity", request.radiosity.wanted,
       "irradiance of the scene's own lights at every vertex, direct and through all diffuse bounces");
   addRealNumber(
       app, "--patch-size", {1e-6, 1e6}, [&](double value) { shape.patchSize = value; },
@@ -246,15 +247,15 @@ void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
 void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
   app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
-  addOrder(app, "--sh", BakeRequest::maxShOrder, request.shOrder,
+  addOrder(app, "--sh", BakeRequest::maxShOrder, request.sh.order,
            "spherical-harmonic transfer of this order (order squared coefficients)");
-  addOrder(app, "--ch", BakeRequest::maxShOrder, request.chOrder,
+  addOrder(app, "--ch", BakeRequest::maxShOrder, request.ch.order,
            "cpherical-harmonic transfer of this order");
   app.add_flag(
-      "--ch-naive", request.chNaive,
+      "--ch-naive", request.ch.naive,
       "store plain inner products with the cpherical harmonics, which are not orthogonal: for comparison");
   addWaveletOptions(app, request);
-  addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossyOrder,
+  addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossy.order,
            "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");
   addLightGroupOptions(app, request);
   addOccluderOptions(app, request);
@@ -262,13 +263,13 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   addLightMapOptions(app, request);
   addWholeNumber(
       app, "--volume", {1, BakeRequest::maxVolumeSize},
-      [&](std::uint64_t n) { request.volumeSize = static_cast<int>(n); },
+      [&](std::uint64_t n) { request.volume.size = static_cast<int>(n); },
       fmt::format("SH transfer of points in the air, on a grid of this many voxels along the scene's longest "
                   "side, 1 to {} (32 is usual)",
                   BakeRequest::maxVolumeSize));
   addWholeNumber(
       app, "--texels", {1, BakeRequest::maxTexelSize},
-      [&](std::uint64_t n) { request.texelSize = static_cast<int>(n); },
+      [&](std::uint64_t n) { request.texels.size = static_cast<int>(n); },
       fmt::format(
           "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
           "largest, 1 to {}",
@@ -288,13 +289,13 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
 void addEffortOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
   CLI::Option* rays = addWholeNumber(
-      app, "--rays", {1, BakeRequest::maxRays}, [&](std::uint64_t n) { request.rays = n; },
-      fmt::format("rays a vertex, on average (default {})", request.rays));
+      app, "--rays", {1, BakeRequest::maxRays}, [&](std::uint64_t n) { request.effort.rays = n; },
+      fmt::format("rays a vertex, on average (default {})", request.effort.rays));
   CLI::Option* error = addRealNumber(
-      app, "--error", {minError, maxError}, [&](double value) { request.error = value; },
+      app, "--error", {minError, maxError}, [&](double value) { request.effort.error = value; },
       "stop when the estimated standard error of AO is below this everywhere");
   CLI::Option* time = addRealNumber(
-      app, "--time", {minSeconds, maxSeconds}, [&](double value) { request.seconds = value; },
+      app, "--time", {minSeconds, maxSeconds}, [&](double value) { request.effort.seconds = value; },
       "stop after this many seconds of casting");
   rays->excludes(error)->excludes(time);
   error->excludes(time);

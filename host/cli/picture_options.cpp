@@ -55,7 +55,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
-  if (request.shOrder > 0) request.texelSize = asked.texelSize;
+  if (request.sh.order > 0) request.texels.size = asked.texels.size;
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
@@ -89,7 +89,7 @@ BakeRun bakeUnderLights(Session& session, const PictureOptions& options, const D
                         ShadedScene& shaded) {
   if (!shaded.request.radiosity && !shaded.request.lightMap)
     return session.bake(shaded.loaded, shaded.request, device);
-  RadiosityRequest& shape = shaded.request.radiosityShape;
+  RadiosityRequest& shape = shaded.request.radiosity;
   if (shaded.environment) shape.environment = std::make_shared<const Environment>(*shaded.environment);
   shape.skyRotation = shaded.render.skyRotation;
   if (!options.lights) return session.bake(shaded.loaded, shaded.request, device);
@@ -121,7 +121,7 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   options.bake.addTo(device);
   shaded.run = bakeUnderLights(session, options, device, shaded);
   mergeBake(shaded.bake, std::move(shaded.run->bake));
-  if (options.bake.compression && shaded.request.shOrder > 0) {
+  if (options.bake.compression && shaded.request.sh.order > 0) {
     session.times().measure("compress", [&] {
       shaded.bake.compressedSh =
           compress(*shaded.bake.sh, *options.bake.compression, surfaceOfVertices(shaded.loaded.compiled));

@@ -126,32 +126,33 @@ Json toJson(const RadiosityReport& report) {
 }
 
 Json toJson(const BakeRequest& request) {
-  Json json = {{"ao", request.ao}, {"sh", request.shOrder}, {"bounces", request.bounces}};
-  if (request.chOrder > 0) json["ch"] = request.chOrder;
-  if (request.chOrder > 0 && request.chNaive) json["chNaive"] = true;
-  if (request.haarSize > 0) json["haar"] = request.haarSize;
-  if (request.haarSize > 0) json["haarError"] = request.haarError;
-  if (request.glossyOrder > 0) json["glossy"] = request.glossyOrder;
+  Json json = {{"ao", request.ao}, {"sh", request.sh.order}, {"bounces", request.bounces}};
+  if (request.ch.order > 0) json["ch"] = request.ch.order;
+  if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;
+  if (request.haar.size > 0) json["haar"] = request.haar.size;
+  if (request.haar.size > 0) json["haarError"] = request.haar.error;
+  if (request.glossy.order > 0) json["glossy"] = request.glossy.order;
   if (request.lightGroups) json["lightGroups"] = true;
   if (request.occluders) json["vo"] = true;
-  if (request.radiosity) json["radiosity"] = toJson(request.radiosityShape);
+  if (request.radiosity) json["radiosity"] = toJson(request.radiosity);
   if (request.lightMap)
-    json["lightMap"] = {{"texelSize", request.lightMapTexel},
-                        {"photons", request.photons},
-                        {"caustics", request.caustics},
-                        {"sky", request.radiosityShape.environment != nullptr}};
-  if (request.lightMap && request.lightMapError > 0.0) json["lightMap"]["texelError"] = request.lightMapError;
+    json["lightMap"] = {{"texelSize", request.lightMap.texelSize},
+                        {"photons", request.lightMap.photons},
+                        {"caustics", request.lightMap.caustics},
+                        {"sky", request.radiosity.environment != nullptr}};
+  if (request.lightMap && request.lightMap.error > 0.0)
+    json["lightMap"]["texelError"] = request.lightMap.error;
   for (const ShadowSetRequest& set : request.shadowSets)
     json["shadowSets"].push_back(
         fmt::format("{}:{}", fmt::join(set.receivers, ","), fmt::join(set.occluders, ",")));
-  if (request.volumeSize > 0) json["volume"] = request.volumeSize;
-  if (request.texelSize > 0) json["texels"] = request.texelSize;
-  if (request.nearLimit > 0.0) json["near"] = request.nearLimit;
-  if (request.farLimit > 0.0) json["far"] = request.farLimit;
-  if (request.obscurance > 0.0) json["obscurance"] = request.obscurance;
-  if (request.error) json["error"] = *request.error;
-  if (request.seconds) json["time"] = *request.seconds;
-  if (!request.error && !request.seconds) json["rays"] = request.rays;
+  if (request.volume.size > 0) json["volume"] = request.volume.size;
+  if (request.texels.size > 0) json["texels"] = request.texels.size;
+  if (request.limits.nearest > 0.0) json["near"] = request.limits.nearest;
+  if (request.limits.farthest > 0.0) json["far"] = request.limits.farthest;
+  if (request.limits.obscurance > 0.0) json["obscurance"] = request.limits.obscurance;
+  if (request.effort.error) json["error"] = *request.effort.error;
+  if (request.effort.seconds) json["time"] = *request.effort.seconds;
+  if (!request.effort.error && !request.effort.seconds) json["rays"] = request.effort.rays;
   json["maxMemory"] = request.maxMemory;
   return json;
 }

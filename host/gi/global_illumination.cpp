@@ -32,7 +32,7 @@ bool runs(std::span<const PlannedPass> plan, Pass pass) {
 }
 
 LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std::uint32_t texels) {
-  LightMapRequest map;
+  LightMapLayoutRequest map;
   map.texels = texels;
   LitSurface surface;
   surface.density = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));

@@ -63,7 +63,7 @@ double fittingSize(const LightMapCharts& charts, std::uint32_t wanted) {
 
 class ChartsMaker {
  public:
-  ChartsMaker(const Scene& scene, const CompiledScene& compiled, const LightMapRequest& request)
+  ChartsMaker(const Scene& scene, const CompiledScene& compiled, const LightMapLayoutRequest& request)
       : scene_(scene), compiled_(compiled), request_(request) {}
 
   LightMapCharts make() {
@@ -294,7 +294,7 @@ class ChartsMaker {
 
   const Scene& scene_;
   const CompiledScene& compiled_;
-  const LightMapRequest& request_;
+  const LightMapLayoutRequest& request_;
   LightMapCharts result_;
   std::vector<std::uint32_t> groups_;  ///< [triangle]
   std::vector<double> areas_;          ///< [triangle], m2
@@ -322,7 +322,7 @@ bool hasLight(const CompiledMaterial& material, bool back) {
 }
 
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
-                                  const LightMapRequest& request) {
+                                  const LightMapLayoutRequest& request) {
   return ChartsMaker(scene, compiled, request).make();
 }
 

@@ -28,7 +28,7 @@ struct LightMapCharts {
 constexpr int mostLightMapSide = 4096;    ///< texels
 constexpr double leastChartAcross = 0.5;  ///< texels; a chart of less is one texel
 
-struct LightMapRequest {
+struct LightMapLayoutRequest {
   double texelSize = 0.0;  ///< m; 0: such that there are about `texels`
   /// A gather of 1000 rays a texel takes PoCL on a small CPU some ten seconds for these, and a room of 35 m2
   /// gets texels of 2.3 cm.
@@ -42,7 +42,7 @@ struct LightMapRequest {
 /// materials have charts of their own, of the shapes of the fronts. Pieces of less than a texel join what is
 /// next to them where a plane serves both.
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
-                                  const LightMapRequest& request);
+                                  const LightMapLayoutRequest& request);
 
 /// Of a chart laid flat, m2.
 double flatArea(const LightMapChart& chart);

@@ -88,7 +88,7 @@ LightMapLayout layOutLightMap(const CompiledScene& scene, const LightMapCharts& 
 }
 
 LightMapLayout makeLightMapLayout(const Scene& scene, const CompiledScene& compiled,
-                                  const LightMapRequest& request) {
+                                  const LightMapLayoutRequest& request) {
   return layOutLightMap(compiled, makeLightMapCharts(scene, compiled, request));
 }
 

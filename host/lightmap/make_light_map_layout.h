@@ -18,6 +18,6 @@ LightMapLayout layOutLightMap(const CompiledScene& scene, const LightMapCharts& 
 
 /// Charts and layout together.
 LightMapLayout makeLightMapLayout(const Scene& scene, const CompiledScene& compiled,
-                                  const LightMapRequest& request);
+                                  const LightMapLayoutRequest& request);
 
 }  // namespace prelight

@@ -12,21 +12,22 @@ constexpr int haarBounceOrder = 6;  // bands that carry what bounces add to wave
 
 BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
-  request.ao = request.lightGroups = request.occluders = request.radiosity = request.lightMap =
-      request.caustics = false;
-  request.shOrder = request.chOrder = request.haarSize = request.glossyOrder = 0;
-  request.volumeSize = request.texelSize = 0;
-  request.namedGroups.clear();
+  request.ao = false;
+  request.sh = {};
+  request.ch.order = request.haar.size = request.glossy.order = request.volume.size = request.texels.size = 0;
+  request.lightGroups = {};
+  request.occluders.wanted = request.radiosity.wanted = false;
+  request.lightMap.wanted = request.lightMap.caustics = false;
   return request;
 }
 
 int transferOrder(const BakeRequest& request) {
-  return std::max({request.shOrder, request.chOrder, request.glossyOrder,
-                   request.haarSize > 0 && request.bounces > 0 ? haarBounceOrder : 0});
+  return std::max({request.sh.order, request.ch.order, request.glossy.order,
+                   request.haar.size > 0 && request.bounces > 0 ? haarBounceOrder : 0});
 }
 
 int castOrder(const BakeRequest& request) {
-  return std::max(transferOrder(request), 2 * request.glossyOrder - 1);
+  return std::max(transferOrder(request), 2 * request.glossy.order - 1);
 }
 
 }  // namespace prelight

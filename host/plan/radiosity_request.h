@@ -15,13 +15,17 @@ enum class RadiosityMethod : std::uint8_t { Jacobi, Chebyshev, GaussSeidel, Sout
 constexpr std::array<std::string_view, 4> radiosityMethodNames = {"jacobi", "chebyshev", "gauss-seidel",
                                                                   "southwell"};
 
-/// What shapes a radiosity solution, besides a bake's effort and seed.
+/// Irradiance of the scene's static lights at every vertex, by the radiosity equation. A bake's effort and
+/// seed count too.
 struct RadiosityRequest {
+  bool wanted = false;
   double patchSize = 0.0;  ///< m, longest edge of an element at most; 0: from the scene's surface
   RadiosityMethod method = RadiosityMethod::GaussSeidel;
   double tolerance = 1e-4;                         ///< residual, of the direct light's power, in (0, 1)
   std::shared_ptr<const Environment> environment;  ///< nullptr: no sky
   double skyRotation = 0.0;                        ///< radians, counter-clockwise seen from above
+
+  explicit operator bool() const { return wanted; }
 };
 
 }  // namespace prelight

@@ -20,7 +20,7 @@ struct ChartOptions {
   int bounces = 0;            ///< 0: what surfaces reflect is left out
   std::uint32_t rays = 1024;  ///< a texel, a power of two, 16 to 4096
   std::uint64_t seed = 0;
-  CastLimits limits;
+  OcclusionLimits limits;
   const ShadowSets* sets = nullptr;   ///< nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]
 };

@@ -7,8 +7,9 @@
 namespace prelight {
 
 std::uint64_t plannedRays(const CompiledScene& scene, const BakeRequest& request) {
-  return request.error || request.seconds ? ~std::uint64_t{0} / senderBytes
-                                          : request.rays * scene.vertexCount() * 5 / 4 + 65536;
+  return request.effort.error || request.effort.seconds
+             ? ~std::uint64_t{0} / senderBytes
+             : request.effort.rays * scene.vertexCount() * 5 / 4 + 65536;
 }
 
 std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {

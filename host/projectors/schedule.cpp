@@ -29,28 +29,28 @@ Schedule makeSchedule(const BakeRequest& request, std::uint32_t vertices,
   Schedule schedule;
   schedule.seed = request.seed;
   schedule.passes = errorGroups;
-  if (request.error || request.seconds) schedule.replicates = errorGroups;
-  if (request.error) {
+  if (request.effort.error || request.effort.seconds) schedule.replicates = errorGroups;
+  if (request.effort.error) {
     // Small receivers and a small first round: what is easy costs little.
     schedule.raysPerReceiver = 16;
     schedule.receiversPerPass = vertices;
-    schedule.error = request.error;
-  } else if (request.seconds) {
+    schedule.error = request.effort.error;
+  } else if (request.effort.seconds) {
     schedule.raysPerReceiver = 64;
     schedule.receiversPerPass = std::min<double>(vertices, timedPassRays / schedule.raysPerReceiver);
     schedule.deadline =
-        start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                    std::chrono::duration<double>(castShareOfTime * std::min(*request.seconds, mostSeconds)));
+        start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(
+                    castShareOfTime * std::min(*request.effort.seconds, mostSeconds)));
   } else {
-    schedule.raysPerReceiver = raysOfReceiver(request.rays);
-    schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.rays) /
+    schedule.raysPerReceiver = raysOfReceiver(request.effort.rays);
+    schedule.receiversPerPass = static_cast<double>(vertices) * static_cast<double>(request.effort.rays) /
                                 (schedule.raysPerReceiver * static_cast<double>(schedule.passes));
   }
   return schedule;
 }
 
 std::uint32_t raysEach(const BakeRequest& request) {
-  const std::uint64_t rays = request.error || request.seconds ? 1024 : request.rays;
+  const std::uint64_t rays = request.effort.error || request.effort.seconds ? 1024 : request.effort.rays;
   return static_cast<std::uint32_t>(std::bit_floor(std::clamp<std::uint64_t>(rays, 16, 4096)));
 }
 

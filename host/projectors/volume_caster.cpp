@@ -61,7 +61,7 @@ class VolumeCaster {
                                     0,
                                     vertexCount_,
                                     0,
-                                    static_cast<float>(options_.limits.nearLimit),
+                                    static_cast<float>(options_.limits.nearest),
                                     static_cast<float>(reachOf(options_.limits)),
                                     static_cast<float>(options_.limits.obscurance)};
     parameters_.write(std::span(&parameters, 1));

@@ -15,7 +15,7 @@ struct VolumeOptions {
   int bounces = 0;           ///< 0: what surfaces reflect is left out
   std::uint32_t rays = 256;  ///< a voxel, a power of two, 8 and more
   std::uint64_t seed = 0;
-  CastLimits limits;
+  OcclusionLimits limits;
 };
 
 /// Casts from the centres of a grid's cells. `surface` is the fit's transfer with bounces; read only when

@@ -18,8 +18,8 @@ RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& reques
   options.raysPerElement = scale.rays;
   options.seed = request.seed;
   options.maxMemory = request.maxMemory;
-  options.method = request.radiosityShape.method;
-  options.tolerance = request.radiosityShape.tolerance;
+  options.method = request.radiosity.method;
+  options.tolerance = request.radiosity.tolerance;
   return options;
 }
 
@@ -41,7 +41,7 @@ RadiosityBake::RadiosityBake(const CompiledScene& scene, const BakeRequest& requ
 
 std::vector<glm::vec3> RadiosityBake::run(const FitMesh& mesh, Progress& progress, BakeReport& report) {
   radiosity_.cast(progress);
-  const RadiosityRequest& shape = request_.radiosityShape;
+  const RadiosityRequest& shape = request_.radiosity;
   radiosity_.relight({scene_.lights, shape.environment.get(), shape.skyRotation}, progress);
   std::vector<glm::vec3> irradiance = radiosity_.irradianceOfVertices(mesh);
   const RadiosityReport& made = radiosity_.report();

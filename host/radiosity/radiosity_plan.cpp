@@ -17,7 +17,7 @@ constexpr std::uint64_t bytesPerEntry = 28;  // counts both ways, both orders, a
 constexpr std::uint32_t leastRays = 64, mostRays = 32768;
 
 bool hasLight(const CompiledScene& scene, const BakeRequest& request) {
-  return request.radiosityShape.environment != nullptr || hasLights(scene);
+  return request.radiosity.environment != nullptr || hasLights(scene);
 }
 
 }  // namespace
@@ -28,13 +28,13 @@ std::uint64_t RadiosityScale::bytes() const {
 
 RadiosityScale radiosityScale(const CompiledScene& scene, const BakeRequest& request) {
   RadiosityScale scale;
-  const double asked = request.radiosityShape.patchSize;
+  const double asked = request.radiosity.patchSize;
   scale.patchSize = asked > 0.0 ? asked : defaultPatchSize(scene);
   scale.elements = makeElements(scene, scale.patchSize).perSide();
   scale.rays = leastRays;
   if (!scattersDiffusely(scene)) return scale;
   scale.rays = std::bit_floor(
-      static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.rays / 2, leastRays, mostRays)));
+      static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.effort.rays / 2, leastRays, mostRays)));
   while (scale.rays > leastRays && scale.bytes() > request.maxMemory) scale.rays /= 2;
   return scale;
 }
@@ -55,7 +55,7 @@ std::vector<PlannedPass> planRadiosity(const CompiledScene& scene, const BakeReq
                                : "";
   if (!lack.empty())
     return {{Pass::Radiosity, false, lack}, {Pass::FormFactors, false, "they matter to radiosity alone"}};
-  const RadiosityRequest& shape = request.radiosityShape;
+  const RadiosityRequest& shape = request.radiosity;
   const RadiosityScale scale = radiosityScale(scene, request);
   const std::uint32_t cut = scale.elements - scene.triangleCount();
   PlannedPass factors{Pass::FormFactors, scattersDiffusely(scene), ""};

@@ -109,9 +109,9 @@ class SurfaceError : public ::testing::Test {
 TEST_F(SurfaceError, InterpolatedBake_BeatsExactValuesAtVertices) {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 3;
+  request.sh.order = 3;
   request.bounces = 1;
-  request.rays = 2048;
+  request.effort.rays = 2048;
   Progress progress;
   BakeReport report;
   const Bake bake =

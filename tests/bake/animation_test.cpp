@@ -178,8 +178,8 @@ TEST_F(AnimatedScene, TurnedMixOfOpenSurfaces_IsExact) {
 TEST_F(AnimatedScene, Bake_AgreesWithBakesOfThePoses) {
   const Device& device = test::sharedDevice();
   BakeRequest request;
-  request.shOrder = 2;
-  request.rays = 4;
+  request.sh.order = 2;
+  request.effort.rays = 4;
   request.bounces = 1;
   const auto bakeOf = [&](const Scene& posed) {
     Warnings warnings;
@@ -207,13 +207,13 @@ TEST_F(AnimatedScene, AnimationThatMovesNoMesh_HasOneKeyAndNoBake) {
   Progress progress;
   AnimationReport report;
   BakeRequest request;
-  request.shOrder = 2;
+  request.sh.order = 2;
   const AnimatedTransfer animated = bakeAnimation(
       scene, compiled, 0, request, {}, openTransferOf(compiled, 2), test::sharedDevice(), progress, report);
   EXPECT_EQ(animated.keys.size(), 1u);
   EXPECT_EQ(report.bakes, 0u);
   ASSERT_EQ(report.notes.size(), 1u);
-  request.shOrder = 0;
+  request.sh.order = 0;
   EXPECT_THROW(bakeAnimation(scene, compiled, 0, request, {}, {}, test::sharedDevice(), progress, report),
                UsageError);
 }
@@ -224,7 +224,7 @@ TEST_F(AnimatedScene, Interruption_StopsBeforeTheNextPose) {
   } stopped;
   AnimationReport report;
   BakeRequest request;
-  request.shOrder = 2;
+  request.sh.order = 2;
   EXPECT_THROW(bakeAnimation(scene, compiled, 0, request, {}, openTransferOf(compiled, 2),
                              test::sharedDevice(), stopped, report),
                Interrupted);

@@ -53,23 +53,23 @@ CompiledScene groundAndSphere() {
 BakeRequest requestOf(int bounces) {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 2;
+  request.sh.order = 2;
   request.bounces = bounces;
-  request.rays = 512;
+  request.effort.rays = 512;
   return request;
 }
 
 /// What states hold in all their parts.
 std::vector<BakeRequest> requests() {
   BakeRequest bounced = requestOf(1);
-  bounced.haarSize = 4;
-  bounced.glossyOrder = 2;
+  bounced.haar.size = 4;
+  bounced.glossy.order = 2;
   BakeRequest occluders = requestOf(0);
-  occluders.occluders = true;
+  occluders.occluders.wanted = true;
   BakeRequest radiosity;
-  radiosity.radiosity = true;
-  radiosity.radiosityShape.patchSize = 0.5;
-  radiosity.rays = 64;
+  radiosity.radiosity.wanted = true;
+  radiosity.radiosity.patchSize = 0.5;
+  radiosity.effort.rays = 64;
   return {bounced, occluders, radiosity};
 }
 

@@ -27,13 +27,13 @@ Result run(const CompiledScene& scene, const BakeRequest& request) {
 BakeRequest aoRequest(std::uint64_t rays) {
   BakeRequest request;
   request.ao = true;
-  request.rays = rays;
+  request.effort.rays = rays;
   return request;
 }
 
 BakeRequest shRequest(int order, int bounces, std::uint64_t rays) {
   BakeRequest request = aoRequest(rays);
-  request.shOrder = order;
+  request.sh.order = order;
   request.bounces = bounces;
   return request;
 }
@@ -118,7 +118,7 @@ TEST_P(AdaptiveCast, MeanOverSeeds_IsTheLongBakesWithinItsStandardError) {
   };
   const auto [truth, truthVariance] = statistics(shRequest(2, 0, 16384), 9999, 8);
   BakeRequest request = shRequest(2, 0, 512);
-  if (byError) request.error = 0.02;
+  if (byError) request.effort.error = 0.02;
   const auto [mean, variance] = statistics(request, 0, 250);
   if (!byError) {
     EXPECT_GT(skipped, 0.1) << "the test is about bakes that adapt";
@@ -332,7 +332,7 @@ INSTANTIATE_TEST_SUITE_P(Rays, ReportedError, ::testing::Values(16u, 32u, 64u, 1
 TEST(Bake, ErrorTarget_IsMetAndCostsLessInTheOpen) {
   const CompiledScene cluttered = clutter();
   BakeRequest request = aoRequest(0);
-  request.error = 0.01;
+  request.effort.error = 0.01;
   const Result result = run(cluttered, request);
   const Bake truth = run(cluttered, aoRequest(16384)).bake;
   EXPECT_LT(rmsDifference(result.bake.ao, truth.ao), 0.015);
@@ -344,7 +344,7 @@ TEST(Bake, ErrorTarget_IsMetAndCostsLessInTheOpen) {
 
 TEST(Bake, TimeTarget_StopsInTime) {
   BakeRequest request = aoRequest(0);
-  request.seconds = 0.5;
+  request.effort.seconds = 0.5;
   const Result result = run(clutter(), request);
   EXPECT_GT(result.report.rays, 1000u);
   EXPECT_LT(result.bake.info.seconds, 10.0) << "a loose bound: machines differ";

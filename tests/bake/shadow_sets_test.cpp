@@ -34,9 +34,9 @@ Bake bake(const CompiledScene& scene, const BakeRequest& request) {
 BakeRequest requestOf(std::vector<ShadowSetRequest> sets, int bounces = 0, std::uint64_t rays = 256) {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 3;
+  request.sh.order = 3;
   request.bounces = bounces;
-  request.rays = rays;
+  request.effort.rays = rays;
   request.shadowSets = std::move(sets);
   return request;
 }
@@ -139,7 +139,7 @@ TEST(ShadowSets, EmitterOutsideTheSet_DoesNotShine) {
   CompiledScene scene = groundSphereBox();
   scene.materials[1].emission = glm::vec3(1.0f);
   BakeRequest request = requestOf({{{"node 0"}, {"node 2"}}});
-  request.lightGroups = true;
+  request.lightGroups.wanted = true;
   const Bake blind = bake(scene, request);
   for (const float value : partOf(blind.lightGroups->coefficients, scene, 0)) EXPECT_EQ(value, 0.0f);
   request.shadowSets = {{{"node 0"}, {"node 1"}}};

@@ -20,9 +20,9 @@ constexpr std::size_t n = order * order;
 Bake bake(const CompiledScene& scene, int bounces, std::uint64_t rays) {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = order;
+  request.sh.order = order;
   request.bounces = bounces;
-  request.rays = rays;
+  request.effort.rays = rays;
   BakeReport report;
   Progress progress;
   return bakeScene(scene, request, makePlan(Scene(), scene, request), test::sharedDevice(), progress, report);
@@ -110,7 +110,7 @@ TEST(Translucent, Backs_AreNotTheInsideOfAnObject) {
 
 TEST(Translucent, Plan_SaysWhyItIsSkipped) {
   BakeRequest request;
-  request.shOrder = 2;
+  request.sh.order = 2;
   request.bounces = 1;
   const CompiledScene scene = patchUnderSheet(false);
   EXPECT_TRUE(makePlan(Scene(), scene, request).runs(Pass::TranslucentSenders));

@@ -58,9 +58,9 @@ TEST(Techniques, SpecularOccluders_NeedSpecularVectors) {
 
 TEST(Techniques, Orders_AreBounded) {
   for (const Technique& technique : comparedTechniques(3, 32)) {
-    EXPECT_LE(technique.request.shOrder, 3) << technique.name;
-    EXPECT_LE(technique.request.chOrder, 3) << technique.name;
-    EXPECT_LE(technique.request.glossyOrder, 3) << technique.name;
+    EXPECT_LE(technique.request.sh.order, 3) << technique.name;
+    EXPECT_LE(technique.request.ch.order, 3) << technique.name;
+    EXPECT_LE(technique.request.glossy.order, 3) << technique.name;
   }
   EXPECT_GT(comparedTechniques(6, 32).size(), comparedTechniques(3, 32).size());
 }

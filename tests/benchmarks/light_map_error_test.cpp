@@ -12,10 +12,10 @@ namespace {
 
 BakeRequest requestOf(double error) {
   BakeRequest request;
-  request.lightMap = true;
-  request.rays = 256;
-  request.photons = 1u << 17;
-  request.lightMapError = error;
+  request.lightMap.wanted = true;
+  request.effort.rays = 256;
+  request.lightMap.photons = 1u << 17;
+  request.lightMap.error = error;
   return request;
 }
 
@@ -23,7 +23,7 @@ BakeRequest requestOf(double error) {
 TEST(LightMapError, OfAMapThatIsATenthTooBright_IsATenth) {
   const BenchmarkScene scene = loadBuiltinScene("cornell");
   LightMap map;
-  map.layout = makeLightMapLayout(scene.scene, scene.compiled, LightMapRequest{});
+  map.layout = makeLightMapLayout(scene.scene, scene.compiled, LightMapLayoutRequest{});
   map.values.assign(3 * map.layout.texelCount(), 1.1f);
   SurfaceLight light;
   for (const LightMapTexel& texel : map.layout.texels) {
@@ -40,7 +40,7 @@ TEST(LightMapError, OfSizesChosenByError_IsAboutWhatWasAskedFor) {
   for (const auto& [name, error] : {std::pair<std::string, double>{"cornell", 0.06}, {"rooms", 0.1}}) {
     const BenchmarkScene scene = loadBuiltinScene(name);
     BakeRequest truth = requestOf(0.0);
-    truth.rays = 1024;
+    truth.effort.rays = 1024;
     const SurfaceLight light = lightOfSurface(scene, 10000, truth, test::sharedDevice(), progress);
     const auto bake = [&, error = error](std::uint64_t seed) {
       BakeRequest request = requestOf(error);

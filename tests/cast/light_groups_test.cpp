@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/run_bake.h"
 #include "base/error.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -24,9 +24,9 @@ Light pointLight(const std::string& name, const glm::vec3& intensity, const glm:
 
 BakeRequest groupRequest(int bounces = 0, std::uint64_t rays = 256) {
   BakeRequest request;
-  request.lightGroups = true;
+  request.lightGroups.wanted = true;
   request.bounces = bounces;
-  request.rays = rays;
+  request.effort.rays = rays;
   return request;
 }
 
@@ -158,7 +158,7 @@ TEST(LightGroupBake, TwoGroups_AddUpToOneOfBoth) {
   scene.lights = {pointLight("a", {2, 2, 2}, {0.2, 0.1, 0.0}), pointLight("b", {4, 4, 4}, {-0.2, 0.3, 0.2})};
   const Bake apart = test::runBake(scene, groupRequest(1)).bake;
   BakeRequest request = groupRequest(1);
-  request.namedGroups = {{"both", {"a", "b"}}};
+  request.lightGroups.named = {{"both", {"a", "b"}}};
   const Bake together = test::runBake(scene, request).bake;
   ASSERT_EQ(apart.lightGroups->groups.size(), 2u);
   ASSERT_EQ(together.lightGroups->groups.size(), 1u);

@@ -18,10 +18,10 @@ CompiledScene underCeiling() {
 float aoOf(const CompiledScene& scene, double nearLimit, double farLimit, double obscurance) {
   BakeRequest request;
   request.ao = true;
-  request.rays = 1024;
-  request.nearLimit = nearLimit;
-  request.farLimit = farLimit;
-  request.obscurance = obscurance;
+  request.effort.rays = 1024;
+  request.limits.nearest = nearLimit;
+  request.limits.farthest = farLimit;
+  request.limits.obscurance = obscurance;
   return test::runBake(scene, request).bake.ao[middle];
 }
 
@@ -55,10 +55,10 @@ TEST(OcclusionLimits, Obscurance_ShadowsTheTransferAlike) {
   const CompiledScene scene = underCeiling();
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 2;
-  request.haarSize = 4;
-  request.haarError = 0.0;
-  request.obscurance = 2.0;
+  request.sh.order = 2;
+  request.haar.size = 4;
+  request.haar.error = 0.0;
+  request.limits.obscurance = 2.0;
   const Bake bake = test::runBake(scene, request).bake;
   EXPECT_NEAR(bake.sh->coefficients[4 * middle] * std::sqrt(4.0 * 3.14159265), bake.ao[middle], 1e-4);
   double averages = 0.0;

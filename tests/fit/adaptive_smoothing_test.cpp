@@ -51,7 +51,7 @@ TEST(AdaptiveSmoothing, SmoothOcclusion_HasLessNoise) {
   test::append(scene, test::sphere(24, radius, {0, height, 0}));
   BakeRequest request;
   request.ao = true;
-  request.rays = 1024;
+  request.effort.rays = 1024;
   const std::vector<float> ao = test::runBake(scene, request).bake.ao;
   double squares = 0.0;
   for (std::uint32_t v = 0; v < 625; ++v) {

@@ -27,11 +27,11 @@ TEST(LightMapCaustics, CoarseTexels_SpreadThemOverTheirWidth) {
   sun.direction = glm::normalize(glm::dvec3(1.0, -1.0, 0.0));
   scene.lights = {sun};
   BakeRequest request;
-  request.lightMap = true;
-  request.lightMapTexel = 0.5;
-  request.caustics = true;
-  request.rays = 64;
-  request.photons = 20000;
+  request.lightMap.wanted = true;
+  request.lightMap.texelSize = 0.5;
+  request.lightMap.caustics = true;
+  request.effort.rays = 64;
+  request.lightMap.photons = 20000;
   const Scene source;
   BakeReport report;
   Progress progress;

@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "lightmap/make_light_map_layout.h"
-#include "support/mapped_irradiance.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "receivers/texel_receiver.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/devices.h"
+#include "support/mapped_irradiance.h"
 #include "support/materials.h"
 #include "support/scenes.h"
 
@@ -49,7 +49,7 @@ struct IndirectScene {
     const LitScene lit{scene, source.images, lights};
     TransportScene transport(lit, sharedDevice());
     const DensitySurface surface =
-        makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapRequest{}.creaseAngle));
+        makeDensitySurface(scene, makeSurfaceRegions(scene, LightMapLayoutRequest{}.creaseAngle));
     Progress progress;
     IndirectLight light(lit, transport, layout, surface, request, sharedDevice(),
                         sendPhotons(scene, transport, indirectPhotons(transport, request), progress));
@@ -63,7 +63,7 @@ IndirectScene builtinLight(const std::string& name, std::uint32_t texels) {
   light.source = loadScene(makeBuiltinScene(name), warnings);
   light.scene = compileScene(light.source, warnings);
   light.lights = light.source.lights;
-  LightMapRequest map;
+  LightMapLayoutRequest map;
   map.texels = texels;
   light.layout = makeLightMapLayout(light.source, light.scene, map);
   return light;
@@ -97,7 +97,7 @@ TEST(IndirectLight, SealedRooms_LetNothingThroughTheWall) {
 TEST(IndirectLight, Queries_LieAtTheTexelsPlacesAndOnTheirSides) {
   IndirectScene light = builtinLight("shapes", 1024);
   for (CompiledMaterial& material : light.scene.materials) material.doubleSided = true;
-  LightMapRequest map;
+  LightMapLayoutRequest map;
   map.texels = 1024;
   light.layout = makeLightMapLayout(light.source, light.scene, map);
   const auto queries = densityQueries(light.scene, light.layout.texels, 0.75);
@@ -146,7 +146,7 @@ IndirectScene insideOfABall() {
   lamp.position = {0.3, 0.2, -0.4};
   lamp.intensity = glm::vec3(1.0f);
   light.lights = {lamp};
-  LightMapRequest map;
+  LightMapLayoutRequest map;
   map.texels = 2048;
   light.layout = makeLightMapLayout(light.source, light.scene, map);
   light.request.photons = 200000;
@@ -172,7 +172,7 @@ struct Table {
     lamp.position = {0.0, lampHeight, 0.0};
     lamp.intensity = glm::vec3(10.0f);
     light.lights = {lamp};
-    LightMapRequest map;
+    LightMapLayoutRequest map;
     map.texels = 1u << 16;
     light.layout = makeLightMapLayout(light.source, light.scene, map);
     light.request.rays = 512;
@@ -235,7 +235,7 @@ TEST(IndirectLight, FloorUnderALeaf_IsLitByWhatComesThrough) {
   sun.intensity = glm::vec3(3.0f);
   sun.direction = {0, -1, 0};
   light.lights = {sun};
-  LightMapRequest map;
+  LightMapLayoutRequest map;
   map.texels = 4096;
   light.layout = makeLightMapLayout(light.source, light.scene, map);
   const double r = std::sqrt(5.0), factor = 4.0 / (2.0 * pi) * 2.0 * (2.0 / r) * std::atan(2.0 / r);

@@ -37,7 +37,7 @@ Written write(GltfDocument document, int coefficients = 1, double texelSize = 0.
   Warnings warnings;
   written.scene = loadScene(document, warnings);
   written.compiled = compileScene(written.scene, warnings);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texels = 4096;
   request.texelSize = texelSize;
   written.map.layout = makeLightMapLayout(written.scene, written.compiled, request);

@@ -5,7 +5,7 @@
 namespace prelight::test {
 
 inline LightMapLayout layoutOf(const CompiledScene& scene, double texelSize) {
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = texelSize;
   return makeLightMapLayout(Scene{}, scene, request);
 }

@@ -29,7 +29,7 @@ struct Made {
   LightMapLayout layout;
 };
 
-Made make(const Scene& scene, const CompiledScene& compiled, const LightMapRequest& request = {}) {
+Made make(const Scene& scene, const CompiledScene& compiled, const LightMapLayoutRequest& request = {}) {
   Made made;
   made.charts = makeLightMapCharts(scene, compiled, request);
   made.layout = layOutLightMap(compiled, made.charts);
@@ -51,7 +51,7 @@ std::size_t facesWithChart(const LightMapLayout& layout) {
 }
 
 /// Scenes from arrays have no Scene behind them, and thus no texture coordinates.
-Made make(const CompiledScene& compiled, const LightMapRequest& request = {}) {
+Made make(const CompiledScene& compiled, const LightMapLayoutRequest& request = {}) {
   return make(Scene{}, compiled, request);
 }
 
@@ -94,7 +94,7 @@ TEST(LightMapLayout, Models_HoldEveryProperty) {
 
 TEST(LightMapLayout, BoxFaces_AreRectanglesOfWholeTexels) {
   const CompiledScene scene = test::box(3, glm::vec3(0.0f), glm::vec3(2.0f, 1.0f, 0.7f), false);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 0.1;
   const Made made = make(scene, request);
   ASSERT_EQ(made.layout.chartCount, 6u);
@@ -108,7 +108,7 @@ TEST(LightMapLayout, BoxFaces_AreRectanglesOfWholeTexels) {
 TEST(LightMapLayout, TurnedQuad_KeepsItsSidesStraight) {
   CompiledScene scene = test::ground(4, 1.0f);
   for (glm::vec3& p : scene.positions) p = {0.8f * p.x + 0.6f * p.z, 0.0f, -0.6f * p.x + 0.8f * p.z};
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 0.1;
   const Made made = make(scene, request);
   EXPECT_EQ(made.layout.width * made.layout.height, 21 * 21);
@@ -187,7 +187,7 @@ TEST(LightMapLayout, MoebiusStrip_HasBothSides) {
 TEST(LightMapLayout, TinyTriangles_GetATexelEach) {
   // Apart from one another, a ten-thousandth of the cube's size.
   const CompiledScene scene = test::randomSoup(100000, 1e-4f, 3);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 0.01;
   const double before = processSeconds();
   const Made made = make(scene, request);
@@ -232,7 +232,7 @@ TEST(LightMapLayout, FanAroundOneEdge_TakesNoTimeOfItsSquare) {
     triangles.push_back(i % 2 == 0 ? glm::uvec3(0, 1, i + 2) : glm::uvec3(1, 0, i + 2));
   }
   const CompiledScene scene = test::sceneOf(positions, triangles);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 0.5;
   const double before = processSeconds();
   const Made made = make(scene, request);
@@ -250,7 +250,7 @@ Made triangleWith(const std::vector<float>& coords, CompiledScene& compiled) {
   Warnings warnings;
   const Scene scene = loadScene(document, warnings);
   compiled = compileScene(scene, warnings);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 0.05;
   return make(scene, compiled, request);
 }
@@ -281,7 +281,7 @@ TEST(LightMapLayout, SameScene_GivesTheSame) {
 
 TEST(LightMapLayout, TexelSizes_MayDifferByChart) {
   const CompiledScene scene = test::box(1, glm::vec3(0.0f), glm::vec3(1.0f), false);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 0.1;
   const LightMapCharts charts = makeLightMapCharts(Scene{}, scene, request);
   std::vector<double> sizes(charts.charts.size(), 0.1);
@@ -293,7 +293,7 @@ TEST(LightMapLayout, TexelSizes_MayDifferByChart) {
 
 TEST(LightMapLayout, NoTexelSize_GivesAboutAsManyTexelsAsAskedFor) {
   const CompiledScene scene = test::sphere(32, 3.0f, glm::vec3(0.0f));
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texels = 20000;
   const LightMapLayout layout = makeLightMapLayout(Scene{}, scene, request);
   EXPECT_NEAR(double(layout.texels.size()), 20000.0, 3000.0);
@@ -301,7 +301,7 @@ TEST(LightMapLayout, NoTexelSize_GivesAboutAsManyTexelsAsAskedFor) {
 
 TEST(LightMapLayout, TooSmallTexels_AreRefused) {
   const CompiledScene scene = test::ground(1, 100.0f);
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = 1e-3;
   EXPECT_THROW(make(scene, request), UsageError);
 }

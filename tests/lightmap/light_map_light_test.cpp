@@ -23,9 +23,9 @@ struct Baked {
 
 BakeRequest lightMapOf(double texel) {
   BakeRequest request;
-  request.lightMap = true;
-  request.lightMapTexel = texel;
-  request.rays = 256;
+  request.lightMap.wanted = true;
+  request.lightMap.texelSize = texel;
+  request.effort.rays = 256;
   return request;
 }
 
@@ -58,7 +58,7 @@ TEST(LightMapLight, VertexIrradiance_AgreesWithRadiosity) {
   for (const std::string name : {"rooms", "cornell"}) {
     const Baked map = bakeBuiltin(name, lightMapOf(0.1));
     BakeRequest request;
-    request.radiosity = true;
+    request.radiosity.wanted = true;
     const Baked radiosity = bakeBuiltin(name, request);
     const double expected = meanIrradiance(radiosity.scene, *radiosity.bake.irradiance);
     EXPECT_NEAR(meanIrradiance(map.scene, *map.bake.irradiance), expected, 0.03 * expected) << name;
@@ -82,7 +82,7 @@ TEST(LightMapLight, Caustics_AreThereWhereTheyAreAskedForAndMade) {
   BakeRequest request = lightMapOf(0.05);
   const Baked without = bakeBuiltin("caustics", request);
   EXPECT_FALSE(without.plan.runs(Pass::CausticsOfTheMap));
-  request.caustics = true;
+  request.lightMap.caustics = true;
   const Baked with = bakeBuiltin("caustics", request);
   EXPECT_TRUE(with.plan.runs(Pass::CausticsOfTheMap));
   EXPECT_FALSE(bakeBuiltin("cornell", request).plan.runs(Pass::CausticsOfTheMap));

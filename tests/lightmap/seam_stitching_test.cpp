@@ -12,7 +12,7 @@ namespace prelight {
 namespace {
 
 LightMap mapOf(const CompiledScene& scene, double texelSize) {
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texelSize = texelSize;
   LightMap map;
   map.layout = makeLightMapLayout(Scene{}, scene, request);

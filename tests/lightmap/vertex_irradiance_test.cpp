@@ -18,7 +18,7 @@ struct MappedGround {
   template <typename Irradiance>
   explicit MappedGround(const Irradiance& irradiance) {
     scene.materials[0] = lambert(0.5f);
-    LightMapRequest request;
+    LightMapLayoutRequest request;
     request.texels = 4096;
     map.layout = makeLightMapLayout({}, scene, request);
     map.values.assign(3 * map.layout.texelCount(), 0.0f);

@@ -12,7 +12,7 @@ namespace {
 BakeRequest fullRequest() {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 3;
+  request.sh.order = 3;
   request.bounces = 1;
   return request;
 }
@@ -55,7 +55,7 @@ TEST(Plan, BlackScene_SkipsBouncesAndSaysWhy) {
 
 TEST(Plan, Radiosity_NeedsLightAndSurfacesThatReflect) {
   BakeRequest request;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   CompiledScene scene = test::ground(4, 1.0f);
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::Radiosity));
   EXPECT_NE(reasonOf(makePlan(Scene(), scene, request), Pass::Radiosity).find("nothing in the scene shines"),
@@ -78,7 +78,7 @@ TEST(Plan, EmptyScene_RunsNothing) {
 
 TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
   BakeRequest request = fullRequest();
-  request.rays = 1 << 18;
+  request.effort.rays = 1 << 18;
   const CompiledScene scene = test::ground(40, 1.0f);
   const std::size_t allowed = 1 << 20;
   EXPECT_GT(makePlan(Scene(), scene, request).transportBytes, allowed);
@@ -91,11 +91,11 @@ TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
 // Texels of one size over 4 m2, of 300 and of 30 000 triangles.
 TEST(Plan, MemoryOfALightMap_GrowsWithTexelsValuesAndTriangles) {
   BakeRequest request;
-  request.lightMapTexel = 0.01;
+  request.lightMap.texelSize = 0.01;
   const CompiledScene coarse = test::ground(10, 1.0f), fine = test::ground(100, 1.0f);
   const double triangles = double(fine.triangleCount()) - double(coarse.triangleCount());
   const auto bytes = [&](const CompiledScene& scene, double texel, int coefficients) {
-    request.lightMapTexel = texel;
+    request.lightMap.texelSize = texel;
     return double(lightMapBytes(scene, request, coefficients));
   };
   // Six corners of two faces and a chart each, at least.
@@ -126,7 +126,7 @@ TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {
 TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   CompiledScene scene = test::ground(4, 1.0f);
   BakeRequest request;
-  request.occluders = true;
+  request.occluders.wanted = true;
   const Plan plain = makePlan(Scene(), scene, request);
   EXPECT_TRUE(plain.runs(Pass::VectorOccluders));
   EXPECT_FALSE(plain.runs(Pass::CausticVectors));
@@ -149,7 +149,7 @@ TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   EXPECT_NE(specularReason().find("for 0.707 m"), std::string::npos) << specularReason();
   scene.lights[0].position.y = 3.0;
   EXPECT_NE(specularReason().find("from outside"), std::string::npos);
-  request.occluders = false;
+  request.occluders.wanted = false;
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::SpecularVectors));
 }
 

@@ -14,9 +14,9 @@ namespace {
 Bake bakeOn(const Device& device, const std::string& name) {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 4;
+  request.sh.order = 4;
   request.bounces = 2;
-  request.rays = 256;
+  request.effort.rays = 256;
   Warnings warnings;
   const Scene scene = test::builtinScene(name);
   const CompiledScene compiled = compileScene(scene, warnings);

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/run_bake.h"
 #include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
 #include "projectors/chart_caster.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -131,10 +131,10 @@ TEST(ChartBake, SmoothSurface_AgreesWithTheVertices) {
   scene.materials[0].albedo = {0.8f, 0.6f, 0.3f};
   scene.materials[1].albedo = {0.2f, 0.5f, 0.9f};
   BakeRequest request;
-  request.shOrder = order;
-  request.texelSize = 33;
+  request.sh.order = order;
+  request.texels.size = 33;
   request.bounces = 2;
-  request.rays = 1024;
+  request.effort.rays = 1024;
   Chart chart = chartOfGround(scene, 0, half, 33);
   // Texel centres on vertices: 33 texels over 16 quads and half a texel around.
   for (glm::vec2& uv : chart.coords) uv = (uv * 32.0f + 0.5f) / 33.0f;
@@ -203,9 +203,9 @@ TEST(ChartBake, SameSeed_SameValues_OtherSeed_Others) {
 TEST(ChartBake, ShadowSets_HoldForTexels) {
   const CompiledScene scene = groundAndBlock();
   BakeRequest request;
-  request.shOrder = order;
-  request.texelSize = 10;
-  request.rays = 64;
+  request.sh.order = order;
+  request.texels.size = 10;
+  request.effort.rays = 64;
   request.shadowSets = {{{"node 0"}, {}}};
   const Charts charts{{chartOfGround(scene, 0, 1.0f, 10)}, {}, {}};
   const test::BakeResult result = test::runBake(scene, request, charts);
@@ -217,11 +217,11 @@ TEST(ChartBake, ShadowSets_HoldForTexels) {
 TEST(ChartBake, MoreThanTheMemory_IsRefused) {
   const CompiledScene scene = test::ground(2, 1.0f);
   BakeRequest request;
-  request.shOrder = order;
-  request.texelSize = 1024;
+  request.sh.order = order;
+  request.texels.size = 1024;
   request.maxMemory = 1u << 20;
   EXPECT_THROW(test::runBake(scene, request, {{chartOfGround(scene, 0, 1.0f, 1024)}, {}, {}}), UsageError);
-  request.shOrder = 0;
+  request.sh.order = 0;
   request.ao = true;
   EXPECT_THROW(test::runBake(scene, request, {{chartOfGround(scene, 0, 1.0f, 8)}, {}, {}}), UsageError);
 }

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "support/run_bake.h"
 #include "basis/cube_map.h"
 #include "basis/haar.h"
 #include "basis/sh.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -24,9 +24,9 @@ std::vector<double> texelsOf(const HaarTransfer& haar, std::size_t vertex, std::
 
 BakeRequest haarRequest(int faceSize, double error, std::uint64_t rays) {
   BakeRequest request;
-  request.haarSize = faceSize;
-  request.haarError = error;
-  request.rays = rays;
+  request.haar.size = faceSize;
+  request.haar.error = error;
+  request.effort.rays = rays;
   return request;
 }
 
@@ -97,7 +97,7 @@ TEST(HaarBake, SumOfTexels_IsTheAccessibility) {
 TEST(HaarBake, ProjectedToSh_AgreesWithTheShBake) {
   const CompiledScene scene = groundUnderBall();
   BakeRequest request = haarRequest(32, 0.0, 1024);
-  request.shOrder = 4;
+  request.sh.order = 4;
   request.bounces = 1;
   const Bake bake = test::runBake(scene, request).bake;
   ASSERT_EQ(bake.haar->channels, 3);

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <random>
 
-#include "support/run_bake.h"
 #include "basis/ch.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -34,9 +34,9 @@ TEST(HarmonicBake, ChOfTheSameCast_ReconstructsWhatShDoes) {
   std::mt19937 random(1);
   for (const int order : {1, 3, 6, 14}) {
     BakeRequest request;
-    request.shOrder = request.chOrder = order;
+    request.sh.order = request.ch.order = order;
     request.bounces = 1;
-    request.rays = 64;
+    request.effort.rays = 64;
     const Bake bake = test::runBake(scene, request).bake;
     ASSERT_EQ(bake.ch->channels, 3);
     const auto n = static_cast<std::size_t>(order * order);
@@ -61,9 +61,9 @@ TEST(HarmonicBake, ChOfTheSameCast_ReconstructsWhatShDoes) {
 
 TEST(HarmonicBake, ChNaive_StoresInnerProducts) {
   BakeRequest request;
-  request.shOrder = request.chOrder = 4;
-  request.chNaive = true;
-  request.rays = 64;
+  request.sh.order = request.ch.order = 4;
+  request.ch.naive = true;
+  request.effort.rays = 64;
   const Bake bake = test::runBake(test::ground(2, 1.0f), request).bake;
   EXPECT_TRUE(bake.ch->naive);
   // <T, C_i> by quadrature of the band-limited transfer.
@@ -82,12 +82,12 @@ TEST(HarmonicBake, ChNaive_StoresInnerProducts) {
 TEST(HarmonicBake, SmallerOrderBesideALarger_IsItsFirstBands) {
   const CompiledScene scene = ballAndWall();
   BakeRequest both;
-  both.shOrder = 2;
-  both.chOrder = 5;
-  both.rays = 64;
+  both.sh.order = 2;
+  both.ch.order = 5;
+  both.effort.rays = 64;
   BakeRequest alone = both;
-  alone.chOrder = 0;
-  alone.shOrder = 5;
+  alone.ch.order = 0;
+  alone.sh.order = 5;
   const Bake two = test::runBake(scene, both).bake, five = test::runBake(scene, alone).bake;
   for (std::size_t v = 0; v < scene.vertexCount(); ++v)
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(rowOf(*two.sh, v, 0)[i], rowOf(*five.sh, v, 0)[i]);
@@ -95,8 +95,8 @@ TEST(HarmonicBake, SmallerOrderBesideALarger_IsItsFirstBands) {
 
 TEST(HarmonicBake, Order32OpenPlane_IsTheClosedForm) {
   BakeRequest request;
-  request.shOrder = 32;
-  request.rays = 16;
+  request.sh.order = 32;
+  request.effort.rays = 16;
   const Bake bake = test::runBake(test::ground(2, 1.0f), request).bake;
   std::vector<double> expected(1024);
   sh::openTransfer({0.0, 1.0, 0.0}, 32, expected);
@@ -111,8 +111,8 @@ double entry(const GlossyTransfer& glossy, std::size_t vertex, std::size_t chann
 
 TEST(GlossyBake, OpenPlane_IsTheIntegralOfCosineTimesTwoHarmonics) {
   BakeRequest request;
-  request.glossyOrder = 4;
-  request.rays = 16;
+  request.glossy.order = 4;
+  request.effort.rays = 16;
   const Bake bake = test::runBake(test::ground(2, 1.0f), request).bake;
   ASSERT_EQ(bake.glossy->channels, 1);
   std::vector<double> expected(256, 0.0), y(16);
@@ -134,9 +134,9 @@ TEST(GlossyBake, OpenPlane_IsTheIntegralOfCosineTimesTwoHarmonics) {
 TEST(GlossyBake, FirstRow_IsTheDiffuseTransferWithItsBounces) {
   const CompiledScene scene = ballAndWall();
   BakeRequest request;
-  request.shOrder = request.glossyOrder = 3;
+  request.sh.order = request.glossy.order = 3;
   request.bounces = 2;
-  request.rays = 256;
+  request.effort.rays = 256;
   const Bake bake = test::runBake(scene, request).bake;
   ASSERT_EQ(bake.glossy->channels, 3);
   for (std::size_t v = 0; v < scene.vertexCount(); ++v)
@@ -154,9 +154,9 @@ TEST(GlossyBake, Bounce_ArrivesFromTheSidesItComesFrom) {
   CompiledScene scene = test::ground(2, 0.05f);
   test::append(scene, test::box(2, {-40.0f, 1.0f, -40.0f}, {40.0f, 1.1f, 40.0f}, false));
   BakeRequest request;
-  request.shOrder = request.glossyOrder = 2;
+  request.sh.order = request.glossy.order = 2;
   request.bounces = 1;
-  request.rays = 4096;
+  request.effort.rays = 4096;
   const Bake bake = test::runBake(scene, request).bake;
   // The ceiling's underside sees next to nothing but the ground's emptiness below it: the open lower half of
   // the sky.

@@ -15,8 +15,8 @@ enum Place : std::size_t { position, occlusion, normal, color };
 
 BakeRequest occludersOnly(std::uint64_t rays = 10000) {
   BakeRequest request;
-  request.ao = request.occluders = true;
-  request.rays = rays;
+  request.ao = request.occluders.wanted = true;
+  request.effort.rays = rays;
   return request;
 }
 
@@ -162,7 +162,7 @@ TEST(OccluderBake, BlackOccluders_HideAllTheSame) {
   const double gray = formFactor(*test::runBake(scene, occludersOnly(1024)).bake.occluders, 60, 1);
   scene.materials[0].albedo = scene.materials[1].albedo = glm::vec3(0.0f);
   BakeRequest request = occludersOnly(1024);
-  request.shOrder = 2;
+  request.sh.order = 2;
   request.bounces = 2;
   EXPECT_NEAR(formFactor(*test::runBake(scene, request).bake.occluders, 60, 1), gray, 0.002);
   EXPECT_GT(gray, 0.1);
@@ -173,7 +173,7 @@ TEST(OccluderBake, WithBounces_IsTheSame) {
   const CompiledScene scene = groundAndBall(0.4f, 0.9f);
   BakeRequest request = occludersOnly(256);
   const OccluderTransfer alone = *test::runBake(scene, request).bake.occluders;
-  request.shOrder = 3;
+  request.sh.order = 3;
   request.bounces = 2;
   const OccluderTransfer both = *test::runBake(scene, request).bake.occluders;
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
@@ -185,7 +185,7 @@ TEST(OccluderBake, LeastFormFactor_DropsRecordsAndSaysWhat) {
   const CompiledScene scene = groundAndBall(0.4f, 0.9f);
   BakeRequest request = occludersOnly(256);
   const std::size_t all = test::runBake(scene, request).bake.occluders->recordCount();
-  request.leastFormFactor = 0.05;
+  request.occluders.leastFormFactor = 0.05;
   const test::BakeResult dropped = test::runBake(scene, request);
   EXPECT_LT(dropped.bake.occluders->recordCount(), all);
   for (std::size_t r = 0; r < dropped.bake.occluders->recordCount(); ++r)
@@ -202,7 +202,7 @@ TEST(OccluderBake, Kinds_GroupByNodeMeshOrMaterial) {
   scene.primitives[1].mesh = scene.primitives[2].mesh = 5;
   const auto occluders = [&](OccluderKind kind) {
     BakeRequest request = occludersOnly(64);
-    request.occluderKind = kind;
+    request.occluders.kind = kind;
     return test::runBake(scene, request).bake.occluders->names.size();
   };
   EXPECT_EQ(occluders(OccluderKind::Node), 3u);
@@ -215,9 +215,9 @@ TEST(OccluderBake, Kinds_GroupByNodeMeshOrMaterial) {
 TEST(OccluderBake, Auto_KeepsToTheRecordsAndToTheSum) {
   const CompiledScene scene = groundAndBall(0.4f, 0.5f);
   BakeRequest request = occludersOnly(256);
-  request.occluderKind = OccluderKind::Auto;
+  request.occluders.kind = OccluderKind::Auto;
   for (const double records : {2.0, 4.0, 6.0}) {  // two nodes: 1.2 are the least
-    request.occluderRecords = records;
+    request.occluders.records = records;
     const Bake bake = test::runBake(scene, request).bake;
     const OccluderTransfer& transfer = *bake.occluders;
     EXPECT_LE(double(transfer.recordCount()), records * scene.vertexCount() + 1e-9);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/run_bake.h"
 #include "occluders/occluder_light.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -25,9 +25,9 @@ CompiledScene floorBoxAndBall(float boxX) {
 
 OccluderTransfer baked(const CompiledScene& scene, OccluderKind kind) {
   BakeRequest request;
-  request.ao = request.occluders = true;
-  request.occluderKind = kind;
-  request.rays = 1024;
+  request.ao = request.occluders.wanted = true;
+  request.occluders.kind = kind;
+  request.effort.rays = 1024;
   return *test::runBake(scene, request).bake.occluders;
 }
 

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "support/run_bake.h"
 #include "occluders/occluder_places.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -33,8 +33,8 @@ class RecordOf {
 
 test::BakeResult bake(const CompiledScene& scene, std::uint64_t rays = 4096) {
   BakeRequest request;
-  request.ao = request.occluders = true;
-  request.rays = rays;
+  request.ao = request.occluders.wanted = true;
+  request.effort.rays = rays;
   return test::runBake(scene, request);
 }
 

@@ -61,7 +61,7 @@ TEST(VolumeGrid, Cells_AreCubesAroundTheScene) {
 TEST(Volume, OpenVoxel_IsExact) {
   const CompiledScene scene = test::ground(2, 1.0f);
   VolumeOptions options;
-  options.limits.farLimit = 1e-3;
+  options.limits.farthest = 1e-3;
   const VolumeGrid grid{{2, 2, 2}, {-1, 0.5, -1}, {1, 2.5, 1}};
   const VolumeTransfer volume = castFrom(scene, grid, options);
   for (std::size_t v = 0; v < 8; ++v) {
@@ -116,10 +116,10 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   CompiledScene scene = test::ground(2, 5000.0f);
   scene.materials[0].albedo = {0.8f, 0.4f, 0.0f};
   BakeRequest request;
-  request.shOrder = order;
+  request.sh.order = order;
   request.bounces = 1;
-  request.rays = 1024;
-  request.volumeSize = 2;
+  request.effort.rays = 1024;
+  request.volume.size = 2;
   BakeReport report;
   Progress progress;
   const Bake bake =
@@ -202,7 +202,7 @@ TEST(Volume, WithoutSh_IsRefused) {
   const CompiledScene scene = test::ground(2, 1.0f);
   BakeRequest request;
   request.ao = true;
-  request.volumeSize = 4;
+  request.volume.size = 4;
   BakeReport report;
   Progress progress;
   EXPECT_THROW(

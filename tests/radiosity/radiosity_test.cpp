@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/run_bake.h"
 #include "base/error.h"
+#include "support/run_bake.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -44,7 +44,7 @@ TEST(Radiosity, PointLightAboveBlackGround_IsTheInverseSquareLaw) {
   scene.materials[0].albedo = glm::vec3(0.0f);
   scene.lights = {pointLight({5, 3, 1}, {0, 1, 0})};
   BakeRequest request;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   const Bake bake = test::runBake(scene, request).bake;
   ASSERT_TRUE(bake.irradiance);
   for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
@@ -86,8 +86,8 @@ TEST(Radiosity, FurnaceRoom_IsExact) {
   scene.materials[0].albedo = glm::vec3(0.5f);
   setEmission(scene, 0, glm::vec3(1.0f));
   BakeRequest request;
-  request.radiosity = true;
-  request.radiosityShape.tolerance = 1e-6;
+  request.radiosity.wanted = true;
+  request.radiosity.tolerance = 1e-6;
   const Bake bake = test::runBake(scene, request).bake;
   for (const glm::vec3& e : *bake.irradiance) ASSERT_NEAR(e.x / (2.0 * pi), 1.0, 2e-3);
 }
@@ -151,7 +151,7 @@ TEST(Radiosity, LightBehindAWall_StaysThere) {
   scene.materials[0].albedo = scene.materials[1].albedo = glm::vec3(0.6f);
   scene.lights = {pointLight({5, 5, 5}, {1, 1, 1})};
   BakeRequest request;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   const Bake bake = test::runBake(scene, request).bake;
   for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
     const float light = (*bake.irradiance)[v].x;
@@ -170,7 +170,7 @@ TEST(Radiosity, PlaceInsideAnObject_DoesNotDarkenItsSurroundings) {
   sun.intensity = {2, 2, 2};
   scene.lights = {sun};
   BakeRequest request;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   const Bake bake = test::runBake(scene, request).bake;
   for (std::size_t v = 0; v < 81; ++v) {
     const glm::vec3 p = scene.positions[v];
@@ -183,7 +183,7 @@ TEST(Radiosity, PlaceInsideAnObject_DoesNotDarkenItsSurroundings) {
 TEST(RadiosityBake, NothingShines_IsDarknessWithoutRays) {
   const CompiledScene scene = test::box(1, {0, 0, 0}, {2, 2, 2}, true);
   BakeRequest request;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   const test::BakeResult result = test::runBake(scene, request);
   EXPECT_EQ(result.report.rays, 0u);
   for (const glm::vec3& e : *result.bake.irradiance) EXPECT_EQ(e, glm::vec3(0.0f));
@@ -193,7 +193,7 @@ TEST(RadiosityBake, MoreThanTheMemory_IsSaidBeforeItStarts) {
   CompiledScene scene = test::box(20, {0, 0, 0}, {2, 2, 2}, true);
   scene.lights = {pointLight({5, 3, 1}, {1, 1.7, 1})};
   BakeRequest request;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   request.maxMemory = 1u << 20;
   try {
     test::runBake(scene, request);
@@ -209,8 +209,8 @@ TEST(RadiosityBake, SameSeed_SameBytes_OtherSeed_OtherOnes) {
   scene.materials[0].albedo = glm::vec3(0.5f);
   scene.lights = {pointLight({5, 3, 1}, {1, 1.7, 1})};
   BakeRequest request;
-  request.radiosity = true;
-  request.rays = 128;
+  request.radiosity.wanted = true;
+  request.effort.rays = 128;
   const Bake a = test::runBake(scene, request).bake, b = test::runBake(scene, request).bake;
   request.seed = 1;
   const Bake c = test::runBake(scene, request).bake;
@@ -223,10 +223,10 @@ TEST(RadiosityBake, BesidesOtherTechniques_ChangesNeither) {
   scene.materials[0].albedo = glm::vec3(0.5f);
   scene.lights = {pointLight({5, 3, 1}, {1, 1.7, 1})};
   BakeRequest request;
-  request.rays = 64;
+  request.effort.rays = 64;
   request.ao = true;
   const Bake ao = test::runBake(scene, request).bake;
-  request.radiosity = true;
+  request.radiosity.wanted = true;
   const Bake both = test::runBake(scene, request).bake;
   request.ao = false;
   const test::BakeResult alone = test::runBake(scene, request);

@@ -119,8 +119,8 @@ INSTANTIATE_TEST_SUITE_P(Layouts, SelfIntersectionTest, ::testing::Values(BvhLay
 Bake bakeMoved(const std::string& name, const glm::dmat4& transform) {
   BakeRequest request;
   request.ao = true;
-  request.shOrder = 3;
-  request.rays = 512;
+  request.sh.order = 3;
+  request.effort.rays = 512;
   Warnings warnings;
   const Scene scene = test::builtinScene(name, transform);
   const CompiledScene compiled = compileScene(scene, warnings);

@@ -28,7 +28,7 @@ using viewer::Shading;
 /// No indirect light and no caustics: a map for the scene of 0.
 GlobalIllumination darkness(const QuadScene& quad) {
   GlobalIllumination full;
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texels = 500;
   full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
   full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);

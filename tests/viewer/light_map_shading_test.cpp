@@ -37,7 +37,7 @@ QuadScene ballAndSheet() {
   scene.add(sheet, 1.2f, glm::dmat4({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {-0.4, 0, -0.6, 1}));
   scene.lookFrom({-1.5, 1.0, 3.0}, {0, 0, 0});
   scene.compile();
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texels = 3000;
   LightMap map;
   map.layout = makeLightMapLayout(Scene{}, scene.compiled, request);
@@ -124,7 +124,7 @@ TEST(LightMapShading, NormalMap_TurnsToTheLight) {
     scene.scene.materials[0].normalScale = 0.5f;
     scene.lookFrom({0, 0, 2}, {0, 0, 0});
     scene.compile();
-    LightMapRequest request;
+    LightMapLayoutRequest request;
     request.texels = 64;
     LightMap map;
     map.layout = makeLightMapLayout(Scene{}, scene.compiled, request);

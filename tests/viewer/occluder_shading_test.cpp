@@ -132,8 +132,8 @@ TEST_F(OccluderPass, BakedScene_IsTheSameInOpenClAndOpenGl) {
   const CompiledScene compiled = compileScene(scene, warnings);
   BakeRequest request;
   request.ao = true;
-  request.occluders = true;
-  request.rays = 32;
+  request.occluders.wanted = true;
+  request.effort.rays = 32;
   Progress progress;
   BakeReport report;
   const Plan plan = makePlan(scene, compiled, request);

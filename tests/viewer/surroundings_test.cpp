@@ -46,7 +46,7 @@ struct Ball {
     if (room) addRoom();
     quad.lookFrom(eye(), {0, 0, 0});
     quad.compile();
-    LightMapRequest request;
+    LightMapLayoutRequest request;
     request.texels = 500;
     full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
     full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);

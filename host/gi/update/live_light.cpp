@@ -10,7 +10,7 @@ namespace prelight {
 namespace {
 
 LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::uint32_t texels) {
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texels = texels;
   return makeLightMapLayout(scene, compiled, request);
 }

@@ -6,12 +6,12 @@ namespace {
 
 std::vector<PlannedPass> passes(const PlanInput& input) {
   const BakeRequest& request = input.request;
-  return {planHarmonics(Pass::ChTransfer, request.chOrder, input.bounces,
-                        request.chNaive ? ", naive inner products" : ", an exact map of the SH transfer")};
+  return {planHarmonics(Pass::ChTransfer, request.ch.order, input.bounces,
+                        request.ch.naive ? ", naive inner products" : ", an exact map of the SH transfer")};
 }
 
 void addToKey(const BakeRequest& request, StateHash& hash) {
-  hash.value(request.chOrder).value(request.chNaive);
+  hash.value(request.ch.order).value(request.ch.naive);
 }
 
 }  // namespace

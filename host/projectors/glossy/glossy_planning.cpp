@@ -13,7 +13,7 @@ T entriesOf(T order) {
 }
 
 std::vector<PlannedPass> passes(const PlanInput& input) {
-  const int order = input.request.glossyOrder;
+  const int order = input.request.glossy.order;
   if (order == 0) return {{Pass::GlossyTransfer, false, "not asked for"}};
   return {{Pass::GlossyTransfer, true,
            fmt::format("order {}, {} entries a matrix, {}; from SH transfer of order {}", order,
@@ -22,11 +22,11 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
 
 void addMemory(const PlanInput& input, Plan& plan) {
   plan.hostBytes += input.scene.vertexCount() *
-                    entriesOf(static_cast<std::uint64_t>(input.request.glossyOrder)) * 4 *
+                    entriesOf(static_cast<std::uint64_t>(input.request.glossy.order)) * 4 *
                     (input.bounces ? 6 : 2);
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.glossyOrder); }
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.glossy.order); }
 
 }  // namespace
 

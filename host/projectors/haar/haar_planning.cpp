@@ -12,9 +12,9 @@ constexpr std::uint64_t texelCodeBytes = 4;  // of a ray that is kept texel by t
 
 std::vector<PlannedPass> passes(const PlanInput& input) {
   const BakeRequest& request = input.request;
-  if (request.haarSize == 0) return {{Pass::HaarTransfer, false, "not asked for"}};
+  if (request.haar.size == 0) return {{Pass::HaarTransfer, false, "not asked for"}};
   return {{Pass::HaarTransfer, true,
-           fmt::format("cube map of 6 x {0} x {0}, {1}, from the rays of the same cast{2}", request.haarSize,
+           fmt::format("cube map of 6 x {0} x {0}, {1}, from the rays of the same cast{2}", request.haar.size,
                        plannedChannels(input.bounces),
                        input.bounces ? fmt::format("; bounces through SH of order {}", transferOrder(request))
                                      : "")}};
@@ -22,13 +22,13 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
 
 void addMemory(const PlanInput& input, Plan& plan) {
   const BakeRequest& request = input.request;
-  if (request.haarSize == 0) return;
+  if (request.haar.size == 0) return;
   plan.texelBytes = std::min(plannedRays(input.scene, request) * texelCodeBytes, request.maxMemory / 4);
   plan.hostBytes += plan.texelBytes;
 }
 
 void addToKey(const BakeRequest& request, StateHash& hash) {
-  hash.value(request.haarSize).value(request.haarError);
+  hash.value(request.haar.size).value(request.haar.error);
 }
 
 }  // namespace

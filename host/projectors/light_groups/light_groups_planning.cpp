@@ -13,10 +13,10 @@ const char* closestHitsOfSome(const BakeRequest& request) {
   return request.lightGroups ? "closest hits where a group has emitters" : nullptr;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.lightGroups); }
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.lightGroups.wanted); }
 
 void addListsToKey(const BakeRequest& request, StateHash& hash) {
-  for (const LightGroupRequest& group : request.namedGroups) {
+  for (const LightGroupRequest& group : request.lightGroups.named) {
     hash.text(group.name);
     for (const std::string& pattern : group.patterns) hash.text(pattern);
   }

@@ -20,10 +20,10 @@ std::uint32_t gatherRays(const BakeRequest& request) { return std::max(16u, rays
 
 /// Where errors are asked for, few texels are no reason for few photons.
 std::uint64_t photonsOf(const BakeRequest& request, const LightMapLayout& layout) {
-  if (request.photons > 0) return request.photons;
+  if (request.lightMap.photons > 0) return request.lightMap.photons;
   const std::size_t texels = layout.texels.size();
-  return usualPhotons(request.lightMapError > 0.0 ? std::max<std::size_t>(texels, LightMapRequest{}.texels)
-                                                  : texels);
+  return usualPhotons(
+      request.lightMap.error > 0.0 ? std::max<std::size_t>(texels, LightMapLayoutRequest{}.texels) : texels);
 }
 
 /// Of the chart that has the smallest texels, m. Charts of a few texels are rounded too far to tell.
@@ -53,8 +53,7 @@ std::uint64_t usualPhotons(std::size_t texels) {
 LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image>& images,
                              const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
                              const Device& device, Tracer& tracer, Progress& progress)
-    : lit_{scene, images, scene.lights, request.radiosityShape.environment.get(),
-           request.radiosityShape.skyRotation},
+    : lit_{scene, images, scene.lights, request.radiosity.environment.get(), request.radiosity.skyRotation},
       transport_(lit_, tracer),
       surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))) {
   if (plan.runs(Pass::IndirectLightOfTheMap)) {

@@ -34,27 +34,27 @@ double litArea(const CompiledScene& scene) {
 
 /// At most, with sizes by error.
 double texelCount(const CompiledScene& scene, const BakeRequest& request) {
-  if (request.lightMapTexel <= 0.0)
-    return LightMapRequest{}.texels / (request.lightMapError > 0.0 ? finestShare * finestShare : 1.0);
-  return litArea(scene) / (request.lightMapTexel * request.lightMapTexel);
+  if (request.lightMap.texelSize <= 0.0)
+    return LightMapLayoutRequest{}.texels / (request.lightMap.error > 0.0 ? finestShare * finestShare : 1.0);
+  return litArea(scene) / (request.lightMap.texelSize * request.lightMap.texelSize);
 }
 
 std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
   const double texels = texelCount(scene, request);
-  if (request.lightMapError > 0.0) return fmt::format("{:.0f} texels at most", texels);
-  return request.lightMapTexel > 0.0
-             ? fmt::format("texels of {:g} m, about {:.0f}", request.lightMapTexel, texels)
+  if (request.lightMap.error > 0.0) return fmt::format("{:.0f} texels at most", texels);
+  return request.lightMap.texelSize > 0.0
+             ? fmt::format("texels of {:g} m, about {:.0f}", request.lightMap.texelSize, texels)
              : fmt::format("about {:.0f} texels, because no size is asked for", texels);
 }
 
 PlannedPass planSizes(const BakeRequest& request) {
   constexpr Pass name = Pass::TexelSizes;
-  if (!(request.lightMapError > 0.0))
+  if (!(request.lightMap.error > 0.0))
     return {name, false, "texels of one size are asked for (--texel-error)"};
   return {name, true,
           fmt::format("for each chart the largest whose interpolation is {:g} % off, told by pilots with a "
                       "quarter of the rays",
-                      100.0 * request.lightMapError)};
+                      100.0 * request.lightMap.error)};
 }
 
 PlannedPass planDirect(const CompiledScene& scene) {
@@ -71,12 +71,12 @@ PlannedPass planDirect(const CompiledScene& scene) {
 
 PlannedPass planSky(const BakeRequest& request) {
   constexpr Pass name = Pass::SkyLightOfTheMap;
-  if (!request.radiosityShape.environment) return {name, false, "there is no sky (--env)"};
+  if (!request.radiosity.environment) return {name, false, "there is no sky (--env)"};
   return {name, true, "rays by the cosine and by the sky's radiance from every texel"};
 }
 
 bool isLit(const CompiledScene& scene, const BakeRequest& request) {
-  return hasLights(scene) || request.radiosityShape.environment != nullptr;
+  return hasLights(scene) || request.radiosity.environment != nullptr;
 }
 
 constexpr const char* unlit = "the scene has no light, nothing emissive and no sky";
@@ -89,7 +89,7 @@ PlannedPass planIndirect(const CompiledScene& scene, const BakeRequest& request)
 
 PlannedPass planCaustics(const CompiledScene& scene, const BakeRequest& request) {
   constexpr Pass name = Pass::CausticsOfTheMap;
-  if (!request.caustics) return {name, false, "not asked for (--caustics)"};
+  if (!request.lightMap.caustics) return {name, false, "not asked for (--caustics)"};
   if (!isLit(scene, request)) return {name, false, unlit};
   if (causticCasters(scene).empty()) return {name, false, "no surface is a mirror, glass or nearly a mirror"};
   return {name, true, "photons towards mirrors, glass and narrow lobes"};
@@ -124,14 +124,14 @@ std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
 
 }  // namespace
 
-LightMapRequest lightMapRequest(const BakeRequest& request) {
-  LightMapRequest layout;
-  if (!(request.lightMapError > 0.0)) layout.texelSize = request.lightMapTexel;
+LightMapLayoutRequest lightMapRequest(const BakeRequest& request) {
+  LightMapLayoutRequest layout;
+  if (!(request.lightMap.error > 0.0)) layout.texelSize = request.lightMap.texelSize;
   return layout;
 }
 
 double finestTexel(const BakeRequest& request, const LightMapCharts& charts) {
-  return request.lightMapTexel > 0.0 ? request.lightMapTexel : finestShare * charts.texelSize;
+  return request.lightMap.texelSize > 0.0 ? request.lightMap.texelSize : finestShare * charts.texelSize;
 }
 
 std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,

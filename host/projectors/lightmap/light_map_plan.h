@@ -10,7 +10,7 @@
 namespace prelight {
 
 /// What charts are made by, and texels where all have one size.
-LightMapRequest lightMapRequest(const BakeRequest& request);
+LightMapLayoutRequest lightMapRequest(const BakeRequest& request);
 
 /// The smallest that texels of sizes by error may be, m.
 double finestTexel(const BakeRequest& request, const LightMapCharts& charts);

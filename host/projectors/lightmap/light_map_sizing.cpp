@@ -14,13 +14,13 @@ constexpr std::uint64_t shareOfRays = 4;
 
 BakeRequest pilotRequest(const BakeRequest& request, std::uint64_t index) {
   BakeRequest pilot = request;
-  pilot.rays = std::max<std::uint64_t>(1, request.rays / shareOfRays);
+  pilot.effort.rays = std::max<std::uint64_t>(1, request.effort.rays / shareOfRays);
   pilot.seed = request.seed ^ (0x9e3779b97f4a7c15u * (index + 1));
   return pilot;
 }
 
 LightMapLayout gatheredFrom(const Scene& source, const CompiledScene& scene) {
-  LightMapRequest request;
+  LightMapLayoutRequest request;
   request.texels = texelsGatheredFrom;
   return makeLightMapLayout(source, scene, request);
 }
@@ -40,8 +40,8 @@ TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const Lig
       pilot.irradiance[i] = sources[i]->irradiance(texels, pilot.hidden, progress);
     return pilot;
   };
-  TexelSizes sizes =
-      chooseTexelSizes(scene, charts, {request.lightMapError, finestTexel(request, charts)}, light, progress);
+  TexelSizes sizes = chooseTexelSizes(scene, charts, {request.lightMap.error, finestTexel(request, charts)},
+                                      light, progress);
   for (const auto& each : sources) rays += each->rays();
   return sizes;
 }

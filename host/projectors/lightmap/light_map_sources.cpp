@@ -15,7 +15,7 @@ LightMapSources::LightMapSources(const CompiledScene& scene, const std::vector<I
     parts_.push_back(&direct_.emplace(scene, tracer, raysEach(request), request.seed, coefficients));
   else
     parts_.push_back(&inside_.emplace(scene, tracer, request.seed));
-  const RadiosityRequest& lights = request.radiosityShape;
+  const RadiosityRequest& lights = request.radiosity;
   if (lights.environment)
     parts_.push_back(&sky_.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
                                    request.seed));

@@ -16,8 +16,8 @@ void addMemory(const PlanInput& input, Plan& plan) {
 }
 
 void addToKey(const BakeRequest& request, StateHash& hash) {
-  hash.value(request.lightMap).value(request.lightMapTexel).value(request.lightMapError);
-  hash.value(request.caustics).value(request.photons);
+  hash.value(request.lightMap.wanted).value(request.lightMap.texelSize).value(request.lightMap.error);
+  hash.value(request.lightMap.caustics).value(request.lightMap.photons);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void addMemory(const PlanInput& input, Plan& plan) {
   plan.deviceBytes += bytes / 3;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.radiosity); }
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.radiosity.wanted); }
 
 }  // namespace
 

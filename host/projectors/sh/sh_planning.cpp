@@ -5,10 +5,10 @@ namespace prelight {
 namespace {
 
 std::vector<PlannedPass> passes(const PlanInput& input) {
-  return {planHarmonics(Pass::ShTransfer, input.request.shOrder, input.bounces, "")};
+  return {planHarmonics(Pass::ShTransfer, input.request.sh.order, input.bounces, "")};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.shOrder); }
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.sh.order); }
 
 }  // namespace
 

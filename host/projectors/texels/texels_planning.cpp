@@ -8,19 +8,19 @@ namespace {
 
 std::vector<PlannedPass> passes(const PlanInput& input) {
   const BakeRequest& request = input.request;
-  if (request.texelSize == 0) return {{Pass::Texels, false, "not asked for"}};
-  if (request.shOrder == 0)
+  if (request.texels.size == 0) return {{Pass::Texels, false, "not asked for"}};
+  if (request.sh.order == 0)
     return {{Pass::Texels, false, "no SH transfer is asked for, whose order they have"}};
   const std::size_t mapped =
       countMaterials(input.source, [](const Material& m) { return m.normalTexture.image >= 0; });
   return {{Pass::Texels, true,
-           fmt::format("light maps of at most {0} x {0}, order {1}, {2}, with {3}", request.texelSize,
-                       request.shOrder, plannedChannels(input.bounces),
+           fmt::format("light maps of at most {0} x {0}, order {1}, {2}, with {3}", request.texels.size,
+                       request.sh.order, plannedChannels(input.bounces),
                        mapped > 0 ? fmt::format("the normals of {} normal-mapped materials", mapped)
                                   : "shading normals, as no material has a normal map")}};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.texelSize); }
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.texels.size); }
 
 }  // namespace
 

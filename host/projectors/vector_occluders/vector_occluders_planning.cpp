@@ -44,7 +44,7 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
 /// While they are aggregated: objects that a vertex sees, or parts of them (measured, 3 to 8 and 30 to 60).
 void addMemory(const PlanInput& input, Plan& plan) {
   if (!input.request.occluders) return;
-  const std::uint64_t seen = input.request.occluderKind == OccluderKind::Auto ? 48 : 8;
+  const std::uint64_t seen = input.request.occluders.kind == OccluderKind::Auto ? 48 : 8;
   const bool ways = hasGlass(input.scene) || hasShine(input.scene);
   plan.hostBytes += std::uint64_t{input.scene.vertexCount()} * seen * (seenBytes + (ways ? wayBytes : 0));
 }
@@ -58,8 +58,8 @@ const char* specularLight(const BakeRequest& request) {
 }
 
 void addToKey(const BakeRequest& request, StateHash& hash) {
-  hash.value(request.occluders).value(request.occluderKind);
-  hash.value(request.occluderRecords).value(request.leastFormFactor);
+  hash.value(request.occluders.wanted).value(request.occluders.kind);
+  hash.value(request.occluders.records).value(request.occluders.leastFormFactor);
 }
 
 }  // namespace

@@ -8,27 +8,28 @@ namespace {
 
 /// Values a voxel.
 std::uint64_t valuesOf(const PlanInput& input) {
-  const int order = input.request.shOrder;
+  const int order = input.request.sh.order;
   return static_cast<std::uint64_t>(order * order) * (input.bounces ? 4 : 1);
 }
 
 std::vector<PlannedPass> passes(const PlanInput& input) {
   const BakeRequest& request = input.request;
-  if (request.volumeSize == 0) return {{Pass::Volume, false, "not asked for"}};
-  if (request.shOrder == 0) return {{Pass::Volume, false, "no SH transfer is asked for, whose order it has"}};
+  if (request.volume.size == 0) return {{Pass::Volume, false, "not asked for"}};
+  if (request.sh.order == 0)
+    return {{Pass::Volume, false, "no SH transfer is asked for, whose order it has"}};
   return {{Pass::Volume, true,
            fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel; moving objects "
                        "are not in it, and everything in the scene shadows it",
-                       request.volumeSize, request.shOrder, plannedChannels(input.bounces),
+                       request.volume.size, request.sh.order, plannedChannels(input.bounces),
                        input.bounces ? " and one without bounces" : "", 4 * valuesOf(input))}};
 }
 
 void addMemory(const PlanInput& input, Plan& plan) {
-  const auto side = static_cast<std::uint64_t>(input.request.volumeSize);
+  const auto side = static_cast<std::uint64_t>(input.request.volume.size);
   plan.hostBytes += side * side * side * (4 * valuesOf(input) + 1);
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.volumeSize); }
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.volume.size); }
 
 }  // namespace
 
