@@ -19,6 +19,9 @@
 #include "projectors/lightmap/lightmap_planning.h"
 #include "projectors/lightmap/lightmap_projector.h"
 #include "projectors/lightmap/lightmap_technique.h"
+#include "projectors/occlusion_cones/occlusion_cones_planning.h"
+#include "projectors/occlusion_cones/occlusion_cones_projector.h"
+#include "projectors/occlusion_cones/occlusion_cones_technique.h"
 #include "projectors/radiosity/radiosity_planning.h"
 #include "projectors/radiosity/radiosity_projector.h"
 #include "projectors/radiosity/radiosity_technique.h"
@@ -51,7 +54,7 @@ struct Row {
   std::array<int, 3> planned;                                   ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 13> rows = {{
+constexpr std::array<Row, 14> rows = {{
     // places: entry, root, summary; planned: plan, key, run
     {ambientOcclusionTechnique, ambientOcclusionPlanning, ambientOcclusionProjector, {0, 0, 0}, {0, 0, 0}},
     {shTechnique, shPlanning, shProjector, {1, 1, 2}, {1, 1, 2}},
@@ -66,6 +69,7 @@ constexpr std::array<Row, 13> rows = {{
     {texelsTechnique, texelsPlanning, texelsProjector, {10, 10, 10}, {8, 5, 6}},
     {radiosityTechnique, radiosityPlanning, radiosityProjector, {8, 11, 1}, {9, 9, 9}},
     {lightMapTechnique, lightMapPlanning, lightMapProjector, {12, 12, 11}, {10, 10, 10}},
+    {occlusionConesTechnique, occlusionConesPlanning, occlusionConesProjector, {13, 13, 13}, {11, 11, 11}},
 }};
 
 template <std::size_t columns>
