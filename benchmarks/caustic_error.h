@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "base/progress.h"
 #include "benchmarks/suite.h"
-#include "device/device.h"
+#include "prelight/device.h"
+#include "prelight/progress.h"
 
 namespace prelight::benchmarks {
 

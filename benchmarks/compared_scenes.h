@@ -4,7 +4,7 @@
 #include <string>
 
 #include "benchmarks/measure.h"
-#include "images/environment.h"
+#include "prelight/picture.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight::benchmarks {

@@ -5,8 +5,8 @@
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
 #include "compress/compression_error.h"
+#include "prelight/transfer.h"
 #include "scene/vertex_surface.h"
-#include "transfer/compressed_transfer.h"
 
 namespace prelight::benchmarks {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gpu/tracer.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight::benchmarks {
 

@@ -12,9 +12,9 @@
 #include <xmmintrin.h>
 #endif
 
-#include "base/error.h"
 #include "benchmarks/ray_peer.h"
 #include "benchmarks/worker_pool.h"
+#include "prelight/error.h"
 
 namespace prelight::benchmarks {
 

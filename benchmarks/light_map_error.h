@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.h"
 #include "benchmarks/measure.h"
-#include "device/device.h"
+#include "prelight/device.h"
+#include "prelight/progress.h"
 
 namespace prelight::benchmarks {
 

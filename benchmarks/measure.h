@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "bake/baker.h"
-#include "base/progress.h"
-#include "device/device.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
+#include "prelight/scene.h"
 
 /// What the suites share: scenes, clocks and medians.
 namespace prelight::benchmarks {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "benchmarks/measure.h"
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 namespace prelight::benchmarks {
 

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "device/device.h"
 #include "device/kernel.h"
 #include "photon/density_estimator.h"
 #include "photon/density_surface.h"
+#include "prelight/device.h"
 #include "shared/density_types.h"
 #include "shared/photon_types.h"
 

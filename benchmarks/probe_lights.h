@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gpu/tracer.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 /// Where lights stand that shadows are judged by; scene coordinates (world minus CompiledScene::origin).
 namespace prelight::benchmarks {

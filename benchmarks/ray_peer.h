@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/ray_types.h"
 
 namespace prelight::benchmarks {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "benchmarks/suite.h"
-#include "device/device.h"
+#include "prelight/device.h"
 
 namespace prelight::benchmarks {
 

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "prelight/bake.h"
 #include "relight/haar_relight.h"
-#include "transfer/bake.h"
 
 namespace prelight::benchmarks {
 

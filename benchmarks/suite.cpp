@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "benchmarks/ray_peer.h"
 #include "benchmarks/suites.h"
+#include "prelight/error.h"
 
 namespace prelight::benchmarks {
 

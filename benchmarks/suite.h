@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/progress.h"
-#include "device/device.h"
+#include "prelight/device.h"
+#include "prelight/progress.h"
 
 namespace prelight::benchmarks {
 

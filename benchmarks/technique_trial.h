@@ -10,7 +10,7 @@
 #include "benchmarks/compared_scenes.h"
 #include "benchmarks/suite.h"
 #include "benchmarks/techniques.h"
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 namespace prelight::viewer {
 class Renderer;

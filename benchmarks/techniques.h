@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plan/plan.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/plan.h"
 #include "viewer/illumination.h"
 #include "viewer/shading.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "bvh/binary_bvh.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/ray_types.h"
 
 namespace prelight::benchmarks {

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "base/progress.h"
 #include "benchmarks/flicker.h"
 #include "benchmarks/sphere_receivers.h"
 #include "benchmarks/suite.h"
 #include "benchmarks/wavelet_lights.h"
+#include "prelight/progress.h"
 #include "relight/haar_model.h"
 
 namespace prelight::benchmarks {

@@ -3,21 +3,15 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
+#include "scene/framing.h"
 
 namespace prelight::viewer {
-
-/// A camera for a scene that has none: three-quarter view from slightly above; the whole bounding sphere is
-/// in the picture at every aspect >= 1, and near and far enclose it. Works for an empty scene, too.
-Camera frameCamera(const CompiledScene& scene);
 
 /// The camera `index` of the scene; without an index the first one, or frameCamera when the scene has none.
 /// Throws UsageError when the index is out of range.
 Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index);
-
-/// Width in pixels that fits the camera's aspect at a height; 16:9 when the camera leaves it to the picture.
-int pictureWidth(const Camera& camera, int height);
 
 /// Camera matrices in the coordinates of a CompiledScene (world minus origin).
 struct CameraMatrices {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "photon/caustic_filter.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/photon_types.h"
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/framebuffer.h"

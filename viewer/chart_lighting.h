@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
 #include "viewer/chart_atlas.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"

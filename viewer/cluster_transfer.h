@@ -1,6 +1,6 @@
 #pragma once
 
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
 

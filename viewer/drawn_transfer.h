@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/illumination.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "device/device.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/device.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
 #include "viewer/specular_lobes.h"

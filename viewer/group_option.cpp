@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 
 namespace prelight::viewer {
 

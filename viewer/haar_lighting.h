@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "device/device.h"
+#include "prelight/bake.h"
+#include "prelight/device.h"
 #include "relight/haar_model.h"
-#include "transfer/bake.h"
 #include "viewer/drawn_transfer.h"
 
 namespace prelight {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
 #include "viewer/lighting.h"
 
 namespace prelight::viewer {

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "scene/scene.h"
+#include "prelight/scene.h"
 #include "viewer/caustic_pass.h"
 
 namespace prelight::viewer {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "base/magnitudes.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "scene/scene.h"
+#include "prelight/scene.h"
 
 namespace prelight::viewer {
 

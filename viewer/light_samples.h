@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "basis/median_cut.h"
-#include "images/environment.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/picture.h"
 #include "viewer/lighting.h"
 
 namespace prelight::viewer {

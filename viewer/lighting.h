@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "base/diagnostics.h"
-#include "images/environment.h"
 #include "occluders/occluder_upload.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
+#include "prelight/scene.h"
 
 /// What lights a picture, ready for the shaders. Conventions of the lights' maths:
 /// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual, and

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "basis/median_cut.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/occluder_pass.h"
 #include "viewer/render.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/renderer.h"
 #include "viewer/resolve.h"

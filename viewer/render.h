@@ -4,12 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "base/diagnostics.h"
-#include "images/environment.h"
-#include "images/picture.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
+#include "prelight/scene.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/group_option.h"
 #include "viewer/illumination.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 #include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "images/picture.h"
+#include "prelight/picture.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/renderer.h"
 

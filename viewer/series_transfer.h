@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "basis/ch.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
 

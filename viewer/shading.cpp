@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/error.h"
 #include "base/suggestion.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "plan/plan.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/plan.h"
 
 namespace prelight::viewer {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "viewer/chart_atlas.h"
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/program.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "viewer/camera.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
 #include "gi/global_illumination.h"
 #include "occluders/occluder_places.h"
+#include "prelight/error.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"
 #include "viewer/glossy_lighting.h"

@@ -3,8 +3,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 
 namespace prelight::viewer {
 

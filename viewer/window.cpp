@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
-#include "images/picture.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
 #include "viewer/controls.h"
 #include "viewer/key_help.h"
 #include "viewer/moved_scene.h"

@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 
-#include "base/error.h"
 #include "basis/sh.h"
-#include "images/environment.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
 #include "tables.h"
 
 namespace prelight {

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <random>
 
-#include "device/device.h"
+#include "prelight/device.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

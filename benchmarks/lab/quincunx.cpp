@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
 #include "basis/cube_map.h"
+#include "prelight/error.h"
 
 // [1] Sweldens, "The lifting scheme: a construction of second generation wavelets", 1998: predict, then
 // update.

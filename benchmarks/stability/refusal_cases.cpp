@@ -2,15 +2,15 @@
 #include <cmath>
 #include <functional>
 
-#include "base/error.h"
 #include "basis/cube_map.h"
 #include "basis/sh_environment.h"
 #include "basis/sh_products.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "photon/photon_maps.h"
+#include "prelight/error.h"
+#include "prelight/transfer.h"
 #include "scene/surface_regions.h"
-#include "transfer/compressed_transfer.h"
 
 // What is no number must not reach a kernel: the host refuses it.
 namespace prelight::benchmarks::stability {

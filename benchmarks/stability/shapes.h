@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 
 /// Scenes whose light is known in closed form.
 namespace prelight::benchmarks::stability {

@@ -4,11 +4,11 @@
 
 #include <fstream>
 
-#include "base/error.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/stability/report.h"
 #include "benchmarks/stability/subjects.h"
 #include "benchmarks/suites.h"
+#include "prelight/error.h"
 
 namespace prelight::benchmarks {
 

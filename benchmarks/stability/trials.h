@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
-#include "base/progress.h"
 #include "benchmarks/suite.h"
 #include "device/context.h"
+#include "prelight/error.h"
+#include "prelight/progress.h"
 
 /// Errors of kernels and bases on inputs that are hard on them.
 namespace prelight::benchmarks::stability {

@@ -157,7 +157,7 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
                                const HarmonicTransfer& rest, const Device& device, Progress& progress,
                                AnimationReport& report) {
   if (request.sh.order < 1)
-    throw UsageError("animation", "keys carry SH transfer, and none is asked for", "add --sh N");
+    throw UsageError("animation", "keys carry SH transfer, and none is asked for", "set ShRequest::order");
   PoseBaker baker(scene, compiled, animation, request, rest, device, progress, report);
   const Animation& played = scene.animations.at(animation);
   const double start = played.startTime();

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "bake/key_choice.h"
-#include "base/progress.h"
-#include "device/device.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

@@ -1,5 +1,5 @@
 #include "bake/baker.h"
-#include "images/environment.h"
+#include "prelight/picture.h"
 #include "projectors/registry/plannings.h"
 
 namespace prelight {

@@ -5,14 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
 #include "base/state_file.h"
-#include "device/device.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
 #include "scene/gltf/charts.h"
-#include "transfer/bake.h"
-#include "transfer/bake_report.h"
 
 namespace prelight {
 

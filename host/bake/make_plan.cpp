@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plan/cast_orders.h"
 #include "plan/shadow_sets.h"
 #include "projectors/registry/plannings.h"
 #include "scene/light_sources.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

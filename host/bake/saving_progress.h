@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "base/progress.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 

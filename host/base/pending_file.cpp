@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

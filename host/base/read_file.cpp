@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <system_error>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

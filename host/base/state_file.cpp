@@ -9,9 +9,9 @@
 #include <iterator>
 #include <system_error>
 
-#include "base/error.h"
 #include "base/pending_file.h"
 #include "base/special_file.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<char, 8> magic = {'P', 'R', 'L', 'S', 'T', 'A', 'T', 'E'};
 constexpr std::uint32_t version = 2;
-constexpr const char* startAnew = "delete it, or leave --resume out to start anew";
+constexpr const char* startAnew = "delete it to start anew";
 
 /// Everything before the payload: kind, key, the payload's size and hash.
 struct Header {
@@ -215,10 +215,9 @@ std::optional<StateReader> readStateFile(const fs::path& path, const std::string
     throw InputError(path.string(), fmt::format("got the state of a {}, expected of a {}", header.kind, kind),
                      startAnew);
   if (header.key != key)
-    throw UsageError(
-        "--resume",
-        fmt::format("{} was left by a run with another {}", path.string(), differences(header.key, key)),
-        "give the options of the interrupted run, or delete that file to start anew");
+    throw UsageError(path.string(),
+                     fmt::format("it was left by a run with another {}", differences(header.key, key)),
+                     "ask for what the interrupted run was asked for, or delete it to start anew");
   return reader;
 }
 

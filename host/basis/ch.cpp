@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
+#include "prelight/error.h"
 
 // [1] Sherif, section 6.5 and table A.1: the functions and a table of their constants; here the constants
 //     come from a quadrature without error, and the projection is onto the dual basis.

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "basis/cube_map.h"
 #include "basis/quadrature.h"
+#include "prelight/error.h"
 
 // A texel of the cube is cut into slices of azimuth p from -Z towards +X, in which it reaches from one sine
 // of latitude to another, s0(p) to s1(p). Since dw = dp ds, its integral of the sky is that of C(s1) - C(s0)

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
 #include "basis/cube_overlap.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 /// Functions of world directions on the six faces of a cube, laid out as an OpenGL cube map: faces +X, -X,
 /// +Y, -Y, +Z, -Z, and the texel index face S^2 + row S + column for faces of S x S texels. With a = 2u - 1

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "device/device.h"
+#include "prelight/device.h"
 
 namespace prelight::sh {
 

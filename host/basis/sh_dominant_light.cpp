@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "basis/sh_evaluate.h"
+#include "prelight/error.h"
 
 // [1] Sloan, "Stupid spherical harmonics (SH) tricks", 2008, "Extracting dominant light".
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_rotation.h"
+#include "prelight/error.h"
 
 namespace prelight::sh {
 namespace {

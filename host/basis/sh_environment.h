@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "basis/cube_map.h"
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 namespace prelight::sh {
 

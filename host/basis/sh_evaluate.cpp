@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 // [1] Press et al., "Numerical recipes", 3rd ed., 6.7: the normalised Legendre recurrence in l.
 // [2] Sloan, "Efficient spherical harmonic evaluation", 2013: sectoral terms as Re and Im of (x + iy)^m.

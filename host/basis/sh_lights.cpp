@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
+#include "prelight/error.h"
 
 // Y_lm is an eigenfunction of the sphere's Laplacian, laplacian Y = -l (l + 1) Y, so by the divergence
 // theorem

@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
+#include "prelight/error.h"
 
 namespace prelight::sh {
 

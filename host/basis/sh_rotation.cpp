@@ -7,8 +7,8 @@
 #include <mutex>
 #include <string>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
+#include "prelight/error.h"
 
 // R = Rz(a) Ry(b) Rz(c), and Ry(b) = S Rz(-b) S where S swaps y and z [1]. Turning about z mixes m with -m
 // alone; S is its own inverse, symmetric, and three quarters of its entries are zero by parity in x, y and z.

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
+#include "prelight/error.h"
 
 // [1] Sloan, "Stupid spherical harmonics (SH) tricks", 2008: windows, and smoothing that penalises the
 // squared

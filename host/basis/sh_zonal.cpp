@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "base/error.h"
 #include "basis/sh_evaluate.h"
+#include "prelight/error.h"
 
 // [1] Ramamoorthi and Hanrahan, "An efficient representation for irradiance environment maps", 2001.
 

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "bvh/binary_bvh.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

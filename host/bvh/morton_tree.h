@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "bvh/binary_bvh.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

@@ -7,7 +7,7 @@
 
 #include "bvh/object_split.h"
 #include "bvh/reference.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 /// Splits that cut triangles (Stich, Friedrich and Dietrich 2009): a reference that crosses the plane becomes
 /// two, each with the box of its part.

@@ -7,7 +7,7 @@
 
 #include "bvh/binary_bvh.h"
 #include "bvh/reference.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <string>
 
-#include "base/error.h"
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
 #include "bvh/top_down.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bvh/box.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/bvh_types.h"
 #include "shared/instance_types.h"
 

@@ -9,7 +9,7 @@
 #include "cast/light_caster.h"
 #include "cast/occluder_caster.h"
 #include "gpu/tracer.h"
-#include "plan/occlusion_limits.h"
+#include "prelight/request.h"
 #include "shared/cast_types.h"
 
 namespace prelight {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "base/pattern.h"
+#include "prelight/error.h"
 #include "scene/light_sources.h"
 #include "scene/punctual_light.h"
 
@@ -69,7 +69,7 @@ std::vector<Source> dealToGroups(std::vector<Source> sources, const std::vector<
     if (!any) {
       std::string names;
       for (const Source& source : sources) names += (names.empty() ? "" : ", ") + source.name;
-      throw UsageError("--light-group " + request.name,
+      throw UsageError("LightGroupRequest::name " + request.name,
                        "the group is empty: no light has a name that it asks for",
                        "the scene's lights are: " + names);
     }
@@ -142,7 +142,7 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
   addEmissiveNodes(scene, sources);
   if (sources.empty())
     throw InputError("light groups", "the scene has no light and nothing emissive",
-                     "leave --light-groups out, or add lights to the scene");
+                     "leave BakeRequest::lightGroups out, or add lights to the scene");
   GroupedLights out;
   const std::vector<Source> groups = dealToGroups(std::move(sources), named);
   out.emitterOfTriangle.assign(scene.triangleCount(), PRELIGHT_NO_EMITTER);

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 #include "shared/light_group_types.h"
 #include "shared/shade_types.h"
-#include "transfer/bake.h"
 
 namespace prelight {
 

@@ -5,7 +5,7 @@
 
 #include "cast/cast_block.h"
 #include "gpu/tracer.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/occluder_types.h"
 #include "shared/shade_types.h"
 

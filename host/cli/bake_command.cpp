@@ -7,15 +7,16 @@
 #include "cli/bake_options.h"
 #include "cli/bake_state.h"
 #include "cli/commands.h"
+#include "cli/option_names.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "compress/compression_error.h"
 #include "compress/quantized_occluders.h"
-#include "images/environment.h"
 #include "io/baked_file.h"
 #include "io/finite_results.h"
+#include "prelight/picture.h"
 #include "projectors/lightmap/light_map_file.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/pose.h"
@@ -201,7 +202,7 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
   nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
   if (!command.report.empty()) {
     const std::string text =
-        report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+        withOptions(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
     files.add(command.report, std::as_bytes(std::span(text)));
   }
   files.commit();

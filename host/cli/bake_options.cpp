@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/error.h"
 #include "base/pattern.h"
 #include "cli/values.h"
+#include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {

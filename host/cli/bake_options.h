@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "device/device.h"
-#include "plan/plan.h"
-#include "transfer/compressed_transfer.h"
+#include "prelight/device.h"
+#include "prelight/plan.h"
+#include "prelight/transfer.h"
 
 namespace prelight::cli {
 

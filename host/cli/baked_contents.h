@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 
 namespace prelight::cli {
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/error.h"
 #include "base/suggestion.h"
 #include "cli/commands.h"
+#include "prelight/error.h"
 
 #ifdef PRELIGHT_WITH_BENCHMARKS
 
@@ -17,7 +17,7 @@
 #include "cli/output_file.h"
 #include "cli/session.h"
 #include "cli/values.h"
-#include "plan/plan.h"
+#include "prelight/plan.h"
 
 namespace prelight::cli {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "cli/commands.h"
 #include "cli/session.h"
-#include "images/picture.h"
 #include "io/baked_file.h"
+#include "prelight/picture.h"
 
 namespace prelight::cli {
 namespace {

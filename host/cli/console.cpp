@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "cli/option_names.h"
 #include "cli/printable.h"
 
 namespace prelight::cli {
@@ -19,7 +20,9 @@ std::string label(std::string_view word, int colorCode) {
   return fmt::format("prelight: \x1b[1;{}m{}:\x1b[0m ", colorCode, word);
 }
 
-void printWarning(std::string_view text) { writeError(label("warning", 33) + printable(text) + '\n'); }
+void printWarning(std::string_view text) {
+  writeError(label("warning", 33) + printable(withOptions(text)) + '\n');
+}
 
 std::string scaled(double value, double base, const std::array<const char*, 5>& units) {
   std::size_t unit = 0;
@@ -34,18 +37,19 @@ std::string scaled(double value, double base, const std::array<const char*, 5>& 
 }  // namespace
 
 void Console::line(std::string_view name, std::string_view text) const {
-  if (textWanted()) output_.write(fmt::format("{:<10} {}\n", printable(name), printable(text)));
+  if (textWanted()) output_.write(fmt::format("{:<10} {}\n", printable(name), printable(withOptions(text))));
 }
 
 void Console::json(const nlohmann::ordered_json& result) const {
   // Names from a file may not be valid UTF-8; they must not make a finished bake fail.
   if (options_.json)
-    output_.write(
-        printableJson(result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + '\n');
+    output_.write(printableJson(withOptions(
+                      result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace))) +
+                  '\n');
 }
 
 void Console::note(std::string_view text) const {
-  if (!options_.quiet) writeError(fmt::format("prelight: {}\n", printable(text)));
+  if (!options_.quiet) writeError(fmt::format("prelight: {}\n", printable(withOptions(text))));
 }
 
 void Console::warn(const Warnings& warnings) const {
@@ -64,7 +68,9 @@ bool mayColor(int fileDescriptor) {
   return !refused && !dumb && isatty(fileDescriptor) == 1;
 }
 
-void printError(std::string_view text) { writeError(label("error", 31) + printable(text) + '\n'); }
+void printError(std::string_view text) {
+  writeError(label("error", 31) + printable(withOptions(text)) + '\n');
+}
 
 std::string shortCount(double value) { return scaled(value, 1000.0, {"", " k", " M", " G", " T"}); }
 

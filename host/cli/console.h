@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "base/diagnostics.h"
 #include "cli/global_options.h"
 #include "cli/standard_streams.h"
+#include "prelight/error.h"
 
 namespace prelight::cli {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/session.h"
-#include "device/device.h"
-#include "images/environment.h"
+#include "prelight/device.h"
+#include "prelight/picture.h"
 #include "shared/photon_types.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/render.h"

@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
-#include "device/device.h"
 #include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
-#include "images/environment.h"
+#include "prelight/device.h"
+#include "prelight/picture.h"
 
 namespace prelight::cli {
 

@@ -96,7 +96,7 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
   const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
   FullRequest request = asked;
   request.height = options.size.height;
-  request.width = options.size.width.value_or(viewer::pictureWidth(camera, options.size.height));
+  request.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   request.seed = request.indirect.seed = options.bake.request.seed;
   std::future<LitSurface> surface = std::async(
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });

@@ -10,7 +10,6 @@
 #include <system_error>
 #include <vector>
 
-#include "base/error.h"
 #include "base/suggestion.h"
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -18,6 +17,7 @@
 #include "cli/printable.h"
 #include "cli/process_limits.h"
 #include "cli/standard_streams.h"
+#include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {

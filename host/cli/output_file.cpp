@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {

@@ -294,7 +294,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.shading = options.shading.value_or(viewer::carriedShading(shaded.bake));
   render.height = options.size.height;
   const Camera camera = viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, options.camera);
-  render.width = options.size.width.value_or(viewer::pictureWidth(camera, options.size.height));
+  render.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   render.camera = options.camera;
   render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0;
   render.lights = options.lights;

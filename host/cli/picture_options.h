@@ -12,10 +12,10 @@
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
-#include "device/device.h"
 #include "gi/global_illumination.h"
-#include "images/environment.h"
 #include "integrators/full_renderer.h"
+#include "prelight/device.h"
+#include "prelight/picture.h"
 #include "scene/gltf/normal_maps.h"
 #include "viewer/render.h"
 

@@ -7,8 +7,8 @@
 
 #include <thread>
 
-#include "base/error.h"
 #include "cli/standard_streams.h"
+#include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {

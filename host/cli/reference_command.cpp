@@ -12,11 +12,10 @@
 #include "cli/report.h"
 #include "cli/session.h"
 #include "cli/values.h"
-#include "images/environment.h"
-#include "images/picture.h"
 #include "integrators/film_state.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
+#include "prelight/picture.h"
 #include "viewer/camera.h"
 #include "viewer/light_option.h"
 
@@ -189,7 +188,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   ReferenceRun run;
   run.request = command.request;
   run.request.height = command.size.height;
-  run.request.width = command.size.width.value_or(viewer::pictureWidth(inputs.camera, command.size.height));
+  run.request.width = command.size.width.value_or(pictureWidth(inputs.camera, command.size.height));
   run.film = Film(run.request.width, run.request.height);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   const Device device =

@@ -9,9 +9,9 @@
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
-#include "images/picture.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
+#include "prelight/picture.h"
 
 namespace prelight::cli {
 namespace {

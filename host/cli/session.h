@@ -11,11 +11,11 @@
 #include "cli/context.h"
 #include "cli/stage_times.h"
 #include "cli/terminal_progress.h"
-#include "device/device.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
+#include "prelight/plan.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/scene.h"
 
 namespace prelight::cli {
 

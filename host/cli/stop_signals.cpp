@@ -6,8 +6,8 @@
 
 #include <ctime>
 
-#include "base/error.h"
 #include "cli/standard_streams.h"
+#include "prelight/error.h"
 
 namespace prelight::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "base/progress.h"
 #include "cli/global_options.h"
 #include "cli/stop_signals.h"
+#include "prelight/progress.h"
 
 namespace prelight::cli {
 

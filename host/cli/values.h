@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 /// Options with values that are checked as they are read. Each message names the option, what was got and
 /// what was expected. CLI11's own conversions are not used: they take "010" for eight and let NaN through.

@@ -1,5 +1,5 @@
-#include "base/error.h"
 #include "cli/commands.h"
+#include "prelight/error.h"
 
 /// Takes the place of render and view in a build with PRELIGHT_VIEWER=OFF.
 namespace prelight::cli {

@@ -4,12 +4,12 @@
 #include <cassert>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "compress/byte_range.h"
 #include "compress/cluster_fit.h"
 #include "compress/half_float.h"
-#include "transfer/compressed_transfer.h"
+#include "prelight/error.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 
@@ -80,12 +80,13 @@ void storeByteWeights(const ClusterFit& fit, std::span<const double> vertexWeigh
 void compressClusters(const HarmonicTransfer& transfer, const CompressionRequest& request,
                       std::span<const double> vertexWeights, CompressedTransfer& out) {
   if (request.components < 0 || static_cast<std::size_t>(request.components) > out.dimension())
-    throw UsageError("--compress",
+    throw UsageError("CompressionRequest::components",
                      fmt::format("got {} components, expected at most {}: a vertex has {} "
                                  "channels of {} coefficients",
                                  request.components, out.dimension(), out.channels, out.order * out.order));
   if (request.clusters < 1 || request.clusters > 65536)
-    throw UsageError("--compress", fmt::format("got {} clusters, expected 1 to 65536", request.clusters));
+    throw UsageError("CompressionRequest::clusters",
+                     fmt::format("got {} clusters, expected 1 to 65536", request.clusters));
   if (out.vertexCount == 0) return;
   const ClusterRequest wanted{request.method == CompressionMethod::Pca ? 1 : request.clusters,
                               request.method == CompressionMethod::Vq ? 0 : request.components, request.seed,

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "base/error.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <vector>
 
-#include "base/error.h"
-#include "transfer/compressed_transfer.h"
+#include "prelight/error.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 
@@ -56,8 +56,8 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const std::string& what = {}) const {
-    throw UsageError("--compress", fmt::format("got '{}'{}, {}", text_, what, expected),
-                     "for instance --compress cpca:64:8");
+    throw UsageError("CompressionRequest", fmt::format("got '{}'{}, {}", text_, what, expected),
+                     "for instance cpca:64:8");
   }
 
   int number(const char* what, int most) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "device/build_options.h"
-#include "device/device.h"
+#include "prelight/device.h"
 
 namespace prelight {
 

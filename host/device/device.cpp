@@ -1,4 +1,4 @@
-#include "device/device.h"
+#include "prelight/device.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -7,10 +7,10 @@
 #include <cctype>
 #include <charconv>
 
-#include "base/error.h"
 #include "device/context.h"
 #include "device/opencl_context.h"
 #include "device/opencl_errors.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -112,7 +112,7 @@ const FoundDevice& choose(const std::vector<FoundDevice>& devices,
   for (const auto& device : devices)
     known += fmt::format("{}{}: {} {}", known.empty() ? "" : ", ", device.info.index, device.info.platform,
                          device.info.name);
-  throw Error(ExitCode::NoDevice, "--device " + *selector, "no such device, there is " + known,
+  throw Error(ExitCode::NoDevice, "DeviceOptions::selector " + *selector, "no such device, there is " + known,
               "give an index, 'cpu', 'gpu' or a part of a name");
 }
 
@@ -133,7 +133,7 @@ Device Device::open(const DeviceOptions& options) {
   } catch (const cl::Error& error) {
     throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::NoDevice, chosen.info.name,
                 fmt::format("cannot be opened: {} ({})", error.what(), error.err()),
-                "choose another --device");
+                "choose another DeviceOptions::selector");
   }
 }
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "base/error.h"
 #include "device/opencl_context.h"
 #include "device/opencl_memory.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -7,11 +7,11 @@
 #include <fstream>
 #include <memory>
 
-#include "base/error.h"
 #include "device/host_memory.h"
 #include "device/kernel_source.h"
 #include "device/kernel_sources.h"
 #include "device/opencl_errors.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -34,7 +34,7 @@ void dump(const std::filesystem::path& folder, const std::string& file, const st
   if (out.flush()) return;
   out.close();
   std::filesystem::remove(path, error);
-  throw Error(ExitCode::RuntimeFailure, "--dump-kernels " + folder.string(),
+  throw Error(ExitCode::RuntimeFailure, "DeviceOptions::dumpKernels " + folder.string(),
               "cannot write the kernel sources", "check its permissions and free space");
 }
 
@@ -110,7 +110,7 @@ cl::Buffer OpenClContext::allocate(std::size_t bytes, cl_mem_flags flags) {
     return Error(ExitCode::OutOfMemory, info_.name,
                  fmt::format("cannot hold a buffer of {:.1f} MiB, at most {:.1f} MiB",
                              double(bytes) / (1 << 20), double(info_.maxAllocation) / (1 << 20)),
-                 "choose another --device, fewer --rays or a smaller --max-memory");
+                 "choose another DeviceOptions::selector, a lower Effort::rays or BakeRequest::maxMemory");
   };
   if (bytes > info_.maxAllocation) throw fail();
   try {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "device/build_options.h"
-#include "device/device.h"
 #include "device/opencl.h"
 #include "device/program_cache.h"
+#include "prelight/device.h"
 
 namespace prelight {
 

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "prelight/compiled_scene.h"
 #include "receivers/fit_mesh.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
+#include "prelight/progress.h"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
 

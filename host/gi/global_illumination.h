@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/progress.h"
 #include "gi/indirect_light.h"
 #include "lightmap/light_map_charts.h"
 #include "photon/caustic_light.h"
-#include "plan/plan.h"
-#include "scene/scene.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "gi/final_gather.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
 #include "photon/density_surface.h"
 #include "photon/sent_photons.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "device/buffer.h"
+#include "prelight/light_map.h"
 #include "shared/gather_types.h"
-#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 
 #include "device/buffer.h"
 #include "gpu/light_tables.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/occluder_types.h"
 #include "shared/scene_layout_types.h"
 

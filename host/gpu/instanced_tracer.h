@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bvh/two_level.h"
-#include "device/device.h"
 #include "device/kernel.h"
+#include "prelight/device.h"
 #include "shared/ray_types.h"
 
 namespace prelight {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "images/environment.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/picture.h"
+#include "prelight/scene.h"
 #include "shared/shade_types.h"
 
 namespace prelight {
@@ -20,8 +20,8 @@ std::vector<std::uint32_t> makeIntervals(std::span<const double> weights);
 /// Probability of an entry of makeIntervals().
 double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t entry);
 
-/// What kernels choose lights by; kernels/transport/light_table_funcs.cl says how. Lights without power are left
-/// out.
+/// What kernels choose lights by; kernels/transport/light_table_funcs.cl says how. Lights without power are
+/// left out.
 struct LightTables {
   std::vector<std::uint32_t> tables;    ///< groups, emitters, sky rows, sky columns a row
   std::vector<std::uint32_t> emitters;  ///< [emitter] triangle

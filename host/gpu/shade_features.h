@@ -2,7 +2,7 @@
 
 #include "device/build_options.h"
 #include "gpu/light_tables.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/scene_types.h"
 
 namespace prelight {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "bvh/builder.h"
-#include "device/device.h"
 #include "device/kernel.h"
 #include "gpu/device_scene.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
 #include "shared/bvh_types.h"
 #include "shared/ray_types.h"
 #include "shared/scene_types.h"

@@ -7,7 +7,7 @@
 #include "gpu/light_tables.h"
 #include "gpu/shade_features.h"
 #include "gpu/tracer.h"
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

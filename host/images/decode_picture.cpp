@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "base/error.h"
 #include "images/image_library.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

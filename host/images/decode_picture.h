@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "images/image.h"
 #include "images/picture_header.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

@@ -1,4 +1,4 @@
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
 #include "base/magnitudes.h"
 #include "images/pixels.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -45,7 +45,7 @@ void checkRadiance(const Pixels& pixels, const std::filesystem::path& path) {
         path.string(),
         fmt::format("the texel in column {}, row {} is ({:g}, {:g}, {:g}), expected radiance of 0 to {:g}",
                     i % width, i / width, texel.x, texel.y, texel.z, largestInput),
-        "repair the map, as with oiiotool --fixnan box3 --clamp:min=0");
+        "repair the map, as with oiiotool and its options fixnan and clamp");
   }
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "images/image.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "images/image.h"
 #include "images/picture_header.h"
 #include "images/picture_layers.h"
 #include "images/pixels.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

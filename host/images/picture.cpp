@@ -1,4 +1,4 @@
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,11 @@
 #include <string>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
+#include "images/add_picture.h"
 #include "images/image_library.h"
 #include "images/pixels.h"
 #include "images/plain_exr.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

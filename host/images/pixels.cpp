@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/error.h"
 #include "base/read_file.h"
 #include "base/special_file.h"
 #include "images/decode_picture.h"
 #include "images/image_library.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

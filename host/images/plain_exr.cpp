@@ -11,7 +11,7 @@
 #include <cstring>
 #include <exception>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 #include "shared/reference_types.h"
 
 namespace prelight::reference {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 namespace prelight::reference {
 

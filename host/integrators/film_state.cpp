@@ -79,19 +79,19 @@ std::uint64_t effortHash(const ReferenceRequest& request) {
 
 StateKey filmKey(const ReferenceInputs& inputs, const ReferenceRequest& request, const DeviceInfo& device) {
   const auto number = [](auto value) { return StateHash().value(value).result(); };
-  return {{"the scene", sceneHash(inputs)},
-          {"its lights or --light", lightsHash(inputs.lights)},
-          {"--camera", cameraHash(inputs.camera)},
-          {"--env or --rotate-env", skyHash(inputs)},
-          {"--size", StateHash().value(request.width).value(request.height).result()},
-          {"--integrator",
-           number(static_cast<int>(request.integrator) + 4 * static_cast<int>(request.estimator))},
-          {"--light-paths", number(request.lightPaths)},
-          {"--depth", number(request.depth + 65536 * request.rouletteDepth)},
-          {"--spp, --error or --time", effortHash(request)},
-          {"--seed", number(request.seed)},
-          {"--device", StateHash().text(device.name).text(device.driverVersion).result()},
-          {"the program's version", StateHash().text(PRELIGHT_VERSION).result()}};
+  return {
+      {"scene", sceneHash(inputs)},
+      {"lights", lightsHash(inputs.lights)},
+      {"camera", cameraHash(inputs.camera)},
+      {"sky or rotation of it", skyHash(inputs)},
+      {"size", StateHash().value(request.width).value(request.height).result()},
+      {"integrator", number(static_cast<int>(request.integrator) + 4 * static_cast<int>(request.estimator))},
+      {"number of light paths", number(request.lightPaths)},
+      {"depth", number(request.depth + 65536 * request.rouletteDepth)},
+      {"effort (samples, error or time)", effortHash(request)},
+      {"seed", number(request.seed)},
+      {"device", StateHash().text(device.name).text(device.driverVersion).result()},
+      {"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()}};
 }
 
 void writeFilmState(const std::filesystem::path& path, const StateKey& key, const Film& film) {

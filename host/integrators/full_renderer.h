@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
 #include "gi/global_illumination.h"
-#include "images/picture.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/picture.h"
+#include "prelight/progress.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/error.h"
 #include "integrators/path_tracer.h"
+#include "prelight/error.h"
 
 namespace prelight::reference {
 
@@ -66,7 +66,7 @@ Integrator parseIntegrator(std::string_view name) {
   for (const Integrator i :
        {Integrator::Whitted, Integrator::Distributed, Integrator::Path, Integrator::Instant})
     if (name == integratorName(i)) return i;
-  throw UsageError("--integrator",
+  throw UsageError("RenderOptions::method",
                    fmt::format("got '{}', expected whitted, distributed, path or instant", name));
 }
 

@@ -8,14 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "base/diagnostics.h"
-#include "base/progress.h"
-#include "device/device.h"
-#include "images/environment.h"
 #include "integrators/film.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
+#include "prelight/scene.h"
 
 namespace prelight::reference {
 

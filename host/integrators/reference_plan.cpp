@@ -9,16 +9,17 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
   const bool deep = request.depth > 1;
   return {pass(Pass::DirectLight, deep && f.scatters && (f.punctual || f.emitters || f.sky),
                "lights are sampled at every vertex",
-               !deep        ? "--depth 1 shows lights alone"
+               !deep        ? "paths of one segment show lights alone"
                : f.scatters ? "nothing gives light"
                             : "no surface scatters light"),
-          pass(Pass::FurtherVertices, request.depth > 2 && f.scatters, "paths go on up to --depth",
-               f.scatters ? "--depth ends paths before" : "no surface scatters light"),
+          pass(Pass::FurtherVertices, request.depth > 2 && f.scatters,
+               "paths go on until they have as many segments as they may",
+               f.scatters ? "paths may have no more than two segments" : "no surface scatters light"),
           pass(Pass::VirtualLights, request.integrator == Integrator::Instant && request.depth > 2,
                "they stand for diffuse bounces", "paths go on instead"),
-          pass(Pass::PunctualLights, f.punctual, "the scene or --light has some", "there are none"),
+          pass(Pass::PunctualLights, f.punctual, "there are some", "there are none"),
           pass(Pass::Emitters, f.emitters, "some triangles emit", "no triangle emits"),
-          pass(Pass::Sky, f.sky, "--env gives light", "no --env, or it is black"),
+          pass(Pass::Sky, f.sky, "it gives light", "there is none, or it is black"),
           pass(Pass::Mirrors, f.mirror, "some surface reflects without roughness",
                "no surface reflects without roughness"),
           pass(Pass::GlossyLobes, f.glossy, "some surface reflects with roughness",

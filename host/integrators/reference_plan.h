@@ -6,7 +6,7 @@
 #include "device/build_options.h"
 #include "gpu/shade_features.h"
 #include "integrators/reference.h"
-#include "plan/plan.h"
+#include "prelight/plan.h"
 
 namespace prelight::reference {
 

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "compress/quantized_occluders.h"
-#include "scene/compiled_scene.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
-#include "transfer/bake.h"
 
 namespace prelight {
 

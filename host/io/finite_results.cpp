@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "base/magnitudes.h"
+#include "prelight/error.h"
 #include "scene/gltf/accessor.h"
 
 namespace prelight {

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "images/picture.h"
+#include "prelight/light_map.h"
+#include "prelight/picture.h"
 #include "scene/gltf/gltf_document.h"
-#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

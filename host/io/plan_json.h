@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "plan/plan.h"
+#include "prelight/plan.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {

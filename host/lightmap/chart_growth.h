@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "scene/surface_regions.h"
 
 namespace prelight {

@@ -6,7 +6,7 @@
 
 #include "lightmap/light_map_charts.h"
 #include "lightmap/mask_packing.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

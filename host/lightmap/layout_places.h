@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scene/compiled_scene.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

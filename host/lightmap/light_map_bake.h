@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
 #include "base/state_file.h"
-#include "scene/compiled_scene.h"
-#include "transfer/light_map_layout.h"
-#include "transfer/light_map_report.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 

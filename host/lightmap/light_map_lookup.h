@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "lightmap/chart_texels.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -34,7 +34,7 @@ void checkSize(const LightMapCharts& charts, std::span<const double> texelSizes)
   }
   // Beyond that, packing is not even tried: shapes that fill less of their rectangles are rare.
   if (longest + 1.0 <= most && texels <= 3.0 * most * most) return;
-  throw UsageError("--texel-size",
+  throw UsageError("LightMapRequest::texelSize",
                    fmt::format("texels of {:.3g} m make a light map of more than {} x {}", charts.texelSize,
                                mostLightMapSide, mostLightMapSide),
                    fmt::format("ask for {:.2g} m or more",
@@ -80,7 +80,7 @@ LightMapLayout layOutLightMap(const CompiledScene& scene, const LightMapCharts& 
   for (const ChartTexels& chart : texels) masks.push_back(chart.mask);
   const std::optional<MaskPacking> packing = packMasks(masks, mostLightMapSide);
   if (!packing)
-    throw UsageError("--texel-size",
+    throw UsageError("LightMapRequest::texelSize",
                      fmt::format("texels of {:.3g} m make a light map of more than {} x {}", charts.texelSize,
                                  mostLightMapSide, mostLightMapSide),
                      fmt::format("ask for {:.2g} m or more", 1.3 * charts.texelSize));

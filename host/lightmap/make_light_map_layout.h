@@ -3,7 +3,7 @@
 #include <span>
 
 #include "lightmap/light_map_charts.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lightmap/light_map_lookup.h"
-#include "scene/compiled_scene.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

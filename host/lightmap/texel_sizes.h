@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "lightmap/light_map_charts.h"
-#include "transfer/light_map_layout.h"
-#include "transfer/light_map_report.h"
+#include "prelight/bake.h"
+#include "prelight/light_map.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 

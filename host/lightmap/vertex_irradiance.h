@@ -3,8 +3,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "prelight/light_map.h"
 #include "receivers/fit_mesh.h"
-#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -7,7 +7,7 @@
 
 #include "occluders/occluder_body.h"
 #include "occluders/rigid_motion.h"
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

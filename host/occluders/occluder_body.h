@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "transfer/transfer.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "occluders/occluder_tree.h"
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

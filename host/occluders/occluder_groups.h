@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "occluders/occluder_tree.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

@@ -7,8 +7,8 @@
 #include "occluders/occluder_body.h"
 #include "occluders/point_tree.h"
 #include "occluders/rigid_motion.h"
-#include "scene/compiled_scene.h"
-#include "transfer/transfer.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

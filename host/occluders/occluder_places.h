@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

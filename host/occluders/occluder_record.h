@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
 #include "occluders/occluder_places.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "occluders/occluder_light.h"
+#include "prelight/transfer.h"
 #include "shared/occluder_light_types.h"
-#include "transfer/transfer.h"
 
 namespace prelight {
 

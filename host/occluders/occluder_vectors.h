@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "transfer/transfer.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/transfer.h"
 
 /// Which vectors of vector occluders a scene needs.
 namespace prelight {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
 #include "plan/shadow_sets.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -44,7 +44,7 @@ void setOccluderMotions(const OccluderMembers& members, const std::vector<std::s
         throw InputError("vector occluders",
                          fmt::format("parts of occluder \"{}\" move in different ways",
                                      names[static_cast<std::size_t>(o)]),
-                         "bake with --occluders node or auto:N");
+                         "bake with OccluderKind::Node or OccluderKind::Auto");
     }
   std::replace(motions.ofOccluder.begin(), motions.ofOccluder.end(), unknown, 0u);
 }

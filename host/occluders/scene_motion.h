@@ -6,8 +6,8 @@
 
 #include "occluders/occluder_body.h"
 #include "occluders/occluder_motion.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

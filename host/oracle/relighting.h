@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "prelight/transfer.h"
 #include "transfer/lit_wavelet.h"
-#include "transfer/transfer.h"
 
 /// Slow answers in double precision that the kernels are compared with. Colours are radiance before albedo,
 /// [vertex]. For transfer in spherical harmonics see relight() in compress/compression_error.h.

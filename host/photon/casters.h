@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

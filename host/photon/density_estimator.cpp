@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "base/error.h"
 #include "base/span_of.h"
 #include "device/packed_arrays.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "device/device.h"
 #include "device/kernel.h"
 #include "photon/density_surface.h"
 #include "photon/photon_maps.h"
+#include "prelight/device.h"
 
 namespace prelight {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "scene/surface_regions.h"
 #include "shared/density_types.h"
 

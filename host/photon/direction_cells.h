@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 /// Projection maps: which directions from a light may meet something (Jensen 2001, section 5.3).
 namespace prelight {

@@ -6,10 +6,10 @@
 #include <atomic>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/octahedral.h"
 #include "base/parallel.h"
 #include "photon/leaf_tree.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

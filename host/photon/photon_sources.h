@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gpu/light_tables.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/photon_path_types.h"
 
 namespace prelight {

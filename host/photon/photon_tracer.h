@@ -6,19 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "gpu/transport_scene.h"
 #include "photon/photon_sources.h"
+#include "prelight/photons.h"
+#include "prelight/progress.h"
 #include "shared/photon_types.h"
 
 namespace prelight {
-
-/// Which photons are kept where they land; docs/photons.md defines the classes of paths.
-enum class PhotonKind : std::uint8_t {
-  All,       ///< at every surface that reflects diffusely
-  Indirect,  ///< those that some surface has scattered before
-  Caustic,   ///< those that mirrors, glass and narrow lobes alone have scattered; sent towards these
-};
 
 struct PhotonRequest {
   PhotonKind kind = PhotonKind::Indirect;

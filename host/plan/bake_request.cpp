@@ -1,6 +1,8 @@
-#include "plan/bake_request.h"
+#include "prelight/request.h"
 
 #include <algorithm>
+
+#include "plan/cast_orders.h"
 
 namespace prelight {
 

@@ -1,4 +1,4 @@
-#include "plan/plan.h"
+#include "prelight/plan.h"
 
 #include <algorithm>
 

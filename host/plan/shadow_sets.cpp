@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "base/error.h"
 #include "base/pattern.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -42,7 +42,8 @@ NodeMask matching(const Nodes& nodes, const std::vector<std::string>& patterns, 
     }
     if (any) continue;
     const std::set<std::string> names(nodes.names.begin(), nodes.names.end());
-    throw UsageError("--shadow-set " + where, fmt::format("no node with a mesh matches '{}'", pattern),
+    throw UsageError("BakeRequest::shadowSets " + where,
+                     fmt::format("no node with a mesh matches '{}'", pattern),
                      fmt::format("the nodes are: {}", fmt::join(names, ", ")));
   }
   return mask;

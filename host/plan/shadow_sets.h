@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 
 namespace prelight {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/progress.h"
 #include "cast/caster.h"
+#include "prelight/progress.h"
 #include "projectors/side_cast.h"
 #include "receivers/fit_mesh.h"
 

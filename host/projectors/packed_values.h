@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "prelight/compiled_scene.h"
 #include "projectors/slot_transfer.h"
 #include "receivers/fit_mesh.h"
-#include "scene/compiled_scene.h"
 
 /// From the fit's slots to the vertices of a Bake. Every value that leaves here is finite.
 namespace prelight {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/state_file.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

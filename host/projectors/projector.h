@@ -5,20 +5,19 @@
 #include <span>
 #include <string_view>
 
-#include "base/progress.h"
 #include "base/stage_clock.h"
 #include "base/state_file.h"
 #include "cast/light_groups.h"
 #include "gpu/tracer.h"
 #include "occluders/occluder_groups.h"
-#include "plan/plan.h"
 #include "plan/shadow_sets.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
+#include "prelight/scene.h"
 #include "receivers/fit_mesh.h"
-#include "scene/compiled_scene.h"
 #include "scene/gltf/charts.h"
-#include "scene/scene.h"
-#include "transfer/bake.h"
-#include "transfer/bake_report.h"
 
 namespace prelight {
 

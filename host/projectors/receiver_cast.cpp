@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "basis/cube_map.h"
+#include "plan/cast_orders.h"
 
 namespace prelight {
 

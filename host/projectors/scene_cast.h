@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "base/progress.h"
 #include "cast/caster.h"
+#include "prelight/progress.h"
 #include "projectors/schedule.h"
 #include "projectors/side_cast.h"
 #include "receivers/fit_mesh.h"

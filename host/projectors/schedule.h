@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "plan/plan.h"
+#include "prelight/plan.h"
 
 namespace prelight {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "base/progress.h"
 #include "cast/caster.h"
 #include "fit/baseline.h"
 #include "fit/error_estimate.h"
 #include "fit/vertex_fit.h"
+#include "prelight/progress.h"
 #include "projectors/occluder_means.h"
 #include "projectors/projections.h"
 #include "projectors/schedule.h"

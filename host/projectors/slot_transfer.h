@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
 #include "cast/caster.h"
+#include "prelight/progress.h"
 #include "projectors/scene_cast.h"
 #include "receivers/fit_mesh.h"
 

@@ -10,10 +10,10 @@
 
 #include "compress/quantized_occluders.h"
 #include "io/values/baked_ranges.h"
-#include "scene/compiled_scene.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
-#include "transfer/bake.h"
 
 namespace prelight {
 

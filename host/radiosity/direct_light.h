@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "gpu/tracer.h"
-#include "images/environment.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/picture.h"
+#include "prelight/progress.h"
 #include "radiosity/element_points.h"
-#include "scene/compiled_scene.h"
 #include "shared/radiosity_types.h"
 
 namespace prelight {

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "prelight/compiled_scene.h"
 #include "radiosity/elements.h"
-#include "scene/compiled_scene.h"
 #include "shared/cast_types.h"
 
 namespace prelight {

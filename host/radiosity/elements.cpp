@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -44,7 +44,7 @@ RadiosityElements makeElements(const CompiledScene& scene, double patchSize) {
     count += splits * splits;
     if (count > mostElements)
       throw UsageError(
-          "--patch-size",
+          "RadiosityRequest::patchSize",
           fmt::format("{} m makes more than {:.0f} elements of this scene", patchSize, mostElements),
           "take larger patches");
     elements.splits.push_back(static_cast<std::uint32_t>(splits));

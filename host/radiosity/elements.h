@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "prelight/compiled_scene.h"
 #include "receivers/surface_sampler.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

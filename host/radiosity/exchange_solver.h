@@ -3,10 +3,10 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "base/progress.h"
+#include "prelight/bake.h"
+#include "prelight/progress.h"
 #include "radiosity/exchange_system.h"
 #include "shared/radiosity_types.h"
-#include "transfer/radiosity_report.h"
 
 namespace prelight {
 

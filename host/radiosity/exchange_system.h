@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "device/kernel.h"
+#include "prelight/compiled_scene.h"
 #include "radiosity/form_factors.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

@@ -4,9 +4,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "base/progress.h"
 #include "base/state_file.h"
 #include "gpu/tracer.h"
+#include "prelight/progress.h"
 #include "radiosity/element_points.h"
 #include "radiosity/elements.h"
 #include "shared/radiosity_types.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/parallel.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -141,7 +141,7 @@ FormFactors makeFormFactors(const RadiosityElements& elements, const ExchangeCou
     if (total > 0xffffffffu || 8 * total > maxMemory)
       throw Error(ExitCode::OutOfMemory, "form factors",
                   fmt::format("more than {} MB of them", (8 * total) >> 20),
-                  "take larger patches (--patch-size), fewer rays (--rays), or raise --max-memory");
+                  "raise RadiosityRequest::patchSize, lower Effort::rays, or raise BakeRequest::maxMemory");
     f.rowStart[e + 1] = static_cast<std::uint32_t>(total);
   }
   f.columns.resize(total);

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "base/progress.h"
+#include "prelight/bake.h"
+#include "prelight/progress.h"
 #include "radiosity/direct_light.h"
 #include "radiosity/exchange_solver.h"
 #include "radiosity/form_factor_cast.h"
 #include "radiosity/form_factors.h"
 #include "receivers/fit_mesh.h"
-#include "transfer/radiosity_report.h"
 
 namespace prelight {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "plan/plan.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 #include "radiosity/radiosity.h"
 #include "receivers/fit_mesh.h"
-#include "scene/compiled_scene.h"
-#include "transfer/bake_report.h"
 
 namespace prelight {
 

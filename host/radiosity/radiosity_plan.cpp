@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "radiosity/elements.h"
 #include "scene/light_sources.h"
 
@@ -42,10 +42,11 @@ RadiosityScale radiosityScale(const CompiledScene& scene, const BakeRequest& req
 void checkRadiosityMemory(const RadiosityScale& scale, const BakeRequest& request) {
   if (scale.bytes() > request.maxMemory)
     throw Error(
-        ExitCode::OutOfMemory, "--radiosity",
-        fmt::format("form factors of {} elements take about {} MB, more than the {} MB of --max-memory",
-                    scale.elements, scale.bytes() >> 20, request.maxMemory >> 20),
-        "take larger patches (--patch-size), or raise --max-memory");
+        ExitCode::OutOfMemory, "BakeRequest::radiosity",
+        fmt::format(
+            "form factors of {} elements take about {} MB, more than the {} MB of BakeRequest::maxMemory",
+            scale.elements, scale.bytes() >> 20, request.maxMemory >> 20),
+        "raise RadiosityRequest::patchSize or BakeRequest::maxMemory");
 }
 
 std::vector<PlannedPass> planRadiosity(const CompiledScene& scene, const BakeRequest& request) {

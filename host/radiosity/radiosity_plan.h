@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 
 namespace prelight {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "prelight/compiled_scene.h"
 #include "receivers/surface_sampler.h"
-#include "scene/compiled_scene.h"
 #include "scene/gltf/charts.h"
 
 namespace prelight {

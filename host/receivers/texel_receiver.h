@@ -1,7 +1,7 @@
 #pragma once
 
+#include "prelight/light_map.h"
 #include "receivers/surface_sampler.h"
-#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

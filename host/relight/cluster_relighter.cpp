@@ -1,6 +1,6 @@
 #include "relight/cluster_relighter.h"
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "relight/compressed_light.h"
 
 namespace prelight {

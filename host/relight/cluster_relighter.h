@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "device/kernel.h"
-#include "transfer/compressed_transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

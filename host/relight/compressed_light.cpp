@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "compress/half_float.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

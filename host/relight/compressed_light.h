@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "transfer/compressed_transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

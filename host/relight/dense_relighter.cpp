@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "relight/compressed_light.h"
 
 namespace prelight {

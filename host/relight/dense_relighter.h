@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "device/kernel.h"
+#include "prelight/transfer.h"
 #include "relight/tiles.h"
-#include "transfer/compressed_transfer.h"
 
 namespace prelight {
 

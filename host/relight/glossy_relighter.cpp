@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "basis/sh_table.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

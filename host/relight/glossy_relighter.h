@@ -4,8 +4,8 @@
 #include <span>
 
 #include "device/kernel.h"
+#include "prelight/bake.h"
 #include "relight/tiles.h"
-#include "transfer/bake.h"
 
 namespace prelight {
 

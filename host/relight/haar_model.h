@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "basis/haar_selection.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 
 namespace prelight::haar {
 

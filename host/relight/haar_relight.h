@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "basis/haar_selection.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 
 /// Lighting by sparse Haar transfer in double precision: what kernels and shaders are compared with.
 namespace prelight::haar {

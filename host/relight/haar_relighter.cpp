@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "device/kernel.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 #include "transfer/lit_wavelet.h"
 
 namespace prelight {

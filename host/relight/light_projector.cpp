@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "basis/cube_map.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

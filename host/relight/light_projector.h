@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "device/kernel.h"
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 namespace prelight {
 

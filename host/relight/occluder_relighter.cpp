@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "occluders/wave_table.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -7,7 +7,7 @@
 
 #include "device/kernel.h"
 #include "occluders/occluder_upload.h"
-#include "transfer/transfer.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

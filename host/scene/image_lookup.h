@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/scene.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

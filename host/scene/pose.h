@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/shade_types.h"
 
 namespace prelight {

@@ -4,9 +4,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
-#include "transfer/transfer.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
+#include "prelight/transfer.h"
 
 namespace prelight {
 

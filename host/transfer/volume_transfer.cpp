@@ -1,4 +1,4 @@
-#include "transfer/volume_transfer.h"
+#include "transfer/volume_light.h"
 
 #include <algorithm>
 #include <cmath>

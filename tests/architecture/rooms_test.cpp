@@ -39,11 +39,12 @@ std::vector<std::string> writtenIncludes(const std::string& file, const char* fo
   return includes;
 }
 
-/// Includes of the project's own files, which are written relative to host/, to kernels/ or to the root.
+/// Includes of the project's own files, which are written relative to host/, host/include/, kernels/ or the
+/// root.
 std::vector<Include> includesOf(const std::string& file) {
   std::vector<Include> includes;
   for (const std::string& included : writtenIncludes(file, "^#include \"([^\"]+)\"")) {
-    for (const char* base : {"host/", "kernels/", ""}) {
+    for (const char* base : {"host/", "host/include/", "kernels/", ""}) {
       if (std::filesystem::exists(test::sourceRoot() / (base + included))) {
         includes.push_back({file, base + included});
         break;
@@ -150,8 +151,9 @@ TEST(Rooms, OpenGl_IsTheViewersAlone) {
 /// Slow truths that share code with what they judge would share its faults: they know the scene, the layout
 /// of stored transfer and the basis functions, whose own tests are closed forms.
 TEST(Rooms, Oracle_KnowsDataAlone) {
-  const std::set<std::string> allowed = {"host/base",  "host/images",   "host/scene",
-                                         "host/basis", "host/transfer", "host/oracle"};
+  const std::set<std::string> allowed = {
+      "host/include/prelight", "host/base",  "host/images", "host/scene", "host/basis",
+      "host/transfer",         "host/oracle"};
   for (const std::string& file : sourcesBelow("host/oracle"))
     for (const Include& include : includesOf(file))
       EXPECT_TRUE(allowed.count(roomOf(include.included)) > 0) << file << " includes " << include.included;

@@ -7,9 +7,9 @@
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
-#include "base/error.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "base/special_file.h"
 #include "base/state_file.h"
+#include "prelight/error.h"
 #include "support/file_limit.h"
 
 namespace prelight {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

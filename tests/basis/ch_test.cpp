@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "base/error.h"
 #include "basis/haar.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 
 namespace prelight {

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/cube_map.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_zonal.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -7,10 +7,10 @@
 #include <random>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/ch.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_projection.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

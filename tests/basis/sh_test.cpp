@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

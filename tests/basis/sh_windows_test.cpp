@@ -7,12 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh_dominant_light.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_lights.h"
 #include "basis/sh_projection.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

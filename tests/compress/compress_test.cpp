@@ -5,10 +5,10 @@
 #include <limits>
 #include <random>
 
-#include "base/error.h"
 #include "basis/sh.h"
 #include "compress/byte_range.h"
 #include "compress/compression_error.h"
+#include "prelight/error.h"
 #include "relight/compressed_light.h"
 
 namespace prelight {

@@ -1,13 +1,13 @@
-#include "device/device.h"
+#include "prelight/device.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "base/error.h"
 #include "device/buffer.h"
 #include "device/context.h"
 #include "gpu/self_test.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 
 namespace prelight {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
 #include "device/kernel_sources.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

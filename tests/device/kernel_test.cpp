@@ -5,8 +5,8 @@
 #include <bit>
 #include <glm/glm.hpp>
 
-#include "base/error.h"
 #include "device/packed_arrays.h"
+#include "prelight/error.h"
 #include "shared/scene_layout_types.h"
 #include "support/probe_program.h"
 

@@ -6,8 +6,8 @@
 #include <regex>
 #include <set>
 
-#include "device/device.h"
 #include "device/kernel_sources.h"
+#include "prelight/device.h"
 #include "support/devices.h"
 
 namespace prelight {

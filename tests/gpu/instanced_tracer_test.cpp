@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
-#include "base/error.h"
 #include "gpu/tracer.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

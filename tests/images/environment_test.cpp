@@ -1,4 +1,4 @@
-#include "images/environment.h"
+#include "prelight/picture.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/error.h"
-#include "images/picture.h"
+#include "prelight/error.h"
+#include "prelight/picture.h"
 #include "support/file_limit.h"
 
 namespace prelight {

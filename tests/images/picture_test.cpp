@@ -1,4 +1,4 @@
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -9,8 +9,8 @@
 #include <fstream>
 #include <limits>
 
-#include "base/error.h"
 #include "io/finite_results.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "base/error.h"
 #include "integrators/film_state.h"
-#include "support/shot.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/gltf_files.h"
+#include "support/shot.h"
 
 namespace prelight::test {
 namespace {
@@ -166,15 +166,15 @@ TEST(FilmState, OfAnotherPicture_NamesTheDifference) {
   };
   shot.request.depth = 7;
   shot.request.seed = 3;
-  EXPECT_NE(refusal().find("--depth"), std::string::npos) << refusal();
-  EXPECT_NE(refusal().find("--seed"), std::string::npos) << refusal();
-  EXPECT_EQ(refusal().find("--size"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("depth"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("seed"), std::string::npos) << refusal();
+  EXPECT_EQ(refusal().find("size"), std::string::npos) << refusal();
   shot = cornerShot();
   shot.scene.materials[0].baseColor.x = 0.1f;
-  EXPECT_NE(refusal().find("the scene"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("another scene"), std::string::npos) << refusal();
   shot = cornerShot();
   shot.sky = constantEnvironment(glm::vec3(1.0f));
-  EXPECT_NE(refusal().find("--env"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("another sky"), std::string::npos) << refusal();
 }
 
 TEST(FilmState, BrokenOrCutShort_IsRefused) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "support/shot.h"
 
 // Instant radiosity against path tracing.

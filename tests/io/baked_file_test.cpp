@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "support/gltf_files.h"
 

@@ -5,10 +5,10 @@
 #include <functional>
 #include <limits>
 
-#include "images/picture.h"
 #include "io/baked_file.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "prelight/picture.h"
 #include "projectors/lightmap/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"

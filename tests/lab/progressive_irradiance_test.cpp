@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
 #include "photon/photon_scenes.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

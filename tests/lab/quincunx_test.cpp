@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "base/error.h"
 #include "basis/cube_map.h"
+#include "prelight/error.h"
 
 namespace prelight {
 namespace {

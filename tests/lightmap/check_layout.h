@@ -3,8 +3,8 @@
 #include <string>
 
 #include "lightmap/light_map_charts.h"
-#include "scene/compiled_scene.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 
 namespace prelight::test {
 

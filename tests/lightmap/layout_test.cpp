@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
-#include "base/error.h"
 #include "lightmap/check_layout.h"
 #include "lightmap/make_light_map_layout.h"
+#include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <numbers>
 
-#include "base/error.h"
 #include "base/octahedral.h"
 #include "photon/photon_scenes.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "photon/density_estimator.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "scene/surface_regions.h"
 #include "shared/density_types.h"
 #include "shared/photon_types.h"

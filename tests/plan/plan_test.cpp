@@ -1,4 +1,4 @@
-#include "plan/plan.h"
+#include "prelight/plan.h"
 #include "bake/make_plan.h"
 
 #include <gtest/gtest.h>

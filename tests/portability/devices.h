@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "device/device.h"
+#include "prelight/device.h"
 
 namespace prelight::test {
 

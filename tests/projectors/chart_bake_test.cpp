@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 #include "projectors/texels/chart_caster.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "base/error.h"
 #include "oracle/brute_force.h"
+#include "prelight/error.h"
 #include "projectors/occlusion_cones/cone_aperture.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"

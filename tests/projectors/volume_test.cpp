@@ -6,11 +6,12 @@
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
-#include "base/error.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 #include "projectors/volume/volume_caster.h"
 #include "support/devices.h"
 #include "support/scenes.h"
+#include "transfer/volume_light.h"
 
 namespace prelight {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "radiosity/element_points.h"
 #include "support/scenes.h"
 

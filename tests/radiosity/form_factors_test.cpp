@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 
@@ -200,7 +200,7 @@ TEST(RadiosityBake, MoreThanTheMemory_IsSaidBeforeItStarts) {
     FAIL() << "it fitted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::OutOfMemory);
-    EXPECT_NE(std::string(error.what()).find("--max-memory"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("BakeRequest::maxMemory"), std::string::npos);
   }
 }
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "base/error.h"
 #include "basis/cube_map.h"
 #include "basis/haar.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 
 namespace prelight {

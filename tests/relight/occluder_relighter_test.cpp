@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "occluders/occluder_places.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/occluders.h"
 #include "support/scenes.h"

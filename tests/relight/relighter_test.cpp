@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "base/error.h"
 #include "compress/compression_error.h"
 #include "oracle/relighting.h"
+#include "prelight/error.h"
 #include "relight/cluster_relighter.h"
 #include "relight/compressed_light.h"
 #include "relight/dense_relighter.h"

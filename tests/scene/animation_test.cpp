@@ -1,4 +1,4 @@
-#include "scene/animation.h"
+#include "prelight/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 #include "shared/ray_types.h"
 
 namespace prelight::test {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "shared/ray_types.h"
 
 namespace prelight::test {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "device/device.h"
+#include "prelight/device.h"
 
 namespace prelight::test {
 

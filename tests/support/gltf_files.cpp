@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/loader.h"
 
 namespace prelight::test {

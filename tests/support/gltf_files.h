@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/scene.h"
 
 namespace prelight::test {
 

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "lightmap/light_map_lookup.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

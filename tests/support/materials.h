@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight::test {
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight::test {
 

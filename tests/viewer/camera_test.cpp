@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer {
 namespace {

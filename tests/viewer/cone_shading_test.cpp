@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "images/environment.h"
+#include "prelight/picture.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

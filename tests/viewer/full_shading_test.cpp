@@ -8,9 +8,9 @@
 #include <numbers>
 #include <optional>
 
-#include "base/error.h"
 #include "gi/global_illumination.h"
 #include "lightmap/make_light_map_layout.h"
+#include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/scenes.h"

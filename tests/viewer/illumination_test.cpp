@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/group_option.h"
 #include "viewer/quad_scene.h"
 #include "viewer/specular_lobes.h"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <random>
 
-#include "base/error.h"
 #include "lightmap/light_map_lookup.h"
 #include "lightmap/make_light_map_layout.h"
+#include "prelight/error.h"
 #include "scene/gltf/normal_maps.h"
 #include "support/scenes.h"
 #include "viewer/camera.h"

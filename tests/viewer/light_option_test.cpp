@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer {
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

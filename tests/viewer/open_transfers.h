@@ -3,7 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "transfer/bake.h"
+#include "prelight/bake.h"
 #include "viewer/quad_scene.h"
 
 /// Transfer of open surfaces in every basis, and a scene to light with it.

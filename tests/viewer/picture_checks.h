@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "images/picture.h"
+#include "prelight/picture.h"
 
 /// Comparing pictures and their pixels.
 namespace prelight::test {

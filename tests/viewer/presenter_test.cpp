@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "images/picture.h"
+#include "prelight/picture.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/resolve.h"
 

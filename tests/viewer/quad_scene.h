@@ -3,9 +3,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
-#include "transfer/bake.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 #include "viewer/render.h"
 
 namespace prelight::test {

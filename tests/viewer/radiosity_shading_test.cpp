@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
 

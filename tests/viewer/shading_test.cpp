@@ -6,8 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "base/error.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 #include "viewer/lighting.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"

@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight {

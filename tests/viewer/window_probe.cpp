@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/window.h"
 #include "viewer/window_scene.h"
 

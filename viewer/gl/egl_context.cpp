@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer::gl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight::viewer::gl {
 

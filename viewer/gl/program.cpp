@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vector>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "viewer/shader_sources.h"
 
 namespace prelight::viewer::gl {

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "scene/scene.h"
+#include "prelight/scene.h"
 #include "viewer/gl/buffer.h"
 
 namespace prelight::viewer::gl {

@@ -1,5 +1,5 @@
 #version 410 core
-// Shows a supersampled picture of linear radiance: box filter, then the display transform of host/images/picture.h.
+// Shows a supersampled picture of linear radiance: box filter, then the display transform of host/include/prelight/picture.h.
 uniform sampler2D picture;
 uniform int samplesPerAxis;
 

@@ -7,7 +7,7 @@
 #include "gi/irradiance_map.h"
 #include "gi/update/live_photons.h"
 #include "photon/density_estimator.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

@@ -7,7 +7,7 @@
 #include "bvh/box.h"
 #include "gi/final_gather.h"
 #include "gi/update/region_links.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/light_map.h"
 
 namespace prelight {
 

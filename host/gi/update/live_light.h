@@ -7,16 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "base/progress.h"
 #include "gi/global_illumination.h"
 #include "gi/update/live_approximation.h"
 #include "gi/update/live_gather.h"
 #include "gi/update/live_photons.h"
 #include "gi/update/live_scene.h"
-#include "images/environment.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
-#include "transfer/light_map_layout.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
+#include "prelight/picture.h"
+#include "prelight/plan.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <utility>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "gi/update/moved_boxes.h"
+#include "prelight/error.h"
 #include "scene/light_sources.h"
 
 namespace prelight {

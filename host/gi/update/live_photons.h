@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.h"
 #include "gi/update/live_scene.h"
 #include "gi/update/photon_groups.h"
 #include "photon/photon_tracer.h"
+#include "prelight/progress.h"
 
 namespace prelight {
 

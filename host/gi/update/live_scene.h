@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "occluders/rigid_motion.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "base/error.h"
 #include "images/module/functions.h"
+#include "prelight/error.h"
 
 namespace prelight::images {
 

@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/error.h"
 #include "images/module/functions.h"
+#include "prelight/error.h"
 
 namespace prelight::images {
 

@@ -1,8 +1,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include "base/error.h"
 #include "images/module/functions.h"
+#include "prelight/error.h"
 
 namespace prelight::images {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "base/error.h"
 #include "images/module/functions.h"
+#include "prelight/error.h"
 
 namespace prelight::images {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <system_error>
 
-#include "base/error.h"
 #include "images/module/functions.h"
+#include "prelight/error.h"
 
 namespace prelight::images {
 namespace {

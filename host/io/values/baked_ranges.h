@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 namespace prelight {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/progress.h"
 #include "cast/caster.h"
+#include "prelight/progress.h"
 #include "projectors/scene_cast.h"
 #include "projectors/slot_transfer.h"
 #include "receivers/fit_mesh.h"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "plan/cast_orders.h"
+
 namespace prelight {
 
 namespace {

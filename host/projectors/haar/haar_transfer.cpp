@@ -4,11 +4,11 @@
 #include <array>
 #include <optional>
 
-#include "base/error.h"
 #include "base/parallel.h"
 #include "basis/haar.h"
 #include "basis/haar_cut.h"
 #include "basis/sh.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -170,8 +170,9 @@ class HaarAssembly {
 
   void endRow() {
     if (haar_.indices.size() > 0xffffffffull)
-      throw Error(ExitCode::OutOfMemory, "--haar", "the wavelet transfer has more than 2^32 coefficients",
-                  "use a smaller face size or a larger --haar-error");
+      throw Error(ExitCode::OutOfMemory, "HaarRequest::size",
+                  "the wavelet transfer has more than 2^32 coefficients",
+                  "use a smaller face size or a larger HaarRequest::error");
     haar_.offsets.push_back(static_cast<std::uint32_t>(haar_.indices.size()));
   }
 

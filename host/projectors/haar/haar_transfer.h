@@ -1,10 +1,10 @@
 #pragma once
 
-#include "base/progress.h"
+#include "prelight/bake.h"
+#include "prelight/progress.h"
 #include "projectors/slot_transfer.h"
 #include "projectors/haar/texel_transfer.h"
 #include "receivers/fit_mesh.h"
-#include "transfer/bake.h"
 
 namespace prelight {
 

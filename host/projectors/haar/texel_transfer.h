@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "basis/cube_map.h"
+#include "prelight/compiled_scene.h"
 #include "projectors/side_cast.h"
 #include "receivers/fit_mesh.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

@@ -11,13 +11,14 @@
 #include <vector>
 
 #include "base/atomic_file.h"
-#include "base/error.h"
 #include "base/magnitudes.h"
+#include "images/add_picture.h"
 #include "images/picture_layers.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/transfer_extension.h"
 #include "io/values/value_reader.h"
 #include "lightmap/layout_places.h"
+#include "prelight/error.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/file_triangles.h"
 #include "scene/gltf/uri.h"

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
-#include "transfer/light_map_layout.h"
 
 namespace prelight {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "photon/caustic_light.h"
-#include "plan/plan.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 #include "projectors/lightmap/light_map_parts.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

@@ -50,7 +50,7 @@ std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
 PlannedPass planSizes(const BakeRequest& request) {
   constexpr Pass name = Pass::TexelSizes;
   if (!(request.lightMap.error > 0.0))
-    return {name, false, "texels of one size are asked for (--texel-error)"};
+    return {name, false, "texels of one size are asked for (LightMapRequest::error)"};
   return {name, true,
           fmt::format("for each chart the largest whose interpolation is {:g} % off, told by pilots with a "
                       "quarter of the rays",
@@ -71,7 +71,7 @@ PlannedPass planDirect(const CompiledScene& scene) {
 
 PlannedPass planSky(const BakeRequest& request) {
   constexpr Pass name = Pass::SkyLightOfTheMap;
-  if (!request.radiosity.environment) return {name, false, "there is no sky (--env)"};
+  if (!request.radiosity.environment) return {name, false, "there is no sky (RadiosityRequest::environment)"};
   return {name, true, "rays by the cosine and by the sky's radiance from every texel"};
 }
 
@@ -89,7 +89,7 @@ PlannedPass planIndirect(const CompiledScene& scene, const BakeRequest& request)
 
 PlannedPass planCaustics(const CompiledScene& scene, const BakeRequest& request) {
   constexpr Pass name = Pass::CausticsOfTheMap;
-  if (!request.lightMap.caustics) return {name, false, "not asked for (--caustics)"};
+  if (!request.lightMap.caustics) return {name, false, "not asked for (LightMapRequest::caustics)"};
   if (!isLit(scene, request)) return {name, false, unlit};
   if (causticCasters(scene).empty()) return {name, false, "no surface is a mirror, glass or nearly a mirror"};
   return {name, true, "photons towards mirrors, glass and narrow lobes"};

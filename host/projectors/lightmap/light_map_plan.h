@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lightmap/light_map_charts.h"
-#include "plan/plan.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 
 namespace prelight {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "device/device.h"
 #include "lightmap/texel_sizes.h"
+#include "prelight/device.h"
 #include "projectors/lightmap/light_map_sources.h"
 
 namespace prelight {

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "plan/plan.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "projectors/lightmap/inside_part.h"
 #include "projectors/lightmap/light_map_light.h"
 #include "projectors/lightmap/sky_light_part.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

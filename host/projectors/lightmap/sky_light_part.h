@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "gpu/tracer.h"
-#include "images/environment.h"
 #include "lightmap/light_map_bake.h"
+#include "prelight/picture.h"
 #include "radiosity/direct_light.h"
 
 namespace prelight {

@@ -1,6 +1,6 @@
 #include "projectors/occlusion_cones/occlusion_cones_projector.h"
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "projectors/occlusion_cones/cone_aperture.h"
 
 namespace prelight {

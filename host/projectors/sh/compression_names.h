@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "transfer/compressed_transfer.h"
+#include "prelight/transfer.h"
 
 /// How a baked file calls the ways of compression.
 namespace prelight {

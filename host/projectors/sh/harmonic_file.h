@@ -6,8 +6,8 @@
 
 #include "io/values/baked_ranges.h"
 #include "io/values/value_reader.h"
+#include "prelight/transfer.h"
 #include "projectors/technique.h"
-#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
 #include "cast/caster.h"
 #include "gpu/tracer.h"
 #include "plan/shadow_sets.h"
+#include "prelight/progress.h"
+#include "prelight/transfer.h"
 #include "projectors/slot_transfer.h"
 #include "scene/gltf/charts.h"
-#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "io/values/baked_ranges.h"
+#include "prelight/transfer.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
-#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "projectors/receiver_cast.h"
 #include "projectors/texels/chart_caster.h"
 #include "receivers/chart_sampler.h"
@@ -19,18 +19,18 @@ void checkMemory(const BakeRequest& request, const Charts& charts) {
     bytes += static_cast<std::uint64_t>(chart.width) * static_cast<std::uint64_t>(chart.height) * 4u *
              static_cast<std::uint64_t>(request.sh.order * request.sh.order * (request.bounces > 0 ? 3 : 1));
   if (bytes > request.maxMemory)
-    throw UsageError("--texels",
-                     fmt::format("{} light maps take {} MB, more than the {} MB of --max-memory",
+    throw UsageError("TexelsRequest::size",
+                     fmt::format("{} light maps take {} MB, more than the {} MB of BakeRequest::maxMemory",
                                  charts.charts.size(), bytes >> 20, request.maxMemory >> 20),
-                     "bake fewer texels or a lower order, or raise --max-memory");
+                     "bake fewer texels or a lower order, or raise BakeRequest::maxMemory");
 }
 
 class TexelsProjector final : public Projector {
  public:
   explicit TexelsProjector(const BakeContext& context) : context_(context) {
     if (context.request.sh.order == 0)
-      throw UsageError("--texels", "it has the order of the SH transfer, and none is asked for",
-                       "add --sh N");
+      throw UsageError("TexelsRequest::size", "it has the order of the SH transfer, and none is asked for",
+                       "set ShRequest::order");
     checkMemory(context.request, *context.charts);
   }
 

@@ -6,10 +6,10 @@
 
 #include "compress/quantized_occluders.h"
 #include "io/values/baked_ranges.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/transfer.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
-#include "transfer/transfer.h"
 
 namespace prelight {
 

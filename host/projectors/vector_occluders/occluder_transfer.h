@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "occluders/occluder_groups.h"
+#include "prelight/transfer.h"
 #include "projectors/occluder_means.h"
 #include "receivers/fit_mesh.h"
-#include "transfer/transfer.h"
 
 namespace prelight {
 

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-#include "base/progress.h"
 #include "cast/caster.h"
 #include "gpu/tracer.h"
+#include "prelight/progress.h"
+#include "prelight/transfer.h"
 #include "projectors/slot_transfer.h"
-#include "transfer/volume_transfer.h"
 
 namespace prelight {
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "prelight/transfer.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
-#include "transfer/volume_transfer.h"
 
 namespace prelight {
 

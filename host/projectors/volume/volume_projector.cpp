@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "projectors/receiver_cast.h"
 #include "projectors/volume/volume_caster.h"
+#include "transfer/volume_light.h"
 
 namespace prelight {
 
@@ -16,8 +17,8 @@ class VolumeProjector final : public Projector {
  public:
   explicit VolumeProjector(const BakeContext& context) : context_(context) {
     if (context.request.sh.order == 0)
-      throw UsageError("--volume", "it has the order of the SH transfer, and none is asked for",
-                       "add --sh N");
+      throw UsageError("VolumeRequest::size", "it has the order of the SH transfer, and none is asked for",
+                       "set ShRequest::order");
   }
 
   std::string_view stage() const override { return "volume"; }

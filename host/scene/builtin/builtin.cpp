@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "base/suggestion.h"
+#include "prelight/error.h"
 #include "scene/builtin/builtin_scenes.h"
 
 namespace prelight {

@@ -3,10 +3,9 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "scene/animation.h"
+#include "prelight/scene.h"
 #include "scene/builtin/mesh_shapes.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/scene.h"
 
 namespace prelight {
 

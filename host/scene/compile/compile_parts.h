@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "base/diagnostics.h"
-#include "scene/compiled_scene.h"
-#include "scene/scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
 
 namespace prelight {
 

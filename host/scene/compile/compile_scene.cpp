@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
 #include "base/magnitudes.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
 #include "scene/compile/compile_parts.h"
-#include "scene/compiled_scene.h"
 
 namespace prelight {
 

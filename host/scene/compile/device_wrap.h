@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "scene/scene.h"
+#include "prelight/scene.h"
 #include "shared/scene_types.h"
 
 namespace prelight {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/scene.h"
 
 namespace prelight {
 

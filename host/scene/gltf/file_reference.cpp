@@ -50,7 +50,7 @@ void requireInside(const JsonCursor& uri, const fs::path& file, const fs::path& 
   if (!liesBelow(place, home))
     uri.fail(fmt::format("\"{}\" lies outside of the scene's folder, expected a file in it or below",
                          uri.asString()),
-             "put the file beside the scene, or give --allow-outside if you trust the scene");
+             "put the file beside the scene, or set LoadOptions::allowOutside if you trust the scene");
 }
 
 bool isRelative(const JsonCursor& uri) {

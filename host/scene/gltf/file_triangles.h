@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {

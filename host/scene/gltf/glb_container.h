@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "base/error.h"
 #include "base/read_file.h"
+#include "prelight/error.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/glb_container.h"
 #include "scene/gltf/glb_output.h"
@@ -15,8 +15,12 @@
 namespace prelight {
 
 GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings, const ReadOptions& options) {
+  return parseGltf(readFileBytes(path, path.string()), path, warnings, options);
+}
+
+GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                       Warnings& warnings, const ReadOptions& options) {
   const std::string file = path.string();
-  const std::vector<std::uint8_t> bytes = readFileBytes(path, file);
   if (bytes.empty()) throw InputError(file, "the file is empty, expected glTF");
   GlbChunks chunks;
   if (isGlb(bytes)) {

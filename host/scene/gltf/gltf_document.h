@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -32,6 +32,10 @@ struct ReadOptions {
 /// required extensions) and embeds what it refers to. Throws InputError naming the file and the JSON path. A
 /// missing or unreadable image is only a warning, and so is what is broken but not used.
 GltfDocument readGltf(const std::filesystem::path& path, Warnings& warnings, const ReadOptions& options = {});
+
+/// The same of a file's bytes. `path` is named in messages, and files are looked for beside it.
+GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                       Warnings& warnings, const ReadOptions& options = {});
 
 /// Writes a binary glTF beside `path` and renames it into place, so that a half-written file is never seen.
 void writeGlb(const std::filesystem::path& path, const GltfDocument& document);

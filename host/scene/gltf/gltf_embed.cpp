@@ -6,8 +6,8 @@
 #include <fstream>
 #include <map>
 
-#include "base/error.h"
 #include "base/read_file.h"
+#include "prelight/error.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/image_decode.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {

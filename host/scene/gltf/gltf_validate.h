@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/diagnostics.h"
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_use.h"
 #include "scene/gltf/json_cursor.h"

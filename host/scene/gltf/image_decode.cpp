@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "images/picture_header.h"
+#include "prelight/error.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/json_cursor.h"
 

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "base/diagnostics.h"
 #include "images/decode_picture.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/scene.h"
 
 namespace prelight {
 

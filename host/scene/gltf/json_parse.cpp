@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/json_cursor.h"
 
 namespace prelight {

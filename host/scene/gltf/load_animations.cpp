@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/magnitudes.h"
+#include "prelight/error.h"
 #include "scene/gltf/load_parts.h"
 #include "scene/pose.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
 #include "scene/gltf/missing_data.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
 #include "scene/pose.h"

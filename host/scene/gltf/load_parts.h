@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/json_cursor.h"
-#include "scene/scene.h"
 
 namespace prelight {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/load_parts.h"
 #include "scene/gltf/scene_size.h"
 #include "scene/pose.h"

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "base/diagnostics.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
 #include "scene/gltf/gltf_document.h"
-#include "scene/scene.h"
 
 namespace prelight {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/error.h"
+#include "prelight/error.h"
 
 namespace prelight {
 

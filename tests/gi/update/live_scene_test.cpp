@@ -4,11 +4,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "base/error.h"
+#include "gi/update/live_scenes.h"
 #include "gpu/tracer.h"
+#include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
-#include "gi/update/live_scenes.h"
 
 namespace prelight::test {
 namespace {

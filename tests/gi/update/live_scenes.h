@@ -3,10 +3,10 @@
 #include <string>
 
 #include "occluders/rigid_motion.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/scene.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "scene/gltf/loader.h"
-#include "scene/scene.h"
 
 namespace prelight::test {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
 

@@ -1,4 +1,4 @@
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
 
 #include <gtest/gtest.h>
 

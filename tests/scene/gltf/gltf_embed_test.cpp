@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

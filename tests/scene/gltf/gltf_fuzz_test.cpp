@@ -3,8 +3,8 @@
 #include <random>
 #include <string>
 
-#include "base/error.h"
-#include "scene/compiled_scene.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/loader.h"
 #include "scene/pose.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
+#include "prelight/error.h"
 #include "scene/gltf/glb_container.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "prelight/light_map.h"
+#include "prelight/plan.h"
+#include "prelight/request.h"
+#include "prelight/transfer.h"
+
+namespace prelight {
+
+/// How a bake was made; written to the file's root.
+struct BakeInfo {
+  std::string generator;
+  std::uint64_t seed = 0;
+  std::uint64_t rays = 0;  ///< rays cast in all
+  double error = 0.0;      ///< estimated standard error of AO, RMS over the surface
+  int bounces = 0;
+  Plan plan;
+  std::string device;
+  double seconds = 0.0;
+};
+
+/// Baked values of every vertex of a CompiledScene, in its vertex order. A technique that was not asked for
+/// is empty.
+struct Bake {
+  std::vector<float> ao;               ///< [vertex], cosine-weighted accessibility in [0,1], 1 = open
+  std::vector<glm::vec3> bentNormals;  ///< [vertex], unit
+  std::vector<float> apertures;  ///< [vertex], cosine of half the angle of the cone about the bent normal
+                                 ///< that lets through what `ao` says, 0..1
+  std::optional<HarmonicTransfer> sh;
+  std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
+  std::optional<HarmonicTransfer> ch;
+  std::optional<AnimatedTransfer> animation;  ///< SH at moments; `sh` is that of the rest pose
+  std::optional<HaarTransfer> haar;
+  std::optional<GlossyTransfer> glossy;
+  std::optional<LightGroupTransfer> lightGroups;
+  std::optional<OccluderTransfer> occluders;
+  std::optional<VolumeTransfer> volume;              ///< of points in the air
+  std::optional<ChartTransfer> texels;               ///< of light maps
+  std::optional<LightMap> lightMap;                  ///< of the scene's own lights
+  std::optional<std::vector<glm::vec3>> irradiance;  ///< [vertex], W/m2 of the scene's static lights
+  BakeInfo info;
+};
+
+/// A solution on its way: norms after that much work.
+struct ResidualPoint {
+  double sweeps = 0.0;    ///< row operations so far over the number of rows
+  double seconds = 0.0;   ///< since the start
+  double residual = 0.0;  ///< sum of area x |residual| of the strongest channel over that of the direct light
+};
+
+struct SolveReport {
+  std::vector<ResidualPoint> curve;
+  bool converged = false;
+  double sweeps() const { return curve.empty() ? 0.0 : curve.back().sweeps; }
+  double residual() const { return curve.empty() ? 0.0 : curve.back().residual; }
+};
+
+/// What a solution cost and how far it went.
+struct RadiosityReport {
+  std::uint64_t elements = 0;  ///< that were cast from
+  std::uint64_t entries = 0;   ///< of the form-factor rows
+  std::uint64_t castRays = 0;
+  std::uint64_t directRays = 0;  ///< of all lights so far
+  double castSeconds = 0.0;
+  double rowSeconds = 0.0;  ///< from counts to form factors
+  double directSeconds = 0.0;
+  double solveSeconds = 0.0;
+  double patchSize = 0.0;
+  RadiosityMethod method = RadiosityMethod::GaussSeidel;
+  SolveReport solve;  ///< of the last lights
+};
+
+/// What people are told of texel sizes.
+struct TexelSizeReport {
+  double smallest = 0.0;      ///< m
+  double largest = 0.0;       ///< m
+  double error = 0.0;         ///< as expected, rms over the area of the charts that were judged
+  std::uint32_t specks = 0;   ///< see TexelSizes
+  std::uint32_t limited = 0;  ///< see TexelSizes
+};
+
+/// What baking a light map took.
+struct LightMapReport {
+  std::uint64_t rays = 0;
+  std::optional<TexelSizeReport> sizes;  ///< where they were chosen by error
+  std::size_t hidden = 0;                ///< texels inside objects
+  double jumpBefore = 0.0;               ///< seamJump() before stitching, W/m2
+  double jumpAfter = 0.0;
+};
+
+/// What a bake did, for reports and for people.
+struct BakeReport {
+  std::vector<std::pair<std::string, double>> stageSeconds;  ///< in the order they ran
+  std::uint64_t rays = 0;                                    ///< in all
+  std::uint64_t receivers = 0;
+  double aoErrorRms = 0.0;          ///< estimated standard error of AO, RMS over the surface
+  double aoErrorMax = 0.0;          ///< the same at the worst vertex
+  double skippedRayFraction = 0.0;  ///< rays that the request allowed and the scene did not need
+  std::uint64_t bytesBvh = 0;
+  std::optional<RadiosityReport> radiosity;  ///< where the bake solved one
+  std::optional<LightMapReport> lightMap;    ///< where the bake made one
+  std::vector<std::string> notes;
+};
+
+}  // namespace prelight

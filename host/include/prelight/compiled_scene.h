@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "prelight/error.h"
+#include "prelight/scene.h"
+
+namespace prelight {
+
+/// A primitive's place in the flat arrays of CompiledScene. Vertices keep the file's order.
+struct PrimitiveRange {
+  int node = 0;       ///< glTF node
+  int primitive = 0;  ///< index within the node's mesh
+  int instance = 0;   ///< of EXT_mesh_gpu_instancing; 0 otherwise
+  std::uint32_t firstVertex = 0;
+  std::uint32_t vertexCount = 0;
+  std::uint32_t firstTriangle = 0;
+  std::uint32_t triangleCount = 0;
+  std::string name = {};  ///< of the node; may be empty
+  int mesh = -1;          ///< into Scene::meshes
+};
+
+/// An image that is looked up with the texture coordinates of the albedo image.
+struct LayerTexture {
+  int image = -1;  ///< into Scene::images; -1: none, or folded into the factor as its mean
+  WrapMode wrapS = WrapMode::Repeat;
+  WrapMode wrapT = WrapMode::Repeat;
+};
+
+/// What light transport needs to know of a material. Bakes read the Lambertian albedo, the mean emission and
+/// the coverage; the rest is for the reference renderer.
+struct CompiledMaterial {
+  glm::vec3 albedo{0.0f};               ///< Material::diffuseAlbedo; multiplies the texture and vertex colour
+  glm::vec3 diffuseTransmission{0.0f};  ///< share of the light on the other side that leaves on this one
+  int albedoImage = -1;                 ///< into CompiledScene::albedoImages
+  WrapMode wrapS = WrapMode::Repeat;
+  WrapMode wrapT = WrapMode::Repeat;
+  glm::vec3 emission{0.0f};   ///< mean emitted radiance (texture averaged), W/(m2 sr)
+  float alphaCutoff = -1.0f;  ///< < 0: opaque; otherwise texels with alpha below it are holes
+  float alphaFactor = 1.0f;   ///< multiplies the texture's alpha
+  bool doubleSided = false;
+
+  glm::vec3 baseColor{0.0f};      ///< linear; multiplies its texture and vertex colour
+  LayerTexture baseColorTexture;  ///< sRGB
+  float metallic = 0.0f;
+  float roughness = 1.0f;
+  LayerTexture surfaceTexture;     ///< linear: G multiplies roughness, B metallic
+  glm::vec3 emissionFactor{0.0f};  ///< W/(m2 sr); `emission` without the mean of its texture
+  LayerTexture emissionTexture;    ///< sRGB, multiplies emissionFactor
+  float transmission = 0.0f;       ///< share of the dielectric that is glass
+  bool solid = false;              ///< glass with an inside, which refracts
+  float ior = 1.5f;                ///< 0: infinite
+  glm::vec3 absorption{0.0f};      ///< inside solid glass, 1/m
+  float specular = 0.0f;           ///< strength of a dielectric's reflection; 0: pure Lambert
+  glm::vec3 specularColor{1.0f};
+  bool unlit = false;
+};
+
+/// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area
+/// are dropped and counted; winding is flipped where a transform mirrors, so that geometric normals point to
+/// the front. Positions are relative to `origin` (the centre of the bounds), which keeps float32 precise far
+/// from zero.
+struct CompiledScene {
+  glm::dvec3 origin{0.0};
+  std::vector<glm::vec3> positions;   ///< [vertex], world minus origin
+  std::vector<glm::vec3> normals;     ///< [vertex], unit shading normals (area-weighted mean where flat)
+  std::vector<glm::vec2> texCoords;   ///< [vertex], of the albedo texture, transformed; (0,0) where none
+  std::vector<glm::vec4> colors;      ///< [vertex], linear; empty when no primitive has vertex colours
+  std::vector<glm::uvec3> triangles;  ///< [triangle], vertex indices
+  std::vector<std::uint32_t> triangleMaterials;  ///< [triangle], into materials
+  std::vector<std::uint8_t>
+      triangleFlat;  ///< [triangle], 1: shade with the geometric normal (file has no normals)
+  std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
+  std::vector<Image> albedoImages;          ///< sRGB RGB albedo (metalness applied), linear alpha
+  std::vector<PrimitiveRange> primitives;
+  std::vector<Light> lights;  ///< punctual, in world space as in Scene
+  glm::vec3 boundsMin{0.0f};  ///< relative to origin
+  glm::vec3 boundsMax{0.0f};
+  std::uint64_t droppedTriangles = 0;  ///< zero area
+
+  std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size()); }
+  std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }
+  bool hasAlphaMask() const;
+  bool hasDiffuseTransmission() const;  ///< of a triangle's material
+  bool hasVertexColors() const { return !colors.empty(); }
+};
+
+/// Flattens a scene. Accepts an empty one.
+CompiledScene compileScene(const Scene& scene, Warnings& warnings);
+
+/// Unnormalised geometric normal of a triangle (twice its area long).
+glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle);
+
+}  // namespace prelight

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace prelight {
+
+/// Exit codes of the command line; an Error carries the one that it leads to.
+enum class ExitCode : int {
+  Done = 0,
+  RuntimeFailure = 1,
+  BadUsage = 2,
+  BadInput = 3,
+  NoDevice = 4,
+  OutOfMemory = 5,
+  Interrupted = 130,
+};
+
+/// Something the world got wrong (a file, an option, a device). Our own bugs are assertions, and a result
+/// that may be absent is a std::optional.
+///
+/// `what()` reads "WHERE: WHAT (FIX)": where is a file and JSON path, an option or a device; what says
+/// expected against got; fix, when there is one, tells what to do.
+class Error : public std::runtime_error {
+ public:
+  Error(ExitCode code, const std::string& where, const std::string& what, const std::string& fix = {})
+      : std::runtime_error(where + ": " + what + (fix.empty() ? "" : " (" + fix + ")")), code_(code) {}
+
+  ExitCode code() const noexcept { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+/// A file that cannot be read as what it claims to be. `where` is "FILE" or "FILE: /json/path".
+class InputError : public Error {
+ public:
+  explicit InputError(const std::string& where, const std::string& what, const std::string& fix = {})
+      : Error(ExitCode::BadInput, where, what, fix) {}
+};
+
+/// A command, option or value that the program does not take.
+class UsageError : public Error {
+ public:
+  explicit UsageError(const std::string& where, const std::string& what, const std::string& fix = {})
+      : Error(ExitCode::BadUsage, where, what, fix) {}
+};
+
+/// The user pressed Ctrl-C (or sent SIGTERM) and the work stopped at a safe point.
+class Interrupted : public Error {
+ public:
+  explicit Interrupted(const std::string& what = "interrupted; no output was written")
+      : Error(ExitCode::Interrupted, "prelight", what) {}
+};
+
+/// What was odd but usable in an input, for people to read; each entry names its place.
+using Warnings = std::vector<std::string>;
+
+}  // namespace prelight

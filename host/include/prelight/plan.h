@@ -1,0 +1,140 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prelight/request.h"
+
+namespace prelight {
+
+/// What a bake or a picture may need; see passNames.
+enum class Pass : std::uint8_t {
+  Cast,
+  ShadowSets,
+  AmbientOcclusion,
+  ShTransfer,
+  ChTransfer,
+  HaarTransfer,
+  GlossyTransfer,
+  LightGroups,
+  VectorOccluders,
+  CausticVectors,
+  SpecularVectors,
+  Volume,
+  Texels,
+  Bounces,
+  Radiosity,
+  FormFactors,
+  LightMap,
+  TexelSizes,
+  DirectLightOfTheMap,
+  SkyLightOfTheMap,
+  IndirectLightOfTheMap,
+  CausticsOfTheMap,
+  DirectionsOfTheMap,
+  BackFaces,
+  TranslucentSenders,
+  AlphaTest,
+  AlbedoTextures,
+  SpecularTransport,
+  IndirectLight,
+  CausticPhotons,
+  RaysToLargeEmitters,
+  BacksOfOneSidedSurfaces,
+  DirectLight,
+  FurtherVertices,
+  VirtualLights,
+  PunctualLights,
+  Emitters,
+  Sky,
+  Mirrors,
+  GlossyLobes,
+  Glass,
+  LightThroughSurfaces,
+  Absorption,
+  Textures,
+  ShadowMaps,
+  EnvironmentMaps,
+  OcclusionCones,
+};
+
+/// [Pass], for people and files.
+constexpr std::array<std::string_view, 47> passNames = {"cast",
+                                                        "shadow sets",
+                                                        "ambient occlusion",
+                                                        "sh transfer",
+                                                        "ch transfer",
+                                                        "haar transfer",
+                                                        "glossy transfer",
+                                                        "light groups",
+                                                        "vector occluders",
+                                                        "caustic vectors",
+                                                        "specular vectors",
+                                                        "volume",
+                                                        "texels",
+                                                        "bounces",
+                                                        "radiosity",
+                                                        "form factors",
+                                                        "light map",
+                                                        "texel sizes",
+                                                        "direct light of the map",
+                                                        "sky light of the map",
+                                                        "indirect light of the map",
+                                                        "caustics of the map",
+                                                        "directions of the map",
+                                                        "back faces",
+                                                        "translucent senders",
+                                                        "alpha test",
+                                                        "albedo textures",
+                                                        "specular transport",
+                                                        "indirect light",
+                                                        "caustic photons",
+                                                        "rays to large emitters",
+                                                        "backs of one-sided surfaces",
+                                                        "direct light",
+                                                        "further vertices",
+                                                        "virtual lights",
+                                                        "punctual lights",
+                                                        "emitters",
+                                                        "sky",
+                                                        "mirrors",
+                                                        "glossy lobes",
+                                                        "glass",
+                                                        "light through surfaces",
+                                                        "absorption",
+                                                        "textures",
+                                                        "shadow maps",
+                                                        "environment maps",
+                                                        "occlusion cones"};
+
+constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
+
+/// The pass of a name in a file; none for a name that there is not.
+std::optional<Pass> passNamed(std::string_view name);
+
+/// One pass and why it runs or is skipped.
+struct PlannedPass {
+  Pass pass = Pass::Cast;
+  bool runs = false;
+  std::string reason;
+
+  bool operator==(const PlannedPass&) const = default;
+};
+
+/// Which passes a bake needs, from the scene and the request, and the memory that they take.
+struct Plan {
+  std::vector<PlannedPass> passes;
+  std::uint64_t hostBytes = 0;
+  std::uint64_t deviceBytes = 0;
+  std::uint64_t transportBytes = 0;  ///< part of the above: stored hits that feed the bounces
+  std::uint64_t texelBytes = 0;      ///< part of the above: rays that are kept texel by texel
+
+  bool runs(Pass pass) const;
+  bool operator==(const Plan&) const = default;
+};
+
+}  // namespace prelight

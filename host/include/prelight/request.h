@@ -1,0 +1,168 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "prelight/picture.h"
+
+namespace prelight {
+
+/// Lights that are to be one group: those whose name, or whose node's, a pattern matches (* and ?).
+struct LightGroupRequest {
+  std::string name;
+  std::vector<std::string> patterns;
+};
+
+/// Receivers of the nodes that the first patterns match are shadowed by those that the second match.
+struct ShadowSetRequest {
+  std::vector<std::string> receivers;
+  std::vector<std::string> occluders;  ///< none: nothing shadows them
+};
+
+/// What makes an occluder of vector occluders.
+enum class OccluderKind : std::uint8_t { Node, Mesh, Material, Auto };
+
+/// Spherical harmonics of transfer.
+struct ShRequest {
+  int order = 0;  ///< 0: none; 1..BakeRequest::maxShOrder
+};
+
+/// "Cpherical" harmonics of transfer.
+struct ChRequest {
+  int order = 0;       ///< 0: none; 1..BakeRequest::maxShOrder
+  bool naive = false;  ///< store inner products instead of dual coefficients, to show what that costs
+};
+
+/// Haar wavelets of transfer, on cube maps.
+struct HaarRequest {
+  int size = 0;         ///< 0: none; a power of two up to BakeRequest::maxHaarSize
+  double error = 0.02;  ///< relative L2 error that sparse storage may make, 0..1
+};
+
+/// Matrices from incident to reflected radiance.
+struct GlossyRequest {
+  int order = 0;  ///< 0: none; 1..BakeRequest::maxGlossyOrder
+};
+
+/// Transfer of the scene's own lights.
+struct LightGroupsRequest {
+  bool wanted = false;
+  std::vector<LightGroupRequest> named = {};  ///< lights that none of these names are groups of their own
+
+  explicit operator bool() const { return wanted; }
+};
+
+/// Vector occluders.
+struct OccluderRequest {
+  bool wanted = false;
+  OccluderKind kind = OccluderKind::Node;
+  double records = 8.0;          ///< Auto: records a vertex, in the mean, > 0
+  double leastFormFactor = 0.0;  ///< occluders that hide less of the sky than this are dropped, 0..1
+
+  explicit operator bool() const { return wanted; }
+};
+
+/// SH transfer of points in the air; of the order of SH, which it needs.
+struct VolumeRequest {
+  int size = 0;  ///< voxels along the scene's longest side; 0: none
+};
+
+/// SH transfer of texels, with the normals of normal maps; of the order of SH, which it needs.
+struct TexelsRequest {
+  int size = 0;  ///< texels along the largest light map; 0: none
+};
+
+/// How the radiosity equation is solved (docs/radiosity.md).
+enum class RadiosityMethod : std::uint8_t { Jacobi, Chebyshev, GaussSeidel, Southwell };
+
+constexpr std::array<std::string_view, 4> radiosityMethodNames = {"jacobi", "chebyshev", "gauss-seidel",
+                                                                  "southwell"};
+
+/// Irradiance of the scene's static lights at every vertex, by the radiosity equation. A bake's effort and
+/// seed count too.
+struct RadiosityRequest {
+  bool wanted = false;
+  double patchSize = 0.0;  ///< m, longest edge of an element at most; 0: from the scene's surface
+  RadiosityMethod method = RadiosityMethod::GaussSeidel;
+  double tolerance = 1e-4;  ///< residual, of the direct light's power, in (0, 1)
+  std::shared_ptr<const Environment> environment = nullptr;  ///< nullptr: no sky
+  double skyRotation = 0.0;                                  ///< radians, counter-clockwise seen from above
+
+  explicit operator bool() const { return wanted; }
+};
+
+/// Irradiance of the scene's static lights, texel by texel.
+struct LightMapRequest {
+  bool wanted = false;
+  double texelSize = 0.0;     ///< side of its texels, m, with an error of the smallest; 0: chosen
+  double error = 0.0;         ///< that interpolation may make, relative; 0: texels of one size
+  bool caustics = false;      ///< which need a light map
+  std::uint64_t photons = 0;  ///< 0: chosen by its texels
+
+  explicit operator bool() const { return wanted; }
+};
+
+/// How long a bake goes on.
+struct Effort {
+  std::uint64_t rays = 1024;  ///< rays a vertex, on average; ignored with error or seconds
+  std::optional<double> error =
+      {};  ///< stop when AO's estimated standard error is below this at every vertex
+  std::optional<double> seconds = {};  ///< stop after this time
+};
+
+/// Where rays begin and end, and how occlusion fades; metres, >= 0.
+struct OcclusionLimits {
+  double nearest = 0.0;     ///< what is nearer to a receiver occludes nothing
+  double farthest = 0.0;    ///< what is farther occludes nothing; 0: no limit
+  double obscurance = 0.0;  ///< occlusion fades out linearly up to this distance; 0: it does not
+};
+
+/// What the user asked a bake for: a part a technique, and what all of them share.
+struct BakeRequest {
+  bool ao = false;     ///< ambient occlusion and bent normal
+  bool cones = false;  ///< how wide the cone about the bent normal is that is open; needs ao
+  ShRequest sh = {};
+  ChRequest ch = {};
+  HaarRequest haar = {};
+  GlossyRequest glossy = {};
+  LightGroupsRequest lightGroups = {};
+  OccluderRequest occluders = {};
+  VolumeRequest volume = {};
+  TexelsRequest texels = {};
+  RadiosityRequest radiosity = {};
+  LightMapRequest lightMap = {};
+
+  int bounces = 0;  ///< diffuse interreflections, 0..16
+  OcclusionLimits limits = {};
+  std::vector<ShadowSetRequest> shadowSets = {};  ///< nodes that none of these name see everything
+  Effort effort = {};
+  std::uint64_t seed = 0;
+  std::uint64_t maxMemory = std::uint64_t{2} << 30;  ///< bytes that the bake's own buffers may take
+
+  /// Anything that light is carried by, other than AO.
+  bool carriesLight() const {
+    return sh.order > 0 || ch.order > 0 || haar.size > 0 || glossy.order > 0 || lightGroups.wanted;
+  }
+
+  /// Anything that is projected from the hemispheres of receivers.
+  bool castsReceivers() const { return ao || occluders.wanted || carriesLight(); }
+  bool anything() const { return castsReceivers() || radiosity.wanted || lightMap.wanted; }
+
+  /// The same, with nothing to make.
+  BakeRequest withoutTechniques() const;
+
+  static constexpr int maxShOrder = 32;
+  static constexpr int maxGlossyOrder = 8;
+  static constexpr int maxHaarSize = 128;
+  static constexpr int maxVolumeSize = 64;
+  static constexpr int maxTexelSize = 4096;
+  static constexpr int maxBounces = 16;
+  static constexpr std::uint64_t maxRays = 1u << 20;
+};
+
+}  // namespace prelight

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "prelight/picture.h"
+
+namespace prelight {
+
+enum class WrapMode : std::uint8_t { Repeat, ClampToEdge, MirroredRepeat };
+
+/// Use of an image by a material; `image` < 0 means none.
+struct TextureRef {
+  int image = -1;
+  int texCoord = 0;           ///< TEXCOORD_0 or TEXCOORD_1
+  glm::mat3 transform{1.0f};  ///< KHR_texture_transform, applied to (u, v, 1)
+  WrapMode wrapS = WrapMode::Repeat;
+  WrapMode wrapT = WrapMode::Repeat;
+};
+
+enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
+
+/// Metallic-roughness material with the extensions that change light transport. Defaults are glTF's.
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1.0f};    ///< linear RGB, alpha
+  TextureRef baseColorTexture;  ///< sRGB RGB, linear alpha
+  float metallic = 1.0f;
+  float roughness = 1.0f;
+  TextureRef metallicRoughnessTexture;  ///< linear: G roughness, B metallic
+  glm::vec3 emission{0.0f};             ///< emissiveFactor x emissiveStrength, W/(m2 sr)
+  TextureRef emissiveTexture;           ///< sRGB
+  TextureRef normalTexture;  ///< linear tangent-space normals; not among Scene::images' decoded ones
+  float normalScale = 1.0f;  ///< of the texture's x and y
+  AlphaMode alphaMode = AlphaMode::Opaque;
+  float alphaCutoff = 0.5f;
+  bool doubleSided = false;
+  bool unlit = false;
+  float transmission = 0.0f;  ///< KHR_materials_transmission, [0,1]
+  float thickness = 0.0f;     ///< KHR_materials_volume, > 0 means solid
+  glm::vec3 attenuationColor{1.0f};
+  float attenuationDistance = std::numeric_limits<float>::infinity();  ///< world-space metres
+  float ior = 1.5f;                                                    ///< 0 means infinite
+  float specular = 1.0f;                                               ///< KHR_materials_specular
+  glm::vec3 specularColor{1.0f};
+  float diffuseTransmission = 0.0f;  ///< KHR_materials_diffuse_transmission, [0,1]: share that goes through
+  TextureRef diffuseTransmissionTexture;  ///< alpha, multiplies the share
+  glm::vec3 diffuseTransmissionColor{1.0f};
+  TextureRef diffuseTransmissionColorTexture;  ///< sRGB
+
+  /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
+  /// transmission).
+  glm::vec3 diffuseAlbedo() const {
+    return glm::vec3(baseColor) * (1.0f - metallic) * (1.0f - transmission) * (1.0f - diffuseTransmission);
+  }
+  bool isEmissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
+};
+
+/// One glTF primitive in object space. Vertices keep the file's order, so that baked values can be written
+/// back vertex by vertex. Strips and fans are already triangles. A primitive of points or lines has no
+/// triangles.
+struct Primitive {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;   ///< unit; empty when the file has none (flat shading, as glTF demands)
+  std::vector<glm::vec4> tangents;  ///< xyz unit, w +-1 (bitangent = w n x t); empty when the file has none
+  std::vector<glm::vec2> texCoords0;
+  std::vector<glm::vec2> texCoords1;
+  std::vector<glm::vec4> colors;      ///< linear RGBA of COLOR_0; empty means white
+  std::vector<glm::uvec3> triangles;  ///< vertex indices, every one in range
+  int material = -1;                  ///< index into Scene::materials; -1 means glTF's default material
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+};
+
+/// A node of the hierarchy with its transform to its parent: a matrix, or translation, rotation and scale.
+struct SceneNode {
+  int node = 0;     ///< index in the glTF file
+  int parent = -1;  ///< into Scene::nodes, before this node; -1 for a root
+  bool hasMatrix = false;
+  glm::dmat4 matrix{1.0};
+  glm::dvec3 translation{0.0};
+  glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< unit; w first
+  glm::dvec3 scale{1.0};
+};
+
+/// A node that draws a mesh, once for each transform (more than one with EXT_mesh_gpu_instancing, whose base
+/// mesh is not drawn).
+struct MeshNode {
+  int node = 0;  ///< index in the glTF file
+  std::string name;
+  int mesh = 0;
+  std::vector<glm::dmat4> transforms;      ///< object to world, column vectors
+  std::size_t sceneNode = 0;               ///< into Scene::nodes
+  std::vector<glm::dmat4> instances = {};  ///< object to node, as many as transforms; empty: not instanced
+};
+
+enum class LightType : std::uint8_t { Directional, Point, Spot };
+
+/// KHR_lights_punctual in world space.
+struct Light {
+  LightType type = LightType::Point;
+  std::string name;
+  glm::vec3 intensity{1.0f};  ///< colour x intensity: W/sr (point, spot) or W/m2 (directional)
+  glm::dvec3 position{0.0};
+  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit, the way the light travels
+  float range = 0.0f;                    ///< metres; 0 means infinite
+  float innerConeAngle = 0.0f;           ///< radians, spot only
+  float outerConeAngle = 0.785398163f;
+  std::size_t sceneNode = 0;  ///< into Scene::nodes, when the file's
+};
+
+struct Camera {
+  std::string name;
+  glm::dmat4 world{1.0};  ///< camera to world; looks along its -Z, +Y up
+  bool perspective = true;
+  double yFov = 0.785398163;  ///< radians
+  double aspect = 0.0;        ///< width / height; 0 means that the picture decides
+  double zNear = 0.01;
+  double zFar = 0.0;  ///< 0 means infinite
+  double xMag = 1.0;  ///< orthographic half width and half height
+  double yMag = 1.0;
+  std::size_t sceneNode = 0;  ///< into Scene::nodes
+};
+
+enum class AnimatedPath : std::uint8_t { Translation, Rotation, Scale };
+
+enum class Interpolation : std::uint8_t { Linear, Step, CubicSpline };
+
+/// Values over time, as a glTF animation sampler gives them.
+struct AnimationSampler {
+  Interpolation interpolation = Interpolation::Linear;
+  std::vector<float> times;  ///< [key], seconds, >= 0, strictly ascending, never empty
+  /// [key], or [key][in-tangent, value, out-tangent] with cubic splines. x, y, z of translations and scales,
+  /// x, y, z, w of rotations. Finite.
+  std::vector<glm::vec4> values;
+};
+
+struct AnimationChannel {
+  std::size_t node = 0;  ///< into Scene::nodes
+  AnimatedPath path = AnimatedPath::Translation;
+  std::size_t sampler = 0;  ///< into Animation::samplers
+};
+
+/// A glTF animation, as far as it moves nodes of the scene.
+struct Animation {
+  std::string name;
+  std::vector<AnimationSampler> samplers;
+  std::vector<AnimationChannel> channels;
+
+  /// Seconds of the first and the last key of all channels; 0 without channels.
+  double startTime() const;
+  double endTime() const;
+};
+
+/// Value of a sampler at a time; before the first key and after the last theirs. Rotations are unit
+/// quaternions, linear ones taken the short way round (glTF 2.0, appendix C); one of length 0 is none.
+glm::dvec4 sampleAt(const AnimationSampler& sampler, AnimatedPath path, double seconds);
+
+/// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world
+/// space.
+struct Scene {
+  std::string name;
+  std::vector<Mesh> meshes;
+  std::vector<SceneNode> nodes;     ///< of the scene, depth first; parents before their children
+  std::vector<MeshNode> meshNodes;  ///< in depth-first order of the scene's nodes
+  std::vector<Material> materials;
+  std::vector<Image> images;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+  std::vector<Animation> animations;  ///< the file's, in its order
+
+  /// The material of a primitive; glTF's default material when it names none.
+  const Material& materialOf(const Primitive& primitive) const;
+};
+
+}  // namespace prelight

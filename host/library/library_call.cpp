@@ -1,0 +1,30 @@
+#include "library/library_call.h"
+
+#include <fmt/format.h>
+
+#include "prelight/error.h"
+
+namespace prelight {
+
+LibraryCall::LibraryCall(const Device* device, Progress* progress)
+    : device_(device), progress_(progress != nullptr ? progress : &ignored_) {
+  if (device_ == nullptr) device_ = &opened_.emplace(Device::open({}));
+}
+
+void requireTriangles(const LoadedScene& scene, const char* use) {
+  if (scene.compiled.triangleCount() > 0) return;
+  throw InputError(scene.path.string(), fmt::format("the scene has no triangles; there is nothing {}", use),
+                   "export meshes along with it");
+}
+
+void requireBetween(const char* field, double value, double least, double most) {
+  if (value >= least && value <= most) return;  // false for NaN
+  throw UsageError(field, fmt::format("got {:g}, expected {:g} to {:g}", value, least, most));
+}
+
+LitScene litScene(const LoadedScene& scene, const std::optional<std::vector<Light>>& lights,
+                  const Environment* sky, double skyRotation) {
+  return {scene.compiled, scene.scene.images, lights.value_or(scene.scene.lights), sky, skyRotation};
+}
+
+}  // namespace prelight

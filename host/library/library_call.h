@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gpu/transport_scene.h"
+#include "prelight/device.h"
+#include "prelight/load.h"
+#include "prelight/progress.h"
+
+namespace prelight {
+
+/// What a call of the library works with: the device and the progress that it was given, or those that it
+/// gets where it was given none.
+class LibraryCall {
+ public:
+  explicit LibraryCall(const Device* device, Progress* progress = nullptr);
+  LibraryCall(const LibraryCall&) = delete;
+  LibraryCall& operator=(const LibraryCall&) = delete;
+
+  const Device& device() const { return *device_; }
+  Progress& progress() { return *progress_; }
+
+ private:
+  std::optional<Device> opened_;
+  Progress ignored_;
+  const Device* device_;
+  Progress* progress_;
+};
+
+/// Throws InputError for a scene without triangles; `use` says what there is nothing for ("to bake").
+void requireTriangles(const LoadedScene& scene, const char* use);
+
+/// Throws UsageError naming `field` unless the value lies between the two.
+void requireBetween(const char* field, double value, double least, double most);
+
+/// A scene with the lights that options ask for. The arguments outlive it.
+LitScene litScene(const LoadedScene& scene, const std::optional<std::vector<Light>>& lights,
+                  const Environment* sky, double skyRotation);
+
+}  // namespace prelight

@@ -1,0 +1,78 @@
+#include "prelight/render.h"
+
+#include "integrators/full_renderer.h"
+#include "integrators/reference.h"
+#include "library/library_call.h"
+#include "scene/framing.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr double mostPathSamples = 4294967295.0, mostFullSamples = 64.0;
+
+Camera cameraOf(const LoadedScene& scene, const RenderOptions& options) {
+  if (options.camera) return *options.camera;
+  return scene.scene.cameras.empty() ? frameCamera(scene.compiled) : scene.scene.cameras.front();
+}
+
+void check(const RenderOptions& options) {
+  const bool full = options.method == RenderMethod::GlobalIllumination;
+  requireBetween("RenderOptions::width", options.width, 0.0, RenderOptions::maxSize);
+  requireBetween("RenderOptions::height", options.height, 1.0, RenderOptions::maxSize);
+  requireBetween("RenderOptions::samples", options.samples, 1.0, full ? mostFullSamples : mostPathSamples);
+  requireBetween("RenderOptions::depth", options.depth, 1.0, reference::ReferenceRequest::maxDepth);
+}
+
+reference::Integrator integratorOf(RenderMethod method) {
+  if (method == RenderMethod::Distributed) return reference::Integrator::Distributed;
+  return method == RenderMethod::Whitted ? reference::Integrator::Whitted : reference::Integrator::Path;
+}
+
+Picture tracePaths(const LitScene& lit, const Camera& camera, const RenderOptions& options,
+                   LibraryCall& call) {
+  reference::ReferenceRequest request;
+  request.integrator = integratorOf(options.method);
+  request.depth = options.depth;
+  request.samples = options.samples;
+  request.seed = options.seed;
+  request.width = options.width;
+  request.height = options.height;
+  const reference::ReferenceInputs inputs{lit.scene, lit.images, lit.lights,
+                                          camera,    lit.sky,    lit.skyRotation};
+  reference::Film film(request.width, request.height);
+  reference::ReferenceReport report;
+  reference::renderReference(
+      inputs, request, call.device(), call.progress(), [] {}, film, report);
+  return film.picture();
+}
+
+Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera,
+                   const RenderOptions& options, LibraryCall& call) {
+  FullRequest request;
+  request.width = options.width;
+  request.height = options.height;
+  request.samples = options.samples;
+  request.depth = options.depth;
+  request.seed = request.indirect.seed = options.seed;
+  FullReport report;
+  return renderFull(scene, lit, camera, request, call.device(), call.progress(), report);
+}
+
+}  // namespace
+
+Picture render(const LoadedScene& scene, const RenderOptions& options) {
+  check(options);
+  requireTriangles(scene, "to draw");
+  const Camera camera = cameraOf(scene, options);
+  RenderOptions sized = options;
+  if (sized.width == 0) sized.width = pictureWidth(camera, options.height);
+  requireBetween("RenderOptions::width", sized.width, 1.0, RenderOptions::maxSize);
+  LibraryCall call(options.device, options.progress);
+  const LitScene lit = litScene(scene, options.lights, options.sky, options.skyRotation);
+  if (options.method == RenderMethod::GlobalIllumination)
+    return illuminate(scene.scene, lit, camera, sized, call);
+  return tracePaths(lit, camera, sized, call);
+}
+
+}  // namespace prelight

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "architecture/source_files.h"
+
+namespace prelight {
+namespace {
+
+/// String literals of a text that name an option of a command line.
+std::vector<std::string> optionsNamedIn(const std::string& text) {
+  const std::string code = std::regex_replace(text, std::regex("(^|\n)[ \t]*//[^\n]*|  ///?[^\n]*"), "$1");
+  const std::regex literal(R"("(?:[^"\\\n]|\\.)*")"), option("(^|[^-!<])--[a-z]");
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(code.begin(), code.end(), literal), end; at != end; ++at)
+    if (std::regex_search(at->str(), option)) found.push_back(at->str());
+  return found;
+}
+
+/// Fields of requests and options ("BakeRequest::seed") that string literals of a text name.
+std::set<std::string> fieldsNamedIn(const std::string& text) {
+  const std::regex literal(R"("(?:[^"\\\n]|\\.)*")");
+  const std::regex field(R"(\b(?:[A-Z]\w*(?:Request|Options|Kind)|Effort)::\w+)");
+  std::set<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), literal), end; at != end; ++at) {
+    const std::string quoted = at->str();
+    for (std::sregex_iterator name(quoted.begin(), quoted.end(), field); name != end; ++name)
+      found.insert(name->str());
+  }
+  return found;
+}
+
+/// Who calls the library knows no options; host/cli/option_names.cpp turns what the library names into them.
+TEST(Messages, OfTheLibrary_NameNoOptions) {
+  std::size_t files = 0;
+  for (const std::string& file : test::filesBelow("host", {".h", ".cpp"})) {
+    if (file.starts_with("host/cli/")) continue;
+    ++files;
+    for (const std::string& literal : optionsNamedIn(test::textOf(file)))
+      ADD_FAILURE() << file << " names an option: " << literal;
+  }
+  EXPECT_GT(files, 300u) << "the sources were not found";
+}
+
+/// host/library is not what the program calls.
+TEST(Messages, FieldsThatTheyName_HaveOptions) {
+  const std::string table = test::textOf("host/cli/option_names.cpp");
+  std::set<std::string> named;
+  for (const std::string& file : test::filesBelow("host", {".h", ".cpp"}))
+    if (!file.starts_with("host/cli/") && !file.starts_with("host/library/"))
+      named.merge(fieldsNamedIn(test::textOf(file)));
+  EXPECT_GT(named.size(), 15u) << "the names were not found";
+  for (const std::string& name : named)
+    EXPECT_NE(table.find('"' + name + '"'), std::string::npos) << name << " has no option";
+}
+
+TEST(Messages, FieldInALiteral_IsFound) {
+  EXPECT_EQ(
+      fieldsNamedIn("fail(\"raise BakeRequest::maxMemory or Effort::rays\"); HaarRequest::size;").size(), 2u);
+}
+
+TEST(Messages, OptionInALiteral_IsFound) {
+  EXPECT_EQ(optionsNamedIn("throw UsageError(\"--volume\", \"raise --max-memory\");").size(), 2u);
+  EXPECT_EQ(optionsNamedIn("  note(\"a \\\" --quoted\");\n").size(), 1u);
+  EXPECT_EQ(optionsNamedIn("/// \"--volume\" of the program\nint i = 0;\n").size(), 0u);
+  EXPECT_EQ(optionsNamedIn("--i; print(\"one -- two\"); --j;").size(), 0u);
+}
+
+}  // namespace
+}  // namespace prelight
