@@ -32,7 +32,8 @@ std::vector<std::string> matchesIn(const std::string& text, const std::string& p
 
 /// Files are named from the root, or from where includes begin.
 bool existsBelowAny(const std::string& name) {
-  constexpr std::array<const char*, 6> bases = {"", "host", "host/include", "kernels", "viewer", "tests"};
+  constexpr std::array<const char*, 8> bases = {"",       "host",  "host/include", "kernels",
+                                                "viewer", "tests", "benchmarks",   "benchmarks/lab"};
   return std::any_of(bases.begin(), bases.end(),
                      [&](const char* base) { return fs::exists(test::sourceRoot() / base / name); });
 }
