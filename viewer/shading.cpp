@@ -70,6 +70,7 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
      [](BakeRequest& request, const BakeRequest& asked) {
        request.lightMap.wanted = true;
        request.lightMap.texelSize = asked.lightMap.texelSize;
+       request.encodedLight = asked.encodedLight;
      }},
     {Shading::Full, "full", "all light, with caustics, mirrors and glass", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },

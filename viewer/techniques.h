@@ -10,10 +10,12 @@ namespace prelight::viewer {
 
 /// Where the light comes from that a surface scatters diffusely; numbers of shaders/frame.glsl.
 enum class Ambient : int {
-  Open = 0,         ///< the sky around the normal
-  Accessible = 1,   ///< the sky around the bent normal, occluded
-  Transferred = 2,  ///< the transferred radiance
-  LightMap = 3,     ///< the irradiance of a light map
+  Open = 0,             ///< the sky around the normal
+  Accessible = 1,       ///< the sky around the bent normal, occluded
+  Transferred = 2,      ///< the transferred radiance
+  LightMap = 3,         ///< the irradiance of a light map
+  EncodedMap = 4,       ///< its light in an encoding
+  EncodedVertices = 5,  ///< that of vertices
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.
@@ -33,7 +35,10 @@ struct DrawingRules {
   Through through = Through::None;
 };
 
-DrawingRules rulesOf(Shading shading);
+/// The inputs' encoding is that of light which the bake holds for this shading, so that it draws that.
+bool drawsEncoding(Shading shading, const RenderInputs& inputs);
+
+DrawingRules rulesOf(Shading shading, const RenderInputs& inputs);
 
 /// Throws Error when something in the bake does not fit the scene or cannot be drawn.
 void checkBake(const Bake& bake, const CompiledScene& scene);

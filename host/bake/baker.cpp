@@ -18,6 +18,7 @@
 #include "occluders/occluder_vectors.h"
 #include "plan/shadow_sets.h"
 #include "projectors/chart_caster.h"
+#include "projectors/encoded_light/encode_light.h"
 #include "projectors/glossy_transfer.h"
 #include "projectors/haar_transfer.h"
 #include "projectors/lightmap/light_map_plan.h"
@@ -414,6 +415,10 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
       bake.lightMap = runLightMap(*lightMap, scene, *source, request, plan, device, tracer, saving, report);
       if (!bake.irradiance) bake.irradiance = irradianceOfVertices(scene, mesh, *bake.lightMap);
       clock.mark("light map");
+      if (plan.runs(Pass::EncodedLight)) {
+        encodeLight(scene, mesh, request.encodedLight, plan, saving, bake);
+        clock.mark("encoded light");
+      }
     }
   } catch (const Interrupted&) {
     save();

@@ -85,6 +85,17 @@ LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report) {
   return std::move(map_);
 }
 
+void keepCoefficients(LightMap& map, int coefficients) {
+  const auto before = static_cast<std::size_t>(map.coefficients),
+             after = static_cast<std::size_t>(coefficients);
+  std::vector<float> kept;
+  kept.reserve(map.values.size() / before * after);
+  for (std::size_t first = 0; first < map.values.size(); first += before)
+    kept.insert(kept.end(), &map.values[first], &map.values[first] + after);
+  map.values = std::move(kept);
+  map.coefficients = coefficients;
+}
+
 void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map) {
   if (std::find(hidden.begin(), hidden.end(), 1) == hidden.end()) return;
   const LightMapLayout& layout = map.layout;

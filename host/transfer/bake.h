@@ -8,6 +8,7 @@
 
 #include "plan/plan.h"
 #include "transfer/compressed_transfer.h"
+#include "transfer/encoded_light.h"
 #include "transfer/light_map_layout.h"
 #include "transfer/transfer.h"
 #include "transfer/volume_transfer.h"
@@ -43,6 +44,7 @@ struct Bake {
   std::optional<ChartTransfer> texels;               ///< of light maps
   std::optional<LightMap> lightMap;                  ///< of the scene's own lights
   std::optional<std::vector<glm::vec3>> irradiance;  ///< [vertex], W/m2 of the scene's static lights
+  std::vector<EncodedLight> encodedLight;            ///< of vertices, the fronts
   BakeInfo info;
 };
 

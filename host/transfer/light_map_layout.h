@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "transfer/encoded_light.h"
+
 namespace prelight {
 
 /// A texel's place on the surface. A face is a triangle's front (its index) or, where its material is
@@ -37,9 +39,10 @@ struct LightMapLayout {
 /// surface are 0.
 struct LightMap {
   LightMapLayout layout;
-  int coefficients = 1;       ///< 1: irradiance, W/m2, on the side of the face's geometric normal. 5: four
-                              ///< more, incident radiance in SH of order 2, for bump maps
+  int coefficients = 1;       ///< 1: irradiance, W/m2, on the side of the face's geometric normal. 1 + n n:
+                              ///< incident radiance in SH of order n as well, 2 for bump maps
   std::vector<float> values;  ///< [y][x][channel 3][coefficients]
+  std::vector<EncodedLight> encoded;  ///< of texels
 };
 
 }  // namespace prelight

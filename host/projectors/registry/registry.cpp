@@ -5,6 +5,8 @@
 #include "projectors/ambient_occlusion/ambient_occlusion_technique.h"
 #include "projectors/ch/ch_planning.h"
 #include "projectors/ch/ch_technique.h"
+#include "projectors/encoded_light/encoded_light_planning.h"
+#include "projectors/encoded_light/encoded_light_technique.h"
 #include "projectors/glossy/glossy_planning.h"
 #include "projectors/glossy/glossy_technique.h"
 #include "projectors/haar/haar_planning.h"
@@ -38,7 +40,7 @@ struct Row {
   std::array<int, 2> planned;  ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 13> rows = {{
+constexpr std::array<Row, 14> rows = {{
     //                                                     entry root summary, plan key
     {ambientOcclusionTechnique, ambientOcclusionPlanning, {0, 0, 0}, {0, 0}},
     {shTechnique, shPlanning, {1, 1, 2}, {1, 1}},
@@ -53,6 +55,7 @@ constexpr std::array<Row, 13> rows = {{
     {texelsTechnique, texelsPlanning, {10, 10, 10}, {8, 5}},
     {radiosityTechnique, radiosityPlanning, {8, 11, 1}, {9, 9}},
     {lightMapTechnique, lightMapPlanning, {12, 12, 11}, {10, 10}},
+    {encodedLightTechnique, encodedLightPlanning, {13, 13, 13}, {11, 11}},
 }};
 
 template <std::size_t columns>
