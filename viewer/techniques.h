@@ -10,12 +10,13 @@ namespace prelight::viewer {
 
 /// Where the light comes from that a surface scatters diffusely; numbers of shaders/frame.glsl.
 enum class Ambient : int {
-  Open = 0,             ///< the sky around the normal
-  Accessible = 1,       ///< the sky around the bent normal, occluded
-  Transferred = 2,      ///< the transferred radiance
+  Open = 0,         ///< the sky around the normal
+  Accessible = 1,   ///< the sky around the bent normal, occluded
+  Transferred = 2,  ///< the transferred radiance
+  Cone = 4,  ///< the sky through the cone about the bent normal, which shadows lights and reflections, too
   LightMap = 3,         ///< the irradiance of a light map
-  EncodedMap = 4,       ///< its light in an encoding
-  EncodedVertices = 5,  ///< that of vertices
+  EncodedMap = 5,       ///< its light in an encoding
+  EncodedVertices = 6,  ///< that of vertices
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.

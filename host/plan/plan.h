@@ -60,6 +60,7 @@ enum class Pass : std::uint8_t {
   Textures,
   ShadowMaps,
   EnvironmentMaps,
+  OcclusionCones,
 };
 
 /// [Pass], for people and files.
@@ -109,7 +110,8 @@ constexpr std::array<std::string_view, 47> passNames = {"cast",
                                                         "absorption",
                                                         "textures",
                                                         "shadow maps",
-                                                        "environment maps"};
+                                                        "environment maps",
+                                                        "occlusion cones"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 

@@ -1,4 +1,4 @@
-#include "projectors/encoded_light/encode_light.h"
+#include "projectors/encoded_light/encoded_light_projector.h"
 
 #include <algorithm>
 #include <array>
@@ -66,18 +66,33 @@ EncodedLight ofVertices(const CompiledScene& scene, std::span<const float> incid
   return light;
 }
 
+/// Comes after the light map, whose light it encodes.
+class EncodedLightProjector final : public Projector {
+ public:
+  explicit EncodedLightProjector(const BakeContext& context) : context_(context) {}
+
+  std::string_view stage() const override { return "encoded light"; }
+
+  void run(ReceiverCast* /*cast*/, Bake& bake, Progress& progress) override {
+    LightMap& map = *bake.lightMap;
+    assert(static_cast<std::size_t>(map.coefficients) == mapCoefficients);
+    const std::vector<float> incident = incidentOfVertices(context_.scene, context_.mesh, map);
+    for (const Encoding* encoding : encodingsNamed(context_.request.encodedLight.encodings)) {
+      map.encoded.push_back(ofTexels(context_.scene, map, *encoding, progress));
+      bake.encodedLight.push_back(ofVertices(context_.scene, incident, *encoding, progress));
+    }
+    keepCoefficients(map, keptLightMapCoefficients(context_.plan));
+  }
+
+ private:
+  const BakeContext& context_;
+};
+
 }  // namespace
 
-void encodeLight(const CompiledScene& scene, const FitMesh& mesh, const EncodedLightRequest& request,
-                 const Plan& plan, const Progress& progress, Bake& bake) {
-  LightMap& map = *bake.lightMap;
-  assert(static_cast<std::size_t>(map.coefficients) == mapCoefficients);
-  const std::vector<float> incident = incidentOfVertices(scene, mesh, map);
-  for (const Encoding* encoding : encodingsNamed(request.encodings)) {
-    map.encoded.push_back(ofTexels(scene, map, *encoding, progress));
-    bake.encodedLight.push_back(ofVertices(scene, incident, *encoding, progress));
-  }
-  keepCoefficients(map, keptLightMapCoefficients(plan));
+std::unique_ptr<Projector> encodedLightProjector(const BakeContext& context) {
+  if (!context.plan.runs(Pass::EncodedLight) || context.source == nullptr) return nullptr;
+  return std::make_unique<EncodedLightProjector>(context);
 }
 
 }  // namespace prelight
