@@ -48,7 +48,7 @@ class LightMapBake {
   void load(StateReader& state);
 
   /// After run(). Seams are edges below the crease angle, radians.
-  LightMap finish(double creaseAngle, LightMapReport& report);
+  LightMap finish(double creaseAngle, LightMapReport& report) const;
 
  private:
   const CompiledScene& scene_;

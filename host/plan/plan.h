@@ -64,7 +64,7 @@ enum class Pass : std::uint8_t {
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 47> passNames = {"cast",
+constexpr std::array<std::string_view, 48> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
