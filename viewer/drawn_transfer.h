@@ -52,6 +52,7 @@ enum Unit : GLuint {
   surroundingsUnit = 20,     ///< shaders/surroundings.glsl
   insidesUnit = 21,          ///< the same
   normalTextureUnit = 22,    ///< shaders/normal_map.glsl
+  encodedVerticesUnit = 23,  ///< shaders/encoded_light.glsl
 };
 
 /// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.

@@ -17,6 +17,7 @@
 
 namespace prelight {
 class Device;
+struct Encoding;
 struct GlobalIllumination;
 struct NormalMaps;
 }  // namespace prelight
@@ -34,11 +35,14 @@ struct RenderInputs {
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
   const GlobalIllumination* full =
       nullptr;  ///< full shading needs it, and adds its caustics; nullptr: not offered
-  const NormalMaps* normalMaps = nullptr;  ///< of light maps that hold directions; nullptr: surfaces are even
+  const NormalMaps* normalMaps =
+      nullptr;  ///< of light maps that hold directions, and of encodings; nullptr: surfaces are even
+  const Encoding* encoding =
+      nullptr;  ///< lightmap and radiosity shading draw light in it, where the bake holds some; nullptr: none
 
   /// All of them for a scene whose vertices are elsewhere.
   RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene, moved, bake, environment, device, caustics, full, normalMaps};
+    return {scene, moved, bake, environment, device, caustics, full, normalMaps, encoding};
   }
 };
 

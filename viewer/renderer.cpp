@@ -9,6 +9,7 @@
 
 #include "basis/sh.h"
 #include "prelight/error.h"
+#include "encodings/encoding.h"
 #include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
@@ -25,7 +26,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 23> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 24> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -48,7 +49,8 @@ void prepare(const gl::Program& program) {
        {"shadowViews", shadowViewsUnit},
        {"surroundings", surroundingsUnit},
        {"insides", insidesUnit},
-       {"normalTexture", normalTextureUnit}}};
+       {"normalTexture", normalTextureUnit},
+       {"encodedVertices", encodedVerticesUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 
@@ -169,6 +171,19 @@ FullLighting& Renderer::full() {
       makeCaustics({inputs_.full->photons, inputs_.full->caustics.filter});
   }
   return *full_;
+}
+
+/// The surface's, with the encoding's own text where one is drawn.
+const gl::Program& Renderer::programOf(const View& view) {
+  if (view.shading == Shading::Full) return *fullProgram_;
+  if (!drawsEncoding(view.shading, inputs_)) return surfaceProgram_;
+  if (encodedProgram_ == nullptr) {
+    const std::map<std::string, std::string> text = {
+        {"encoding.glsl", std::string(inputs_.encoding->shader)}};
+    encodedProgram_ = std::make_unique<gl::Program>("surface.vert", "surface.frag", text);
+    prepare(*encodedProgram_);
+  }
+  return *encodedProgram_;
 }
 
 void Renderer::updateIndirect(std::span<const float> values) {
@@ -306,7 +321,7 @@ void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector
                            int turns) const {
   FrameBlock frame{};
   const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
-  DrawingRules rules = rulesOf(view.shading);
+  DrawingRules rules = rulesOf(view.shading, inputs_);
   if (view.shading == Shading::Vo && view.occluders.allHighlights) rules.reflection = Reflection::Everywhere;
   setCamera(view, tile, compiled_, frame);
   setSky(view, sky, skyWidth_, frame);
@@ -423,7 +438,7 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
 
 void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target,
                          const Illumination& light, const DrawnTransfer* transfer, int leftOutNode) {
-  const gl::Program& program = view.shading == Shading::Full ? *fullProgram_ : surfaceProgram_;
+  const gl::Program& program = programOf(view);
   std::vector<const Batch*> opaque;
   std::vector<const Batch*> blended;
   for (const Batch& batch : scene_.batches()) {
@@ -496,7 +511,7 @@ void Renderer::describe(const View& view, Warnings& notes) {
     notes.push_back("the scene has " + std::to_string(view.lights.size()) + " lights: the strongest " +
                     std::to_string(room) + " are drawn");
   }
-  const DrawingRules rules = rulesOf(view.shading);
+  const DrawingRules rules = rulesOf(view.shading, inputs_);
   const bool inside = std::any_of(light.lights.begin(), light.lights.end(),
                                   [](const ShadedLight& source) { return !source.throughTransfer; });
   if (rules.through == Through::FarLights && inside) {

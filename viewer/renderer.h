@@ -101,6 +101,7 @@ class Renderer {
   Illumination illuminationOf(const View& view);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   FullLighting& full();
+  const gl::Program& programOf(const View& view);
   bool showsCaustics(const View& view) const;
   void updateSurroundings(const View& view, const Illumination& light);
   void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
@@ -132,7 +133,7 @@ class Renderer {
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
   bool paced_ = false;
-  std::unique_ptr<gl::Program> fullProgram_;
+  std::unique_ptr<gl::Program> fullProgram_, encodedProgram_;
   SkyCoefficients sky_;
   Environment neutralMap_;
   SkyCoefficients neutralSky_;

@@ -70,6 +70,7 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
      [](BakeRequest& request, const BakeRequest& asked) {
        request.lightMap.wanted = true;
        request.lightMap.texelSize = asked.lightMap.texelSize;
+       request.encodedLight = asked.encodedLight;
      }},
     {Shading::Cones, "cones", "sky, lights and reflections through the cone that is open above a surface",
      "--cones",

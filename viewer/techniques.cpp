@@ -9,6 +9,7 @@
 #include "prelight/error.h"
 #include "viewer/chart_lighting.h"
 #include "viewer/cluster_transfer.h"
+#include "viewer/encoded_lighting.h"
 #include "viewer/glossy_lighting.h"
 #include "viewer/haar_lighting.h"
 #include "viewer/light_map_lighting.h"
@@ -83,6 +84,16 @@ std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
   std::unique_ptr<DrawnTransfer> vertices = makeShOfVertices(inputs);
   if (!inputs.bake->texels) return vertices;
   return std::make_unique<ChartLighting>(*inputs.bake->texels, inputs.compiled, std::move(vertices));
+}
+
+/// Of a bake that holds it (drawsEncoding).
+std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const RenderInputs& inputs) {
+  const std::string_view name = inputs.encoding->name;
+  const Bake& bake = *inputs.bake;
+  if (shading == Shading::Radiosity)
+    return std::make_unique<EncodedVertexLighting>(*findEncoded(bake.encodedLight, name));
+  const LightMap& map = *bake.lightMap;
+  return std::make_unique<LightMapLighting>(layersOf(map, *findEncoded(map.encoded, name)), inputs.compiled);
 }
 
 struct Technique {
@@ -185,7 +196,15 @@ void checkCharts(const ChartTransfer& texels, const CompiledScene& scene) {
   }
 }
 
+/// Light in encodings, at as many places.
+void checkEncoded(const char* what, const std::vector<EncodedLight>& lights, std::size_t places) {
+  for (const EncodedLight& light : lights)
+    if (const Encoding* encoding = encodingNamed(light.encoding))
+      expectSize(what, light.values.size(), places * encoding->values);
+}
+
 void checkLightMap(const LightMap& map, const CompiledScene& scene) {
+  checkEncoded("encoded light of texels", map.encoded, map.layout.texelCount());
   expectSize("faces of the light map", map.layout.chartOf.size(), 2 * std::size_t{scene.triangleCount()});
   expectSize("light map", map.values.size(),
              3 * map.layout.texelCount() * static_cast<std::size_t>(map.coefficients));
@@ -193,7 +212,20 @@ void checkLightMap(const LightMap& map, const CompiledScene& scene) {
 
 }  // namespace
 
-DrawingRules rulesOf(Shading shading) { return table[static_cast<std::size_t>(shading)].rules; }
+bool drawsEncoding(Shading shading, const RenderInputs& inputs) {
+  if (inputs.encoding == nullptr || inputs.bake == nullptr) return false;
+  const Bake& bake = *inputs.bake;
+  if (shading == Shading::LightMap && bake.lightMap)
+    return findEncoded(bake.lightMap->encoded, inputs.encoding->name) != nullptr;
+  return shading == Shading::Radiosity && findEncoded(bake.encodedLight, inputs.encoding->name) != nullptr;
+}
+
+DrawingRules rulesOf(Shading shading, const RenderInputs& inputs) {
+  DrawingRules rules = table[static_cast<std::size_t>(shading)].rules;
+  if (drawsEncoding(shading, inputs))
+    rules.ambient = shading == Shading::LightMap ? Ambient::EncodedMap : Ambient::EncodedVertices;
+  return rules;
+}
 
 void checkBake(const Bake& bake, const CompiledScene& scene) {
   const std::uint32_t vertices = scene.vertexCount();
@@ -218,6 +250,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   if (bake.occluders) checkOccluders(*bake.occluders, vertices);
   if (bake.texels) checkCharts(*bake.texels, scene);
   if (bake.lightMap) checkLightMap(*bake.lightMap, scene);
+  checkEncoded("encoded light of vertices", bake.encodedLight, vertices);
   if (const auto& lights = bake.lightGroups) {
     const auto groups = static_cast<int>(lights->groups.size());
     expectSize("light groups", lights->coefficients.size(), numbers(vertices, lights->channels, groups, 1));
@@ -232,6 +265,7 @@ void checkFullLight(const GlobalIllumination& full, const CompiledScene& scene) 
 }
 
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe) {
+  if (drawsEncoding(shading, inputs)) return makeEncoded(shading, inputs);
   return table[static_cast<std::size_t>(shading)].make(inputs, lobe);
 }
 

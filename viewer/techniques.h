@@ -14,7 +14,9 @@ enum class Ambient : int {
   Accessible = 1,   ///< the sky around the bent normal, occluded
   Transferred = 2,  ///< the transferred radiance
   Cone = 4,  ///< the sky through the cone about the bent normal, which shadows lights and reflections, too
-  LightMap = 3,  ///< the irradiance of a light map
+  LightMap = 3,         ///< the irradiance of a light map
+  EncodedMap = 5,       ///< its light in an encoding
+  EncodedVertices = 6,  ///< that of vertices
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.
@@ -34,7 +36,10 @@ struct DrawingRules {
   Through through = Through::None;
 };
 
-DrawingRules rulesOf(Shading shading);
+/// The inputs' encoding is that of light which the bake holds for this shading, so that it draws that.
+bool drawsEncoding(Shading shading, const RenderInputs& inputs);
+
+DrawingRules rulesOf(Shading shading, const RenderInputs& inputs);
 
 /// Throws Error when something in the bake does not fit the scene or cannot be drawn.
 void checkBake(const Bake& bake, const CompiledScene& scene);

@@ -211,7 +211,7 @@ std::vector<Subject> transport() {
        "a dozen roundings a light; sums of many lights in runs; small far lamps by their distance over their "
        "size",
        {"radiosity/direct_kernels.cl:aimAtLights", "radiosity/direct_kernels.cl:sumLights",
-        "radiosity/direct_kernels.cl:sumIncident"},
+        "radiosity/incident_kernels.cl:sumIncident"},
        runDirectLight},
       {"photons",
        Pipeline,
@@ -249,7 +249,7 @@ std::vector<Subject> indirectLight() {
        itself,
        sumRule,
        {"gather/gather_kernels.cl:gatherRadiance", "gather/gather_kernels.cl:sumRadiance",
-        "gather/gather_kernels.cl:sumIncident"},
+        "gather/incident_kernels.cl:sumIncident"},
        runGather},
       {"radiosity's solvers",
        Kernel,

@@ -33,7 +33,7 @@ struct CastOptions {
   std::size_t bounceColumns = 0;          ///< values a channel that bounces carry
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
-  bool incident = false;                  ///< of the lights: incident radiance in SH of order 2 as well
+  int incidentOrder = 0;                  ///< of the lights: incident radiance in SH of this order as well
   OcclusionLimits limits;
   const OccluderGroups* occluders =
       nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
@@ -47,7 +47,8 @@ struct CastValues {
   std::vector<float> values;  ///< [receiver][valueCount]
   std::vector<std::uint32_t>
       texels;                 ///< [receiver][raysPerReceiver], texel x 256 + blocked part of 255; or empty
-  std::vector<float> lights;  ///< [receiver][3][group], with `incident` [..][5], see LightCaster; or empty
+  std::vector<float> lights;  ///< [receiver][3][group], with an
+                              ///< incidentOrder [..][value], see LightCaster; or empty
   std::vector<std::uint8_t> inside;  ///< [receiver], 1: rays met nothing but backs of one-sided surfaces; or
                                      ///< empty
   OccluderValues occluders;          ///< where they were asked for

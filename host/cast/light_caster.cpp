@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/span_of.h"
+#include "basis/incident_values.h"
 #include "device/packed_arrays.h"
 #include "receivers/surface_sampler.h"
 
@@ -38,8 +39,10 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
 }  // namespace
 
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-                         DeviceContext& device, std::uint32_t blockSize, bool incident)
-    : device_(device), valueCount_(incident ? 5 : 1), hasEmitters_(!lights.emitters.empty()) {
+                         DeviceContext& device, std::uint32_t blockSize, int incidentOrder)
+    : device_(device),
+      valueCount_(static_cast<std::uint32_t>(incidentOrder > 0 ? incidentValueCount(incidentOrder) : 1)),
+      hasEmitters_(!lights.emitters.empty()) {
   PackedArrays<LightGroupLine> pack;
   layout_.groupCount = static_cast<std::uint32_t>(lights.groups.size());
   layout_.slotCount = static_cast<std::uint32_t>(lights.slots.size());
@@ -59,8 +62,10 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   emitters_.emplace_back(device_, spanOf(lights.emitters));
   if (sets != nullptr)
     for (const auto& set : sets->sets) emitters_.emplace_back(device_, spanOf(emittersOf(lights, set)));
-  const auto options =
-      BuildOptions().defineIf(hasEmitters_, "PRELIGHT_EMITTERS").defineIf(incident, "PRELIGHT_INCIDENT");
+  auto options = BuildOptions()
+                     .defineIf(hasEmitters_, "PRELIGHT_EMITTERS")
+                     .defineIf(incidentOrder > 0, "PRELIGHT_INCIDENT");
+  addIncidentOrder(options, incidentOrder);
   generate_ = {device_, "cast/light_kernels.cl", options, "generateLightRays"};
   project_ = {device_, "cast/light_kernels.cl", options, "projectLights"};
 }

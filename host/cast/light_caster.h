@@ -16,16 +16,16 @@ namespace prelight {
 class LightCaster {
  public:
   /// `blockSize` receivers at most are cast at once. Receivers of a set get nothing from emitters that it
-  /// leaves out. `incident`: keep the light by direction, too.
+  /// leaves out. `incidentOrder`: keep the light by direction, too; 0: do not.
   LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-              DeviceContext& device, std::uint32_t blockSize, bool incident);
+              DeviceContext& device, std::uint32_t blockSize, int incidentOrder);
 
   std::uint32_t groupCount() const { return layout_.groupCount; }
   bool hasEmitters() const { return hasEmitters_; }
   std::uint32_t raysPerReceiver() const { return layout_.slotCount; }
 
-  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][5],
-  /// incident radiance in SH of order 2 as well (kernels/project/incident_funcs.cl). All receivers are of the
+  /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][value],
+  /// incident radiance in SH as well (basis/incident_values.h). All receivers are of the
   /// set, whose triangles the tracer holds. Where the lights have emitters, the block's hits are
   /// the closest ones.
   void cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer, std::uint32_t set,

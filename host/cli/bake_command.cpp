@@ -214,7 +214,8 @@ void checkMapOptions(const BakeRequest& request) {
   if (request.lightMap) return;
   for (const auto& [given, option] : {std::pair{request.lightMap.photons > 0, "--photons"},
                                       std::pair{request.lightMap.texelSize > 0.0, "--texel-size"},
-                                      std::pair{request.lightMap.error > 0.0, "--texel-error"}})
+                                      std::pair{request.lightMap.error > 0.0, "--texel-error"},
+                                      std::pair{bool(request.encodedLight), "--encode"}})
     if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
 }
 

@@ -13,6 +13,7 @@
 #include "base/pattern.h"
 #include "cli/values.h"
 #include "prelight/error.h"
+#include "projectors/encoded_light/encoding_names.h"
 
 namespace prelight::cli {
 namespace {
@@ -57,6 +58,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.radiosity.wanted, "--radiosity");
   add(request.lightMap.wanted, "--lightmap");
   add(request.lightMap.caustics, "--caustics");
+  add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -184,6 +186,19 @@ void addOcclusionOptions(CLI::App& app, BakeRequest& request) {
       ->type_name("M");
 }
 
+/// "NAME,NAME".
+void readEncodings(const std::string& text, EncodedLightRequest& request) {
+  request.encodings.clear();
+  for (const std::string& name : splitPatterns(text)) {
+    requireEncoding("--encode", name);
+    if (std::find(request.encodings.begin(), request.encodings.end(), name) != request.encodings.end())
+      throw UsageError("--encode", fmt::format("{} stands there twice", name), "name each encoding once");
+    request.encodings.push_back(name);
+  }
+  if (request.encodings.empty())
+    throw UsageError("--encode", "no encoding is named", "one of: " + encodingNames());
+}
+
 void addLightMapOptions(CLI::App& app, BakeRequest& request) {
   app.add_flag("--lightmap", request.lightMap.wanted,
                "light map: irradiance of the scene's own lights, direct and through "
@@ -200,6 +215,13 @@ void addLightMapOptions(CLI::App& app, BakeRequest& request) {
       "light map: a texel size for each chart, such that light between texels is off by about this much of "
       "the chart's mean light (rms); the smallest texels are a quarter of the usual")
       ->type_name("E");
+  app.add_option_function<std::string>(
+         "--encode", [&](const std::string& text) { readEncodings(text, request.encodedLight); },
+         fmt::format(
+             "light map: light by direction as well, for normal maps, at texels and vertices, stored as "
+             "NAME[,NAME...] of {}",
+             encodingNames()))
+      ->type_name("NAMES");
 }
 
 void addRadiosityOptions(CLI::App& app, BakeRequest& request) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/encoding_option.h"
 #include "cli/full_light.h"
 #include "cli/full_picture.h"
 #include "cli/occluder_options.h"
@@ -84,6 +85,7 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.occluders, from.occluders);
   take(into.irradiance, from.irradiance);
   take(into.lightMap, from.lightMap);
+  if (!from.encodedLight.empty()) into.encodedLight = std::move(from.encodedLight);
 }
 
 /// Radiosity and light maps are baked under the light of the picture.
@@ -116,6 +118,7 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   }
   requireTriangles(shaded.loaded);
   shaded.request = requestFor(missingShadings(asked, shaded.bake, shading, everyShading), asked);
+  if (shaded.encoding != nullptr) askForEncoding(*shaded.encoding, shaded.request);
   session.console().note(
       fmt::format("{} carries no bake for --shading {}: baking {} now (prelight bake keeps it)",
                   options.scene.string(), viewer::shadingName(shading), techniqueText(shaded.request)));
@@ -212,11 +215,13 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
          },
          "glossy shading: ggx (default) or phong")
       ->type_name("NAME");
+  addEncodingOption(app, options.encoding);
 }
 
-/// Normal maps, for a light map that holds directions.
+/// Normal maps, for light that can be turned by them.
 void loadBumps(Session& session, ShadedScene& shaded) {
-  if (!shaded.bake.lightMap || shaded.bake.lightMap->coefficients == 1) return;
+  const bool directions = shaded.bake.lightMap && shaded.bake.lightMap->coefficients > 1;
+  if (!directions && shaded.encoding == nullptr) return;
   Warnings odd;
   shaded.normalMaps = session.times().measure(
       "normal maps", [&] { return loadNormalMaps(shaded.loaded.document, shaded.loaded.scene, odd); });
@@ -270,7 +275,8 @@ viewer::RenderInputs ShadedScene::inputs() const {
           device ? &*device : nullptr,
           caustics ? &caustics->caustics : nullptr,
           full ? &*full : nullptr,
-          normalMaps ? &*normalMaps : nullptr};
+          normalMaps ? &*normalMaps : nullptr,
+          encoding};
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
@@ -291,7 +297,10 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 
   viewer::RenderOptions& render = shaded.render;
-  render.shading = options.shading.value_or(viewer::carriedShading(shaded.bake));
+  render.shading = options.shading.value_or(
+      options.encoding != nullptr ? viewer::Shading::LightMap : viewer::carriedShading(shaded.bake));
+  shaded.encoding = options.encoding;
+  checkEncoding(options.scene, shaded.bake, render.shading, shaded.encoding);
   render.height = options.size.height;
   const Camera camera = viewer::chooseCamera(shaded.loaded.scene, shaded.loaded.compiled, options.camera);
   render.width = options.size.width.value_or(pictureWidth(camera, options.size.height));

@@ -12,6 +12,7 @@
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
+#include "encodings/encoding.h"
 #include "gi/global_illumination.h"
 #include "integrators/full_renderer.h"
 #include "prelight/device.h"
@@ -27,7 +28,8 @@ struct PictureOptions {
   std::filesystem::path scene;
   std::filesystem::path environment;
   std::optional<viewer::Shading> shading;
-  FullRequest full;  ///< of full shading
+  const Encoding* encoding = nullptr;  ///< of what light maps or vertices hold; nullptr: irradiance
+  FullRequest full;                    ///< of full shading
   std::optional<int> camera;
   PictureSize size;
   double skyRotationDegrees = 0.0;
@@ -55,7 +57,8 @@ struct ShadedScene {
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<GlobalIllumination> full;
-  std::optional<NormalMaps> normalMaps;       ///< where the light map can be turned by them
+  std::optional<NormalMaps> normalMaps;       ///< where baked light can be turned by them
+  const Encoding* encoding = nullptr;         ///< that is drawn
   std::unique_ptr<FollowingLight> following;  ///< of a window in full shading
 
   viewer::RenderInputs inputs() const;

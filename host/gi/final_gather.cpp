@@ -42,7 +42,6 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
   const BuildOptions options = scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS");
   gather_ = {device_, file, options, "gatherRadiance"};
   sum_ = {device_, file, options, "sumRadiance"};
-  sumIncident_ = {device_, file, options, "sumIncident"};
 }
 
 template <typename Summing>
@@ -69,9 +68,20 @@ std::vector<glm::vec3> FinalGather::gather(std::span<const Receiver> receivers, 
   return irradiance;
 }
 
-std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receivers, Progress& progress) {
-  constexpr std::size_t length = 15;
-  if (incident_.size() == 0) incident_ = Buffer<float>(device_, length * blockSize_);
+void FinalGather::prepareIncident(int order) {
+  if (incidentOrder_ == order) return;
+  BuildOptions options;
+  addIncidentOrder(options, order);
+  sumIncident_ = {device_, "gather/incident_kernels.cl", options, "sumIncident"};
+  incident_ = Buffer<float>(
+      device_, 3 * static_cast<std::size_t>(incidentValueCount(order)) * std::size_t{blockSize_});
+  incidentOrder_ = order;
+}
+
+std::vector<float> FinalGather::gatherIncident(std::span<const Receiver> receivers, Progress& progress,
+                                               int order) {
+  prepareIncident(order);
+  const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   std::vector<float> incident(length * receivers.size());
   gatherBlocks(receivers, progress, nullptr, [&](std::size_t first, std::size_t count) {
     // Those that went on lie where the first ones were.

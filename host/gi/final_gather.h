@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "basis/incident_values.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
 #include "prelight/progress.h"
@@ -35,13 +36,15 @@ class FinalGather {
   std::vector<glm::vec3> gather(std::span<const device::Receiver> receivers, Progress& progress,
                                 std::vector<std::uint32_t>* seen = nullptr);
 
-  /// The same with directions: irradiance, W/m2, and incident radiance in SH of order 2,
+  /// The same with directions: irradiance, W/m2, and incident radiance in SH of an order,
   /// [receiver][channel][5].
-  std::vector<float> gatherIncident(std::span<const device::Receiver> receivers, Progress& progress);
+  std::vector<float> gatherIncident(std::span<const device::Receiver> receivers, Progress& progress,
+                                    int order = leastIncidentOrder);
 
   std::uint64_t rays() const { return rays_; }
 
  private:
+  void prepareIncident(int order);
   /// Traces block by block; sumBlock(first, count) then reads what the rays brought.
   template <typename Summing>
   void gatherBlocks(std::span<const device::Receiver> receivers, Progress& progress,
@@ -66,6 +69,7 @@ class FinalGather {
   Buffer<device::GatherPath> paths_;  ///< [two parts][mostRays_]
   Buffer<device::Hit> hits_;
   Buffer<float> radiances_, sums_, incident_;
+  int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
   Buffer<std::uint32_t> counter_;
 
   using Parameters = Buffer<device::GatherParameters>;

@@ -141,11 +141,12 @@ std::vector<glm::vec3> IndirectLight::gather(std::span<const LightMapTexel> plac
   return irradiance;
 }
 
-std::vector<float> IndirectLight::gatherIncident(std::span<const LightMapTexel> places, Progress& progress) {
-  constexpr std::size_t length = 15;
+std::vector<float> IndirectLight::gatherIncident(std::span<const LightMapTexel> places, Progress& progress,
+                                                 int order) {
+  const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   const std::uint32_t rays = raysPerReceiver(request_), count = std::max(1u, request_.rays / rays);
   const std::vector<float> found =
-      gather_.gatherIncident(gatherReceivers(compiled_, places, count, rays, request_.seed), progress);
+      gather_.gatherIncident(gatherReceivers(compiled_, places, count, rays, request_.seed), progress, order);
   std::vector<float> incident(length * places.size(), 0.0f);
   for (std::size_t i = 0; i < found.size(); ++i)
     incident[i / (length * count) * length + i % length] += found[i] / static_cast<float>(count);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "basis/incident_values.h"
 #include "gi/final_gather.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
@@ -47,8 +48,10 @@ class IndirectLight {
   /// Irradiance, W/m2, [place].
   std::vector<glm::vec3> gather(std::span<const LightMapTexel> places, Progress& progress);
 
-  /// The same with directions: irradiance and incident radiance in SH of order 2, [place][channel][5].
-  std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress);
+  /// The same with directions: irradiance and incident radiance in SH of an order, [place][channel][value]
+  /// (basis/incident_values.h).
+  std::vector<float> gatherIncident(std::span<const LightMapTexel> places, Progress& progress,
+                                    int order = leastIncidentOrder);
 
   std::uint64_t rays() const { return earlierRays_ + gather_.rays(); }  ///< photons' too
 

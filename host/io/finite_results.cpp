@@ -75,6 +75,8 @@ void requireFiniteBake(const GltfDocument& document, std::size_t firstAccessor) 
 
 void requireFiniteLightMap(const std::filesystem::path& path, const LightMap& map) {
   requireUsable(map.values, path, [] { return std::string("a texel of the light map"); });
+  for (const EncodedLight& light : map.encoded)
+    requireUsable(light.values, path, [&] { return "a texel of the light map as " + light.encoding; });
 }
 
 }  // namespace prelight

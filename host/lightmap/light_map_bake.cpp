@@ -74,15 +74,27 @@ void LightMapBake::load(StateReader& state) {
   state.requireFinite(map_.values);
 }
 
-LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report) {
+LightMap LightMapBake::finish(double creaseAngle, LightMapReport& report) const {
   report.rays = rays_;
   report.hidden = static_cast<std::size_t>(std::count(hidden_.begin(), hidden_.end(), 1));
-  fillHidden(hidden_, map_);
-  const std::vector<SeamPoint> seams = seamsOf(scene_, map_.layout, creaseAngle);
-  report.jumpBefore = seamJump(map_, seams);
-  stitchSeams(seams, map_);
-  report.jumpAfter = seamJump(map_, seams);
-  return std::move(map_);
+  LightMap map = map_;  // what is done may still be saved
+  fillHidden(hidden_, map);
+  const std::vector<SeamPoint> seams = seamsOf(scene_, map.layout, creaseAngle);
+  report.jumpBefore = seamJump(map, seams);
+  stitchSeams(seams, map);
+  report.jumpAfter = seamJump(map, seams);
+  return map;
+}
+
+void keepCoefficients(LightMap& map, int coefficients) {
+  const auto before = static_cast<std::size_t>(map.coefficients),
+             after = static_cast<std::size_t>(coefficients);
+  std::vector<float> kept;
+  kept.reserve(map.values.size() / before * after);
+  for (std::size_t first = 0; first < map.values.size(); first += before)
+    kept.insert(kept.end(), &map.values[first], &map.values[first] + after);
+  map.values = std::move(kept);
+  map.coefficients = coefficients;
 }
 
 void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map) {

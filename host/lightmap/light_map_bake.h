@@ -35,7 +35,7 @@ std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
 /// neighbours on the chart, and seams are stitched.
 class LightMapBake {
  public:
-  /// `coefficients`: 1 or 5, see LightMap. The scene outlives it.
+  /// `coefficients`: see LightMap. The scene outlives it.
   LightMapBake(const CompiledScene& scene, LightMapLayout layout, int coefficients);
 
   const LightMapLayout& layout() const { return map_.layout; }
@@ -48,7 +48,7 @@ class LightMapBake {
   void load(StateReader& state);
 
   /// After run(). Seams are edges below the crease angle, radians.
-  LightMap finish(double creaseAngle, LightMapReport& report);
+  LightMap finish(double creaseAngle, LightMapReport& report) const;
 
  private:
   const CompiledScene& scene_;
@@ -57,6 +57,9 @@ class LightMapBake {
   std::uint64_t done_ = 0;            ///< texels of layout.texels
   std::uint64_t rays_ = 0;
 };
+
+/// Leaves the first coefficients of a map's values, as many as are given.
+void keepCoefficients(LightMap& map, int coefficients);
 
 /// Texels of `hidden`, [place of layout.texels], take the mean of their neighbours on the same chart that are
 /// not, ring by ring. A chart that is hidden as a whole stays as it is.

@@ -13,4 +13,7 @@ namespace prelight {
 std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,
                                             const LightMap& map);
 
+/// The same of the incident radiance that the map holds in SH of order n: [vertex][channel 3][n n].
+std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map);
+
 }  // namespace prelight

@@ -129,13 +129,15 @@ std::vector<glm::vec3> DensityEstimator::estimate(std::span<const DensityQuery> 
   return irradiance;
 }
 
-std::vector<float> DensityEstimator::estimateIncident(std::span<const DensityQuery> queries) {
-  if (!estimateIncident_) {
+std::vector<float> DensityEstimator::estimateIncident(std::span<const DensityQuery> queries, int order) {
+  if (incidentOrder_ != order) {
     BuildOptions build;
+    addIncidentOrder(build, order);
+    incidentOrder_ = order;
     estimateIncident_ = {device_, "photon/incident_kernels.cl", addOptions(build, options_),
                          "estimateIncident"};
   }
-  return estimateWith(estimateIncident_, 15, queries);
+  return estimateWith(estimateIncident_, 3 * static_cast<std::size_t>(incidentValueCount(order)), queries);
 }
 
 }  // namespace prelight

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "basis/incident_values.h"
 #include "device/kernel.h"
 #include "photon/density_surface.h"
 #include "photon/photon_maps.h"
@@ -44,8 +45,9 @@ class DensityEstimator {
   std::vector<glm::vec3> estimate(std::span<const device::DensityQuery> queries);
 
   /// The same with the directions that photons came from: irradiance, W/m2, and incident radiance in SH of
-  /// order 2, [query][channel][5].
-  std::vector<float> estimateIncident(std::span<const device::DensityQuery> queries);
+  /// an order, [query][channel][value] (basis/incident_values.h).
+  std::vector<float> estimateIncident(std::span<const device::DensityQuery> queries,
+                                      int order = leastIncidentOrder);
 
   /// The same on the device: the first `count` queries -> irradiance [query][3].
   void estimate(const Buffer<device::DensityQuery>& queries, std::size_t count, Buffer<float>& irradiance);
@@ -75,6 +77,7 @@ class DensityEstimator {
   Buffer<device::DensityLine> lines_;  ///< of the surface, then of the photons
   std::size_t mapCount_ = 0;
   Estimate estimate_, estimateIncident_;  ///< once they are needed
+  int incidentOrder_ = 0;                 ///< of estimateIncident_
 };
 
 }  // namespace prelight

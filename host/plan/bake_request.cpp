@@ -20,6 +20,7 @@ BakeRequest BakeRequest::withoutTechniques() const {
   request.lightGroups = {};
   request.occluders.wanted = request.radiosity.wanted = false;
   request.lightMap.wanted = request.lightMap.caustics = false;
+  request.encodedLight = {};
   return request;
 }
 

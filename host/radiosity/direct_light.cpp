@@ -63,7 +63,6 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   const char* file = "radiosity/direct_kernels.cl";
   aim_ = {device_, file, options, "aimAtLights"};
   sum_ = {device_, file, options, "sumLights"};
-  sumIncident_ = {device_, file, options, "sumIncident"};
   if (slots() == before || slots() == 0) return;
   blockPoints_ = std::max(pointsPerElement_, raysPerBlock / slots() / pointsPerElement_ * pointsPerElement_);
   receivers_ = Buffer<Receiver>(device_, blockPoints_);
@@ -101,11 +100,21 @@ std::vector<PointLight> DirectLight::at(std::span<const Receiver> receivers) {
   return values;
 }
 
-std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers) {
-  constexpr std::size_t length = 15;
+void DirectLight::prepareIncident(int order) {
+  const std::size_t values = 3 * static_cast<std::size_t>(incidentValueCount(order)) * blockPoints_;
+  if (incident_.size() < values) incident_ = Buffer<float>(device_, values);
+  if (incidentOrder_ == order) return;
+  BuildOptions options;
+  addIncidentOrder(options, order);
+  sumIncident_ = {device_, "radiosity/incident_kernels.cl", options, "sumIncident"};
+  incidentOrder_ = order;
+}
+
+std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers, int order) {
+  const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   std::vector<float> values(length * receivers.size(), 0.0f);
   if (slots() == 0) return values;
-  if (incident_.size() < length * blockPoints_) incident_ = Buffer<float>(device_, length * blockPoints_);
+  prepareIncident(order);
   for (std::size_t first = 0; first < receivers.size(); first += blockPoints_) {
     const std::size_t count = std::min<std::size_t>(blockPoints_, receivers.size() - first);
     aimBlock(receivers.subspan(first, count));

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "basis/incident_values.h"
 #include "gpu/tracer.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/picture.h"
@@ -50,8 +51,8 @@ class DirectLight {
   std::vector<PointLight> at(std::span<const device::Receiver> receivers);
 
   /// Of punctual lights and the sky alone, with their directions: irradiance, W/m2, and incident radiance in
-  /// SH of order 2, [receiver][channel][5].
-  std::vector<float> incidentAt(std::span<const device::Receiver> receivers);
+  /// SH of an order, [receiver][channel][value] (basis/incident_values.h).
+  std::vector<float> incidentAt(std::span<const device::Receiver> receivers, int order = leastIncidentOrder);
 
   /// Emissive triangles are too many to be integrated, so that those nearby are found by few rays.
   bool manyEmitters() const;
@@ -61,6 +62,7 @@ class DirectLight {
 
  private:
   std::uint32_t slots() const { return counts_.punctual + counts_.emitterSamples + counts_.skySamples; }
+  void prepareIncident(int order);
   void aimBlock(std::span<const device::Receiver> receivers);
   void estimateBlock(std::span<const device::Receiver> receivers, PointLight* values);
 
@@ -81,6 +83,7 @@ class DirectLight {
   Buffer<device::Hit> hits_;
   Buffer<float> values_;
   Buffer<PointLight> irradiance_;
+  int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
   Buffer<float> incident_;
 
   using Receivers = Buffer<device::Receiver>;

@@ -117,8 +117,8 @@ void addLight(__global float* out, uint group, uint groupCount, float3 value, fl
 }
 
 // A receiver a work-item. shadowRays, shadowHits [receiver][slotCount] of the kernel above with their values; rays, hits
-// [receiver][raysPerReceiver] of the hemisphere, the closest ones -> out [receiver][3][groupCount], irradiance over pi and the group's colour; [..][5] with
-// PRELIGHT_INCIDENT, see project/incident_funcs.cl.
+// [receiver][raysPerReceiver] of the hemisphere, the closest ones -> out [receiver][3][groupCount], irradiance over pi and the group's colour; [..][value]
+// with PRELIGHT_INCIDENT, see project/incident_funcs.cl.
 __kernel void projectLights(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                             __global const LightGroupLine* groupLines, __global const GroupEmitter* emitters,
                             __global const Receiver* receivers, __global const Ray* shadowRays,

@@ -5,7 +5,6 @@
 // diffusely).
 #include "core/sampling_funcs.cl"
 #include "gather/irradiance_map_funcs.cl"
-#include "project/incident_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
 #include "transport/irradiance_funcs.cl"
@@ -105,24 +104,4 @@ __kernel void sumRadiance(__constant const GatherParameters* p, __global const f
   float3 sum = (float3)(0.0f);
   for (uint j = 0; j < p->raysPerReceiver; ++j) sum += vload3(i * p->raysPerReceiver + j, radiances);
   vstore3(sum * (M_PI_F / (float)p->raysPerReceiver), i, irradiance);
-}
-
-// A receiver a work-item. receivers [receiver]; rays [receiver][raysPerReceiver] as they started, with their radiances
-// [..][3] -> incident [receiver][3][5]: irradiance, and incident radiance in SH of order 2.
-__kernel void sumIncident(__constant const GatherParameters* p, __global const Receiver* receivers,
-                          __global const Ray* rays, __global const float* radiances, __global float* incident) {
-  const size_t i = get_global_id(0);
-  if (i >= p->receiverCount) return;
-  const float3 normal = vload3(0, receivers[i].normal);
-  float3 sums[PRELIGHT_INCIDENT_VALUES];
-  for (uint k = 0; k < PRELIGHT_INCIDENT_VALUES; ++k) sums[k] = (float3)(0.0f);
-  // Of cosine-weighted rays one is below this cosine on average, where 1 / cosine has the mean 2 / cosine.
-  const float low = rsqrt((float)p->raysPerReceiver);
-  for (uint j = 0; j < p->raysPerReceiver; ++j) {
-    const size_t at = i * p->raysPerReceiver + j;
-    const float3 direction = vload3(0, rays[at].direction);
-    const float cosine = dot(direction, normal);
-    addIncident(vload3(at, radiances), direction, cosine < low ? 2.0f / low : 1.0f / cosine, sums);
-  }
-  storeIncident(sums, M_PI_F / (float)p->raysPerReceiver, incident + 3u * PRELIGHT_INCIDENT_VALUES * i);
 }

@@ -32,7 +32,7 @@ void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 nor
   } while (node > 1u);
 }
 
-// A query a work-item. queries [query] -> incident [query][3][5]: irradiance, W/m2, and incident radiance in SH of order 2.
+// A query a work-item. queries [query] -> incident [query][3][value]: irradiance, W/m2, and incident radiance in SH.
 __kernel void estimateIncident(__constant const DensityParameters* parameters, __global const DensityLine* lines,
                                __global const DensityQuery* queries, __global float* incident) {
   const size_t i = get_global_id(0);

@@ -1,8 +1,16 @@
-// What arrives at a place, for surfaces whose normals a texture bumps: irradiance, and incident radiance in SH of order 2.
+// What arrives at a place, for surfaces whose normals a texture bumps: irradiance, and incident radiance in SH.
+// Options: PRELIGHT_INCIDENT_ORDER, bands of these SH, 2 where nothing is said.
 #ifndef PRELIGHT_PROJECT_INCIDENT_FUNCS_CL
 #define PRELIGHT_PROJECT_INCIDENT_FUNCS_CL
 
-#define PRELIGHT_INCIDENT_VALUES 5u  // a channel: irradiance, W/m2, then l0m0, l1m-1, l1m0, l1m1
+#include "project/sh_polynomial_funcs.cl"
+
+#ifndef PRELIGHT_INCIDENT_ORDER
+#define PRELIGHT_INCIDENT_ORDER 2
+#endif
+
+// A channel: irradiance, W/m2, then l0m0, l1m-1, l1m0, l1m1, ...
+#define PRELIGHT_INCIDENT_VALUES (1u + PRELIGHT_INCIDENT_ORDER * PRELIGHT_INCIDENT_ORDER)
 
 // 1 / cosine has no bound: light nearer the horizon counts as from this high above it.
 #define PRELIGHT_LEAST_COSINE 0.00390625f
@@ -19,6 +27,9 @@ void incidentValues(float3 direction, float inverse, float* values) {
   values[2] = linear * direction.y;
   values[3] = linear * direction.z;
   values[4] = linear * direction.x;
+#if PRELIGHT_INCIDENT_ORDER > 2
+  higherSh(direction, inverse, PRELIGHT_INCIDENT_ORDER, values + 5);
+#endif
 }
 
 // Adds light that brings `irradiance`, W/m2, to sums [value].

@@ -2,7 +2,7 @@
 // Every point sends a ray to each punctual light, then some to emissive triangles and to the sky: DirectRays.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (transport/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
-#include "project/incident_funcs.cl"
+#include "radiosity/direct_slots_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
 #include "transport/aim_funcs.cl"
@@ -128,8 +128,6 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
 }
 #endif
 
-uint slotsOf(DirectRays counts) { return counts.punctual + counts.emitterSamples + counts.skySamples; }
-
 // A shadow ray a work-item. receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is
 // open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
 __kernel void aimAtLights(const DirectRays counts, __global const Receiver* receivers,
@@ -210,24 +208,4 @@ __kernel void sumLights(const DirectRays counts, uint emitterCount, __constant c
 #endif
   irradiance[2 * point] = (float4)(sum, 0.0f);
   irradiance[2 * point + 1] = (float4)(open, 0.0f);
-}
-
-// A point a work-item. rays, hits, values [point][slot] of aimAtLights -> incident [point][3][5], of punctual lights and
-// the sky: irradiance, and incident radiance in SH of order 2.
-__kernel void sumIncident(const DirectRays counts, __global const Receiver* receivers, __global const Ray* rays,
-                          __global const Hit* hits, __global const float* values, __global float* incident) {
-  const size_t point = get_global_id(0);
-  if (point >= counts.points) return;
-  const uint slots = slotsOf(counts);
-  const float3 normal = vload3(0, receivers[point].normal);
-  float3 sums[PRELIGHT_INCIDENT_VALUES];
-  for (uint i = 0; i < PRELIGHT_INCIDENT_VALUES; ++i) sums[i] = (float3)(0.0f);
-  for (uint s = 0; s < slots; ++s) {
-    const size_t at = point * slots + s;
-    if (s >= counts.punctual && s < counts.punctual + counts.emitterSamples) continue;
-    if (hits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
-    const float3 direction = normalize(vload3(0, rays[at].direction));
-    addIncident(vload3(at, values), direction, inverseCosine(direction, normal), sums);
-  }
-  storeIncident(sums, 1.0f, incident + 3u * PRELIGHT_INCIDENT_VALUES * point);
 }

@@ -9,6 +9,7 @@
 
 #include "bake/baker.h"
 #include "bake/make_plan.h"
+#include "encodings/registry/registry.h"
 #include "prelight/error.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -99,6 +100,34 @@ TEST(BakeState, KeptNowAndThen_ContinuedFromAny_EndsAsIfNeverEnded) {
       }
       EXPECT_EQ(part.irradiance, whole.irradiance);
     }
+  }
+}
+
+/// Texels in encodings follow from the map's, which the state keeps by direction.
+TEST(BakeState, LightMapToBeEncoded_EndsAsIfNeverEnded) {
+  CompiledScene scene = groundAndSphere();
+  BakeRequest request;
+  request.lightMap.wanted = true;
+  request.lightMap.texelSize = 0.06;
+  request.effort.rays = 16;
+  request.encodedLight.encodings = {std::string(encodings().front().name)};
+  const Scene source;
+  const Plan plan = makePlan(source, scene, request);
+  const auto bakeFrom = [&](Keeper& keeper) {
+    Progress progress;
+    BakeReport report;
+    return bakeScene(scene, request, plan, test::sharedDevice(), progress, report, &keeper, nullptr, &source);
+  };
+  Keeper keeper;
+  const Bake whole = bakeFrom(keeper);
+  ASSERT_GT(keeper.states.size(), 2u);
+  ASSERT_EQ(whole.encodedLight.size(), 1u);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, keeper.states.size() - 1}) {
+    Keeper from(keeper.states[i]);
+    const Bake part = bakeFrom(from);
+    EXPECT_EQ(part.lightMap->values, whole.lightMap->values) << i;
+    EXPECT_EQ(part.lightMap->encoded.front().values, whole.lightMap->encoded.front().values) << i;
+    EXPECT_EQ(part.encodedLight.front().values, whole.encodedLight.front().values) << i;
   }
 }
 

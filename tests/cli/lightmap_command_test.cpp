@@ -125,6 +125,47 @@ TEST_F(CliLightMap, Caustics_BringALightMapWithThem) {
                 {"--photons", "--lightmap"});
 }
 
+/// Names of all channels of an .exr stand in its header.
+TEST_F(CliLightMap, Encode_StoresLightAtTexelsAndVertices) {
+  bake("out.glb",
+       {"--texel-size", "0.2", "--rays", "16", "--encode", "sh-3,ambient-cube", "--report", "report.json"});
+  const GlbScene scene = parseGlb(readFile("out.glb"));
+  const auto& entry =
+      scene.json.at("nodes").at(0).at("extensions").at("PRELIGHT_transfer").at("primitives").at(0);
+  const auto& light = entry.at("encodedLight");
+  ASSERT_EQ(light.size(), 2u);
+  EXPECT_EQ(light.at(0).at("encoding"), "sh-3");
+  EXPECT_EQ(light.at(1).at("encoding"), "ambient-cube");
+  const std::size_t vertices = floatAccessor(scene, entry.at("irradiance")).size() / 3;
+  EXPECT_EQ(floatAccessor(scene, light.at(0).at("values")).size(), 27 * vertices);
+  EXPECT_EQ(floatAccessor(scene, light.at(1).at("values")).size(), 18 * vertices);
+  const std::string picture = readFile("out.lightmap.exr");
+  for (const char* channel : {"encoded.sh-3.026", "encoded.ambient-cube.017"})
+    EXPECT_NE(picture.find(channel), std::string::npos) << channel;
+  const auto report = nlohmann::ordered_json::parse(readFile("report.json"));
+  EXPECT_EQ(report.at("options").at("encodedLight"), nlohmann::ordered_json({"sh-3", "ambient-cube"}));
+  const std::string info = prelightDone({"info", "out.glb"}).output;
+  EXPECT_THAT(info, HasSubstr("ambient-cube, 18 numbers"));
+  EXPECT_THAT(info, HasSubstr("encoded light"));
+  EXPECT_THAT(prelightDone({"info", "scene.glb", "--lightmap"}).output, HasSubstr("encoded light"));
+}
+
+TEST_F(CliLightMap, EncodeOfNoEncoding_IsAUsageError) {
+  const std::vector<std::string> arguments = {"bake", "scene.glb", "-o", "x.glb", "--lightmap", "--encode"};
+  const auto refused = [&](const std::string& names, const std::vector<std::string>& words) {
+    std::vector<std::string> all = arguments;
+    all.push_back(names);
+    expectFailure(badUsage, all, words);
+  };
+  refused("ambient-cub", {"--encode ambient-cub", "did you mean ambient-cube", "sh-3"});
+  refused("sh-3,sh-3", {"--encode", "sh-3", "twice"});
+  refused(",", {"--encode", "one of", "ambient-cube"});
+  expectFailure(badUsage, {"bake", "scene.glb", "-o", "x.glb", "--encode", "sh-3"},
+                {"--encode", "--lightmap"});
+  expectFailure(badUsage, {"bake", "scene.glb", "-o", "x.glb", "--ao", "--encode", "sh-3"},
+                {"--encode", "--lightmap"});
+}
+
 /// The picture alone would be of another bake than the file that names it.
 TEST_F(CliLightMap, DiskWithRoomForThePictureAlone_LeavesBothFilesAsTheyWere) {
   const std::vector<std::string> coarse = {"--sh", "8", "--rays", "16", "--texel-size", "0.5"};

@@ -49,6 +49,38 @@ TEST_F(CliPicture, Render_InEveryShading_BakesWhatItNeeds) {
   }
 }
 
+/// Baked on the way or before: the same picture. A file that lacks the encoding is not baked anew behind
+/// one's back.
+TEST_F(CliPicture, Encoding_IsBakedOrReadOrMissed) {
+  const std::vector<std::string> size = {"--size", "48x32", "--rays", "16", "--texel-size", "0.2"};
+  const auto render = [&](const std::string& scene, const std::string& picture,
+                          std::vector<std::string> options) {
+    options.insert(options.end(), size.begin(), size.end());
+    options.insert(options.begin(), {"render", scene, "-o", picture});
+    return options;
+  };
+  const ProcessResult result = prelightDone(render("scene.glb", "a.exr", {"--encoding", "ambient-cube"}));
+  EXPECT_THAT(result.errors, HasSubstr("baking --lightmap --encode ambient-cube"));
+  prelightDone({"bake", "scene.glb", "-o", "baked.glb", "--lightmap", "--rays", "16", "--texel-size", "0.2",
+                "--encode", "ambient-cube"});
+  for (const char* shading : {"lightmap", "radiosity"}) {
+    const ProcessResult read =
+        prelightDone(render("baked.glb", "b.exr", {"--shading", shading, "--encoding", "ambient-cube"}));
+    EXPECT_THAT(read.errors, Not(HasSubstr("baking")));
+    EXPECT_GT(compare("b.exr", "b.exr")["picture"]["meanA"], 0.0);
+    if (std::string(shading) == "lightmap") {
+      EXPECT_LT(compare("a.exr", "b.exr")["picture"]["max"], 1e-5);
+    }
+    expectFailure(3, render("baked.glb", "c.exr", {"--shading", shading, "--encoding", "sh-3"}),
+                  {"baked.glb", "not stored as sh-3, but as ambient-cube", "--encode sh-3"});
+  }
+  prelightDone({"bake", "scene.glb", "-o", "plain.glb", "--lightmap", "--rays", "16", "--texel-size", "0.2"});
+  expectFailure(3, render("plain.glb", "c.exr", {"--encoding", "sh-3"}), {"nor in any other encoding"});
+  expectFailure(2, render("scene.glb", "c.exr", {"--encoding", "sh"}), {"--encoding sh", "sh-3", "one of"});
+  expectFailure(2, render("scene.glb", "c.exr", {"--shading", "sh", "--encoding", "sh-3"}),
+                {"--encoding", "sh shading", "--shading lightmap"});
+}
+
 TEST_F(CliPicture, Ch_OfTheSameBake_ShowsWhatShShows) {
   prelightDone(
       {"bake", "scene.glb", "-o", "baked.glb", "--sh", "5", "--ch", "5", "--bounces", "1", "--rays", "64"});

@@ -1,4 +1,5 @@
 #include "gi/indirect_light.h"
+#include "basis/sh_evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -36,10 +37,10 @@ struct IndirectScene {
     return found;
   }
 
-  std::vector<float> gatherIncident() {
+  std::vector<float> gatherIncident(int order = leastIncidentOrder) {
     std::vector<float> found;
     light([&](IndirectLight& indirect, Progress& progress) {
-      found = indirect.gatherIncident(layout.texels, progress);
+      found = indirect.gatherIncident(layout.texels, progress, order);
     });
     return found;
   }
@@ -288,6 +289,30 @@ TEST(IndirectLight, InsideOfABallAroundALamp_ComesEvenlyFromHalfASphere) {
     }
   }
   for (std::size_t k = 1; k < 5; ++k) EXPECT_NEAR(error[k], 0.0, 0.01) << k;
+}
+
+/// Even light of irradiance 1 from half a sphere has 2 Y_lm(n) times the integral of P_l over 0..1.
+TEST(IndirectLight, InsideOfABallOfOrderFive_HasTheZonalFunctionsOfHalfASphere) {
+  IndirectScene light = insideOfABall();
+  light.lights[0].position = glm::dvec3(0.0);
+  light.request.rays = 2048;
+  const std::vector<float> found = light.gatherIncident(5), few = light.gatherIncident();
+  constexpr std::array<double, 5> integrals = {1.0, 0.5, 0.0, -0.125, 0.0};
+  std::array<double, 25> error{};
+  for (std::size_t i = 0; i < light.layout.texels.size(); ++i) {
+    const device::Receiver receiver = receiverAt(light.scene, light.layout.texels[i]);
+    std::array<double, 25> functions{};
+    sh::evaluate({receiver.normal[0], receiver.normal[1], receiver.normal[2]}, 5, functions);
+    const double e = static_cast<double>(found[78 * i]);
+    for (std::size_t k = 0; k < 5; ++k) ASSERT_EQ(found[78 * i + k], few[15 * i + k]);
+    for (std::size_t k = 0; k < 25; ++k) {
+      const auto l = static_cast<std::size_t>(std::sqrt(static_cast<double>(k)));
+      const double off = static_cast<double>(found[78 * i + 1 + k]) / e - 2.0 * integrals[l] * functions[k];
+      EXPECT_NEAR(off, 0.0, 0.3) << k;
+      error[k] += off / static_cast<double>(light.layout.texels.size());
+    }
+  }
+  for (std::size_t k = 0; k < 25; ++k) EXPECT_NEAR(error[k], 0.0, 0.01) << k;
 }
 
 /// A normal map's normal around a surface's own: 30 degrees aside.

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "encodings/registry/registry.h"
 #include "io/bake_writer.h"
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
@@ -62,6 +63,8 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   bake.lightMap.emplace();
   bake.lightMap->layout = makeLightMapLayout(source, scene, {.texels = 64});
   bake.lightMap->values = numbers(3 * bake.lightMap->layout.texelCount());
+  const Encoding& encoding = encodings().front();
+  bake.encodedLight = {{std::string(encoding.name), numbers(vertices * encoding.values)}};
   return bake;
 }
 

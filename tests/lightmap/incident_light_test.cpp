@@ -1,16 +1,20 @@
 // Light of texels by direction, and what normal maps make of it, against closed forms and quadrature.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <random>
 
+#include "basis/sh_evaluate.h"
 #include "lightmap/layout_places.h"
-#include "support/mapped_irradiance.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "projectors/lightmap/sky_light_part.h"
 #include "support/devices.h"
+#include "support/mapped_irradiance.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -109,11 +113,11 @@ TEST(MappedIrradiance, WallsAndWideLamps_AreNearerThanByTheBandsAlone) {
 using test::layoutOf;
 using test::positionOf;
 
-/// Values of a layout's texels under one part, [texel][channel][5].
-std::vector<float> valuesOf(LightMapPart& part, const LightMapLayout& layout) {
-  std::vector<float> values(15 * layout.texels.size(), 0.0f);
+/// Values of a layout's texels under one part, [texel][channel][coefficients].
+std::vector<float> valuesOf(LightMapPart& part, const LightMapLayout& layout, int coefficients = 5) {
+  std::vector<float> values(3 * static_cast<std::size_t>(coefficients) * layout.texels.size(), 0.0f);
   std::vector<std::uint8_t> hidden(layout.texels.size(), 0);
-  part.add(layout.texels, 5, values, hidden);
+  part.add(layout.texels, coefficients, values, hidden);
   return values;
 }
 
@@ -140,6 +144,56 @@ TEST(IncidentLight, PointLight_HasTheClosedForm) {
       ASSERT_EQ(values[15 * i + 10 + k], 0.0f);
     }
   }
+}
+
+/// Irradiance and the 25 functions of the way: the kernels' polynomials against the recurrence in doubles.
+TEST(IncidentLight, PointLightOfOrderFive_HasTheFunctionsOfItsWay) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  Light light;
+  light.position = glm::dvec3(0.3, 0.8, -0.4);
+  light.intensity = {3.0f, 0.0f, 6.0f};
+  scene.lights = {light};
+  Tracer tracer(scene, test::sharedDevice());
+  DirectLightPart part(scene, tracer, 16, 0, 26);
+  const LightMapLayout layout = layoutOf(scene, 0.1);
+  const std::vector<float> values = valuesOf(part, layout, 26);
+  for (std::size_t i = 0; i < layout.texels.size(); ++i) {
+    const glm::dvec3 way = light.position - positionOf(scene, layout.texels[i]), w = glm::normalize(way);
+    const double all = 3.0 / glm::dot(way, way);
+    std::array<double, 25> functions{};
+    sh::evaluate(w, 5, functions);
+    const float* of = &values[78 * i];
+    ASSERT_NEAR(of[0], all * w.y, 2e-5);
+    for (std::size_t k = 0; k < 25; ++k) {
+      ASSERT_NEAR(of[1 + k], all * functions[k], 1e-4) << k;
+      ASSERT_EQ(of[26 + 1 + k], 0.0f);
+      ASSERT_NEAR(of[52 + 1 + k], 2.0 * all * functions[k], 2e-4) << k;
+    }
+  }
+}
+
+/// More bands change nothing of those that are there without them.
+template <typename MakePart>
+void expectSameLowBands(const CompiledScene& scene, const MakePart& makePart) {
+  const LightMapLayout layout = layoutOf(scene, 0.1);
+  const std::vector<float> few = valuesOf(*makePart(5), layout, 5),
+                           many = valuesOf(*makePart(26), layout, 26);
+  ASSERT_GT(*std::max_element(few.begin(), few.end()), 0.0f);
+  for (std::size_t i = 0; i < few.size(); ++i) ASSERT_EQ(few[i], many[i / 5 * 26 + i % 5]) << i;
+}
+
+TEST(IncidentLight, LowBandsOfOrderFive_AreThoseOfOrderTwo) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  Light light;
+  light.position = glm::dvec3(0.2, 1.0, -0.3);
+  scene.lights = {light};
+  const Environment sky = constantEnvironment(glm::vec3(0.5f, 1.0f, 2.0f));
+  Tracer tracer(scene, test::sharedDevice());
+  expectSameLowBands(scene, [&](int coefficients) {
+    return std::make_unique<DirectLightPart>(scene, tracer, 16, 0, coefficients);
+  });
+  expectSameLowBands(scene,
+                     [&](int) { return std::make_unique<SkyLightPart>(scene, tracer, sky, 0.0, 64, 0); });
 }
 
 /// Solid angle of a triangle of unit directions (Van Oosterom and Strackee 1983).
@@ -210,6 +264,26 @@ TEST(IncidentLight, EvenSky_IsHalfASphere) {
         ASSERT_NEAR(values[15 * i + 5 * c + k], 0.5 * std::pow(2.0, double(c)) * expected[k],
                     0.02 * std::pow(2.0, double(c)))
             << k;
+}
+
+TEST(IncidentLight, EvenSkyOfOrderFive_IsHalfASphere) {
+  const CompiledScene scene = test::ground(2, 1.0f);
+  const Environment sky = constantEnvironment(glm::vec3(1.0f));
+  Tracer tracer(scene, test::sharedDevice());
+  SkyLightPart part(scene, tracer, sky, 0.0, 4096, 0);
+  const LightMapLayout layout = layoutOf(scene, 0.5);
+  const std::vector<float> values = valuesOf(part, layout, 26);
+  std::array<double, 25> expected{};
+  constexpr int rings = 400, steps = 64;
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const double y = (i + 0.5) / rings, s = std::sqrt(1.0 - y * y), azimuth = 2.0 * pi * (k + 0.5) / steps;
+      std::array<double, 25> functions{};
+      sh::evaluate({s * std::cos(azimuth), y, s * std::sin(azimuth)}, 5, functions);
+      for (std::size_t f = 0; f < 25; ++f) expected[f] += functions[f] * 2.0 * pi / (rings * steps);
+    }
+  for (std::size_t i = 0; i < layout.texels.size(); ++i)
+    for (std::size_t f = 0; f < 25; ++f) ASSERT_NEAR(values[78 * i + 1 + f], expected[f], 0.03) << f;
 }
 
 }  // namespace

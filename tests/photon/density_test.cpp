@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 
 #include "base/octahedral.h"
+#include "basis/sh_evaluate.h"
 #include "photon/photon_scenes.h"
 #include "prelight/error.h"
 #include "support/devices.h"
@@ -315,6 +317,16 @@ TEST(Density, PhotonsOfOneDirection_TellIt) {
         EXPECT_NEAR(incident[15 * q + 5 + k], 2.0 * red, 2e-3 * irradiance[q].x) << k;
         EXPECT_EQ(incident[15 * q + 10 + k], 0.0f);
       }
+    const auto further = estimator.estimateIncident(queries, 5);
+    ASSERT_EQ(further.size(), 78 * queries.size());
+    std::array<double, 25> functions{};
+    sh::evaluate(way, 5, functions);
+    for (std::size_t q = 0; q < queries.size(); ++q) {
+      EXPECT_EQ(further[78 * q], incident[15 * q]);
+      for (std::size_t k = 0; k < 25; ++k)
+        EXPECT_NEAR(further[78 * q + 1 + k], irradiance[q].x * functions[k] / way.y, 2e-3 * irradiance[q].x)
+            << k;
+    }
   }
 }
 

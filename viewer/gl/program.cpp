@@ -21,8 +21,11 @@ struct Expanded {
   std::vector<std::string> files;
 };
 
-void expand(const std::string& file, Expanded& out) {
-  const auto found = shaderSources().find(file);
+using Texts = std::map<std::string, std::string>;
+
+void expand(const std::string& file, const Texts& replaced, Expanded& out) {
+  auto found = replaced.find(file);
+  if (found == replaced.end()) found = shaderSources().find(file);
   if (found == shaderSources().end()) throw Error(ExitCode::RuntimeFailure, "shader " + file, "no such file");
   const std::size_t number = out.files.size();
   out.files.push_back(file);
@@ -33,7 +36,7 @@ void expand(const std::string& file, Expanded& out) {
   for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
     std::smatch match;
     if (std::regex_match(line, match, include)) {
-      expand(match[1], out);
+      expand(match[1], replaced, out);
       out.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
     } else {
       out.text += line + "\n";
@@ -58,9 +61,9 @@ std::string nameFiles(const std::string& log, const std::vector<std::string>& fi
   return result;
 }
 
-Shader compile(GLenum stage, const std::string& file) {
+Shader compile(GLenum stage, const std::string& file, const Texts& replaced = {}) {
   Expanded source;
-  expand(file, source);
+  expand(file, replaced, source);
   Shader shader(glCreateShader(stage));
   const char* text = source.text.c_str();
   glShaderSource(shader.name(), 1, &text, nullptr);
@@ -78,9 +81,9 @@ Shader compile(GLenum stage, const std::string& file) {
 
 }  // namespace
 
-Program::Program(const std::string& vertexFile, const std::string& fragmentFile) {
+Program::Program(const std::string& vertexFile, const std::string& fragmentFile, const Texts& replaced) {
   const Shader vertex = compile(GL_VERTEX_SHADER, vertexFile);
-  const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentFile);
+  const Shader fragment = compile(GL_FRAGMENT_SHADER, fragmentFile, replaced);
   glAttachShader(program_.name(), vertex.name());
   glAttachShader(program_.name(), fragment.name());
   link("shaders " + vertexFile + " and " + fragmentFile);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@ namespace prelight::viewer::gl {
 class Program {
  public:
   /// Compiles two embedded files. `#include "FILE"` lines (whole line) are resolved among them.
+  /// `replaced`: texts that stand for files of their names.
   /// Throws Error with the file and line that the compiler complains about.
-  Program(const std::string& vertexFile, const std::string& fragmentFile);
+  Program(const std::string& vertexFile, const std::string& fragmentFile,
+          const std::map<std::string, std::string>& replaced = {});
 
   /// A vertex shader alone, whose outputs are captured one after the other by transform feedback.
   Program(const std::string& vertexFile, const std::vector<const char*>& captured);

@@ -18,6 +18,8 @@ const int ambientAccessible = 1;
 const int ambientTransferred = 2;
 const int ambientLightMap = 3;
 const int ambientCone = 4;
+const int ambientEncodedMap = 5;
+const int ambientEncodedVertices = 6;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;

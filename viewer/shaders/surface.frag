@@ -15,6 +15,7 @@
 #include "triangles.glsl"
 #include "glossy.glsl"
 #include "light_map.glsl"
+#include "encoded_light.glsl"
 #include "normal_map.glsl"
 
 in vec3 vPosition;
@@ -81,15 +82,24 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
   return vec3(accessibility) / max(vec3(1.0) - albedo * (1.0 - accessibility), vec3(1e-6));
 }
 
+// Baked irradiance of a side where a normal map turns its unit normal n to m.
+vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
+  int triangle = firstTriangle + gl_PrimitiveID;
+  if (rules.x == ambientEncodedMap) return encodedMapIrradiance(triangle, front, vPosition, n, m);
+  return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
+}
+
 vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
-  if (rules.x == ambientLightMap) {
+  if (rules.x == ambientLightMap || rules.x == ambientEncodedMap || rules.x == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 mapped = side * mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
-    int triangle = firstTriangle + gl_PrimitiveID;
-    vec3 radiance = m.albedo / pi * mappedLightMapIrradiance(triangle, gl_FrontFacing, vPosition, n, mapped);
-    if (translucency.a > 0.0) {
-      radiance += m.through / pi * mappedLightMapIrradiance(triangle, !gl_FrontFacing, vPosition, -n, -mapped);
+    vec3 mapped = mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
+    // That of vertices is of their fronts; backs show the same.
+    if (rules.x == ambientEncodedVertices) {
+      return m.albedo / pi * encodedVertexIrradiance(firstTriangle + gl_PrimitiveID, vPosition, side * n, mapped);
     }
+    mapped *= side;
+    vec3 radiance = m.albedo / pi * bumpedIrradiance(gl_FrontFacing, n, mapped);
+    if (translucency.a > 0.0) radiance += m.through / pi * bumpedIrradiance(!gl_FrontFacing, -n, -mapped);
     return radiance;
   }
   if (rules.x == ambientTransferred) {

@@ -45,6 +45,7 @@ struct Bake {
   std::optional<ChartTransfer> texels;               ///< of light maps
   std::optional<LightMap> lightMap;                  ///< of the scene's own lights
   std::optional<std::vector<glm::vec3>> irradiance;  ///< [vertex], W/m2 of the scene's static lights
+  std::vector<EncodedLight> encodedLight;            ///< of vertices, the fronts
   BakeInfo info;
 };
 

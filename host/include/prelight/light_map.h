@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 namespace prelight {
@@ -33,13 +34,20 @@ struct LightMapLayout {
   }
 };
 
+/// Light that arrives at vertices, or at the texels of a light map, as an encoding stores it (docs/encodings.md).
+struct EncodedLight {
+  std::string encoding;       ///< its name
+  std::vector<float> values;  ///< [vertex][value], or [y][x][value] of texels, 0 where there is no surface
+};
+
 /// Light on a scene's surfaces, texel by texel. Between texels it is bilinear; texels without a place on the
 /// surface are 0.
 struct LightMap {
   LightMapLayout layout;
-  int coefficients = 1;       ///< 1: irradiance, W/m2, on the side of the face's geometric normal. 5: four
-                              ///< more, incident radiance in SH of order 2, for bump maps
+  int coefficients = 1;       ///< 1: irradiance, W/m2, on the side of the face's geometric normal. 1 + n n:
+                              ///< incident radiance in SH of order n as well, 2 for bump maps
   std::vector<float> values;  ///< [y][x][channel 3][coefficients]
+  std::vector<EncodedLight> encoded;  ///< of texels
 };
 
 }  // namespace prelight

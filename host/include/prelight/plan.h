@@ -36,6 +36,7 @@ enum class Pass : std::uint8_t {
   IndirectLightOfTheMap,
   CausticsOfTheMap,
   DirectionsOfTheMap,
+  EncodedLight,
   BackFaces,
   TranslucentSenders,
   AlphaTest,
@@ -63,7 +64,7 @@ enum class Pass : std::uint8_t {
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 47> passNames = {"cast",
+constexpr std::array<std::string_view, 48> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -86,6 +87,7 @@ constexpr std::array<std::string_view, 47> passNames = {"cast",
                                                         "indirect light of the map",
                                                         "caustics of the map",
                                                         "directions of the map",
+                                                        "encoded light",
                                                         "back faces",
                                                         "translucent senders",
                                                         "alpha test",

@@ -107,6 +107,13 @@ struct LightMapRequest {
   explicit operator bool() const { return wanted; }
 };
 
+/// Incident light of texels and vertices in other forms (docs/encodings.md); of light maps, which it needs.
+struct EncodedLightRequest {
+  std::vector<std::string> encodings;  ///< names, each once; none: not wanted
+
+  explicit operator bool() const { return !encodings.empty(); }
+};
+
 /// How long a bake goes on.
 struct Effort {
   std::uint64_t rays = 1024;  ///< rays a vertex, on average; ignored with error or seconds
@@ -136,6 +143,7 @@ struct BakeRequest {
   TexelsRequest texels = {};
   RadiosityRequest radiosity = {};
   LightMapRequest lightMap = {};
+  EncodedLightRequest encodedLight = {};
 
   int bounces = 0;  ///< diffuse interreflections, 0..16
   OcclusionLimits limits = {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "basis/incident_values.h"
 #include "receivers/sampling.h"
 #include "receivers/texel_receiver.h"
 
@@ -18,7 +19,7 @@ CastOptions castOptions(const GroupedLights& lights, std::uint32_t rays, int coe
   options.raysPerReceiver =
       lights.emitters.empty() ? leastRays : std::clamp(rays, leastRays, mostRaysPerReceiver);
   options.lights = &lights;
-  options.incident = coefficients > 1;
+  options.incidentOrder = incidentOrderOf(coefficients);
   options.marksInside = true;
   return options;
 }

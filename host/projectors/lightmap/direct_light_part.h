@@ -16,7 +16,7 @@ namespace prelight {
 class DirectLightPart final : public LightMapPart {
  public:
   /// `rays`: of the hemisphere at each texel, a power of two, 16 and more; with emitters alone they matter.
-  /// `coefficients`: of the map, 1 or 5. The scene, which has a light, and the tracer outlive it.
+  /// `coefficients`: of the map (LightMap). The scene, which has a light, and the tracer outlive it.
   DirectLightPart(const CompiledScene& scene, Tracer& tracer, std::uint32_t rays, std::uint64_t seed,
                   int coefficients = 1);
 

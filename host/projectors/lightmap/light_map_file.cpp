@@ -13,6 +13,7 @@
 #include "base/atomic_file.h"
 #include "base/magnitudes.h"
 #include "images/add_picture.h"
+#include "encodings/registry/registry.h"
 #include "images/picture_layers.h"
 #include "io/values/baked_ranges.h"
 #include "io/values/transfer_extension.h"
@@ -32,6 +33,11 @@ using Json = nlohmann::ordered_json;
 constexpr int floatType = 5126, longType = 5125;
 constexpr std::array<const char*, 4> radianceLayers = {"sh.l0m0", "sh.l1m-1", "sh.l1m0", "sh.l1m1"};
 constexpr std::array<const char*, 3> channelNames = {"R", "G", "B"};
+
+/// The channel of a number that encoded light has of every texel.
+std::string encodedLayer(std::string_view encoding, std::size_t value) {
+  return fmt::format("encoded.{}.{:03}", encoding, value);
+}
 
 /// Texture coordinates of one side of a primitive's instances.
 struct SideCoords {
@@ -211,22 +217,44 @@ class LightMapReader {
     map_.values.assign(map_.layout.texelCount() * 3 * length, 0.0f);
     for (std::size_t i = 0; i < length; ++i)
       for (std::size_t c = 0; c < 3; ++c) {
-        const std::string name = names[i] + channelNames[c];
-        const PictureChannel* channel = layers.find(name);
-        if (channel == nullptr) throw InputError(path.string(), "there is no channel " + name, rebake);
-        for (std::size_t texel = 0; texel < channel->values.size(); ++texel) {
-          const float value = channel->values[texel];
-          if (!(std::abs(value) <= largestBaked) || (i == 0 && value < 0.0f))
-            throw InputError(
-                path.string(),
-                fmt::format("channel {} of texel {}, {} is {}, expected a number of at most {:g}{}", name,
-                            texel % static_cast<std::size_t>(layers.width),
-                            texel / static_cast<std::size_t>(layers.width), value, largestBaked,
-                            i == 0 ? " not below 0" : ""),
-                rebake);
-          map_.values[(3 * texel + c) * length + i] = value;
-        }
+        const std::vector<float>& channel = channelOf(path, layers, names[i] + channelNames[c], i == 0);
+        for (std::size_t texel = 0; texel < channel.size(); ++texel)
+          map_.values[(3 * texel + c) * length + i] = channel[texel];
       }
+    readEncoded(path, layers);
+  }
+
+  /// Light of texels in every encoding whose first channel is there.
+  void readEncoded(const std::filesystem::path& path, const PictureLayers& layers) {
+    for (const Encoding& encoding : encodings()) {
+      if (layers.find(encodedLayer(encoding.name, 0)) == nullptr) continue;
+      EncodedLight light{std::string(encoding.name),
+                         std::vector<float>(map_.layout.texelCount() * encoding.values)};
+      for (std::size_t i = 0; i < encoding.values; ++i) {
+        const std::vector<float>& channel = channelOf(path, layers, encodedLayer(encoding.name, i), false);
+        for (std::size_t texel = 0; texel < channel.size(); ++texel)
+          light.values[texel * encoding.values + i] = channel[texel];
+      }
+      map_.encoded.push_back(std::move(light));
+    }
+  }
+
+  /// Numbers of a channel, which must be there.
+  static const std::vector<float>& channelOf(const std::filesystem::path& path, const PictureLayers& layers,
+                                             const std::string& name, bool positive) {
+    const PictureChannel* channel = layers.find(name);
+    if (channel == nullptr) throw InputError(path.string(), "there is no channel " + name, rebake);
+    for (std::size_t texel = 0; texel < channel->values.size(); ++texel) {
+      const float value = channel->values[texel];
+      if (!(std::abs(value) <= largestBaked) || (positive && value < 0.0f))
+        throw InputError(path.string(),
+                         fmt::format("channel {} of texel {}, {} is {}, expected a number of at most {:g}{}",
+                                     name, texel % static_cast<std::size_t>(layers.width),
+                                     texel / static_cast<std::size_t>(layers.width), value, largestBaked,
+                                     positive ? " not below 0" : ""),
+                         rebake);
+    }
+    return channel->values;
   }
 
   void setCorner(std::size_t face, std::size_t corner, const glm::vec2& coord) {
@@ -316,6 +344,15 @@ void addLightMap(OutputFiles& files, const std::filesystem::path& path, const Li
         channel.values.push_back(map.values[(3 * texel + c) * length + i]);
       channels.push_back(std::move(channel));
     }
+  for (const EncodedLight& light : map.encoded) {
+    const std::size_t count = light.values.size() / std::max<std::size_t>(1, map.layout.texelCount());
+    for (std::size_t i = 0; i < count; ++i) {
+      PictureChannel channel{encodedLayer(light.encoding, i), {}};
+      for (std::size_t at = i; at < light.values.size(); at += count)
+        channel.values.push_back(light.values[at]);
+      channels.push_back(std::move(channel));
+    }
+  }
   addPicture(files, path, picture, channels);
 }
 

@@ -1,5 +1,7 @@
 #include "projectors/lightmap/light_map_parts.h"
 
+#include "basis/incident_values.h"
+
 namespace prelight {
 
 namespace {
@@ -9,7 +11,7 @@ void addIrradiance(std::span<const glm::vec3> irradiance, std::span<float> value
     for (std::size_t c = 0; c < 3; ++c) values[3 * i + c] += irradiance[i][static_cast<int>(c)];
 }
 
-/// Both [texel][channel][5].
+/// Both [texel][channel][value].
 void addIncident(std::span<const float> incident, std::span<float> values) {
   for (std::size_t i = 0; i < incident.size(); ++i) values[i] += incident[i];
 }
@@ -21,7 +23,7 @@ void IndirectLightPart::add(std::span<const LightMapTexel> texels, int coefficie
   if (coefficients == 1)
     addIrradiance(light_.gather(texels, progress_), values);
   else
-    addIncident(light_.gatherIncident(texels, progress_), values);
+    addIncident(light_.gatherIncident(texels, progress_, incidentOrderOf(coefficients)), values);
 }
 
 void PhotonLightPart::add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
@@ -30,7 +32,7 @@ void PhotonLightPart::add(std::span<const LightMapTexel> texels, int coefficient
   if (coefficients == 1)
     addIrradiance(estimator_.estimate(queries), values);
   else
-    addIncident(estimator_.estimateIncident(queries), values);
+    addIncident(estimator_.estimateIncident(queries, incidentOrderOf(coefficients)), values);
 }
 
 }  // namespace prelight

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "basis/incident_values.h"
+#include "encodings/encoding.h"
 #include "photon/casters.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "scene/light_sources.h"
@@ -137,7 +139,7 @@ double finestTexel(const BakeRequest& request, const LightMapCharts& charts) {
 std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
                                       const BakeRequest& request) {
   if (!request.lightMap) return noLightMap("not asked for", "no light map is asked for");
-  if (!(litArea(scene) > 0.0)) {
+  if (!takesLight(scene)) {
     const char* reason = "no surface reflects diffusely, so none needs light";
     return noLightMap(reason, reason);
   }
@@ -151,10 +153,22 @@ std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& 
           planDirections(source, scene)};
 }
 
-int lightMapCoefficients(const Plan& plan) { return plan.runs(Pass::DirectionsOfTheMap) ? 5 : 1; }
+bool takesLight(const CompiledScene& scene) { return litArea(scene) > 0.0; }
+
+std::uint64_t mostTexels(const CompiledScene& scene, const BakeRequest& request) {
+  return static_cast<std::uint64_t>(1.3 * texelCount(scene, request));
+}
+
+int lightMapCoefficients(const Plan& plan) {
+  return plan.runs(Pass::EncodedLight) ? incidentValueCount(incidentOrder) : keptLightMapCoefficients(plan);
+}
+
+int keptLightMapCoefficients(const Plan& plan) {
+  return plan.runs(Pass::DirectionsOfTheMap) ? incidentValueCount(leastIncidentOrder) : 1;
+}
 
 std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request, int coefficients) {
-  return static_cast<std::uint64_t>(1.3 * texelCount(scene, request)) *
+  return mostTexels(scene, request) *
              (bytesPerTexel + bytesPerValue * static_cast<std::uint64_t>(coefficients)) +
          scene.triangleCount() * bytesPerTriangle;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "basis/incident_values.h"
 #include "receivers/sampling.h"
 #include "receivers/texel_receiver.h"
 
@@ -38,7 +39,7 @@ void SkyLightPart::add(std::span<const LightMapTexel> texels, int coefficients, 
         receivers.push_back(receiver);
     }
     const auto block = values.subspan(first * length, count * length);
-    coefficients == 1 ? addIrradiance(receivers, block) : addIncident(receivers, block);
+    coefficients == 1 ? addIrradiance(receivers, block) : addIncident(receivers, coefficients, block);
   }
 }
 
@@ -49,9 +50,10 @@ void SkyLightPart::addIrradiance(std::span<const device::Receiver> receivers, st
       values[3 * (p / repeats_) + c] += light[p].far[static_cast<int>(c)] / static_cast<float>(repeats_);
 }
 
-void SkyLightPart::addIncident(std::span<const device::Receiver> receivers, std::span<float> values) {
-  constexpr std::size_t length = 15;
-  const std::vector<float> light = light_.incidentAt(receivers);
+void SkyLightPart::addIncident(std::span<const device::Receiver> receivers, int coefficients,
+                               std::span<float> values) {
+  const std::size_t length = 3 * static_cast<std::size_t>(coefficients);
+  const std::vector<float> light = light_.incidentAt(receivers, incidentOrderOf(coefficients));
   for (std::size_t p = 0; p < receivers.size(); ++p)
     for (std::size_t i = 0; i < length; ++i)
       values[length * (p / repeats_) + i] += light[length * p + i] / static_cast<float>(repeats_);

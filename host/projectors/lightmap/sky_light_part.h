@@ -24,7 +24,7 @@ class SkyLightPart final : public LightMapPart {
 
  private:
   void addIrradiance(std::span<const device::Receiver> receivers, std::span<float> values);
-  void addIncident(std::span<const device::Receiver> receivers, std::span<float> values);
+  void addIncident(std::span<const device::Receiver> receivers, int coefficients, std::span<float> values);
 
   const CompiledScene& scene_;
   DirectLight light_;

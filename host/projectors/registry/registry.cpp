@@ -7,6 +7,9 @@
 #include "projectors/ch/ch_planning.h"
 #include "projectors/ch/ch_projector.h"
 #include "projectors/ch/ch_technique.h"
+#include "projectors/encoded_light/encoded_light_planning.h"
+#include "projectors/encoded_light/encoded_light_projector.h"
+#include "projectors/encoded_light/encoded_light_technique.h"
 #include "projectors/glossy/glossy_planning.h"
 #include "projectors/glossy/glossy_projector.h"
 #include "projectors/glossy/glossy_technique.h"
@@ -54,7 +57,7 @@ struct Row {
   std::array<int, 3> planned;                                   ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 14> rows = {{
+constexpr std::array<Row, 15> rows = {{
     // places: entry, root, summary; planned: plan, key, run
     {ambientOcclusionTechnique, ambientOcclusionPlanning, ambientOcclusionProjector, {0, 0, 0}, {0, 0, 0}},
     {shTechnique, shPlanning, shProjector, {1, 1, 2}, {1, 1, 2}},
@@ -70,6 +73,7 @@ constexpr std::array<Row, 14> rows = {{
     {radiosityTechnique, radiosityPlanning, radiosityProjector, {8, 11, 1}, {9, 9, 9}},
     {lightMapTechnique, lightMapPlanning, lightMapProjector, {12, 12, 11}, {10, 10, 10}},
     {occlusionConesTechnique, occlusionConesPlanning, occlusionConesProjector, {13, 13, 13}, {11, 11, 11}},
+    {encodedLightTechnique, encodedLightPlanning, encodedLightProjector, {14, 14, 14}, {12, 12, 12}},
 }};
 
 template <std::size_t columns>

@@ -1,0 +1,35 @@
+#include "encodings/direction_fit.h"
+
+#include <cassert>
+
+#include "base/luminance.h"
+#include "encodings/encoding.h"
+
+namespace prelight {
+
+glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& frame) {
+  assert(incident.size() == 3 * incidentTerms);
+  const auto bright = [&](std::size_t i) {
+    return luminance({incident[i], incident[incidentTerms + i], incident[2 * incidentTerms + i]});
+  };
+  const glm::dvec3 world(bright(3), bright(1), bright(2));
+  const double length = glm::length(world);
+  // Rounding of the sums that made the coefficients is no direction.
+  if (!(length > 1e-6 * std::abs(bright(0)))) return {0.0, 0.0, 1.0};
+  return glm::normalize(glm::transpose(glm::dmat3(frame)) * (world / length));
+}
+
+glm::vec3 storedDirection(std::span<const float> values, const glm::vec3& normal) {
+  const float largest = std::max(std::abs(values[0]), std::max(std::abs(values[1]), std::abs(values[2])));
+  if (!(largest > 0.0f)) return normal;
+  return glm::normalize(glm::vec3(values[0], values[1], values[2]) / largest);
+}
+
+void storeDirection(const glm::dvec3& direction, const glm::mat3& frame, const glm::dvec3& colour,
+                    std::span<float> values) {
+  const glm::dvec3 world = luminance(colour) * (glm::dmat3(frame) * direction);
+  for (int axis = 0; axis < 3; ++axis)
+    values[static_cast<std::size_t>(axis)] = static_cast<float>(world[axis]);
+}
+
+}  // namespace prelight

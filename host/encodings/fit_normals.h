@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace prelight {
+
+/// A normal at which encodings are fitted.
+struct FitNormal {
+  glm::dvec3 direction{0.0, 0.0, 1.0};  ///< relative to the frame: z is the surface's own normal
+  double weight = 0.0;  ///< over all of them 1; by cosine, as normal maps rarely lean towards the horizon
+};
+
+constexpr std::size_t fitNormalCount = 72;
+
+/// A quadrature rule on the hemisphere over the surface, for the weight max(z, 0) / pi: exact for polynomials
+/// of degree 10 in the direction.
+const std::array<FitNormal, fitNormalCount>& fitNormals();
+
+/// Irradiance, W/m2, [fit normal].
+using FitIrradiance = std::array<glm::dvec3, fitNormalCount>;
+
+/// Of the light that an encoding is given (Encoding::encode): its SH convolved with the clamped cosine.
+FitIrradiance fitIrradiance(std::span<const float> incident, const glm::mat3& frame);
+
+}  // namespace prelight

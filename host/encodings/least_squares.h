@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "encodings/fit_normals.h"
+
+/// Weighted least squares over the fit normals: functions of the normal, times colours, that come closest to
+/// given irradiance.
+namespace prelight {
+
+/// Values of functions: [fit normal][function].
+template <std::size_t count>
+using FitFunctions = std::array<std::array<double, count>, fitNormalCount>;
+
+/// Weighted products of functions, [function][function].
+template <std::size_t count>
+using GramMatrix = std::array<double, count * count>;
+
+/// A colour for each function.
+template <std::size_t count>
+using FitColours = std::array<glm::dvec3, count>;
+
+/// Solves `matrix` x = `right` in the sense of least squares: matrix is [n][n], symmetric and positive
+/// semidefinite, where a function that adds nothing to those before it gets 0. All but the first `free`
+/// entries of x are held at 0 or above (Lawson and Hanson 1974, ch. 23). n <= mostFitFunctions.
+void solveLeastSquares(std::span<const double> matrix, std::span<const double> right, std::span<double> x,
+                       std::size_t free);
+
+constexpr std::size_t mostFitFunctions = 24;
+
+template <std::size_t count>
+GramMatrix<count> gramMatrix(const FitFunctions<count>& functions) {
+  GramMatrix<count> gram{};
+  for (std::size_t n = 0; n < fitNormalCount; ++n)
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        gram[i * count + j] += fitNormals()[n].weight * functions[n][i] * functions[n][j];
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < i; ++j) gram[j * count + i] = gram[i * count + j];
+  return gram;
+}
+
+template <std::size_t count>
+FitColours<count> rightSide(const FitFunctions<count>& functions, const FitIrradiance& irradiance) {
+  FitColours<count> right{};
+  for (std::size_t n = 0; n < fitNormalCount; ++n)
+    for (std::size_t i = 0; i < count; ++i)
+      right[i] += fitNormals()[n].weight * functions[n][i] * irradiance[n];
+  return right;
+}
+
+/// Channels one after the other.
+template <std::size_t count>
+FitColours<count> solveColours(const GramMatrix<count>& gram, const FitColours<count>& right,
+                               std::size_t free) {
+  static_assert(count <= mostFitFunctions);
+  FitColours<count> colours{};
+  for (int channel = 0; channel < 3; ++channel) {
+    std::array<double, count> b, x;
+    for (std::size_t i = 0; i < count; ++i) b[i] = right[i][channel];
+    solveLeastSquares(gram, b, x, free);
+    for (std::size_t i = 0; i < count; ++i) colours[i][channel] = x[i];
+  }
+  return colours;
+}
+
+/// The squared error of colours less that of darkness, of all channels: what fits of the same irradiance are
+/// compared by.
+template <std::size_t count>
+double relativeError(const GramMatrix<count>& gram, const FitColours<count>& right,
+                     const FitColours<count>& colours) {
+  double error = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    error -= 2.0 * glm::dot(right[i], colours[i]);
+    for (std::size_t j = 0; j < count; ++j) error += gram[i * count + j] * glm::dot(colours[i], colours[j]);
+  }
+  return error;
+}
+
+/// Writes [function][channel].
+template <std::size_t count>
+void storeColours(const FitColours<count>& colours, std::span<float> values) {
+  for (std::size_t i = 0; i < count; ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      values[3 * i + static_cast<std::size_t>(channel)] = static_cast<float>(colours[i][channel]);
+}
+
+/// The fit of functions that do not depend on the place.
+template <std::size_t count>
+class LinearFit {
+ public:
+  explicit LinearFit(const FitFunctions<count>& functions) {
+    const GramMatrix<count> gram = gramMatrix<count>(functions);
+    for (std::size_t n = 0; n < fitNormalCount; ++n) {
+      std::array<double, count> right, column;
+      for (std::size_t i = 0; i < count; ++i) right[i] = fitNormals()[n].weight * functions[n][i];
+      solveLeastSquares(gram, right, column, count);
+      for (std::size_t i = 0; i < count; ++i) inverse_[i][n] = column[i];
+    }
+  }
+
+  FitColours<count> colours(const FitIrradiance& irradiance) const {
+    FitColours<count> found{};
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t n = 0; n < fitNormalCount; ++n) found[i] += inverse_[i][n] * irradiance[n];
+    return found;
+  }
+
+ private:
+  std::array<std::array<double, fitNormalCount>, count> inverse_{};
+};
+
+/// Functions of a normal relative to the frame, at all fit normals.
+template <std::size_t count, typename Functions>
+FitFunctions<count> fitFunctions(Functions functions) {
+  FitFunctions<count> values;
+  for (std::size_t n = 0; n < fitNormalCount; ++n) {
+    const auto found = functions(glm::vec3(fitNormals()[n].direction));
+    for (std::size_t i = 0; i < count; ++i) values[n][i] = found[i];
+  }
+  return values;
+}
+
+}  // namespace prelight

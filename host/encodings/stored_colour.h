@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace prelight {
+
+/// Three of an encoding's numbers from `first` on.
+inline glm::vec3 storedColour(std::span<const float> values, std::size_t first) {
+  return {values[first], values[first + 1], values[first + 2]};
+}
+
+}  // namespace prelight

@@ -1,0 +1,57 @@
+#include "projectors/encoded_light/encoded_light_planning.h"
+
+#include <fmt/format.h>
+
+#include "projectors/encoded_light/encoding_names.h"
+#include "projectors/lightmap/light_map_plan.h"
+
+namespace prelight {
+
+namespace {
+
+std::string storedText(const EncodedLightRequest& request) {
+  std::string text;
+  for (const Encoding* encoding : encodingsNamed(request.encodings))
+    text +=
+        fmt::format("{}{} ({} numbers a place)", text.empty() ? "" : ", ", encoding->name, encoding->values);
+  return text;
+}
+
+/// Bakes without light maps have no line of it, as before there was any.
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  constexpr Pass name = Pass::EncodedLight;
+  const EncodedLightRequest& request = input.request.encodedLight;
+  if (!input.request.lightMap && !request) return {};
+  if (!request) return {{name, false, "not asked for"}};
+  if (!input.request.lightMap)
+    return {{name, false, "no light map is asked for, whose light it would encode"}};
+  if (!takesLight(input.scene)) return {{name, false, "no surface reflects diffusely, so none needs light"}};
+  return {{name, true,
+           fmt::format("incident radiance in SH of order {} at texels and vertices, stored as {}",
+                       incidentOrder, storedText(request))}};
+}
+
+/// Besides the light map's own, whose texels hold what is encoded until it is.
+void addMemory(const PlanInput& input, Plan& plan) {
+  if (!plan.runs(Pass::EncodedLight)) return;
+  constexpr std::uint64_t bytesPerNumber = 2 * sizeof(float);  // as it is, and while it is written
+  constexpr std::uint64_t bytesPerFitted = 3 * 8;              // of the normal equations' right sides
+  std::uint64_t numbers = 0;
+  for (const Encoding* encoding : encodingsNamed(input.request.encodedLight.encodings))
+    numbers += encoding->values;
+  const std::uint64_t vertices = input.scene.vertexCount();
+  plan.hostBytes += bytesPerNumber * numbers * (mostTexels(input.scene, input.request) + vertices) +
+                    bytesPerFitted * 3 * incidentTerms * vertices;
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) {
+  for (const std::string& name : request.encodedLight.encodings) hash.text(name);
+}
+
+}  // namespace
+
+Planning encodedLightPlanning() {
+  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+}
+
+}  // namespace prelight

@@ -1,0 +1,208 @@
+// Pictures of light in encodings, against what the encodings say on the host and against quadrature of the
+// light itself.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "basis/sh_evaluate.h"
+#include "encodings/registry/registry.h"
+#include "lightmap/make_light_map_layout.h"
+#include "prelight/error.h"
+#include "projectors/encoded_light/surface_frame.h"
+#include "scene/gltf/normal_maps.h"
+#include "viewer/quad_scene.h"
+
+namespace prelight {
+namespace {
+
+using namespace test;
+using viewer::Shading;
+
+constexpr double pi = std::numbers::pi;
+constexpr glm::vec3 albedo(0.9f, 0.7f, 0.5f);
+constexpr std::array<int, 3> bump = {200, 90, 240};  // of the normal map
+
+/// Over a surface: an even sky and a wide lamp aslant, in colours of their own.
+glm::dvec3 radiance(const glm::dvec3& w, const glm::dvec3& normal) {
+  const glm::dvec3 way = glm::normalize(glm::dvec3(0.7, -0.3, 0.6));
+  if (glm::dot(w, normal) <= 0.0) return glm::dvec3(0.0);
+  return glm::dvec3(0.3, 0.4, 0.5) +
+         glm::dvec3(4.0, 3.0, 2.0) * std::pow(std::max(glm::dot(w, way), 0.0), 8.0);
+}
+
+/// Sum over all directions of radiance, a vector of three channels, times f(direction).
+template <typename Add>
+void integrate(const glm::dvec3& normal, const Add& add) {
+  constexpr int rings = 120, steps = 240;
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const double z = 2.0 * (i + 0.5) / rings - 1.0, s = std::sqrt(1.0 - z * z),
+                   azimuth = 2.0 * pi * (k + 0.5) / steps;
+      const glm::dvec3 w(s * std::cos(azimuth), s * std::sin(azimuth), z);
+      add(w, radiance(w, normal) * (4.0 * pi / (rings * steps)));
+    }
+}
+
+glm::dvec3 irradianceOf(const glm::dvec3& normal, const glm::dvec3& mapped) {
+  glm::dvec3 sum(0.0);
+  integrate(normal,
+            [&](const glm::dvec3& w, const glm::dvec3& l) { sum += l * std::max(glm::dot(w, mapped), 0.0); });
+  return sum;
+}
+
+/// [channel][term]
+std::array<float, 75> incidentOf(const glm::dvec3& normal) {
+  std::array<double, 75> sums{};
+  integrate(normal, [&](const glm::dvec3& w, const glm::dvec3& l) {
+    std::array<double, 25> functions{};
+    sh::evaluate(w, 5, functions);
+    for (std::size_t i = 0; i < 75; ++i) sums[i] += functions[i % 25] * l[static_cast<int>(i / 25)];
+  });
+  std::array<float, 75> incident{};
+  for (std::size_t i = 0; i < 75; ++i) incident[i] = static_cast<float>(sums[i]);
+  return incident;
+}
+
+std::vector<float> encoded(const Encoding& encoding, const glm::vec3& normal) {
+  std::vector<float> values(encoding.values);
+  encoding.encode(incidentOf(glm::dvec3(normal)), surfaceFrame(normal), values);
+  return values;
+}
+
+/// A square in some attitude, seen from in front, that has a normal map of one colour.
+struct BumpedQuad {
+  QuadScene scene;
+  glm::dmat3 axes;  ///< along u, against v, and the normal
+  NormalMaps maps{{{"bump", 1, 1, {200, 90, 240, 255}}}, {0}};
+
+  explicit BumpedQuad(const glm::dmat3& attitude) : axes(attitude) {
+    Material material = lambertian(albedo);
+    material.doubleSided = true;
+    scene.add(material, 1.0f, glm::dmat4(axes));
+    scene.scene.materials[0].normalTexture.image = 5;  // of the file
+    scene.lookFrom(2.0 * axes[2], {0, 0, 0});
+    scene.compile();
+    scene.bake.irradiance.emplace(scene.compiled.vertexCount(), glm::vec3(1.0f));
+    LightMap& map = scene.bake.lightMap.emplace();
+    map.layout = makeLightMapLayout(Scene{}, scene.compiled, {.texels = 64});
+    map.values.assign(3 * map.layout.texelCount(), 1.0f);
+  }
+
+  glm::vec3 normal() const { return scene.compiled.normals.front(); }
+
+  glm::dvec3 mapped() const {
+    const glm::dvec3 texel = 2.0 * glm::dvec3(bump[0], bump[1], bump[2]) / 255.0 - 1.0;
+    return glm::normalize(axes * texel);
+  }
+
+  /// The same light at every texel and vertex.
+  void light(const Encoding& encoding) {
+    const std::vector<float> values = encoded(encoding, normal());
+    const auto repeated = [&](std::size_t places) {
+      EncodedLight light{std::string(encoding.name), {}};
+      for (std::size_t i = 0; i < places; ++i)
+        light.values.insert(light.values.end(), values.begin(), values.end());
+      return light;
+    };
+    scene.bake.lightMap->encoded.push_back(repeated(scene.bake.lightMap->layout.texelCount()));
+    scene.bake.encodedLight.push_back(repeated(scene.compiled.vertexCount()));
+  }
+
+  /// Irradiance that the picture shows in its middle.
+  glm::dvec3 show(Shading shading, const Encoding* encoding, bool bumps = true) const {
+    viewer::RenderInputs inputs = scene.inputs();
+    inputs.encoding = encoding;
+    if (bumps) inputs.normalMaps = &maps;
+    Warnings notes;
+    return glm::dvec3(pixelAt(viewer::renderPicture(inputs, square(shading), notes))) * pi /
+           glm::dvec3(albedo);
+  }
+};
+
+std::vector<glm::dmat3> attitudes() {
+  const glm::dvec3 n = glm::normalize(glm::dvec3(0.3, -0.5, 0.7)),
+                   along = glm::normalize(glm::dvec3(0.7, 0.0, -0.3));
+  return {glm::dmat3(1.0), {along, glm::cross(n, along), n}};
+}
+
+TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
+  for (const glm::dmat3& attitude : attitudes())
+    for (const Encoding& encoding : encodings()) {
+      BumpedQuad quad(attitude);
+      quad.light(encoding);
+      const std::vector<float> values = encoded(encoding, quad.normal());
+      for (const Shading shading : {Shading::LightMap, Shading::Radiosity})
+        for (const bool bumps : {false, true}) {
+          const glm::vec3 m = bumps ? glm::vec3(quad.mapped()) : quad.normal();
+          const glm::dvec3 expected(encoding.irradiance(values, surfaceFrame(quad.normal()), m)),
+              got = quad.show(shading, &encoding, bumps);
+          for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(got[c], expected[c], 2e-3 * expected[c])
+                << encoding.name << " " << viewer::shadingName(shading) << " " << bumps;
+        }
+    }
+}
+
+/// Where the light is told in many numbers, a picture of it is that of the light itself, and nothing like
+/// that of surfaces without bumps.
+TEST(EncodedShading, NormalMap_GetsTheLightsOwnIrradiance) {
+  for (const glm::dmat3& attitude : attitudes())
+    for (const char* name : {"sh-3", "ambient-cube"}) {
+      const Encoding& encoding = *encodingNamed(name);
+      BumpedQuad quad(attitude);
+      quad.light(encoding);
+      const glm::dvec3 even = irradianceOf(glm::dvec3(quad.normal()), glm::dvec3(quad.normal())),
+                       expected = irradianceOf(glm::dvec3(quad.normal()), quad.mapped());
+      ASSERT_GT(std::abs(expected.x - even.x), 0.15 * even.x);
+      for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
+        const glm::dvec3 got = quad.show(shading, &encoding);
+        for (int c = 0; c < 3; ++c)
+          EXPECT_NEAR(got[c], expected[c], 0.08 * expected[c]) << name << " " << viewer::shadingName(shading);
+      }
+    }
+}
+
+/// Between vertices, and between texels, numbers are interpolated.
+TEST(EncodedShading, NumbersBetweenPlaces_AreInterpolated) {
+  for (const Encoding& encoding : encodings()) {
+    BumpedQuad quad(glm::dmat3(1.0));
+    quad.light(encoding);
+    const std::vector<float> full = encoded(encoding, quad.normal());
+    std::vector<float>& vertices = quad.scene.bake.encodedLight[0].values;
+    for (std::size_t v = 0; v < 4; ++v)  // dark on the left
+      if (quad.scene.compiled.positions[v].x < 0.0f)
+        std::fill_n(vertices.begin() + static_cast<std::ptrdiff_t>(v * encoding.values), encoding.values,
+                    0.0f);
+    std::vector<float> half = full;
+    for (float& value : half) value *= 0.5f;
+    const glm::dvec3 expected(
+        encoding.irradiance(half, surfaceFrame(quad.normal()), glm::vec3(quad.mapped())));
+    const glm::dvec3 got = quad.show(Shading::Radiosity, &encoding);
+    EXPECT_NEAR(got.x, expected.x, 5e-3 * expected.x) << encoding.name;
+  }
+}
+
+TEST(EncodedShading, WithoutTheEncoding_ShadingsAreWhatTheyWere) {
+  BumpedQuad quad(glm::dmat3(1.0));
+  for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
+    const glm::dvec3 before = quad.show(shading, nullptr, false);
+    EXPECT_NEAR(before.x, 1.0, 1e-4);
+    EXPECT_EQ(quad.show(shading, &encodings().front(), false), before);  // of which the bake holds nothing
+    EXPECT_EQ(quad.show(shading, nullptr), before);
+  }
+}
+
+TEST(EncodedShading, LightOfAnotherScene_IsRefused) {
+  BumpedQuad quad(glm::dmat3(1.0));
+  quad.light(encodings().front());
+  quad.scene.bake.encodedLight[0].values.pop_back();
+  EXPECT_THROW(quad.show(Shading::Phong, nullptr), Error);
+  quad.scene.bake.encodedLight.clear();
+  quad.scene.bake.lightMap->encoded[0].values.pop_back();
+  EXPECT_THROW(quad.show(Shading::Phong, nullptr), Error);
+}
+
+}  // namespace
+}  // namespace prelight

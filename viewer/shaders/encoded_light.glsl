@@ -1,0 +1,41 @@
+// Light that arrives at places of the surface, in an encoding; needs triangles.glsl and light_map.glsl, whose layers then
+// hold three numbers each.
+#include "encoding.glsl"
+
+uniform samplerBuffer encodedVertices;  // [vertex][number]
+
+// As host/projectors/encoded_light/surface_frame.
+mat3 surfaceFrame(vec3 n) {
+  const vec3 axis = vec3(0.36, 0.48, 0.8);
+  const vec3 across = vec3(0.8, -0.6, 0.0);
+  vec3 tangent = axis - dot(axis, n) * n;
+  if (dot(tangent, tangent) < 1e-8) tangent = across - dot(across, n) * n;
+  tangent = normalize(tangent);
+  return mat3(tangent, cross(n, tangent), n);
+}
+
+// Irradiance of texels where a normal map turns the unit normal n to m.
+vec3 encodedMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) {
+  LightMapPlace place;
+  if (!findLightMapPlace(triangle, front, point, place)) return vec3(0.0);
+  float values[encodedValueCount];
+  for (int i = 0; i < encodedValueCount; i += 3) {
+    vec3 layer = lightMapLayer(place, i / 3);
+    for (int k = 0; k < 3 && i + k < encodedValueCount; ++k) values[i + k] = layer[k];
+  }
+  return encodedIrradiance(values, surfaceFrame(n), m);
+}
+
+// Of vertices; the front's.
+vec3 encodedVertexIrradiance(int triangle, vec3 point, vec3 n, vec3 m) {
+  ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
+  vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));
+  weights /= weights.x + weights.y + weights.z;
+  ivec3 first = encodedValueCount * corners;
+  float values[encodedValueCount];
+  for (int i = 0; i < encodedValueCount; ++i) {
+    values[i] = weights.x * texelFetch(encodedVertices, first.x + i).x + weights.y * texelFetch(encodedVertices, first.y + i).x +
+                weights.z * texelFetch(encodedVertices, first.z + i).x;
+  }
+  return encodedIrradiance(values, surfaceFrame(n), m);
+}
