@@ -1,5 +1,6 @@
 #include "encodings/direction_fit.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "base/luminance.h"
@@ -12,11 +13,18 @@ glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& f
   const auto bright = [&](std::size_t i) {
     return luminance({incident[i], incident[incidentTerms + i], incident[2 * incidentTerms + i]});
   };
-  const glm::dvec3 world(bright(3), bright(1), bright(2));
-  const double length = glm::length(world);
+  const glm::dvec3 world = glm::dvec3(bright(3), bright(1), bright(2)) / std::sqrt(3.0);
+  const glm::dvec3 vector = glm::transpose(glm::dmat3(frame)) * world;
+  const double length = glm::length(vector), all = std::max(bright(0), length);
   // Rounding of the sums that made the coefficients is no direction.
-  if (!(length > 1e-6 * std::abs(bright(0)))) return {0.0, 0.0, 1.0};
-  return glm::normalize(glm::transpose(glm::dmat3(frame)) * (world / length));
+  constexpr double rounding = 1e-6;
+  if (!(length > rounding * all)) return {0.0, 0.0, 1.0};
+  const double b = 2.0 * all - vector.z;
+  const double root = b * b - 3.0 * (all - length) * (all + length);
+  const double sky = std::clamp((b - std::sqrt(std::max(root, 0.0))) / 3.0, 0.0, std::max(vector.z, 0.0));
+  const glm::dvec3 lamp = vector - glm::dvec3(0.0, 0.0, sky);
+  const double rest = glm::length(lamp);
+  return rest > 1e-3 * length ? lamp / rest : glm::dvec3(0.0, 0.0, 1.0);
 }
 
 glm::vec3 storedDirection(std::span<const float> values, const glm::vec3& normal) {

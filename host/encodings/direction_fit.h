@@ -10,8 +10,9 @@
 /// Fits of encodings that store one direction for all channels, and colours of functions that depend on it.
 namespace prelight {
 
-/// Direction of the luminance's linear band relative to the frame, a unit vector; the surface's normal where
-/// that band is 0. `incident` as in Encoding::encode.
+/// Direction, relative to the frame, of the lamp that remains of the luminance when an even sky over the
+/// surface is taken from it (docs/lightmaps.md, "Normal maps"): a unit vector; the surface's normal where
+/// there is none. `incident` as in Encoding::encode.
 glm::dvec3 dominantDirection(std::span<const float> incident, const glm::mat3& frame);
 
 /// The direction that three stored numbers stand for: a unit vector, `normal` where they are 0.
@@ -54,6 +55,11 @@ DirectedFit<count> fitDirection(const FitIrradiance& wanted, const glm::dvec3& s
                                 std::size_t free) {
   constexpr double firstStep = 0.3, lastStep = 0.015;  // radians
   constexpr int mostRounds = 20;
+  // Less is not worth a turn: the bands that were measured tell the light no better.
+  constexpr double worthATurn = 3e-4;
+  double squares = 0.0;
+  for (std::size_t n = 0; n < fitNormalCount; ++n)
+    squares += fitNormals()[n].weight * glm::dot(wanted[n], wanted[n]);
   DirectedFit<count> best = fitColours<count>(wanted, start, functions, free);
   double step = firstStep;
   for (int round = 0; round < mostRounds && step > lastStep; ++round) {
@@ -64,7 +70,7 @@ DirectedFit<count> fitDirection(const FitIrradiance& wanted, const glm::dvec3& s
     for (const glm::dvec3& way : {side, -side, up, -up}) {
       const glm::dvec3 there = glm::normalize(centre + step * way);
       const DirectedFit<count> fit = fitColours<count>(wanted, there, functions, free);
-      if (!(fit.error < best.error)) continue;
+      if (!(fit.error < best.error - worthATurn * squares)) continue;
       best = fit;
       better = true;
     }

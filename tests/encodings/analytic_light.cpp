@@ -1,6 +1,7 @@
 #include "encodings/analytic_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -97,6 +98,20 @@ glm::dvec3 LightSum::irradiance(const glm::dvec3& normal) const {
   glm::dvec3 sum(0.0);
   for (const Sample& sample : samples_)
     sum += std::max(glm::dot(sample.direction, normal), 0.0) * sample.power;
+  return sum;
+}
+
+glm::dvec3 irradianceOfBands(const std::vector<float>& incident, const glm::dvec3& normal) {
+  constexpr std::array<double, 5> factors = {pi, 2.0 * pi / 3.0, pi / 4.0, 0.0, -pi / 24.0};
+  std::array<double, incidentTerms> harmonics;
+  sh::evaluate(normal, incidentOrder, harmonics);
+  glm::dvec3 sum(0.0);
+  for (int l = 0; l < 5; ++l)
+    for (int i = l * l; i < (l + 1) * (l + 1); ++i)
+      for (int channel = 0; channel < 3; ++channel)
+        sum[channel] +=
+            factors[static_cast<std::size_t>(l)] * harmonics[static_cast<std::size_t>(i)] *
+            double(incident[static_cast<std::size_t>(channel) * incidentTerms + static_cast<std::size_t>(i)]);
   return sum;
 }
 

@@ -43,6 +43,10 @@ class LightSum {
   std::vector<Sample> samples_;
 };
 
+/// Irradiance of radiance in SH as Encoding::encode() takes it: order 5 after the clamped cosine, whose
+/// factors are written out.
+glm::dvec3 irradianceOfBands(const std::vector<float>& incident, const glm::dvec3& normal);
+
 /// A frame that no axis of the world is parallel to.
 glm::dmat3 obliqueFrame();
 
