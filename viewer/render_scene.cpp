@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "photon/casters.h"
+#include "photon/caustic_casters.h"
 #include "scene/gltf/normal_maps.h"
 #include "scene/lobes.h"
 #include "viewer/tex_coords.h"

@@ -142,9 +142,9 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
         double truth = 0.0, scale = 0.0;
         for (std::size_t j = 0; j < rayCount; ++j) {
           const Sender& s = senders[r * rayCount + j];
-          if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
+          if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
           const double term = (s.albedo >> (10 * c) & 1023u) / 1023.0 *
-                              double(transfer[(s.slot * 3 + c) * columns + i]) / rayCount;
+                              double(transfer[(s.vertex * 3 + c) * columns + i]) / rayCount;
           truth += term;
           scale += std::abs(term);
         }
@@ -189,7 +189,7 @@ void gatherMatrices(const char* stress, double magnitude, int order, Trials& tri
                    y);
       for (std::size_t k = 0; k < width; ++k) {
         const double sent = (s.albedo >> (10 * (k / columns)) & 1023u) / 1023.0 *
-                            double(transfer[s.slot * width + k]) / cast.rays;
+                            double(transfer[s.vertex * width + k]) / cast.rays;
         for (std::size_t i = 0; i < n; ++i) {
           truth[i * width + k] += y[i] * sent;
           scale[i * width + k] += bandScale(i) * std::abs(sent);

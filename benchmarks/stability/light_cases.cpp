@@ -53,7 +53,7 @@ void lightPlaces(const char* stress, double half, const std::vector<Light>& ligh
   all.punctual = lights;
   direct.setLights(all);
   const std::vector<device::Receiver> places = placesOver(half);
-  const std::vector<PointLight> got = direct.at(places);
+  const std::vector<PointIrradiance> got = direct.at(places);
   const std::vector<float> incident = lights.size() < 1000 ? direct.incidentAt(places) : std::vector<float>();
   Differences differences;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -101,7 +101,7 @@ void lampOver(const char* stress, double size, double height, double aside, doub
   for (std::uint32_t i = 0; i < 6; ++i)
     places.push_back(
         lookingUp(glm::vec3(aside + 0.13 * i * size, -height, 0.3 * aside + 0.07 * i * size), i));
-  const std::vector<PointLight> got = direct.at(places);
+  const std::vector<PointIrradiance> got = direct.at(places);
   Differences differences;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const glm::dvec3 point(places[i].position[0], places[i].position[1], places[i].position[2]);

@@ -201,12 +201,12 @@ void storeSenders(const char* stress, double albedo, Trials& trials) {
   for (std::size_t i = 0; i < got.size(); ++i) {
     const bool nothing = hits[i].triangle == PRELIGHT_NO_TRIANGLE || albedo < 0.5 / 1023.0;
     if (nothing) {
-      differences.decide(got[i].slot == PRELIGHT_NO_TRIANGLE);
+      differences.decide(got[i].vertex == PRELIGHT_NO_TRIANGLE);
       continue;
     }
     const bool back = rays[i].direction[1] > 0.0f;
     const glm::uvec3& t = known.scene.triangles[hits[i].triangle];
-    const std::uint32_t vertex = got[i].slot - (back ? known.scene.vertexCount() : 0u);
+    const std::uint32_t vertex = got[i].vertex - (back ? known.scene.vertexCount() : 0u);
     differences.decide(vertex == t.x || vertex == t.y || vertex == t.z);
     for (int c = 0; c < 3; ++c) differences.add((got[i].albedo >> (10 * c) & 1023u) / 1023.0, albedo, 1.0);
   }

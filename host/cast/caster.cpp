@@ -171,9 +171,9 @@ void Caster::load(StateReader& state, std::uint32_t rows, bool backs) {
     part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
     state.sameSize(part);
     for (const Sender& sender : part) {
-      if (sender.slot == PRELIGHT_NO_TRIANGLE) continue;
-      state.require(sender.slot / 2 < vertexCount_);
-      fromBacks = fromBacks || sender.slot >= vertexCount_;
+      if (sender.vertex == PRELIGHT_NO_TRIANGLE) continue;
+      state.require(sender.vertex / 2 < vertexCount_);
+      fromBacks = fromBacks || sender.vertex >= vertexCount_;
     }
     senders_.write(std::span<const Sender>(part), std::size_t{row} * options_.raysPerReceiver);
   }

@@ -100,7 +100,7 @@ class Caster {
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
 
-  /// Transfer that gather() reads: [slot][3][columns], slots are vertices, then vertices' backs.
+  /// Transfer that gather() reads: [vertex][3][columns], of vertices, then of their backs.
   void setTransfer(const std::vector<float>& transfer);
 
   /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):

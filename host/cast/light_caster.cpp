@@ -45,8 +45,8 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
       hasEmitters_(!lights.emitters.empty()) {
   PackedArrays<LightGroupLine> pack;
   layout_.groupCount = static_cast<std::uint32_t>(lights.groups.size());
-  layout_.slotCount = static_cast<std::uint32_t>(lights.slots.size());
-  layout_.slots = pack.add(spanOf(lights.slots));
+  layout_.rayCount = static_cast<std::uint32_t>(lights.rays.size());
+  layout_.rays = pack.add(spanOf(lights.rays));
   layout_.punctual = pack.add(spanOf(lights.punctual));
   layout_.factors = pack.add(spanOf(lights.factors));
   layout_.emitterOfTriangle = pack.add(spanOf(lights.emitterOfTriangle));
@@ -54,7 +54,7 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   layout_.positions = pack.add(floatsOf(scene.positions));
   layout_.normals = pack.add(frontNormals(scene));
   lines_ = pack.upload(device_);
-  const std::size_t rays = std::size_t{blockSize} * layout_.slotCount;
+  const std::size_t rays = std::size_t{blockSize} * layout_.rayCount;
   rays_ = Buffer<Ray>(device_, rays);
   hits_ = Buffer<Hit>(device_, rays);
   rayValues_ = Buffer<float>(device_, 3 * rays);
@@ -72,7 +72,7 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
 
 void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
                        std::uint32_t set, std::vector<float>& values) {
-  const std::size_t rayCount = std::size_t{receivers} * layout_.slotCount;
+  const std::size_t rayCount = std::size_t{receivers} * layout_.rayCount;
   generate_.launch(rayCount, block.parameters, layout_, lines_, emitters_[set], tracer.scene().layoutBuffer(),
                    tracer.scene().surface(), block.receivers, rays_, rayValues_);
   tracer.traceAny(rays_, hits_, rayCount);

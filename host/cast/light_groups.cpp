@@ -89,7 +89,7 @@ glm::vec3 over(const glm::vec3& intensity, const glm::vec3& color) {
 
 void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t group, GroupedLights& out) {
   for (const std::size_t i : source.lights) {
-    out.slots.push_back({group, static_cast<std::uint32_t>(out.punctual.size()), 0, 0, 0, 0, {}});
+    out.rays.push_back({group, static_cast<std::uint32_t>(out.punctual.size()), 0, 0, 0, 0, {}});
     out.punctual.push_back(deviceLight(scene.lights[i], scene));
     const glm::vec3 factor = over(scene.lights[i].intensity, source.color);
     out.factors.insert(out.factors.end(), {factor.x, factor.y, factor.z});
@@ -125,13 +125,13 @@ void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t
   out.emitters.back().bound = 1.0f;
   out.samplesOfGroup[group] = samples;
   for (std::uint32_t s = 0; s < samples; ++s)
-    out.slots.push_back({group,
-                         PRELIGHT_NO_EMITTER,
-                         first,
-                         static_cast<std::uint32_t>(source.triangles.size()),
-                         s,
-                         samples,
-                         {}});
+    out.rays.push_back({group,
+                        PRELIGHT_NO_EMITTER,
+                        first,
+                        static_cast<std::uint32_t>(source.triangles.size()),
+                        s,
+                        samples,
+                        {}});
 }
 
 }  // namespace

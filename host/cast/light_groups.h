@@ -19,7 +19,7 @@ struct GroupedLights {
   std::vector<device::GroupEmitter> emitters;    ///< those of a group are consecutive
   std::vector<std::uint32_t> emitterOfTriangle;  ///< [triangle], or PRELIGHT_NO_EMITTER
   std::vector<std::uint32_t> samplesOfGroup;     ///< [group], emitter samples a receiver
-  std::vector<device::LightSlot> slots;          ///< shadow rays of a receiver
+  std::vector<device::LightRay> rays;            ///< shadow rays of a receiver
 
   bool empty() const { return groups.empty(); }
 };

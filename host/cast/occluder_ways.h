@@ -30,7 +30,7 @@ class OccluderWays {
 
   /// Of the block that was cast last, [ray][PRELIGHT_WAYS].
   const Buffer<device::OccluderWay>& ways() const { return ways_; }
-  /// [slot of a mirrored way]
+  /// [ray of a mirrored way]
   const Buffer<device::Hit>& mirrorHits() const { return mirrorHits_; }
 
   std::uint64_t rays() const { return rays_; }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "gpu/transport_scene.h"
-#include "photon/casters.h"
+#include "photon/caustic_casters.h"
 #include "photon/caustic_light.h"
 #include "photon/sent_photons.h"
 #include "scene/surface_regions.h"

@@ -8,7 +8,7 @@
 #include "lightmap/back_charts.h"
 #include "lightmap/light_map_bake.h"
 #include "lightmap/make_light_map_layout.h"
-#include "photon/casters.h"
+#include "photon/caustic_casters.h"
 
 namespace prelight {
 

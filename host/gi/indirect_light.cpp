@@ -33,7 +33,7 @@ std::vector<glm::vec3> irradianceOfPhotons(const CompiledScene& compiled,
 
 void addDirect(DirectLight& light, const CompiledScene& compiled, std::span<const LightMapTexel> places,
                std::uint64_t seed, std::vector<glm::vec3>& irradiance) {
-  const std::vector<PointLight> found = light.at(gatherReceivers(compiled, places, 1, 1, seed));
+  const std::vector<PointIrradiance> found = light.at(gatherReceivers(compiled, places, 1, 1, seed));
   for (std::size_t i = 0; i < places.size(); ++i)
     irradiance[i] += glm::vec3(found[i].far + found[i].emitters);
 }

@@ -128,7 +128,7 @@ class AreaTreeFiller {
         for (int axis = 0; axis < 3; ++axis)
           triangle.corners[3 * k + axis] = static_cast<float>(corners.at[k][axis]);
       }
-      surface_.places[t].slot = static_cast<std::uint32_t>(slot);
+      surface_.places[t].areaTriangle = static_cast<std::uint32_t>(slot);
       sums_[node].add(sumsOf(corners));
     }
   }
@@ -223,7 +223,7 @@ void followDensitySurface(DensitySurface& surface, const CompiledScene& scene,
   }
   for (std::size_t i = 0; i < regions.size(); ++i) {
     std::sort(items[i].begin(), items[i].end(), [&](const TreeItem& a, const TreeItem& b) {
-      return surface.places[a.index].slot < surface.places[b.index].slot;
+      return surface.places[a.index].areaTriangle < surface.places[b.index].areaTriangle;
     });
     AreaTreeFiller(scene, surface.areaTrees[regions[i]], items[i], surface).fill();
   }

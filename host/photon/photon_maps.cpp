@@ -82,7 +82,7 @@ std::vector<std::uint32_t> mapsOfPhotons(std::span<const Photon> photons, const 
         return;
       }
       const device::SurfacePlace& place = surface.places[photons[i].triangle];
-      const float* n = surface.triangles[place.slot].normal;
+      const float* n = surface.triangles[place.areaTriangle].normal;
       const glm::dvec3 from = unpackDirection(photons[i].direction);
       const bool back = from.x * n[0] + from.y * n[1] + from.z * n[2] < 0.0;
       mapOf[i] = 2u * (place.region & ~PRELIGHT_PLANAR_REGION) + (back ? 1u : 0u);

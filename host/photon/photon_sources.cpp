@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/luminance.h"
-#include "photon/casters.h"
+#include "photon/caustic_casters.h"
 #include "photon/direction_cells.h"
 
 namespace prelight {

@@ -49,7 +49,7 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   std::vector<RadiosityEmitter> emitters;
   if (lights.emitters) emitters = emittersOf(scene_, tables);
   emitterBuffer_ = Buffer<RadiosityEmitter>(device_, spanOf(emitters));
-  const std::uint32_t before = slots();
+  const std::uint32_t before = raysOfPoint();
   counts_.punctual = static_cast<std::uint32_t>(tables.punctual.size());
   emitters_ = static_cast<std::uint32_t>(emitters.size());
   counts_.emitterSamples = emitters.empty() ? 0 : emitterSamples;
@@ -63,22 +63,23 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   const char* file = "radiosity/direct_kernels.cl";
   aim_ = {device_, file, options, "aimAtLights"};
   sum_ = {device_, file, options, "sumLights"};
-  if (slots() == before || slots() == 0) return;
-  blockPoints_ = std::max(pointsPerElement_, raysPerBlock / slots() / pointsPerElement_ * pointsPerElement_);
+  if (raysOfPoint() == before || raysOfPoint() == 0) return;
+  blockPoints_ =
+      std::max(pointsPerElement_, raysPerBlock / raysOfPoint() / pointsPerElement_ * pointsPerElement_);
   receivers_ = Buffer<Receiver>(device_, blockPoints_);
-  irradiance_ = Buffer<PointLight>(device_, blockPoints_);
-  rayBuffer_ = Buffer<Ray>(device_, std::size_t{blockPoints_} * slots());
-  hits_ = Buffer<Hit>(device_, std::size_t{blockPoints_} * slots());
-  values_ = Buffer<float>(device_, std::size_t{blockPoints_} * slots() * 3);
+  irradiance_ = Buffer<PointIrradiance>(device_, blockPoints_);
+  rayBuffer_ = Buffer<Ray>(device_, std::size_t{blockPoints_} * raysOfPoint());
+  hits_ = Buffer<Hit>(device_, std::size_t{blockPoints_} * raysOfPoint());
+  values_ = Buffer<float>(device_, std::size_t{blockPoints_} * raysOfPoint() * 3);
 }
 
 bool DirectLight::manyEmitters() const { return emitters_ > mostIntegratedEmitters; }
 
-std::vector<PointLight> DirectLight::estimate(const std::vector<std::uint32_t>& elements,
-                                              Progress& progress) {
-  std::vector<PointLight> values(elements.size() * pointsPerElement_,
-                                 PointLight{glm::vec4(0.0f), glm::vec4(0.0f)});
-  if (slots() == 0) return values;
+std::vector<PointIrradiance> DirectLight::estimate(const std::vector<std::uint32_t>& elements,
+                                                   Progress& progress) {
+  std::vector<PointIrradiance> values(elements.size() * pointsPerElement_,
+                                      PointIrradiance{glm::vec4(0.0f), glm::vec4(0.0f)});
+  if (raysOfPoint() == 0) return values;
   const std::size_t block = blockPoints_ / pointsPerElement_;
   for (std::size_t first = 0; first < elements.size(); first += block) {
     progress.check();
@@ -92,9 +93,9 @@ std::vector<PointLight> DirectLight::estimate(const std::vector<std::uint32_t>& 
   return values;
 }
 
-std::vector<PointLight> DirectLight::at(std::span<const Receiver> receivers) {
-  std::vector<PointLight> values(receivers.size(), PointLight{glm::vec4(0.0f), glm::vec4(0.0f)});
-  for (std::size_t first = 0; slots() > 0 && first < receivers.size(); first += blockPoints_)
+std::vector<PointIrradiance> DirectLight::at(std::span<const Receiver> receivers) {
+  std::vector<PointIrradiance> values(receivers.size(), PointIrradiance{glm::vec4(0.0f), glm::vec4(0.0f)});
+  for (std::size_t first = 0; raysOfPoint() > 0 && first < receivers.size(); first += blockPoints_)
     estimateBlock(receivers.subspan(first, std::min<std::size_t>(blockPoints_, receivers.size() - first)),
                   &values[first]);
   return values;
@@ -113,7 +114,7 @@ void DirectLight::prepareIncident(int order) {
 std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers, int order) {
   const std::size_t length = 3 * static_cast<std::size_t>(incidentValueCount(order));
   std::vector<float> values(length * receivers.size(), 0.0f);
-  if (slots() == 0) return values;
+  if (raysOfPoint() == 0) return values;
   prepareIncident(order);
   for (std::size_t first = 0; first < receivers.size(); first += blockPoints_) {
     const std::size_t count = std::min<std::size_t>(blockPoints_, receivers.size() - first);
@@ -127,14 +128,14 @@ std::vector<float> DirectLight::incidentAt(std::span<const Receiver> receivers, 
 void DirectLight::aimBlock(std::span<const Receiver> receivers) {
   receivers_.write(receivers);
   counts_.points = static_cast<std::uint32_t>(receivers.size());
-  const std::size_t rayCount = receivers.size() * slots();
+  const std::size_t rayCount = receivers.size() * raysOfPoint();
   aim_.launch(rayCount, counts_, receivers_, lit_.layoutBuffer(), lit_.surface(), lit_.lights(),
               emitterBuffer_, positions_, rayBuffer_, values_);
   tracer_.traceAny(rayBuffer_, hits_, rayCount);
   rays_ += rayCount;
 }
 
-void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointLight* values) {
+void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointIrradiance* values) {
   aimBlock(receivers);
   sum_.launch(receivers.size(), counts_, emitters_, lit_.layoutBuffer(), lit_.surface(), receivers_, hits_,
               values_, emitterBuffer_, positions_, irradiance_);

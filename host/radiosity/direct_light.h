@@ -23,7 +23,7 @@ struct RadiosityLights {
 };
 
 /// Direct light of a point, W/m2; w unused.
-struct PointLight {
+struct PointIrradiance {
   glm::vec4 far;       ///< of punctual lights and the sky
   glm::vec4 emitters;  ///< of emissive triangles
 };
@@ -45,10 +45,10 @@ class DirectLight {
   void setLights(const RadiosityLights& lights);
 
   /// At points of elements, [element of the list][point]. Throws Interrupted.
-  std::vector<PointLight> estimate(const std::vector<std::uint32_t>& elements, Progress& progress);
+  std::vector<PointIrradiance> estimate(const std::vector<std::uint32_t>& elements, Progress& progress);
 
   /// At receivers anywhere, of which firstSample counts the points of a sequence.
-  std::vector<PointLight> at(std::span<const device::Receiver> receivers);
+  std::vector<PointIrradiance> at(std::span<const device::Receiver> receivers);
 
   /// Of punctual lights and the sky alone, with their directions: irradiance, W/m2, and incident radiance in
   /// SH of an order, [receiver][channel][value] (basis/incident_values.h).
@@ -61,10 +61,10 @@ class DirectLight {
   std::uint64_t rays() const { return rays_; }  ///< so far
 
  private:
-  std::uint32_t slots() const { return counts_.punctual + counts_.emitterSamples + counts_.skySamples; }
+  std::uint32_t raysOfPoint() const { return counts_.punctual + counts_.emitterSamples + counts_.skySamples; }
   void prepareIncident(int order);
   void aimBlock(std::span<const device::Receiver> receivers);
-  void estimateBlock(std::span<const device::Receiver> receivers, PointLight* values);
+  void estimateBlock(std::span<const device::Receiver> receivers, PointIrradiance* values);
 
   const CompiledScene& scene_;
   const ElementPoints* points_ = nullptr;
@@ -82,7 +82,7 @@ class DirectLight {
   Buffer<device::Ray> rayBuffer_;
   Buffer<device::Hit> hits_;
   Buffer<float> values_;
-  Buffer<PointLight> irradiance_;
+  Buffer<PointIrradiance> irradiance_;
   int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
   Buffer<float> incident_;
 
@@ -94,7 +94,7 @@ class DirectLight {
          Buffer<device::LightLine>, Emitters, Buffer<float>, Rays, Buffer<float>>
       aim_;
   Kernel<device::DirectRays, std::uint32_t, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
-         Receivers, Hits, Buffer<float>, Emitters, Buffer<float>, Buffer<PointLight>>
+         Receivers, Hits, Buffer<float>, Emitters, Buffer<float>, Buffer<PointIrradiance>>
       sum_;
   Kernel<device::DirectRays, Receivers, Rays, Hits, Buffer<float>, Buffer<float>> sumIncident_;
 };

@@ -88,7 +88,7 @@ std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share)
 
 /// Means of the points that count. Of many emitters the form factors know more than few shadow rays, wherever
 /// enough of the element's rays have met them.
-void Radiosity::sumPoints(const std::vector<PointLight>& points) {
+void Radiosity::sumPoints(const std::vector<PointIrradiance>& points) {
   const std::uint32_t perElement = directLight_->pointsPerElement();
   std::vector<float> share;
   std::vector<glm::vec4> carried;
@@ -104,7 +104,7 @@ void Radiosity::sumPoints(const std::vector<PointLight>& points) {
     int count = 0;
     for (std::uint32_t p = 0; p < perElement; ++p) {
       if ((valid_[i] >> p & 1u) == 0) continue;
-      const PointLight& light = points[i * perElement + p];
+      const PointIrradiance& light = points[i * perElement + p];
       directPoints_[i * perElement + p] = throughRow ? light.far : light.far + light.emitters;
       sum += glm::dvec3(directPoints_[i * perElement + p]);
       ++count;

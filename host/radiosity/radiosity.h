@@ -66,7 +66,7 @@ class Radiosity {
  private:
   void makeRows();
   std::vector<glm::vec4> emissionThroughRows(std::vector<float>& share) const;
-  void sumPoints(const std::vector<PointLight>& points);
+  void sumPoints(const std::vector<PointIrradiance>& points);
   std::vector<double> fitDirect(const FitMesh& mesh, double meanArea) const;
   std::vector<double> fitIndirect(const FitMesh& mesh, double meanArea) const;
 

@@ -13,9 +13,9 @@ __kernel void generateRays(__constant const CastParameters* parameters, __global
   const uint count = parameters->raysPerReceiver;
   if (i >= (size_t)parameters->receiverCount * (count / 8)) return;
   __global const Receiver* r = receivers + i / (count / 8);
-  const uint8 slot = (uint)(i % (count / 8)) * 8 + (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
+  const uint8 cell = (uint)(i % (count / 8)) * 8 + (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
   float8 u, v, x, y, squaredRadius;
-  sampleSobol8(sobolIndexInCell8(slot, 31 - clz(count), r->firstSample, r->seed), r->seed, &u, &v);
+  sampleSobol8(sobolIndexInCell8(cell, 31 - clz(count), r->firstSample, r->seed), r->seed, &u, &v);
   concentricDisc8(u, v, &x, &y, &squaredRadius);
   const float8 z = sqrt(1.0f - squaredRadius);
 

@@ -15,7 +15,7 @@
 #endif
 
 typedef struct LightGroups {
-  __global const LightSlot* slots;  // [slot]
+  __global const LightRay* rays;  // [ray]
   __global const PunctualLight* punctual;
   __global const float* factors;           // [light][3]
   __global const uint* emitterOfTriangle;  // [triangle]
@@ -25,7 +25,7 @@ typedef struct LightGroups {
 } LightGroups;
 
 LightGroups lightGroupsOf(LightGroupLayout layout, __global const LightGroupLine* lines) {
-  const LightGroups groups = {(__global const LightSlot*)(lines + layout.slots),
+  const LightGroups groups = {(__global const LightRay*)(lines + layout.rays),
                               (__global const PunctualLight*)(lines + layout.punctual),
                               (__global const float*)(lines + layout.factors),
                               (__global const uint*)(lines + layout.emitterOfTriangle),
@@ -41,10 +41,10 @@ float combinedDensity(uint rays, float cosine, uint samples, float density, floa
   return (float)rays * cosine * M_1_PI_F + (float)samples * density * squaredDistance / fmax(emitterCosine, 1e-9f);
 }
 
-bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, LightGroups groups,
+bool aimAtEmitter(__constant const CastParameters* parameters, LightRay lightRay, LightGroups groups,
                   __global const GroupEmitter* emitters, __global const DeviceTriangle* triangles, float2 u, float3 point,
                   float3 normal, Aim* aim) {
-  uint low = slot.firstEmitter, high = low + slot.emitterCount - 1u;
+  uint low = lightRay.firstEmitter, high = low + lightRay.emitterCount - 1u;
   while (low < high) {
     const uint middle = (low + high) / 2u;
     if (u.x < emitters[middle].bound)
@@ -53,7 +53,7 @@ bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, L
       low = middle + 1u;
   }
   const GroupEmitter e = emitters[low];
-  const float start = low > slot.firstEmitter ? emitters[low - 1u].bound : 0.0f;
+  const float start = low > lightRay.firstEmitter ? emitters[low - 1u].bound : 0.0f;
   const float within = clamp((u.x - start) / fmax(e.bound - start, 1e-30f), 0.0f, 1.0f);
   const DeviceTriangle t = triangles[e.triangle];
   const float3 p = vload3(t.vertex[0], groups.positions), q = vload3(t.vertex[1], groups.positions),
@@ -68,33 +68,33 @@ bool aimAtEmitter(__constant const CastParameters* parameters, LightSlot slot, L
   aim->way = way;
   aim->reach = PRELIGHT_SHADOW_REACH;
   aim->value = cosine * M_1_PI_F * vload3(0, e.factor) /
-                  combinedDensity(parameters->raysPerReceiver, cosine, slot.sampleCount, e.density, squared, emitterCosine);
+                  combinedDensity(parameters->raysPerReceiver, cosine, lightRay.sampleCount, e.density, squared, emitterCosine);
   return true;
 }
 
-// A shadow ray a work-item. receivers [receiver] -> rays [receiver][slotCount], and values [receiver][slotCount][3], what
+// A shadow ray a work-item. receivers [receiver] -> rays [receiver][rayCount], and values [receiver][rayCount][3], what
 // each brings if it is open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
 __kernel void generateLightRays(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
                                 __global const LightGroupLine* groupLines, __global const GroupEmitter* emitters,
                                 __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                                 __global const Receiver* receivers, __global Ray* rays, __global float* values) {
   const size_t i = get_global_id(0);
-  const uint slotCount = groupLayout.slotCount;
-  if (i >= (size_t)parameters->receiverCount * slotCount) return;
-  __global const Receiver* r = receivers + i / slotCount;
+  const uint rayCount = groupLayout.rayCount;
+  if (i >= (size_t)parameters->receiverCount * rayCount) return;
+  __global const Receiver* r = receivers + i / rayCount;
   const LightGroups groups = lightGroupsOf(groupLayout, groupLines);
-  const LightSlot slot = groups.slots[i % slotCount];
+  const LightRay lightRay = groups.rays[i % rayCount];
   const float3 point = vload3(0, r->position), normal = vload3(0, r->normal);
   Aim aim;
   bool arrives;
-  if (slot.light != PRELIGHT_NO_EMITTER) {
+  if (lightRay.light != PRELIGHT_NO_EMITTER) {
     float share;
-    arrives = aimAtPunctual(groups.punctual + slot.light, point, normal, &aim, &share);
-    if (arrives) aim.value = share * M_1_PI_F * vload3(0, groups.factors + 3 * slot.light);
+    arrives = aimAtPunctual(groups.punctual + lightRay.light, point, normal, &aim, &share);
+    if (arrives) aim.value = share * M_1_PI_F * vload3(0, groups.factors + 3 * lightRay.light);
   } else {
-    const uint index = r->firstSample / parameters->raysPerReceiver * slot.sampleCount + slot.sample;
-    const float2 u = sampleSobol(index, hashInteger(r->seed ^ hashInteger(slot.group + 0x68bc21ebu)));
-    arrives = aimAtEmitter(parameters, slot, groups, emitters, surfaceOf(layout, surfaceLines).triangles, u, point, normal, &aim);
+    const uint index = r->firstSample / parameters->raysPerReceiver * lightRay.sampleCount + lightRay.sample;
+    const float2 u = sampleSobol(index, hashInteger(r->seed ^ hashInteger(lightRay.group + 0x68bc21ebu)));
+    arrives = aimAtEmitter(parameters, lightRay, groups, emitters, surfaceOf(layout, surfaceLines).triangles, u, point, normal, &aim);
   }
   arrives = arrives && dot(aim.way, vload3(0, r->geometricNormal)) > 0.0f;  // the receiver's own surface hides the rest
   rays[i] = shadowRay(r, aim, arrives);
@@ -116,7 +116,7 @@ void addLight(__global float* out, uint group, uint groupCount, float3 value, fl
       out[(c * groupCount + group) * PRELIGHT_LIGHT_VALUES + i] += shares[i] * channels[c];
 }
 
-// A receiver a work-item. shadowRays, shadowHits [receiver][slotCount] of the kernel above with their values; rays, hits
+// A receiver a work-item. shadowRays, shadowHits [receiver][rayCount] of the kernel above with their values; rays, hits
 // [receiver][raysPerReceiver] of the hemisphere, the closest ones -> out [receiver][3][groupCount], irradiance over pi and the group's colour; [..][value]
 // with PRELIGHT_INCIDENT, see project/incident_funcs.cl.
 __kernel void projectLights(__constant const CastParameters* parameters, const LightGroupLayout groupLayout,
@@ -127,15 +127,15 @@ __kernel void projectLights(__constant const CastParameters* parameters, const L
   const size_t receiver = get_global_id(0);
   if (receiver >= parameters->receiverCount) return;
   const LightGroups groups = lightGroupsOf(groupLayout, groupLines);
-  const uint slotCount = groupLayout.slotCount, groupCount = groupLayout.groupCount;
+  const uint rayCount = groupLayout.rayCount, groupCount = groupLayout.groupCount;
   const uint length = 3 * groupCount * PRELIGHT_LIGHT_VALUES;
   out += receiver * length;
   for (uint i = 0; i < length; ++i) out[i] = 0.0f;
   const float3 normal = vload3(0, receivers[receiver].normal);
-  for (uint s = 0; s < slotCount; ++s) {
-    const size_t at = receiver * slotCount + s;
+  for (uint s = 0; s < rayCount; ++s) {
+    const size_t at = receiver * rayCount + s;
     if (shadowHits[at].triangle != PRELIGHT_NO_TRIANGLE) continue;
-    addLight(out, groups.slots[s].group, groupCount, vload3(at, values), vload3(0, shadowRays[at].direction), normal);
+    addLight(out, groups.rays[s].group, groupCount, vload3(at, values), vload3(0, shadowRays[at].direction), normal);
   }
 #ifdef PRELIGHT_EMITTERS
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {

@@ -72,14 +72,14 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __consta
       const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
       const bool back = (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
       if (back) marks[hit.triangle] = 1;
-      sender.slot = surface.triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
+      sender.vertex = surface.triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
       sender.albedo = bits;
     }
   }
   senders[(size_t)parameters->firstStored * parameters->raysPerReceiver + i] = sender;
 }
 
-// A receiver a work-item. senders [firstStored + receiver][raysPerReceiver], transfer [slot][3][PRELIGHT_COLUMNS] of
+// A receiver a work-item. senders [firstStored + receiver][raysPerReceiver], transfer [vertex][3][PRELIGHT_COLUMNS] of
 // the previous bounce -> values [receiver][3][PRELIGHT_COLUMNS], the mean over the receiver's rays of albedo x transfer.
 __kernel void gatherBounce(__constant const CastParameters* parameters, __global const Sender* senders,
                            __global const float* transfer, __global float* values) {
@@ -89,8 +89,8 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, __global
   for (uint i = 0; i < 3 * PRELIGHT_COLUMNS; ++i) sum[i] = 0.0f;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const Sender s = senders[((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver + j];
-    if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
-    __global const float* t = transfer + (size_t)s.slot * 3 * PRELIGHT_COLUMNS;
+    if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
+    __global const float* t = transfer + (size_t)s.vertex * 3 * PRELIGHT_COLUMNS;
     for (uint c = 0; c < 3; ++c) {
       const float albedo = senderAlbedo(s, c);
       for (uint i = 0; i < PRELIGHT_COLUMNS; ++i) sum[c * PRELIGHT_COLUMNS + i] += albedo * t[c * PRELIGHT_COLUMNS + i];
@@ -102,7 +102,7 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, __global
 
 #ifdef PRELIGHT_GLOSSY_ORDER
 // A receiver a work-item. senders as above; rays [receiver][raysPerReceiver], those that met them; transfer
-// [slot][3][PRELIGHT_COLUMNS], a part of the light's coefficients -> values [receiver][i][3][PRELIGHT_COLUMNS] with i
+// [vertex][3][PRELIGHT_COLUMNS], a part of the light's coefficients -> values [receiver][i][3][PRELIGHT_COLUMNS] with i
 // below PRELIGHT_GLOSSY_ORDER^2: the mean over rays of Y_i(direction) x albedo x transfer. shTable as in sh_funcs.cl.
 __kernel void gatherGlossy(__constant const CastParameters* parameters, __constant const float* shTable,
                            __global const Ray* rays, __global const Sender* senders,
@@ -115,8 +115,8 @@ __kernel void gatherGlossy(__constant const CastParameters* parameters, __consta
   const float scale = 1.0f / (float)parameters->raysPerReceiver;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const Sender s = senders[((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver + j];
-    if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
-    __global const float* t = transfer + (size_t)s.slot * width;
+    if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
+    __global const float* t = transfer + (size_t)s.vertex * width;
     float sent[3 * PRELIGHT_COLUMNS];
     for (uint c = 0; c < 3; ++c)
       for (uint k = 0; k < PRELIGHT_COLUMNS; ++k)

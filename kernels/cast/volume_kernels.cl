@@ -25,10 +25,10 @@ __kernel void generateVolumeRays(__constant const CastParameters* parameters, fl
   const float3 centre = lowerAndCell.xyz + lowerAndCell.w * (cell + 0.5f);
 
   // Blocks of at most 256 points: what sobolIndexInCell8 can order.
-  const uint block = min(count, 256u), slot = (uint)(i % (count / 8)) * 8;
+  const uint block = min(count, 256u), first = (uint)(i % (count / 8)) * 8;
   const uint scramble = hashInteger(voxel ^ hashInteger(seed));
-  const uint8 index = sobolIndexInCell8(slot % block + (uint8)(0, 1, 2, 3, 4, 5, 6, 7), 31 - clz(block),
-                                        slot - slot % block, scramble);
+  const uint8 index = sobolIndexInCell8(first % block + (uint8)(0, 1, 2, 3, 4, 5, 6, 7), 31 - clz(block),
+                                        first - first % block, scramble);
   float8 u, v;
   sampleSobol8(index, scramble, &u, &v);
   const float8 z = 1.0f - 2.0f * u, radius = sqrt(fmax(1.0f - z * z, 0.0f)), turn = 2.0f * v;
@@ -98,15 +98,15 @@ void addSide(__constant const CastParameters* parameters, __global const float* 
              bool back, Hit hit, float3 factor, float* sum) {
   const float weight[3] = {1.0f - hit.u - hit.v, hit.u, hit.v}, factors[3] = {factor.x, factor.y, factor.z};
   for (uint corner = 0; corner < 3; ++corner) {
-    const uint slot = triangle.vertex[corner] + (back ? parameters->vertexCount : 0u);
-    __global const float* t = transfer + (size_t)slot * 3 * PRELIGHT_COLUMNS;
+    const uint vertex = triangle.vertex[corner] + (back ? parameters->vertexCount : 0u);
+    __global const float* t = transfer + (size_t)vertex * 3 * PRELIGHT_COLUMNS;
     for (uint c = 0; c < 3; ++c)
       for (uint i = 0; i < PRELIGHT_COLUMNS; ++i)
         sum[c * PRELIGHT_COLUMNS + i] += weight[corner] * factors[c] * t[c * PRELIGHT_COLUMNS + i];
   }
 }
 
-// A voxel a work-item. rays, hits as above; transfer [slot][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
+// A voxel a work-item. rays, hits as above; transfer [vertex][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
 // then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_COLUMNS], the mean over rays of albedo x transfer
 // at the hit, and what comes through it.
 __kernel void gatherVolume(__constant const CastParameters* parameters, __constant const SceneLayout* layout,

@@ -43,7 +43,7 @@ void probeFirstHalf(__global uint* out) {
   PROBE(15, ShadowItem, path);
   PROBE(16, OccluderVertex, accessibility);
   PROBE(17, OccluderSums, group);
-  PROBE(18, OccluderWay, slot);
+  PROBE(18, OccluderWay, ray);
   PROBE(19, OccluderWaySums, pad);
   PROBE(20, GlassPath, medium);
   PROBE(21, OccluderLight, twoSided);
@@ -67,7 +67,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(36, GatherPath, widened);
   PROBE(37, PhotonGrid, firstCell);
   PROBE(38, DeviceInstance, triangleCount);
-  PROBE(39, LightSlot, sampleCount);
+  PROBE(39, LightRay, sampleCount);
   PROBE(40, GroupEmitter, twoSided);
   PROBE(41, LightLayout, skyTurn);
   PROBE(42, ElementPoint, back);

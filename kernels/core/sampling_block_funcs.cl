@@ -50,17 +50,17 @@ uint8 evenBits8(uint8 x) {
   return (x | x >> 2) & 0x0fu;
 }
 
-// Which of the 2^bits points from `first` on lies in cell `slot` of the square: its index. `first` is a multiple of
+// Which of the 2^bits points from `first` on lies in cell `cell` of the square: its index. `first` is a multiple of
 // 2^bits, bits = 3..8. Exactly one does, because the points are a (0,2)-net. Cells lie along a Morton curve that
-// halves the first coordinate first, so that an aligned run of 2^n slots is a square or a rectangle of two squares.
+// halves the first coordinate first, so that an aligned run of 2^n cells is a square or a rectangle of two squares.
 //
 // Read an index as a polynomial f over GF(2), bit i the coefficient of t^i. The point's coordinates are f(t) and
 // f(t + 1), scrambled, the lowest bit weighing 1/2. So the column gives the lowest p bits of f. With
 // f = known + t^p g, the row gives f(t + 1) = known(t + 1) + (t + 1)^p g(t + 1) modulo t^q: divide by (t + 1)^p, which
 // is to multiply by (t + 1)^(-p mod 4) while q <= 4, and put t + 1 for t once more to have g.
-uint8 sobolIndexInCell8(uint8 slot, uint bits, uint first, uint seed) {
+uint8 sobolIndexInCell8(uint8 cell, uint bits, uint first, uint seed) {
   const uint p = (bits + 1u) / 2u, q = bits / 2u;
-  const uint8 path = reverseBits8(slot) >> (32u - bits);
+  const uint8 path = reverseBits8(cell) >> (32u - bits);
   const uint8 low = unscrambleLowBits8(evenBits8(path), hashInteger(seed)) & ((1u << p) - 1u);
   const uint8 known = first + low;
   uint8 g = sobolSecond8(known) ^ unscrambleLowBits8(evenBits8(path >> 1), hashInteger(seed ^ 0x9e3779b9u));

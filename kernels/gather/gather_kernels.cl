@@ -83,9 +83,9 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
 #ifdef PRELIGHT_FOLLOWS
     Ray next;
     if (follow(p, receivers, surface, bsdf, step.depth, &path, &next)) {
-      const uint slot = atomic_inc(counter);
-      rays[step.next + slot] = next;
-      paths[step.next + slot] = path;
+      const uint place = atomic_inc(counter);
+      rays[step.next + place] = next;
+      paths[step.next + place] = path;
     }
 #endif
   } else {

@@ -81,15 +81,15 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
     ShadowItem item;
     if (p->scene.lights.groupCount > 0u &&
         sampleLightAt(p, step.depth, scene.surface, scene.lights, at, path, PRELIGHT_NO_TRIANGLE, &shadow, &item)) {
-      const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
-      rays[step.shadow + slot] = shadow;
-      items[slot] = item;
+      const uint place = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
+      rays[step.shadow + place] = shadow;
+      items[place] = item;
     }
     Ray next;
     if (step.goesOn != 0u && scatterAt(p, step.depth, at, &path, &next)) {
-      const uint slot = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
-      rays[step.next + slot] = next;
-      queue[PRELIGHT_QUEUE_HEAD + step.next + slot] = number;
+      const uint place = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
+      rays[step.next + place] = next;
+      queue[PRELIGHT_QUEUE_HEAD + step.next + place] = number;
     }
   }
   paths[number] = path;

@@ -38,9 +38,9 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const PathSt
   ShadowItem item;
   const PathPoint at = pathPointAt(scene.surface, loadInteraction(scene.surface, rays[step.first + i], hits[i]), number);
   if (!sampleLightAt(p, step.depth, scene.surface, scene.lights, at, paths[number], step.light, &shadow, &item)) return;
-  const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
-  rays[step.shadow + slot] = shadow;
-  items[slot] = item;
+  const uint place = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
+  rays[step.shadow + place] = shadow;
+  items[place] = item;
 }
 
 // A ray a work-item. Draws the direction in which the path goes on. -> rays that go on [next counter].
@@ -56,7 +56,7 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const PathSt
   Ray next;
   if (!scatterAt(p, step.depth, pathPointAt(s, loadInteraction(s, rays[step.first + i], hits[i]), number), &path, &next)) return;
   paths[number] = path;
-  const uint slot = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
-  rays[step.next + slot] = next;
-  queue[PRELIGHT_QUEUE_HEAD + step.next + slot] = number;
+  const uint place = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
+  rays[step.next + place] = next;
+  queue[PRELIGHT_QUEUE_HEAD + step.next + place] = number;
 }

@@ -58,10 +58,10 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   if (!evalBsdf(surface, bsdf, sample.direction, PRELIGHT_RADIANCE, &f)) return;
   const float3 radiance = vload3(0, paths[number].throughput) * (f.diffuse + f.glossy) * sample.intensity * sample.falloff;
   if (largest(radiance) <= 0.0f) return;
-  const uint slot = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
-  rays[step.shadow + slot] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
+  const uint place = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
+  rays[step.shadow + place] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
   ShadowItem item;
   vstore3(radiance, 0, item.radiance);
   item.path = number;
-  items[slot] = item;
+  items[place] = item;
 }

@@ -47,7 +47,7 @@ typedef struct DensityPlace {
   float3 position;
   float3 normal;  // of its triangle
   uint region;
-  uint slot;
+  uint areaTriangle;
   bool planar;
   float clearance;  // SurfacePlace's
   LeafTree photons;
@@ -57,9 +57,9 @@ DensityPlace findDensityPlace(const DensityMaps maps, float3 position, float3 si
   const SurfacePlace place = maps.places[triangle];
   DensityPlace result;
   result.position = position;
-  result.normal = vload3(0, maps.areaTriangles[place.slot].normal);
+  result.normal = vload3(0, maps.areaTriangles[place.areaTriangle].normal);
   result.region = place.region & ~PRELIGHT_PLANAR_REGION;
-  result.slot = place.slot;
+  result.areaTriangle = place.areaTriangle;
   result.planar = (place.region & PRELIGHT_PLANAR_REGION) != 0u;
   result.clearance = place.clearance;
   result.photons = maps.photonTrees[2u * result.region + (dot(side, result.normal) < 0.0f ? 1u : 0u)];
@@ -81,7 +81,7 @@ float8 squaredReaches(const DensityMaps maps, const DensityPlace place, __global
   for (uint i = 0; i < 8; ++i) {
     if (!(reaches[i] < limit)) continue;
     const float3 way = (float3)(block->x[i], block->y[i], block->z[i]) - place.position;
-    const float3 normal = vload3(0, maps.areaTriangles[maps.places[block->triangle[i]].slot].normal);
+    const float3 normal = vload3(0, maps.areaTriangles[maps.places[block->triangle[i]].areaTriangle].normal);
     const float height = dot(way, normal) / maps.parameters->flatness;
     reaches[i] = dot(place.normal, normal) >= maps.parameters->leastCosine ? fmax(reaches[i], height * height) : MAXFLOAT;
   }
@@ -137,7 +137,7 @@ float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
 
 // Of the surface that those photons lie on, m2.
 float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
-  if (place.planar && (r <= place.clearance || holdsDisc(maps.areaTriangles + place.slot, place.position, r)))
+  if (place.planar && (r <= place.clearance || holdsDisc(maps.areaTriangles + place.areaTriangle, place.position, r)))
     return PRELIGHT_DISC_SHARE * M_PI_F * r * r;
   return kernelArea(maps.parameters, maps.areaTrees[place.region], maps.areaNodes, maps.areaTriangles, place.planar,
                     place.position, place.normal, r);

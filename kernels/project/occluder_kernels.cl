@@ -76,7 +76,7 @@ void addWays(__global const OccluderWay* ways, __global const Hit* mirrorHits, f
              __global OccluderWaySums* waySums) {
 #ifdef PRELIGHT_OCCLUDER_MIRRORS
   const OccluderWay mirror = ways[PRELIGHT_WAY_MIRRORED];
-  if (mirror.share > 0.0f && mirrorHits[mirror.slot].triangle == PRELIGHT_NO_TRIANGLE)
+  if (mirror.share > 0.0f && mirrorHits[mirror.ray].triangle == PRELIGHT_NO_TRIANGLE)
     addWay(waySums + PRELIGHT_WAY_MIRRORED, mirror, share);
 #endif
 #ifdef PRELIGHT_OCCLUDER_WAYS_THROUGH
@@ -85,7 +85,7 @@ void addWays(__global const OccluderWay* ways, __global const Hit* mirrorHits, f
 }
 
 // A receiver a work-item. rays, hits [receiver][raysPerReceiver]; ways [receiver][raysPerReceiver][PRELIGHT_WAYS], mirrorHits
-// by their slots -> records, as many a receiver as it sees occluders: spans [1 + receiver] first and number of its own;
+// by their rays -> records, as many a receiver as it sees occluders: spans [1 + receiver] first and number of its own;
 // waySums [record][PRELIGHT_WAYS] beside them. spans[0].x is 0 before and the number of all records after.
 // Rays are cosine-weighted, so that each is worth 1 / raysPerReceiver of form factor (Eq. 7.1).
 __kernel void aggregateOccluders(__constant const CastParameters* parameters, __constant const SceneLayout* layout,

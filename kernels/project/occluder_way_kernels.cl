@@ -41,9 +41,9 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __consta
   way.share = 1.0f;
   const float glass = bsdf.glass * sampleGlassAbout(surface, bsdf, surface.frame.z, PRELIGHT_ALWAYS).reflected;
   vstore3(clamp(specularReflectance(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
-  way.slot = atomic_inc(counter);
+  way.ray = atomic_inc(counter);
   *mirrored = way;
-  mirrorRays[way.slot] = rayFrom(surface, direction, reach);
+  mirrorRays[way.ray] = rayFrom(surface, direction, reach);
 }
 
 // A ray a work-item. rays, hits [ray] -> ways [ray], blocked as yet, and the paths of those that met glass with their
@@ -58,10 +58,10 @@ __kernel void listGlass(__constant const CastParameters* parameters, __constant 
   ways[PRELIGHT_WAYS * i + PRELIGHT_WAY_THROUGH].share = 0.0f;
   if (!materialHas(hits[i], surfaceOf(layout, surfaceLines).triangles, occludersOf(layout, occluderLines).flags,
                    PRELIGHT_OCCLUDER_GLASS)) return;
-  const uint slot = atomic_inc(counter);
-  paths[slot] = (GlassPath){{1.0f, 1.0f, 1.0f}, (uint)i, PRELIGHT_NO_MEDIUM};
-  pathRays[slot] = rays[i];
-  pathHits[slot] = hits[i];
+  const uint place = atomic_inc(counter);
+  paths[place] = (GlassPath){{1.0f, 1.0f, 1.0f}, (uint)i, PRELIGHT_NO_MEDIUM};
+  pathRays[place] = rays[i];
+  pathHits[place] = hits[i];
 }
 
 // A path a work-item, at the end of its ray. What has reached free space is a way through; what meets more glass goes on
@@ -101,7 +101,7 @@ __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep 
   const float3 left = throughput * weight;
   if (!(largest(left) > PRELIGHT_LEAST_THROUGHPUT)) return;
   vstore3(left, 0, path.throughput);
-  const uint slot = atomic_inc(counter);
-  paths[step.next + slot] = path;
-  rays[step.next + slot] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
+  const uint place = atomic_inc(counter);
+  paths[step.next + place] = path;
+  rays[step.next + place] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
 }

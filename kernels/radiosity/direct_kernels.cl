@@ -2,7 +2,7 @@
 // Every point sends a ray to each punctual light, then some to emissive triangles and to the sky: DirectRays.
 // Options: PRELIGHT_PUNCTUAL, PRELIGHT_SKY: the scene has such lights (transport/light_funcs.cl);
 // PRELIGHT_RADIOSITY_EMITTERS: and emissive triangles; PRELIGHT_FEW_EMITTERS, when all of them are summed at every point.
-#include "radiosity/direct_slots_funcs.cl"
+#include "radiosity/direct_rays_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
 #include "transport/aim_funcs.cl"
@@ -128,31 +128,31 @@ bool aimAtSky(Lights l, __constant const LightLayout* layout, uint sample, uint 
 }
 #endif
 
-// A shadow ray a work-item. receivers [point] -> rays [point][slot]; values [point][slot][3], what each brings if it is
+// A shadow ray a work-item. receivers [point] -> rays [point][ray]; values [point][ray][3], what each brings if it is
 // open: 0 for a ray that cannot bring anything, which is made to hit nothing. Next: traceRays.
 __kernel void aimAtLights(const DirectRays counts, __global const Receiver* receivers,
                           __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                           __global const LightLine* lightLines, __global const RadiosityEmitter* emitters,
                           __global const float* positions, __global Ray* rays, __global float* values) {
-  const uint slots = slotsOf(counts);
+  const uint rayCount = raysOf(counts);
   const size_t i = get_global_id(0);
-  if (i >= (size_t)counts.points * slots) return;
-  const Receiver r = receivers[i / slots];
-  const uint slot = (uint)(i % slots);
+  if (i >= (size_t)counts.points * rayCount) return;
+  const Receiver r = receivers[i / rayCount];
+  const uint ray = (uint)(i % rayCount);
   const float3 point = vload3(0, r.position), normal = vload3(0, r.normal);
   const Lights lights = lightsOf(layout, lightLines);
   Aim aim;
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (slot < counts.punctual) {
+  if (ray < counts.punctual) {
     float share;
-    arrives = aimAtPunctual(lights.punctual + slot, point, normal, &aim, &share);
-    if (arrives) aim.value = share * vload3(0, lights.punctual[slot].intensity);
+    arrives = aimAtPunctual(lights.punctual + ray, point, normal, &aim, &share);
+    if (arrives) aim.value = share * vload3(0, lights.punctual[ray].intensity);
   }
 #endif
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
-  if (slot >= counts.punctual && slot < counts.punctual + counts.emitterSamples) {
-    const uint index = r.firstSample * counts.emitterSamples + slot - counts.punctual;
+  if (ray >= counts.punctual && ray < counts.punctual + counts.emitterSamples) {
+    const uint index = r.firstSample * counts.emitterSamples + ray - counts.punctual;
     const uint2 choice = sampleSobolBits(index, hashInteger(r.seed ^ 0x68bc21ebu));
     const uint2 place = samplePaddedBits(index, hashInteger(r.seed ^ 0x02e5be93u));
     arrives = aimAtEmitter(lights, &layout->lights, emitters, surfaceOf(layout, surfaceLines).triangles, positions, choice.x,
@@ -160,19 +160,19 @@ __kernel void aimAtLights(const DirectRays counts, __global const Receiver* rece
   }
 #endif
 #ifdef PRELIGHT_SKY
-  if (slot >= counts.punctual + counts.emitterSamples) {
-    const uint sample = slot - counts.punctual - counts.emitterSamples;
+  if (ray >= counts.punctual + counts.emitterSamples) {
+    const uint sample = ray - counts.punctual - counts.emitterSamples;
     const uint count = (sample & 1u) != 0u ? counts.skySamples / 2u : (counts.skySamples + 1u) / 2u;
     const uint2 bits = sampleSobolBits(r.firstSample * count + sample / 2u,
                                        hashInteger(r.seed ^ (0x967a889bu + (sample & 1u))));
     arrives = aimAtSky(lights, &layout->lights, sample, counts.skySamples, bits, normal, &aim);
   }
 #endif
-  rays[i] = shadowRay(receivers + i / slots, aim, arrives);
+  rays[i] = shadowRay(receivers + i / rayCount, aim, arrives);
   vstore3(arrives ? aim.value : (float3)(0.0f), i, values);
 }
 
-// A point a work-item. hits, values [point][slot] of the rays above -> irradiance [point][2], rgb: of punctual lights
+// A point a work-item. hits, values [point][ray] of the rays above -> irradiance [point][2], rgb: of punctual lights
 // and the sky, and of emitters. Where the emitters are few, what they would bring unhindered is exact, and the samples
 // only tell which share of it arrives.
 __kernel void sumLights(const DirectRays counts, uint emitterCount, __constant const SceneLayout* layout,
@@ -182,10 +182,10 @@ __kernel void sumLights(const DirectRays counts, uint emitterCount, __constant c
                         __global float4* irradiance) {
   const size_t point = get_global_id(0);
   if (point >= counts.points) return;
-  const uint slots = slotsOf(counts);
+  const uint rayCount = raysOf(counts);
   float3 sum = (float3)(0.0f), run = (float3)(0.0f), open = (float3)(0.0f), all = (float3)(0.0f);
-  for (uint s = 0; s < slots; ++s) {
-    const size_t at = point * slots + s;
+  for (uint s = 0; s < rayCount; ++s) {
+    const size_t at = point * rayCount + s;
     const float3 value = vload3(at, values);
     const bool emitter = s >= counts.punctual && s < counts.punctual + counts.emitterSamples;
     const float3 arrives = hits[at].triangle == PRELIGHT_NO_TRIANGLE ? value : (float3)(0.0f);

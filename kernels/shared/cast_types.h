@@ -20,7 +20,7 @@ typedef struct CastParameters {
   uint receiverCount;
   uint raysPerReceiver;  ///< a power of two, 8 to 256
   uint valueCount;       ///< floats a receiver that a projector writes
-  uint vertexCount;      ///< of the scene; sender slots of back faces start here
+  uint vertexCount;      ///< of the scene; senders of back faces start here
   uint firstStored;      ///< of the rows of senders, in receivers
   float nearLimit;       ///< m; what is nearer occludes nothing
   float farLimit;        ///< m; what is farther occludes nothing; 0: no limit
@@ -29,7 +29,7 @@ typedef struct CastParameters {
 
 /// A sender: the vertex (chosen by the barycentric weights) of the triangle that a ray hit, and its albedo there.
 typedef struct Sender {
-  uint slot;    ///< vertex, + vertexCount when the back was hit; PRELIGHT_NO_TRIANGLE: the ray escaped
+  uint vertex;  ///< of the scene, + vertexCount when the back was hit; PRELIGHT_NO_TRIANGLE: the ray escaped
   uint albedo;  ///< 10 bits each: red in bits 0..9, green, blue
 } Sender;
 

@@ -10,7 +10,7 @@ PRELIGHT_SHARED_BEGIN
 
 /// One of the shadow rays that every receiver sends: towards a punctual light, or a point of a group's
 /// emitters.
-typedef struct LightSlot {
+typedef struct LightRay {
   uint group;
   uint light;         ///< punctual light; PRELIGHT_NO_EMITTER: emitters
   uint firstEmitter;  ///< of the group's
@@ -18,7 +18,7 @@ typedef struct LightSlot {
   uint sample;       ///< number among the group's emitter samples
   uint sampleCount;  ///< emitter samples of the group
   uint pad[2];
-} LightSlot;
+} LightRay;
 
 /// 64 bytes of a buffer of arrays, as SurfaceLine.
 typedef struct LightGroupLine {
@@ -27,9 +27,9 @@ typedef struct LightGroupLine {
 
 /// Groups of lights, and the first LightGroupLine of each array.
 typedef struct LightGroupLayout {
-  uint slotCount;
+  uint rayCount;
   uint groupCount;
-  uint slots;              ///< LightSlot [slot]
+  uint rays;               ///< LightRay [ray]
   uint punctual;           ///< PunctualLight [light]
   uint factors;            ///< float [light][3], intensity over the group's colour
   uint emitterOfTriangle;  ///< uint [triangle] GroupEmitter, or PRELIGHT_NO_EMITTER

@@ -33,7 +33,7 @@ typedef struct OccluderWay {
   float vector[3];  ///< mirrored: the normal, on the receiver's side; refracted: the direction in free space
   float share;      ///< of the ray; 0: there is no such way
   float color[3];   ///< share of the light that goes it
-  uint slot;        ///< mirrored: of the ray that finds out whether the way is open
+  uint ray;         ///< mirrored: number of the ray that finds out whether the way is open
 } OccluderWay;
 
 /// Sums of a receiver's ways, divided by the number of all its rays.

@@ -9,7 +9,7 @@
 #include "core/vector_funcs.cl"
 
 #define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
-#define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/casters.h says the same
+#define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/caustic_casters.h says the same
 #define PRELIGHT_INVERSE_PI 0.318309886f
 
 // What a path carries: radiance backwards from the eye or a receiver, importance (the power of a photon) forwards from a light.

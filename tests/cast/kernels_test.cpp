@@ -290,11 +290,11 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const Sender& s = rows[2 * raysPerReceiver + i];
     if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) {
-      EXPECT_EQ(s.slot, PRELIGHT_NO_TRIANGLE);
+      EXPECT_EQ(s.vertex, PRELIGHT_NO_TRIANGLE);
       continue;
     }
-    ASSERT_LT(s.slot, 12u);
-    picked[s.slot] += 1.0;
+    ASSERT_LT(s.vertex, 12u);
+    picked[s.vertex] += 1.0;
     const glm::vec3 albedo = scene_.materials[hits[i].triangle].albedo;
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(((s.albedo >> (10 * c)) & 1023u) / 1023.0, albedo[c], 0.0005);
   }
@@ -334,8 +334,8 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
         double expected = 0.0;
         for (std::size_t j = 0; j < raysPerReceiver; ++j) {
           const Sender& s = senders[(first + r) * raysPerReceiver + j];
-          if (s.slot == PRELIGHT_NO_TRIANGLE) continue;
-          expected += ((s.albedo >> (10 * c)) & 1023u) / 1023.0 * double(transfer[(s.slot * 3 + c) * n + i]) /
+          if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
+          expected += ((s.albedo >> (10 * c)) & 1023u) / 1023.0 * double(transfer[(s.vertex * 3 + c) * n + i]) /
                       raysPerReceiver;
         }
         EXPECT_NEAR(result[(r * 3 + c) * n + i], expected, 2e-6);

@@ -7,7 +7,7 @@
 
 #include "basis/incident_values.h"
 #include "encodings/encoding.h"
-#include "photon/casters.h"
+#include "photon/caustic_casters.h"
 #include "projectors/lightmap/direct_light_part.h"
 #include "scene/light_sources.h"
 

@@ -44,7 +44,7 @@ void SkyLightPart::add(std::span<const LightMapTexel> texels, int coefficients, 
 }
 
 void SkyLightPart::addIrradiance(std::span<const device::Receiver> receivers, std::span<float> values) {
-  const std::vector<PointLight> light = light_.at(receivers);
+  const std::vector<PointIrradiance> light = light_.at(receivers);
   for (std::size_t p = 0; p < light.size(); ++p)
     for (std::size_t c = 0; c < 3; ++c)
       values[3 * (p / repeats_) + c] += light[p].far[static_cast<int>(c)] / static_cast<float>(repeats_);

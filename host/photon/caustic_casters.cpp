@@ -1,4 +1,4 @@
-#include "photon/casters.h"
+#include "photon/caustic_casters.h"
 
 #include "scene/lobes.h"
 
