@@ -407,7 +407,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 23> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 24> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
@@ -425,6 +425,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"radiosity", "radiosity", radiosityPlot},
                                            {"photons", "photons", photonsPlot},
                                            {"lightmaps", "lightmaps", lightMapsPlot},
+                                           {"encodings", "encodings", encodingsPlot},
                                            {"update", "update", updatePlot},
                                            {"stability", "stability", stabilityOrderPlot},
                                            {"stability", "stability-count", stabilityCountPlot},

@@ -44,6 +44,8 @@ const std::vector<Entry>& entries() {
        runRadiositySuite},
       {{"lightmaps", "error, texels, bytes and seconds of light maps by the size of texels and by error"},
        runLightMapsSuite},
+      {{"encodings", "bytes, error and time of ways to store incident light for bumped normals"},
+       runEncodingsSuite},
       {{"photons",
         "seconds to sort photons and to look irradiance up, trees against grids; error against work"},
        runPhotonsSuite},
@@ -97,8 +99,12 @@ void quickenTransfer(BenchmarkOptions& options) {
   options.voLightCounts = {1, 2, 3};
 }
 
-/// Of radiosity, light maps and photons.
+/// Of radiosity, light maps, encodings and photons.
 void quickenLight(BenchmarkOptions& options) {
+  options.encodingScenes = {"cornell"};
+  options.encodingPlaces = 2;
+  options.encodingSide = 4;
+  options.encodingSamples = 4;
   options.radiosityScenes = {"cornell"};
   options.radiosityRays = 64;
   options.radiosityTolerance = 0.03;
@@ -193,12 +199,16 @@ nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
           {"voLightCounts", options.voLightCounts}};
 }
 
-/// Of radiosity, light maps and photons.
+/// Of radiosity, light maps, encodings and photons.
 nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
   return {{"radiosityScenes", options.radiosityScenes},
           {"radiosityRays", options.radiosityRays},
           {"radiosityTolerance", options.radiosityTolerance},
           {"radiositySeeds", options.radiositySeeds},
+          {"encodingScenes", options.encodingScenes},
+          {"encodingPlaces", options.encodingPlaces},
+          {"encodingSide", options.encodingSide},
+          {"encodingSamples", options.encodingSamples},
           {"lightMapScenes", options.lightMapScenes},
           {"lightMapRays", options.lightMapRays},
           {"lightMapPhotons", options.lightMapPhotons},

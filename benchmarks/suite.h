@@ -77,6 +77,10 @@ struct BenchmarkOptions {
   std::vector<double> lightMapErrors = {0.1, 0.05, 0.02};  ///< that sizes of texels are chosen by
   std::size_t lightMapPlaces = 20000;                      ///< of the surface, at which maps are compared
   std::uint64_t lightMapTruthRays = 4096;                  ///< a place, twice
+  std::vector<std::string> encodingScenes = {"cornell", "rooms", "shapes", "bumps"};
+  std::size_t encodingPlaces = 24;                                     ///< of each scene
+  int encodingSide = 32;                                               ///< pixels of a place's pictures
+  std::uint64_t encodingSamples = 128;                                 ///< a pixel
   std::vector<std::uint64_t> photonCounts = {10000, 100000, 1000000};  ///< ascending, of trees against grids
   std::uint64_t photonCount = 1000000;                                 ///< of maps as the thesis'
   std::uint64_t photonLookups = 1u << 15;

@@ -75,6 +75,10 @@ std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const Bench
 std::vector<BenchmarkResult> runLightMapsSuite(const Device& device, const BenchmarkOptions& options,
                                                Progress& progress);
 
+/// Bytes, error and time of ways to store incident light, against the light itself at places of scenes.
+std::vector<BenchmarkResult> runEncodingsSuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 /// Seconds to sort photons into maps and to look irradiance up, of trees against grids and beside the numbers
 /// of Larsen's thesis (2004, Tables 8.1, 8.2, 14.1); error against the number of photons.
 std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const BenchmarkOptions& options,

@@ -59,6 +59,22 @@ std::string animationPlot(const std::vector<BenchmarkResult>& results, const std
   return drawBarChart(chart);
 }
 
+std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Error of encodings of incident light",
+                 subtitle,
+                 "RMS error of irradiance over normals up to 45 degrees from the surface's, of its RMS, %",
+                 {{"spherical harmonics", grey}, {"others", blue}},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "error") continue;
+    const std::string setting = settingOf(result.case_);
+    Bar& bar = barNamed(chart, sceneOf(result.case_), setting);
+    bar.parts = {{100.0 * result.value, setting.starts_with("sh-") ? grey : blue}};
+    bar.note = fmt::format("{:.1f} %", 100.0 * result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string voPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of shadows of vector occluders",
                  subtitle,

@@ -14,6 +14,9 @@ std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const st
 /// Error between keys, by scene and choice of keys.
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Errors of encodings of incident light, by scene.
+std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Errors of shadows with lights around each scene.
 std::string voPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

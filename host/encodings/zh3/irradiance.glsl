@@ -1,5 +1,5 @@
 // Spherical harmonics of order 2, [coefficient][channel], and the coefficients [channel] of the quadratic zonal harmonic
-// about the axis of the linear band's luminance, which encodedHallucination leaves out.
+// about the axis of the linear band's luminance; encodedHallucination leaves these out.
 const int encodedValueCount = encodedHallucination ? 12 : 15;
 
 vec3 encodedTerm(float v[encodedValueCount], int i) { return vec3(v[3 * i], v[3 * i + 1], v[3 * i + 2]); }
