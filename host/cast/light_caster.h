@@ -22,7 +22,7 @@ class LightCaster {
 
   std::uint32_t groupCount() const { return layout_.groupCount; }
   bool hasEmitters() const { return hasEmitters_; }
-  std::uint32_t raysPerReceiver() const { return layout_.slotCount; }
+  std::uint32_t raysPerReceiver() const { return layout_.rayCount; }
 
   /// `values` gets [receiver][3][group]: irradiance over pi, per unit of the group's colour; or [..][value],
   /// incident radiance in SH as well (basis/incident_values.h). All receivers are of the

@@ -61,7 +61,7 @@ void DirectLightPart::castBlock(std::span<const LightMapTexel> texels, std::span
   for (const LightMapTexel& texel : texels)
     for (std::uint32_t k = 0; k < receiversPerTexel_; ++k) receivers_.push_back(receiverOf(texel, k));
   caster_.cast(receivers_, cast_, {});
-  rays_ += receivers_.size() * (caster_.raysPerReceiver() + lights_.slots.size());
+  rays_ += receivers_.size() * (caster_.raysPerReceiver() + lights_.rays.size());
   const std::uint32_t groups = caster_.groupCount();
   for (std::size_t r = 0; r < receivers_.size(); ++r) {
     const std::size_t texel = r / receiversPerTexel_;
