@@ -88,6 +88,19 @@ TEST(CubeLight, Directional_ThatMovesAlittle_ChangesTexelsAlittle) {
   EXPECT_LT(change, 1e-3f * greatest);
 }
 
+TEST(CubeLight, Cubes_AddTexelByTexel) {
+  CubeMap map = darkCube(2), other = map;
+  for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+    map.radiance[i] = glm::vec3(1.0f, 2.0f, static_cast<float>(i));
+    other.radiance[i] = glm::vec3(static_cast<float>(i), 0.5f, 4.0f);
+  }
+  addCube(map, other);
+  for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+    const auto n = static_cast<float>(i);
+    EXPECT_EQ(map.radiance[i], glm::vec3(1.0f + n, 2.5f, n + 4.0f)) << i;
+  }
+}
+
 TEST(CubeLight, BadLights_AreRefused) {
   CubeMap map = darkCube(4);
   for (const double angle : {0.0, -1.0, 0.5 * pi, std::numeric_limits<double>::quiet_NaN()}) {

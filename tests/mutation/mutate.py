@@ -6,6 +6,7 @@ every change, so that a run that was stopped goes on where it was.
 """
 
 import argparse
+import contextlib
 import dataclasses
 import json
 import pathlib
@@ -17,8 +18,7 @@ import time
 import mutations
 import suite
 
-# Rooms of tests that know a folder's code best, where the name alone does not say so.
-# Rooms of tests beside the changed file's own folder.
+# Rooms of tests beside the changed file's own folder that know its code best.
 NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/transfer": ["bake", "compress"], "host/plan": ["plan", "bake"],
         "host/receivers": ["receivers", "fit", "lightmap"], "host/cast": ["cast", "projectors", "bake"],
         "host/fit": ["fit", "projectors"], "host/projectors": ["projectors", "bake", "lightmap", "io"],
@@ -96,10 +96,10 @@ def rooms_near(mutation):
     return own + NEAR.get("/".join(parts[:2]), [])
 
 
-def programs_for(mutation, programs, covering):
+def programs_for(mutation, programs, covering, only_near):
     """The programs that can notice the change: the room's own first, then the cheapest."""
     near = rooms_near(mutation)
-    chosen = [p for p in programs.values() if covering is None or p.name in covering]
+    chosen = [p for p in programs.values() if (covering is None or p.name in covering) and (p.room in near or not only_near)]
     rank = lambda p: (near.index(p.room) if p.room in near else len(near), p.seconds)
     return sorted(chosen, key=rank)
 
@@ -122,42 +122,57 @@ class Coverage:
         return set(lines[str(mutation.line)])
 
 
-def target_of(program):
-    return f"bin/{program.name}"
+def targets_of(programs):
+    """What ninja has to make before they run; tests of the command line drive the program."""
+    return [f"bin/{p.name}" for p in programs] + (["bin/prelight"] if any(p.room == "cli" for p in programs) else [])
 
 
-def judge(place, mutation, programs, result, options):
+@contextlib.contextmanager
+def written(file, text):
+    """The file holds the text within, and afterwards what it held before."""
+    before = file.read_text()
+    file.write_text(text)
+    try:
+        yield
+    finally:
+        file.write_text(before)
+
+
+def fails_anyway(place, program, outcome, mutation, original, known):
+    """Runs what failed without the change. What fails again is left out from then on."""
+    with written(place.source / mutation.file, original):
+        place.make(*targets_of([program]))
+        names = [name for name in outcome.by.split(", ") if "." in name]
+        again = suite.run(place.build, program, place.caches, tests=":".join(names) or "*", fail_fast=False)
+        known.learn(program, 0.0 if names else again.seconds, again.by.split(", ") if again.caught else ())
+    place.make(*targets_of([program]))
+    return again.caught
+
+
+def judge(place, mutation, original, programs, result, known, options):
     """Runs programs until one fails; what was run and what came of it goes into the result."""
     spent = 0.0
     for program in programs:
         if program.name in result["ran"]:
             continue
-        if spent >= options.seconds or options.near and program.room not in rooms_near(mutation):
+        if spent >= options.seconds:
             result["verdict"] = "unfinished"
             return
-        extra = ["bin/prelight"] if program.room == "cli" else []
-        made = place.make(target_of(program), *extra)
+        made = place.make(*targets_of([program]))
         if made.returncode != 0:
             result["verdict"] = "does not compile"
             return
         outcome = suite.run(place.build, program, place.caches)
+        while outcome.caught and fails_anyway(place, program, outcome, mutation, original, known):
+            outcome = suite.run(place.build, program, place.caches)
         spent += outcome.seconds
         result["seconds"] = result.get("seconds", 0.0) + outcome.seconds
         result["ran"].append(program.name)
         if outcome.caught:
             result.update(verdict="caught", program=program.name, by=outcome.by)
             return
-    result["verdict"] = "survived"
-
-
-def try_out(place, mutation, programs, result, options):
-    changed = place.source / mutation.file
-    original = changed.read_text()
-    changed.write_text(mutation.applied(original))
-    try:
-        judge(place, mutation, programs, result, options)
-    finally:
-        changed.write_text(original)
+        known.learn(program, outcome.seconds)
+    result["verdict"] = "unfinished" if options.near else "survived"
 
 
 def relocated(mutation, root):
@@ -224,18 +239,18 @@ def main():
             print(f"{described(number, mutation)}\n      {mutation.text.strip()}")
         return 0
     place = Workplace(options.root, options.work.resolve(), options.jobs)
-    made = place.make("all")
-    if made.returncode != 0:
-        sys.exit(f"the sources do not build:\n{made.stdout[-4000:]}")
     programs = suite.test_programs(place.build)
-    suite.measured(place.build, programs, place.caches, options.work / "programs.json")
+    known = suite.Known(options.work / "programs.json", programs)
     coverage = Coverage(options.map)
     for number, mutation, result in changes_to_make(options, results):
         if not options.finish and not options.again and \
                 sum(r["verdict"] != "does not compile" for r in results.values()) >= options.count:
             break
         started = time.time()
-        try_out(place, mutation, programs_for(mutation, programs, coverage.programs(mutation)), result, options)
+        asked = programs_for(mutation, programs, coverage.programs(mutation), options.near)
+        original = (place.source / mutation.file).read_text()
+        with written(place.source / mutation.file, mutation.applied(original)):
+            judge(place, mutation, original, asked, result, known, options)
         result.update(number=number, mutation=dataclasses.asdict(mutation))
         results[number] = result
         with file.open("a") as out:

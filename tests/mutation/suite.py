@@ -9,6 +9,7 @@ import resource
 import subprocess
 
 MEMORY = 12 << 30  # bytes of address space that a test program may take
+UNKNOWN_SECONDS = 600.0  # of processor time, for a program that has not been through a whole run yet
 
 
 @dataclasses.dataclass
@@ -51,10 +52,10 @@ def environment(caches):
                 GTEST_COLOR="no", NO_COLOR="1")
 
 
-def run(build, program, caches, tests="*", fail_fast=True, seconds=None):
+def run(build, program, caches, tests="*", fail_fast=True):
     """Runs the program's tests of a filter. Processor time bounds it, so that a busy machine does not; what sleeps for
     good is ended after ten times that."""
-    seconds = seconds or 20.0 + 4.0 * program.seconds
+    seconds = 20.0 + 4.0 * program.seconds if program.seconds else UNKNOWN_SECONDS
     filters = tests + ("-" + ":".join(program.failing) if program.failing else "")
     command = [str(pathlib.Path(build, "bin", program.name)), f"--gtest_filter={filters}", "--gtest_brief=1"]
     if fail_fast:
@@ -65,7 +66,7 @@ def run(build, program, caches, tests="*", fail_fast=True, seconds=None):
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                start_new_session=True)
     try:
-        output = process.communicate(timeout=180.0 + 10.0 * program.seconds)[0].decode(errors="replace")
+        output = process.communicate(timeout=180.0 + 10.0 * seconds)[0].decode(errors="replace")
         status = f"exit {process.returncode}"
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, 9)
@@ -79,15 +80,19 @@ def run(build, program, caches, tests="*", fail_fast=True, seconds=None):
     return Outcome(process.returncode != 0, ", ".join(dict.fromkeys(failed)) or status, spent)
 
 
-def measured(build, programs, caches, file):
-    """Seconds and failures of every program, from the file or else by running them all once."""
-    known = json.loads(file.read_text()) if file.exists() else {}
-    for program in programs.values():
-        if program.name not in known:
-            outcome = run(build, program, caches, fail_fast=False, seconds=3000.0)
-            failing = outcome.by.split(", ") if outcome.caught else []
-            known[program.name] = {"seconds": outcome.seconds, "failing": failing}
-            file.write_text(json.dumps(known, indent=1))
-            print(f"{program.name}: {outcome.seconds:.0f} s{', fails: ' + outcome.by if failing else ''}", flush=True)
-        program.seconds = known[program.name]["seconds"]
-        program.failing = tuple(known[program.name]["failing"])
+class Known:
+    """What is known of programs without a change: processor seconds of a whole run, and tests that fail all the same."""
+
+    def __init__(self, file, programs):
+        self.file = file
+        self.entries = json.loads(file.read_text()) if file.exists() else {}
+        for program in programs.values():
+            entry = self.entries.get(program.name, {})
+            program.seconds = entry.get("seconds", 0.0)
+            program.failing = tuple(entry.get("failing", []))
+
+    def learn(self, program, seconds=0.0, failing=()):
+        program.seconds = max(program.seconds, seconds)
+        program.failing = tuple(dict.fromkeys([*program.failing, *failing]))
+        self.entries[program.name] = {"seconds": program.seconds, "failing": list(program.failing)}
+        self.file.write_text(json.dumps(self.entries, indent=1))

@@ -36,5 +36,18 @@ TEST(SurfaceSampler, PlacesOnEdges_AreMovedOffByMoreThanRounding) {
   }
 }
 
+// One corner's normal outweighs the other two, which point to the other side.
+TEST(OrientedNormal, CornersThatDisagree_CountTogether) {
+  for (int corner = 0; corner < 3; ++corner) {
+    CompiledScene scene = triangleAt(0.0f);
+    for (const float side : {1.0f, -1.0f}) {
+      for (int i = 0; i < 3; ++i)
+        scene.normals[static_cast<std::size_t>(i)] =
+            side * (i == corner ? glm::vec3(0, 0, 1) : glm::vec3(0.8f, 0.5f, -std::sqrt(0.11f)));
+      EXPECT_EQ(orientedNormal(scene, 0), glm::dvec3(0, 0, side)) << corner;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace prelight

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -157,6 +159,22 @@ TEST(BuiltinScenes, SealedRooms_HaveNoOpening) {
       most = std::max(most, x);
     }
     EXPECT_TRUE(most < 0.0 || least > 0.0) << range.name;  // the wall's inside is at x = 0
+  }
+}
+
+/// What would pierce a wall or the floor, glass above all, would have an inside that is half outside.
+TEST(BuiltinScenes, ObjectsOfCornellsRoom_StandWithinItsWalls) {
+  for (const char* name : {"cornell", "caustics"}) {
+    const CompiledScene scene = compileBuiltin(name);
+    for (std::size_t i = 6; i < scene.primitives.size(); ++i) {
+      const PrimitiveRange& range = scene.primitives[i];
+      for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+        const glm::dvec3 p = glm::dvec3(scene.positions[v]) + scene.origin;
+        ASSERT_LT(std::max(std::abs(p.x), std::abs(p.z)), 1.0) << name << ", " << range.name;
+        ASSERT_GE(p.y, 0.0) << name << ", " << range.name;
+        ASSERT_LT(p.y, 1.99) << name << ", " << range.name;  // the lamp
+      }
+    }
   }
 }
 

@@ -163,6 +163,76 @@ TEST(CompileMaterials, Metalness_MultipliesIntoTheAlbedoImage) {
   EXPECT_EQ(texel[3], 77);
 }
 
+/// A base colour, metalness and roughness of means 1/2 and 1/4, and an emissive texture of linear mean 1/2.
+Scene texturedScene() {
+  Scene scene;
+  Image surface = solidImage(4, 1, {0, 0, 0, 255});
+  surface.rgba[1] = surface.rgba[2] = surface.rgba[6] = 255;  // G of one texel of four, B of two
+  Image emissive = solidImage(2, 1, {255, 255, 255, 255});
+  emissive.rgba[4] = emissive.rgba[5] = emissive.rgba[6] = 0;
+  scene.images = {solidImage(1, 1, {255, 128, 0, 255}), surface, emissive};
+  Material material;
+  material.name = "painted";
+  material.metallic = 0.8f;
+  material.roughness = 0.6f;
+  material.emission = glm::vec3(4.0f);
+  material.baseColorTexture.image = 0;
+  material.metallicRoughnessTexture.image = 1;
+  material.emissiveTexture.image = 2;
+  scene.materials = {material};
+  return scene;
+}
+
+TEST(CompileMaterials, TexturesThatLieElsewhere_CountWithTheirMeans) {
+  glm::mat3 shifted(1.0f);
+  shifted[2] = {0.25f, 0.0f, 1.0f};
+  Scene otherSet = texturedScene(), otherTransform = otherSet;
+  for (TextureRef* ref :
+       {&otherSet.materials[0].metallicRoughnessTexture, &otherSet.materials[0].emissiveTexture})
+    ref->texCoord = 1;
+  for (TextureRef* ref :
+       {&otherTransform.materials[0].metallicRoughnessTexture, &otherTransform.materials[0].emissiveTexture})
+    ref->transform = shifted;
+  for (const Scene& scene : {otherSet, otherTransform}) {
+    Warnings warnings;
+    const CompiledMaterials compiled = compileMaterials(scene, warnings);
+    EXPECT_TRUE(test::anyContains(warnings, "\"painted\": metalness uses other texture coordinates"));
+    ASSERT_EQ(compiled.albedoImages.size(), 1u);
+    EXPECT_EQ(compiled.albedoImages[0].rgba, scene.images[0].rgba) << "the base colour as it is";
+    const CompiledMaterial& material = compiled.materials[0];
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(material.albedo[c], 1.0 - 0.8 * 0.5, 1e-6);
+    EXPECT_NEAR(material.metallic, 0.8 * 0.5, 1e-6);
+    EXPECT_NEAR(material.roughness, 0.6 * 0.25, 1e-6);
+    EXPECT_EQ(material.surfaceTexture.image, -1);
+    EXPECT_EQ(material.emissionFactor, glm::vec3(2.0f));
+    EXPECT_EQ(material.emissionTexture.image, -1);
+  }
+}
+
+TEST(CompileMaterials, TexturesThatLieWithTheBaseColour_AreKept) {
+  Warnings warnings;
+  const CompiledMaterial material = compileMaterials(texturedScene(), warnings).materials[0];
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_EQ(material.albedo, glm::vec3(1.0f)) << "metalness is in the image";
+  EXPECT_EQ(material.metallic, 0.8f);
+  EXPECT_EQ(material.roughness, 0.6f);
+  EXPECT_EQ(material.surfaceTexture.image, 1);
+  EXPECT_EQ(material.emissionFactor, glm::vec3(4.0f));
+  EXPECT_EQ(material.emissionTexture.image, 2);
+}
+
+TEST(CompileMaterials, MetalnessThatWrapsOtherwise_IsAMeanForBouncesAlone) {
+  Scene scene = texturedScene();
+  scene.materials[0].metallicRoughnessTexture.wrapS = WrapMode::ClampToEdge;
+  Warnings warnings;
+  const CompiledMaterial material = compileMaterials(scene, warnings).materials[0];
+  EXPECT_TRUE(test::anyContains(warnings, "its mean is taken for light transport"));
+  EXPECT_NEAR(material.albedo.x, 0.6, 1e-6);
+  EXPECT_EQ(material.metallic, 0.8f);
+  EXPECT_EQ(material.surfaceTexture.image, 1);
+  EXPECT_EQ(material.surfaceTexture.wrapS, WrapMode::ClampToEdge);
+}
+
 TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
   Scene scene;
   Image shares = solidImage(2, 1, {0, 0, 0, 255});
@@ -207,6 +277,21 @@ TEST(CompileMaterials, ShareThatGoesThrough_IsThatOfTheDielectric) {
   EXPECT_EQ(translucentShare(compiled[1]), 1.0f) << "nothing is left to reflect";
   EXPECT_NEAR(translucentShare(compiled[2]), 0.3f, 1e-6f);
   EXPECT_EQ(translucentShare(compiled[3]), 0.0f);
+}
+
+TEST(CompileMaterials, ShareThatGoesThrough_IsToldByTheChannelThatIsThere) {
+  Scene scene;
+  for (int c = 0; c < 3; ++c) {
+    Material pure;
+    pure.metallic = 0.0f;
+    pure.baseColor = {0, 0, 0, 1};
+    pure.baseColor[c] = 0.5f;
+    pure.diffuseTransmission = 0.3f;
+    scene.materials.push_back(pure);
+  }
+  Warnings warnings;
+  const std::vector<CompiledMaterial> compiled = compileMaterials(scene, warnings).materials;
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(translucentShare(compiled[c]), 0.3f, 1e-6f) << c;
 }
 
 TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {

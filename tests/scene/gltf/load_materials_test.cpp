@@ -127,6 +127,27 @@ TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
   EXPECT_NEAR(uv.y, 0.5f - 2.0f, 1e-6f);
 }
 
+TEST(LoadMaterial, TexturesThatAreNotUsed_AreNamedInWarnings) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"extensions": {
+    "KHR_materials_transmission": {"transmissionFactor": 0.5, "transmissionTexture": {"index": 0}},
+    "KHR_materials_specular": {"specularFactor": 0.25, "specularTexture": {"index": 0},
+      "specularColorTexture": {"index": 0}}}})",
+                                         warnings);
+  EXPECT_EQ(material.transmission, 0.5f);
+  EXPECT_EQ(material.specular, 0.25f);
+  EXPECT_EQ(warnings.size(), 3u);
+  for (const char* name : {"transmissionTexture: only transmissionFactor is used",
+                           "specularTexture: only the factor is", "specularColorTexture: only the factor is"})
+    EXPECT_TRUE(test::anyContains(warnings, name)) << name;
+
+  warnings.clear();
+  loadMaterial(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+    "specularGlossinessTexture": {"index": 0}}}})",
+               warnings);
+  EXPECT_TRUE(test::anyContains(warnings, "specularGlossinessTexture: only the factors are used"));
+}
+
 TEST(LoadMaterial, TextureWithoutImageOrWithThirdSet_IsIgnoredWithAWarning) {
   Warnings warnings;
   const Material material = loadMaterial(

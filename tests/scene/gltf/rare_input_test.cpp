@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,6 +79,29 @@ TEST(LoadNodes, RotatedInstances_AreTurned) {
   EXPECT_EQ(transforms[0], glm::dmat4(1.0));
   const glm::dvec4 turned = transforms[1] * glm::dvec4(1, 0, 0, 0);
   EXPECT_NEAR(glm::length(turned - glm::dvec4(0, 1, 0, 0)), 0.0, 1e-7);
+}
+
+TEST(LoadNodes, FlattenedCameraAndLight_LookAlongTheWorldsAxisAndSaySo) {
+  GltfDocument document = test::triangleDocument();
+  document.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  document.json["extensions"] =
+      Json::parse(R"({"KHR_lights_punctual": {"lights": [{"type": "directional"}]}})");
+  document.json["cameras"] =
+      Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}])");
+  Json& node = document.json["nodes"][0];
+  node["camera"] = 0;
+  node["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"light": 0}})");
+  node["scale"] = {2, 1, 3};
+  const char* warning = "a scale of 0 leaves no direction";
+  Warnings warnings;
+  (void)load(document, warnings);
+  EXPECT_FALSE(test::anyContains(warnings, warning));
+  node["scale"] = {1, 1, 0};
+  const Scene scene = load(document, warnings);
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [&](const std::string& text) { return text.find(warning) != std::string::npos; }),
+            2);
+  EXPECT_EQ(glm::dvec3(scene.cameras.at(0).world[2]), glm::dvec3(0, 0, 1));
 }
 
 TEST(GltfValidate, IndicesThatAreVectors_AreRefused) {
