@@ -62,6 +62,28 @@ TEST(Bake, OpenPlane_IsExact) {
   }
 }
 
+// A wall that is wide and high beside the floor hides half of the sky from all of it alike. What is open of
+// it, by the cosine, has the mean direction (2/3 up + 4/(3 pi) away from the wall).
+TEST(Bake, FloorBesideAnEndlessWall_BendsAwayFromIt) {
+  const double turn = 0.6, far = 2000.0;
+  const glm::dvec3 away(std::cos(turn), 0.0, std::sin(turn)), along(-std::sin(turn), 0.0, std::cos(turn)),
+      up(0, 1, 0);
+  const glm::dvec3 foot = -2.0 * away - up;
+  CompiledScene scene = test::ground(4, 1.0f);
+  const std::size_t floorVertices = scene.vertexCount();
+  test::append(scene, test::sceneOf({glm::vec3(foot - far * along), glm::vec3(foot + far * along),
+                                     glm::vec3(foot + far * along + far * up),
+                                     glm::vec3(foot - far * along + far * up)},
+                                    {{0, 2, 1}, {0, 3, 2}}));
+  ASSERT_GT(glm::dot(geometricNormal(scene, scene.triangleCount() - 1), away), 0.0);
+  const Bake bake = run(scene, aoRequest(4096)).bake;
+  const glm::dvec3 expected = glm::normalize(2.0 / 3.0 * up + 4.0 / (3.0 * std::numbers::pi) * away);
+  for (std::size_t v = 0; v < floorVertices; ++v) {
+    EXPECT_NEAR(bake.ao[v], 0.5, 0.02) << v;
+    EXPECT_NEAR(glm::distance(glm::dvec3(bake.bentNormals[v]), expected), 0.0, 0.02) << v;
+  }
+}
+
 // Two passes of eight, and of the others one ray in four.
 TEST(Bake, OpenPlane_IsThinnedAfterThePilot) {
   const Result result = run(test::ground(10, 1.0f), aoRequest(1024));
