@@ -32,5 +32,34 @@ TEST(Sampling, HashOfTheDevice_IsTheHosts) {
   for (std::uint32_t i = 0; i < 1024; ++i) EXPECT_EQ(hashes[i], sampling::hashInteger(i * 0x9e3779b9u)) << i;
 }
 
+// A (0,2)-sequence: each box of 2^-a by 2^-(m - a) holds one of the first 2^m points, and scrambling keeps
+// that.
+TEST(Sampling, PointsOfTheDevice_FillElementaryBoxesOnceEach) {
+  constexpr std::uint32_t bits = 12, count = 1u << bits;
+  const std::string file = test::probeFile(
+      "#include \"core/sampling_funcs.cl\"\n"
+      "__kernel void probe(uint seed, __global uint* out) {\n"
+      "  const uint2 point = sampleSobolBits((uint)get_global_id(0), seed);\n"
+      "  out[2 * get_global_id(0)] = point.x;\n"
+      "  out[2 * get_global_id(0) + 1] = point.y;\n"
+      "}\n");
+  DeviceContext& device = test::sharedDevice().context();
+  const Buffer<std::uint32_t> out(device, 2 * count);
+  for (const std::uint32_t seed : {0u, 1u, 0xdeadbeefu}) {
+    launchOnce(device, file, {}, "probe", count, seed, out);
+    const std::vector<std::uint32_t> points = out.read();
+    for (std::uint32_t across = 0; across <= bits; ++across) {
+      std::vector<int> held(count, 0);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint64_t column = std::uint64_t{points[2 * i]} >> (32 - across);
+        const std::uint64_t row = std::uint64_t{points[2 * i + 1]} >> (32 - (bits - across));
+        ++held[column << (bits - across) | row];
+      }
+      EXPECT_EQ(std::count(held.begin(), held.end(), 1), count)
+          << "seed " << seed << ", 2^" << across << " wide";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace prelight
