@@ -37,6 +37,17 @@ TEST(CarriedRecord, FromAPlaceBeside_TurnsWithTheWayToTheBody) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(carried[1][c]), expected[c], 1e-7) << c;
 }
 
+// From below the body to above it: the way turns by half, about anything across, and keeps lengths.
+TEST(CarriedRecord, FromTheOtherSide_TurnsByHalf) {
+  const OccluderView below{{0, 0, 0}, {0, 1, 0}}, above{{0, 20, 0}, {0, -1, 0}};
+  const glm::vec4 normal(0.1f, -0.3f, 0.2f, 0.4f);
+  const auto carried = seenFrom(above, below, {0, 10, 0}, normal);
+  ASSERT_GT(carried[1].w, 0.0f);
+  const double scale = double(carried[1].w) / double(normal.w);
+  EXPECT_NEAR(double(carried[1].y), scale * 0.3, 1e-7);
+  EXPECT_NEAR(glm::length(glm::dvec3(carried[1])), scale * glm::length(glm::dvec3(normal)), 1e-7);
+}
+
 // The form factor of a small ball goes with the cosine over the square of its distance: cos 45 degrees / 2.
 TEST(CarriedRecord, FromAPlaceBeside_SeesTheFormFactorOfItsBall) {
   const OccluderView below{{0, 0, 0}, {0, 1, 0}}, beside{{10, 0, 0}, {0, 1, 0}};

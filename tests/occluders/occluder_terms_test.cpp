@@ -219,6 +219,28 @@ TEST(OccluderTerms, GlossyBrdf_ReflectsAtMostAll) {
   EXPECT_NEAR(albedo(1.0), 1.0 - c * std::log((1.0 + c) / c), 1e-4);
 }
 
+// Waves add an offset across the direction, in proportion to their height: so does the tangent of the angle.
+TEST(BentRecord, Waves_BendByAnAngleWhoseTangentIsTheirHeight) {
+  const OccluderRecord record = clearBall(0.2, 0.9).records[0];
+  OccluderEffects effects;
+  const auto tangentAt = [&](const glm::dvec3& place, double waves) {
+    OccluderReceiver receiver = upwards();
+    receiver.position = place;
+    effects.waves = waves;
+    const glm::dvec3 straight(record.occlusion), bent(bentRecord(receiver, record, effects).occlusion);
+    EXPECT_NEAR(glm::length(bent), glm::length(straight), 1e-12);
+    return glm::length(glm::cross(straight, bent)) / glm::dot(straight, bent);
+  };
+  for (const glm::dvec3& place :
+       {glm::dvec3(0.3, 0.1, 0.7), glm::dvec3(-2.0, 0.4, 1.1), glm::dvec3(5.0, -3.0, 0.2)}) {
+    const double once = tangentAt(place, 0.1);
+    ASSERT_GT(once, 1e-4);
+    EXPECT_NEAR(tangentAt(place, 0.2) / once, 2.0, 1e-9);
+    EXPECT_NEAR(tangentAt(place, 0.05) / once, 0.5, 1e-9);
+    EXPECT_EQ(tangentAt(place, 0.0), 0.0);
+  }
+}
+
 TEST(WaveTable, IsItsTrainAndClosesOnItself) {
   const std::vector<glm::vec4> table = makeWaveTable();
   ASSERT_EQ(table.size(), std::size_t(waveTableSide * waveTableSide));

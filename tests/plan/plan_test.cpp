@@ -70,6 +70,25 @@ TEST(Plan, Radiosity_NeedsLightAndSurfacesThatReflect) {
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::FormFactors));
 }
 
+TEST(Plan, NormalMapOfAnyTriangle_AsksForDirectionsOfTheMap) {
+  BakeRequest request;
+  request.lightMap.wanted = true;
+  Scene source;
+  source.materials.resize(2);
+  source.materials[1].normalTexture.image = 0;
+  CompiledScene scene = test::ground(1, 1.0f);
+  ASSERT_EQ(scene.triangleCount(), 2u);
+  scene.materials.insert(scene.materials.begin(), scene.materials[0]);
+  for (const std::uint32_t mapped : {0u, 1u}) {
+    scene.triangleMaterials = {mapped == 0 ? 1u : 0u, mapped};
+    const Plan plan = makePlan(source, scene, request);
+    EXPECT_TRUE(plan.runs(Pass::DirectionsOfTheMap)) << "of triangle " << mapped;
+    EXPECT_NE(reasonOf(plan, Pass::DirectionsOfTheMap).find("1 material"), std::string::npos);
+  }
+  scene.triangleMaterials = {0, 0};
+  EXPECT_FALSE(makePlan(source, scene, request).runs(Pass::DirectionsOfTheMap));
+}
+
 TEST(Plan, EmptyScene_RunsNothing) {
   const Plan plan = makePlan(Scene(), CompiledScene(), fullRequest());
   ASSERT_FALSE(plan.passes.empty());
