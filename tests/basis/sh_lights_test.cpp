@@ -216,6 +216,14 @@ TEST(ShLights, Polygon_Reversed_IsTheSame) {
   EXPECT_LT(worstDifference(polygon({a, b, c}), polygon({c, b, a})), 1e-14);
 }
 
+TEST(ShLights, Polygon_SmallAndReversed_IsTheSame) {
+  const glm::dvec3 a(2, 1, 3), b = a + 1e-4 * glm::dvec3(1, 0, 0), c = a + 1e-4 * glm::dvec3(0, 1, 0.5);
+  const Coefficients one = polygon({a, b, c}), other = polygon({c, b, a});
+  EXPECT_GT(one[0], 0.0);
+  EXPECT_GT(other[0], 0.0);
+  EXPECT_LT(worstDifference(one, other), 1e-12 * one[0]);
+}
+
 TEST(ShLights, Polygon_Concave_IsTheSumOfItsParts) {
   // An L of three unit squares at height 1.
   const auto at = [](double x, double y) { return glm::dvec3(x - 0.7, y - 0.6, 1.0); };
@@ -308,6 +316,13 @@ TEST(ShZonal, CosinePower_MatchesQuadratureAndItsIntegralIsOne) {
     }
     for (int l = 0; l < order; ++l) EXPECT_NEAR(zonal[l], expected[l], 1e-13) << exponent << " " << l;
   }
+}
+
+TEST(ShZonal, CosinePower_OfNoExponent_IsRefused) {
+  std::vector<double> zonal(order);
+  for (const double exponent :
+       {-0.5, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(sh::cosinePowerZonal(exponent, zonal), UsageError) << exponent;
 }
 
 TEST(ShZonal, Convolve_WithTheClampedCosine_IsIrradiance) {
