@@ -2,6 +2,8 @@
 #ifndef PRELIGHT_BVH_LANE_FUNCS_CL
 #define PRELIGHT_BVH_LANE_FUNCS_CL
 
+#include "core/inline.h"
+
 // x86 turns a comparison into a mask with an instruction that OpenCL C has no name for. Where the compiler offers it,
 // it is taken; PRELIGHT_PORTABLE_LANES keeps to the language, as other devices do.
 #if !defined(PRELIGHT_PORTABLE_LANES) && defined(__has_builtin)
@@ -18,9 +20,6 @@
 #define PRELIGHT_PREFETCH
 #endif
 #endif
-
-// For what is called at every step of a traversal: the compiler would rather call than copy, and loses a tenth.
-#define PRELIGHT_INLINE static inline __attribute__((always_inline))
 
 // vminps/vmaxps: returns b when either is NaN.
 float8 least8(float8 a, float8 b) { return select(b, a, a < b); }

@@ -26,8 +26,8 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
 
 #ifdef PRELIGHT_FOLLOWS
 // Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
-bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, Interaction surface, Bsdf b,
-            uint depth, GatherPath* path, Ray* next) {
+PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, Interaction surface,
+                            Bsdf b, uint depth, GatherPath* path, Ray* next) {
   const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u), u = gatherPoint(p, receivers, path->ray, depth, 1u);
   const uint lobes = PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE;
   BsdfSample sample;

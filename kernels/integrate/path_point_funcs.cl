@@ -14,13 +14,13 @@ typedef struct PathPoint {
   uint path;  // whose it is
 } PathPoint;
 
-PathPoint pathPointAt(PathScene s, Interaction surface, uint path) {
+PRELIGHT_INLINE PathPoint pathPointAt(PathScene s, Interaction surface, uint path) {
   const PathPoint at = {surface, loadBsdf(s, surface), path};
   return at;
 }
 
 // Lobes that a path may still go on by.
-uint lobesOf(PathState path) {
+PRELIGHT_INLINE uint lobesOf(PathState path) {
   uint lobes = PRELIGHT_LOBES_ALL;
 #ifdef PRELIGHT_DIFFUSE_BOUNCES
   if (path.diffuseBounces >= PRELIGHT_DIFFUSE_BOUNCES) lobes &= ~PRELIGHT_LOBES_DIFFUSE;
@@ -32,8 +32,8 @@ uint lobesOf(PathState path) {
 }
 
 // Adds what the surface or the sky sends along a ray and takes away what glass absorbs. surface: where the ray hits.
-void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, Ray ray, Hit hit,
-               Interaction surface, PathState* path) {
+PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, Ray ray,
+                               Hit hit, Interaction surface, PathState* path) {
   const float scattered = path->scatterDensity;
   float3 throughput = vload3(0, path->throughput);
   float cosine = 1.0f;
@@ -64,8 +64,8 @@ void collectAt(__constant const ReferenceParameters* p, uint depth, PathScene s,
 }
 
 // Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
-bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights, PathPoint at,
-                   PathState path, uint light, Ray* shadow, ShadowItem* item) {
+PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
+                                   PathPoint at, PathState path, uint light, Ray* shadow, ShadowItem* item) {
   if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
   if (at.surface.woLocal.z <= 0.0f) return false;
 
@@ -106,7 +106,8 @@ bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScen
 }
 
 // Draws the direction in which a path goes on. False: it ends.
-bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathPoint at, PathState* path, Ray* next) {
+PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathPoint at, PathState* path,
+                               Ray* next) {
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
   const float2 u = pathPoint(p, at.path, pair + PRELIGHT_PAIR_DIRECTION);

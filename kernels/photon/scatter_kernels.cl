@@ -16,7 +16,7 @@
 #define PRELIGHT_CAUGHT_SURVIVAL 0.75f
 
 // Lobes that a photon may go on by; each by itself, so that a photon knows which one it came from.
-uint lobesOf(Bsdf b) {
+PRELIGHT_INLINE uint lobesOf(Bsdf b) {
 #ifdef PRELIGHT_CAUSTICS
   return narrowLobes(b) | PRELIGHT_LOBES_APART;
 #else
@@ -25,11 +25,11 @@ uint lobesOf(Bsdf b) {
 }
 
 // PRELIGHT_SCATTERED_* by a lobe of a surface.
-uint scatteredBy(uint lobe, Bsdf b) {
+PRELIGHT_INLINE uint scatteredBy(uint lobe, Bsdf b) {
   return (lobe & narrowLobes(b)) != 0u ? PRELIGHT_SCATTERED_SPECULAR : PRELIGHT_SCATTERED_WIDELY;
 }
 
-bool storesHere(PhotonPath path, Bsdf b) {
+PRELIGHT_INLINE bool storesHere(PhotonPath path, Bsdf b) {
   if (!isDiffuse(b)) return false;
 #ifdef PRELIGHT_CAUSTICS
   return path.scattered == PRELIGHT_SCATTERED_SPECULAR;
@@ -40,7 +40,7 @@ bool storesHere(PhotonPath path, Bsdf b) {
 #endif
 }
 
-bool goesOnFrom(PhotonPath path, Bsdf b) {
+PRELIGHT_INLINE bool goesOnFrom(PhotonPath path, Bsdf b) {
 #ifdef PRELIGHT_CAUSTICS
   return path.scattered == 0u || !isDiffuse(b);
 #else
@@ -49,8 +49,8 @@ bool goesOnFrom(PhotonPath path, Bsdf b) {
 }
 
 // Draws where a photon goes on that arrives with a power. False: it is absorbed.
-bool scatterPhoton(__constant const PhotonParameters* p, uint depth, Interaction surface, Bsdf bsdf, float3 power,
-                   PhotonPath* path, __global Ray* next) {
+PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint depth, Interaction surface, Bsdf bsdf,
+                                   float3 power, PhotonPath* path, __global Ray* next) {
   const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
   const float2 chance = photonPoint(p, path->photon, pair + PRELIGHT_PAIR_LOBE);
   const float2 u = photonPoint(p, path->photon, pair + PRELIGHT_PAIR_DIRECTION);

@@ -12,7 +12,7 @@
 
 // [1] eq. 5.19, of reflection, and of refraction if radiance scales with the square of the index of refraction and power does
 // not. For mirrors the cosines with the shading normal cancel. Exactly 1 where both normals are one.
-float adjointRatio(Interaction i, float3 direction) {
+PRELIGHT_INLINE float adjointRatio(Interaction i, float3 direction) {
   const float in = fabs(dot(i.wo, i.frame.z)) * fabs(dot(direction, i.geometric));
   const float out = fabs(dot(i.wo, i.geometric)) * fabs(dot(direction, i.frame.z));
   return in < PRELIGHT_MOST_ADJOINT * out ? in / out : PRELIGHT_MOST_ADJOINT;
@@ -26,7 +26,7 @@ typedef struct GlassWays {
 } GlassWays;
 
 // Normals on wo's side.
-GlassWays glassWays(Bsdf b, bool solid, bool front, float3 wo, float3 shading, float3 geometric) {
+static GlassWays glassWays(Bsdf b, bool solid, bool front, float3 wo, float3 shading, float3 geometric) {
   const float flat = glassReflectance(b, solid, front, glassCosine(wo, geometric));
   GlassWays ways = {0.0f, 0.0f, flat, 1.0f - flat};
   if (!(dot(wo, shading) > 0.0f)) return ways;
@@ -44,7 +44,7 @@ GlassWays glassWays(Bsdf b, bool solid, bool front, float3 wo, float3 shading, f
 // The adjoint of sampleGlassRadiance, weight as a share of power. The eye comes to i.wo by the shading normal from one
 // direction, and by the triangle's own from another, where that is its way out: light from i.wo goes to both. False: no light
 // leaves.
-bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSample* g) {
+static bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSample* g) {
   const bool solid = isSolid(i);
   const GlassWays own = glassWays(b, solid, i.front, i.wo, i.frame.z, i.geometric);
   float3 ways[4] = {mirrorAbout(i.wo, i.frame.z), i.wo, mirrorAbout(i.wo, i.geometric), i.wo};
@@ -74,7 +74,7 @@ bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSample* g) 
 }
 
 // False: no light leaves.
-bool sampleGlass(Interaction i, Bsdf b, uint mode, float chance, GlassSample* g) {
+PRELIGHT_INLINE bool sampleGlass(Interaction i, Bsdf b, uint mode, float chance, GlassSample* g) {
   if (mode == PRELIGHT_IMPORTANCE && !all(isequal(i.frame.z, i.geometric))) return sampleGlassImportance(i, b, chance, g);
   *g = sampleGlassRadiance(i, b, chance);
   if (mode == PRELIGHT_IMPORTANCE) g->eta2 = 1.0f;  // it scales radiance, not power

@@ -2,6 +2,7 @@
 #ifndef PRELIGHT_TRANSPORT_AIM_FUNCS_CL
 #define PRELIGHT_TRANSPORT_AIM_FUNCS_CL
 
+#include "core/inline.h"
 #include "core/punctual_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
@@ -16,7 +17,8 @@ typedef struct Aim {
 } Aim;
 
 // share: irradiance of a light of intensity 1. False: nothing arrives.
-bool aimAtPunctual(__global const PunctualLight* light, float3 point, float3 normal, Aim* aim, float* share) {
+PRELIGHT_INLINE bool aimAtPunctual(__global const PunctualLight* light, float3 point, float3 normal, Aim* aim,
+                                   float* share) {
   float3 direction;
   float distance, falloff;
   if (!seePunctual(light, point, &direction, &distance, &falloff)) return false;
@@ -30,12 +32,12 @@ bool aimAtPunctual(__global const PunctualLight* light, float3 point, float3 nor
 }
 
 // A point of a triangle by the weights of its vertices 1 and 2. A shadow ray ends short of it by more than its rounding.
-float3 pointBetween(float3 a, float3 b, float3 c, float2 weights) {
+PRELIGHT_INLINE float3 pointBetween(float3 a, float3 b, float3 c, float2 weights) {
   return a + weights.x * (b - a) + weights.y * (c - a);
 }
 
 // The shadow ray; one that meets nothing where nothing can arrive.
-Ray shadowRay(__global const Receiver* receiver, Aim aim, bool arrives) {
+PRELIGHT_INLINE Ray shadowRay(__global const Receiver* receiver, Aim aim, bool arrives) {
   Ray ray;
   vstore3(vload3(0, receiver->position), 0, ray.origin);
   vstore3(arrives ? aim.way : vload3(0, receiver->normal), 0, ray.direction);

@@ -26,11 +26,11 @@ typedef struct BsdfSample {
 } BsdfSample;
 
 // What a path carries on that came with `carried`.
-float3 carriedBy(BsdfSample sample, float3 carried) { return carried * sample.weight / sample.eta2; }
+PRELIGHT_INLINE float3 carriedBy(BsdfSample sample, float3 carried) { return carried * sample.weight / sample.eta2; }
 
 // Whether light may come from or go to a direction of these cosines with the shading normal and the triangle's own. Both
 // must tell the same side: else light would leak through the surface.
-bool maySee(Bsdf b, float shading, float geometric) {
+PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
 #ifdef PRELIGHT_TRANSLUCENT
   if (shading < 0.0f && geometric < 0.0f) return largest(b.transmitted) > 0.0f;
 #endif
@@ -38,7 +38,7 @@ bool maySee(Bsdf b, float shading, float geometric) {
 }
 
 // From wo above the surface to wi, above or, of a translucent one, below, in the frame of the shading normal.
-Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
+PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
   Scattered r;
 #ifdef PRELIGHT_TRANSLUCENT
   if (wi.z < 0.0f) {
@@ -62,7 +62,7 @@ Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
 }
 
 // Density of wi over the lobes that are neither mirrors nor glass.
-float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
+PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
 #ifdef PRELIGHT_TRANSLUCENT
   if (wi.z < 0.0f) return c.through * PRELIGHT_INVERSE_PI * -wi.z;
 #endif
@@ -75,7 +75,7 @@ float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
 
 // Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and leaves to `direction`. False:
 // none does.
-bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
+PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
   const float3 wi = toFrame(i.frame, direction);
   if (i.woLocal.z <= 0.0f || !maySee(b, wi.z, dot(direction, i.geometric))) return false;
   *scattered = evalLobes(b, i.woLocal, wi);
@@ -88,17 +88,17 @@ bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* sca
 }
 
 // Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds light. Both modes draw alike.
-float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
+PRELIGHT_INLINE float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
   return pdfLobes(b, lobeChances(b, i.woLocal.z, lobes), i.woLocal, toFrame(i.frame, direction));
 }
 
 // `value` is the scattered light, `density` that of the choice that led to it.
-float3 sampleWeight(Interaction i, float3 direction, uint mode, float3 value, float density) {
+PRELIGHT_INLINE float3 sampleWeight(Interaction i, float3 direction, uint mode, float3 value, float density) {
   return mode == PRELIGHT_IMPORTANCE ? value * (adjointRatio(i, direction) / density) : value / density;
 }
 
 #ifdef PRELIGHT_MIRROR
-bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
+PRELIGHT_INLINE bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
   sample->direction = fromFrame(i.frame, (float3)(-i.woLocal.x, -i.woLocal.y, i.woLocal.z));
   if (dot(sample->direction, i.geometric) <= 0.0f) return false;
   sample->weight = sampleWeight(i, sample->direction, mode, specularReflectance(b, i.woLocal.z), chance);
@@ -108,8 +108,8 @@ bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sa
 #endif
 
 // From the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one.
-bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, bool through, bool specular, float2 u,
-                 BsdfSample* sample) {
+PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, bool through,
+                                 bool specular, float2 u, BsdfSample* sample) {
   float3 wi;
 #ifdef PRELIGHT_GLOSSY
   if (specular)
@@ -138,7 +138,7 @@ bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chanc
 // Where a path goes on that has come along i.wo, by one of `lobes`, in proportion to what they scatter. `chance` picks the
 // lobe, u the direction, both in [0,1). Radiance is what the path looks for, importance (or the power of a photon) what it
 // brings. False: it ends.
-bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, float chance, float2 u, BsdfSample* sample) {
+PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, float chance, float2 u, BsdfSample* sample) {
   const LobeChances chances = lobeChances(b, i.woLocal.z, lobes);
   if (!(chanceSum(chances) > 0.0f)) return false;
   sample->pdf = 0.0f;

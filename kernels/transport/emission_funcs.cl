@@ -15,7 +15,7 @@ typedef struct Emission {
 } Emission;
 
 // The host has chosen cells of directions in a frame of its own.
-float3 around(PhotonSource s, float3 axis, float cosine, float turns) {
+PRELIGHT_INLINE float3 around(PhotonSource s, float3 axis, float cosine, float turns) {
   float3 x, y;
   makeFrame(axis, &x, &y);
   if (s.cellCount != 0u) {
@@ -27,7 +27,7 @@ float3 around(PhotonSource s, float3 axis, float cosine, float turns) {
 }
 
 // Light from afar: a disc that covers what there is to meet.
-void startAfar(__constant const PhotonParameters* p, float3 direction, float2 u, Emission* e) {
+PRELIGHT_INLINE void startAfar(__constant const PhotonParameters* p, float3 direction, float2 u, Emission* e) {
   float3 x, y;
   makeFrame(direction, &x, &y);
   const float radius = p->radius * sqrt(u.x);
@@ -38,7 +38,8 @@ void startAfar(__constant const PhotonParameters* p, float3 direction, float2 u,
 }
 
 #ifdef PRELIGHT_PUNCTUAL
-Emission emitFromPunctual(__constant const PhotonParameters* p, __global const PunctualLight* light, float2 u) {
+PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, __global const PunctualLight* light,
+                                          float2 u) {
   Emission e;
   e.power = vload3(0, light->intensity);
   if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {
@@ -62,7 +63,8 @@ Emission emitFromPunctual(__constant const PhotonParameters* p, __global const P
 
 #ifdef PRELIGHT_EMITTERS
 // choice.y decides about the side of an emitter that has two.
-Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u, float2 place) {
+PRELIGHT_INLINE Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u,
+                                         float2 place) {
   const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
   const EmitterPoint at = all ? sampleEmitterPoint(l, &p->scene.lights, s, choice.x, place)
                               : pointOnEmitter(l, s, p->source.light, 1.0f, place);
@@ -79,7 +81,7 @@ Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathSce
 #endif
 
 #ifdef PRELIGHT_SKY
-Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits, float2 place) {
+PRELIGHT_INLINE Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits, float2 place) {
   LightSample a;
   sampleSky(l, &p->scene.lights, bits, &a);
   Emission e;
@@ -91,7 +93,8 @@ Emission emitFromSky(__constant const PhotonParameters* p, Lights l, uint2 bits,
 
 // Where a photon of p->source starts: `bits` of its direction, `place` on the light or of the ray from afar, `choice` of the
 // emitter and its side.
-Emission emitLight(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 bits, float2 place, uint2 choice) {
+PRELIGHT_INLINE Emission emitLight(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 bits, float2 place,
+                                   uint2 choice) {
   const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
   Emission e;
 #ifdef PRELIGHT_PUNCTUAL

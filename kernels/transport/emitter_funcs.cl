@@ -17,7 +17,7 @@ typedef struct EmitterPoint {
   float chance;   // with which the triangle was chosen
 } EmitterPoint;
 
-EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, float chance, float2 place) {
+PRELIGHT_INLINE EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, float chance, float2 place) {
   EmitterPoint e;
   e.triangle = l.emitters[entry];
   e.chance = chance;
@@ -32,19 +32,20 @@ EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, float chance, flo
 }
 
 // Chosen by power.
-EmitterPoint sampleEmitterPoint(Lights l, __constant const LightLayout* layout, PathScene s, uint bits, float2 place) {
+PRELIGHT_INLINE EmitterPoint sampleEmitterPoint(Lights l, __constant const LightLayout* layout, PathScene s, uint bits,
+                                                float2 place) {
   float probability, remainder;
   const uint entry = chooseEntry(l.tables + layout->emitterTable, layout->emitterCount, bits, &probability, &remainder);
   return pointOnEmitter(l, s, entry, probability, place);
 }
 
 // 1/sr for a direction that meets an emitter at a distance under |cosine|.
-float pdfEmitter(Lights l, uint triangle, float distance, float cosine) {
+PRELIGHT_INLINE float pdfEmitter(Lights l, uint triangle, float distance, float cosine) {
   return l.emitterDensities[triangle] * distance * distance / fmax(fabs(cosine), 1e-9f);
 }
 
-bool sampleEmitter(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint bits, float2 place,
-                   LightSample* a) {
+PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint bits,
+                                   float2 place, LightSample* a) {
   const EmitterPoint e = sampleEmitterPoint(l, layout, s, bits, place);
   const float3 way = e.position - point;
   const float distance = length(way);

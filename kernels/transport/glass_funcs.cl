@@ -15,7 +15,7 @@ typedef struct GlassSample {
 } GlassSample;
 
 // Share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here. cosine in (0,1].
-float fresnelDielectric(float cosine, float eta) {
+PRELIGHT_INLINE float fresnelDielectric(float cosine, float eta) {
   const float sine2 = (1.0f - cosine * cosine) / (eta * eta);
   if (sine2 >= 1.0f) return 1.0f;
   const float beyondCosine = sqrt(1.0f - sine2);
@@ -25,20 +25,20 @@ float fresnelDielectric(float cosine, float eta) {
 }
 
 // Ratio of the ior beyond to that here.
-float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }
+PRELIGHT_INLINE float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }
 
 // Share of the light that is reflected; all of it where nothing can pass.
-float glassReflectance(Bsdf b, bool solid, bool front, float cosine) {
+PRELIGHT_INLINE float glassReflectance(Bsdf b, bool solid, bool front, float cosine) {
   const float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, relativeIor(b, solid, front));
   return solid ? reflected : 2.0f * reflected / (1.0f + reflected);  // all the reflections between two faces
 }
 
-float glassCosine(float3 wo, float3 n) { return fmin(fmax(dot(wo, n), 1e-6f), 1.0f); }
+PRELIGHT_INLINE float glassCosine(float3 wo, float3 n) { return fmin(fmax(dot(wo, n), 1e-6f), 1.0f); }
 
-float3 mirrorAbout(float3 wo, float3 n) { return 2.0f * dot(wo, n) * n - wo; }
+PRELIGHT_INLINE float3 mirrorAbout(float3 wo, float3 n) { return 2.0f * dot(wo, n) * n - wo; }
 
 // Where light that came from wo goes on beyond the surface. `n` is on wo's side; not all is reflected.
-float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n) {
+PRELIGHT_INLINE float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n) {
   if (!solid) return -wo;
   const float cosine = glassCosine(wo, n);
   const float eta = relativeIor(b, solid, front);
@@ -47,7 +47,7 @@ float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n) {
 }
 
 // Reflected or refracted, in proportion to Fresnel's share: `chance` is in [0,1). `n` is on i.wo's side.
-GlassSample sampleGlassAbout(Interaction i, Bsdf b, float3 n, float chance) {
+PRELIGHT_INLINE GlassSample sampleGlassAbout(Interaction i, Bsdf b, float3 n, float chance) {
   const bool solid = isSolid(i);
   const float eta = relativeIor(b, solid, i.front);
   GlassSample g;
@@ -60,7 +60,7 @@ GlassSample sampleGlassAbout(Interaction i, Bsdf b, float3 n, float chance) {
 }
 
 // Where the shading normal would send light to the wrong side, the triangle's own does not.
-GlassSample sampleGlassRadiance(Interaction i, Bsdf b, float chance) {
+PRELIGHT_INLINE GlassSample sampleGlassRadiance(Interaction i, Bsdf b, float chance) {
   const GlassSample g = sampleGlassAbout(i, b, i.woLocal.z > 0.0f ? i.frame.z : i.geometric, chance);
   if ((dot(g.direction, i.geometric) < 0.0f) == g.passes) return g;
   return sampleGlassAbout(i, b, i.geometric, chance);

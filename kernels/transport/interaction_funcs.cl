@@ -4,6 +4,7 @@
 #define PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 
 #include "bvh/alpha_funcs.cl"
+#include "core/inline.h"
 #include "core/offset_funcs.cl"
 #include "core/vector_funcs.cl"
 #include "shared/ray_types.h"
@@ -32,17 +33,17 @@ typedef struct Interaction {
   float u, v;
 } Interaction;
 
-float3 vertexPosition(PathScene s, uint vertex) { return vload3(0, s.vertices + 6 * (size_t)vertex); }
+PRELIGHT_INLINE float3 vertexPosition(PathScene s, uint vertex) { return vload3(0, s.vertices + 6 * (size_t)vertex); }
 
 // Unit normal of the triangle's front.
-float3 frontNormal(float3 a, float3 b, float3 c) {
+PRELIGHT_INLINE float3 frontNormal(float3 a, float3 b, float3 c) {
   const float3 e = b - a, f = c - a;
   const float scale = 1.0f / fmax(fmax(largest(fabs(e)), largest(fabs(f))), 1e-36f);
   return normalize(cross(e * scale, f * scale));
 }
 
 // Shading normal on the front side; the geometric one where the file has none or it vanishes.
-float3 shadingNormal(PathScene s, uint triangle, float u, float v, float3 front) {
+PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float v, float3 front) {
   if (s.flat[triangle] != 0) return front;
   const DeviceTriangle t = s.surface.triangles[triangle];
   const float3 n = (1.0f - u - v) * vload3(0, s.vertices + 6 * (size_t)t.vertex[0] + 3) +
@@ -54,7 +55,7 @@ float3 shadingNormal(PathScene s, uint triangle, float u, float v, float3 front)
   return dot(unit, front) < 0.0f ? -unit : unit;
 }
 
-Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
+PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   const DeviceTriangle t = s.surface.triangles[hit.triangle];
   const float3 a = vertexPosition(s, t.vertex[0]), b = vertexPosition(s, t.vertex[1]), c = vertexPosition(s, t.vertex[2]);
   Interaction i;
@@ -75,10 +76,10 @@ Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   return i;
 }
 
-bool isSolid(Interaction i) { return (i.flags & PRELIGHT_SOLID) != 0u; }
+PRELIGHT_INLINE bool isSolid(Interaction i) { return (i.flags & PRELIGHT_SOLID) != 0u; }
 
 // A ray that leaves the surface.
-Ray rayFrom(Interaction i, float3 direction, float tMax) {
+PRELIGHT_INLINE Ray rayFrom(Interaction i, float3 direction, float tMax) {
   Ray ray;
   vstore3(offsetOrigin(i.position, i.error, i.geometric, direction), 0, ray.origin);
   ray.sourceTriangle = i.triangle;  // a straight ray meets its plane but once
@@ -89,7 +90,7 @@ Ray rayFrom(Interaction i, float3 direction, float tMax) {
 
 // A ray that leaves in a direction to meet what is in the way of a target there, but for the last share of the way: the target's
 // own triangle, whose distance is subject to rounding, must not count.
-Ray rayTo(Interaction i, float3 direction, float3 target, float reach) {
+PRELIGHT_INLINE Ray rayTo(Interaction i, float3 direction, float3 target, float reach) {
   Ray ray = rayFrom(i, direction, 0.0f);
   const float3 way = target - vload3(0, ray.origin);
   if (!(dot(way, direction) > 0.0f)) return ray;  // rounding has carried the origin beyond the target

@@ -6,7 +6,7 @@
 
 // W/(m2 sr) towards a direction of this cosine. evalLobes' diffuse part with the layer's passage averaged over the
 // directions that the light comes from.
-float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
+PRELIGHT_INLINE float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
   return b.diffuse * irradiance *
          (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * (1.0f - largest(meanLayer(b))));
 }
@@ -15,7 +15,7 @@ float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
 // The same of what comes through from the other side, where the irradiance is `irradiance`. Leaves and lampshades are lit by a
 // sun or a lamp as often as by a sky: the passage halfway between that of perpendicular light and that of light from all
 // sides errs by 2.5 % at most for either, of a layer of f0 0.04.
-float3 transmitIrradiance(Bsdf b, float cosine, float3 irradiance) {
+PRELIGHT_INLINE float3 transmitIrradiance(Bsdf b, float cosine, float3 irradiance) {
   const float enters = 1.0f - 0.5f * (largest(b.f0) + largest(meanLayer(b)));
   return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * enters);
 }

@@ -9,7 +9,7 @@
 #include "transport/sky_funcs.cl"
 
 #ifdef PRELIGHT_PUNCTUAL
-bool samplePunctual(__global const PunctualLight* light, float3 point, LightSample* a) {
+PRELIGHT_INLINE bool samplePunctual(__global const PunctualLight* light, float3 point, LightSample* a) {
   float falloff;
   if (!seePunctual(light, point, &a->direction, &a->distance, &falloff)) return false;
   a->punctual = true;
@@ -22,8 +22,8 @@ bool samplePunctual(__global const PunctualLight* light, float3 point, LightSamp
 
 // A light by chance, and a direction towards it; `choice` of light and emitter, `place` on it or in the sky, all in 2^32. The
 // groups' order: punctual lights, then the emitters as one, then the sky. False: nothing arrives.
-bool sampleLight(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint2 choice, uint2 place,
-                 LightSample* a) {
+PRELIGHT_INLINE bool sampleLight(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint2 choice,
+                                 uint2 place, LightSample* a) {
   float probability, remainder;
   const uint group = chooseEntry(l.tables, layout->groupCount, choice.x, &probability, &remainder);
   bool arrives = false;
@@ -43,7 +43,7 @@ bool sampleLight(Lights l, __constant const LightLayout* layout, PathScene s, fl
 }
 
 // Radiance that lights send along a ray; front: the side on which it meets a surface.
-float3 evalLight(Lights l, __constant const LightLayout* layout, PathScene s, Ray ray, Hit hit, bool front) {
+PRELIGHT_INLINE float3 evalLight(Lights l, __constant const LightLayout* layout, PathScene s, Ray ray, Hit hit, bool front) {
 #ifdef PRELIGHT_SKY
   if (hit.triangle == PRELIGHT_NO_TRIANGLE) return evalSky(l, layout, skyCoordinates(layout, vload3(0, ray.direction)));
 #endif
@@ -55,7 +55,7 @@ float3 evalLight(Lights l, __constant const LightLayout* layout, PathScene s, Ra
 }
 
 // Density, 1/sr, with which sampleLight draws a ray's direction where the ray starts; cosine: under which it meets a surface.
-float pdfLight(Lights l, __constant const LightLayout* layout, Ray ray, Hit hit, float cosine) {
+PRELIGHT_INLINE float pdfLight(Lights l, __constant const LightLayout* layout, Ray ray, Hit hit, float cosine) {
 #ifdef PRELIGHT_SKY
   if (hit.triangle == PRELIGHT_NO_TRIANGLE)
     return pdfSky(l, layout, skyCoordinates(layout, vload3(0, ray.direction))) *

@@ -3,6 +3,7 @@
 #ifndef PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 
+#include "core/inline.h"
 #include "shared/shade_types.h"
 
 typedef struct Lights {
@@ -26,7 +27,7 @@ typedef struct LightSample {
 
 // The entry whose interval holds `bits`. Bounds ascend from 0; the last interval ends at 2^32; none is empty.
 // remainder in (0,1): place within the interval.
-uint chooseEntry(__global const uint* bounds, uint count, uint bits, float* probability, float* remainder) {
+PRELIGHT_INLINE uint chooseEntry(__global const uint* bounds, uint count, uint bits, float* probability, float* remainder) {
   uint low = 0u, high = count;
   while (high - low > 1u) {
     const uint middle = low + (high - low) / 2u;
@@ -42,7 +43,7 @@ uint chooseEntry(__global const uint* bounds, uint count, uint bits, float* prob
   return low;
 }
 
-float entryProbability(__global const uint* bounds, uint count, uint entry) {
+PRELIGHT_INLINE float entryProbability(__global const uint* bounds, uint count, uint entry) {
   const uint width = (entry + 1u < count ? bounds[entry + 1u] : 0u) - bounds[entry];
   return width == 0u ? 1.0f : (float)width * 2.3283064e-10f;
 }

@@ -5,6 +5,7 @@
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 
+#include "core/inline.h"
 #include "core/vector_funcs.cl"
 
 #define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
@@ -54,27 +55,27 @@ typedef struct LobeChances {
 } LobeChances;
 
 // Schlick 1994: how far reflectance has risen from that along the normal to that at grazing angles.
-float schlickRise(float cosine) {
+PRELIGHT_INLINE float schlickRise(float cosine) {
   const float k = clamp(1.0f - cosine, 0.0f, 1.0f);
   const float k2 = k * k;
   return k2 * k2 * k;
 }
 
 // Reflectance of the layer.
-float3 schlick(Bsdf b, float cosine) { return b.f0 + (b.f90 - b.f0) * schlickRise(cosine); }
+PRELIGHT_INLINE float3 schlick(Bsdf b, float cosine) { return b.f0 + (b.f90 - b.f0) * schlickRise(cosine); }
 
 // Its mean over directions, weighted by the cosine: that of the rise is 1/21.
-float3 meanLayer(Bsdf b) { return b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f); }
+PRELIGHT_INLINE float3 meanLayer(Bsdf b) { return b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f); }
 
 // Whether the body scatters any light, to either side.
-bool isDiffuse(Bsdf b) {
+PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
 #ifdef PRELIGHT_TRANSLUCENT
   if (largest(b.transmitted) > 0.0f) return true;
 #endif
   return largest(b.diffuse) > 0.0f;
 }
 
-bool isGlossy(Bsdf b) {
+PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 #ifdef PRELIGHT_GLOSSY
   return !b.smooth && largest(b.metal) + b.layer > 0.0f;
 #else
@@ -84,15 +85,15 @@ bool isGlossy(Bsdf b) {
 
 // Mirrors, and lobes that show what is there: light that they gather is followed from its source, light of wider ones is
 // found by chance.
-bool isNarrow(Bsdf b) { return b.smooth || b.alpha <= PRELIGHT_NARROW_ALPHA; }
+PRELIGHT_INLINE bool isNarrow(Bsdf b) { return b.smooth || b.alpha <= PRELIGHT_NARROW_ALPHA; }
 
 // The lobes that make caustics.
-uint narrowLobes(Bsdf b) { return PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u); }
+PRELIGHT_INLINE uint narrowLobes(Bsdf b) { return PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u); }
 
 // What metal and layer reflect of light from a direction of this cosine, over all directions.
-float3 specularReflectance(Bsdf b, float cosine) { return b.metal + b.layer * schlick(b, cosine); }
+PRELIGHT_INLINE float3 specularReflectance(Bsdf b, float cosine) { return b.metal + b.layer * schlick(b, cosine); }
 
-float chanceSum(LobeChances c) {
+PRELIGHT_INLINE float chanceSum(LobeChances c) {
   const float sum = c.diffuse + c.specular + c.glass;
 #ifdef PRELIGHT_TRANSLUCENT
   return c.through + sum;
@@ -102,7 +103,7 @@ float chanceSum(LobeChances c) {
 }
 
 // Of those among `lobes`, in proportion to what they scatter of light from a direction of this cosine, roughly.
-LobeChances lobeChances(Bsdf b, float cosine, uint lobes) {
+PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float cosine, uint lobes) {
   const float3 layer = schlick(b, cosine);
   LobeChances c = {0.0f, 0.0f, 0.0f};
 #ifdef PRELIGHT_TRANSLUCENT
@@ -132,7 +133,7 @@ LobeChances lobeChances(Bsdf b, float cosine, uint lobes) {
 
 // Whether a chance in [0,1) picks the lobe below the surface. What is left of the chance decides among the others: it is
 // negative then.
-bool picksThrough(LobeChances c, float* chance) {
+PRELIGHT_INLINE bool picksThrough(LobeChances c, float* chance) {
 #ifdef PRELIGHT_TRANSLUCENT
   const bool picks = *chance < c.through;
   *chance -= c.through;

@@ -13,14 +13,14 @@
 #define PRELIGHT_LAYER_THROUGH 3u  // no texture yet: see loadBsdf
 #define PRELIGHT_LAYERS 4u
 
-float2 vertexTexCoord(PathScene s, uint triangle, float u, float v) {
+PRELIGHT_INLINE float2 vertexTexCoord(PathScene s, uint triangle, float u, float v) {
   const DeviceTriangle t = s.surface.triangles[triangle];
   return (1.0f - u - v) * s.surface.texCoords[t.vertex[0]] + u * s.surface.texCoords[t.vertex[1]] +
          v * s.surface.texCoords[t.vertex[2]];
 }
 
 // Texture `layer` of a material at a point; white where there is none.
-float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
+PRELIGHT_INLINE float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 #ifdef PRELIGHT_LAYER_TEXTURES
   __global const DeviceMaterial* m = s.layers + PRELIGHT_LAYERS * s.surface.triangles[triangle].material + layer;
   if (m->texelOffset != PRELIGHT_NO_TEXTURE) {
@@ -33,14 +33,14 @@ float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 }
 
 // Radiance that a point of a triangle sends out.
-float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
+PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
   __global const ShadeMaterial* m = s.materials + s.surface.triangles[triangle].material;
   if (!front && (m->flags & PRELIGHT_DOUBLE_SIDED) == 0u) return (float3)(0.0f);
   return vload3(0, m->emission) * sampleLayer(s, PRELIGHT_LAYER_EMISSION, triangle, u, v).xyz;
 }
 
 // Factor, texture and vertex colour of a point.
-float3 baseColor(PathScene s, uint triangle, float u, float v) {
+PRELIGHT_INLINE float3 baseColor(PathScene s, uint triangle, float u, float v) {
   return clamp(surfaceColor(s.surface, triangle, u, v).xyz * sampleLayer(s, PRELIGHT_LAYER_BASE, triangle, u, v).xyz,
                0.0f, 1.0f);
 }
@@ -49,14 +49,14 @@ float3 baseColor(PathScene s, uint triangle, float u, float v) {
 // Divides the body's light between its two sides. `opaque`: share of the surface that is neither metal nor glass.
 // What the layer keeps from leaving is scattered again: of the light that has entered, as much comes through as the
 // material says. So the layer's mean passage, which evaluateBsdf takes off on the way out, is made up for.
-void setTransmitted(__global const DeviceMaterial* layer, float opaque, Bsdf* b) {
+PRELIGHT_INLINE void setTransmitted(__global const DeviceMaterial* layer, float opaque, Bsdf* b) {
   const float share = layer->alphaFactor;
   b->diffuse *= 1.0f - share;
   b->transmitted = fmin(vload3(0, layer->albedo), opaque * share) / fmax(1.0f - largest(meanLayer(*b)), 1e-6f);
 }
 #endif
 
-Bsdf loadBsdf(PathScene s, Interaction i) {
+PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   __global const ShadeMaterial* m = s.materials + i.material;
   const float4 layer = sampleLayer(s, PRELIGHT_LAYER_SURFACE, i.triangle, i.u, i.v);
   const float3 base = baseColor(s, i.triangle, i.u, i.v) * ((i.flags & PRELIGHT_UNLIT) != 0u ? 0.0f : 1.0f);

@@ -8,25 +8,25 @@
 #include "transport/lobe_funcs.cl"
 
 // [1] eq. 33, written so that no digits are lost around the normal.
-float ggxDensity(float3 h, float alpha) {
+PRELIGHT_INLINE float ggxDensity(float3 h, float alpha) {
   const float a2 = alpha * alpha;
   const float q = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
   return a2 * PRELIGHT_INVERSE_PI / (q * q);
 }
 
 // cosine sqrt(1 + alpha2 tan2): the projected length in Smith's masking.
-float smithTerm(float cosine, float alpha) {
+PRELIGHT_INLINE float smithTerm(float cosine, float alpha) {
   const float a2 = alpha * alpha;
   return sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
 // Height-correlated masking and shadowing over 4 cos cos, [2] eq. 99.
-float smithVisibility(float co, float ci, float alpha) {
+PRELIGHT_INLINE float smithVisibility(float co, float ci, float alpha) {
   return 0.5f / (co * smithTerm(ci, alpha) + ci * smithTerm(co, alpha));
 }
 
 // Normal visible from wo, [3].
-float3 sampleVisibleNormal(float2 u, float3 wo, float alpha) {
+PRELIGHT_INLINE float3 sampleVisibleNormal(float2 u, float3 wo, float alpha) {
   const float3 v = normalize((float3)(alpha * wo.x, alpha * wo.y, wo.z));
   const float z = (1.0f - u.y) * (1.0f + v.z) - v.z;
   const float radius = sqrt(clamp(1.0f - z * z, 0.0f, 1.0f));
@@ -36,17 +36,17 @@ float3 sampleVisibleNormal(float2 u, float3 wo, float alpha) {
 }
 
 // The lobe without its reflectance, times the cosine of wi; h: halfway between wo and wi.
-float evalMicrofacet(float3 wo, float3 wi, float3 h, float alpha) {
+PRELIGHT_INLINE float evalMicrofacet(float3 wo, float3 wi, float3 h, float alpha) {
   return ggxDensity(h, alpha) * smithVisibility(wo.z, wi.z, alpha) * wi.z;
 }
 
 // Density of the direction that a visible normal h reflects wo to: D G1 / (4 cos), [2] eq. 17.
-float pdfMicrofacet(float3 wo, float3 h, float alpha) {
+PRELIGHT_INLINE float pdfMicrofacet(float3 wo, float3 h, float alpha) {
   return 0.5f * ggxDensity(h, alpha) / (wo.z + smithTerm(wo.z, alpha));
 }
 
 // May lie below the surface.
-float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
+PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
   const float3 h = sampleVisibleNormal(u, wo, alpha);
   return 2.0f * dot(wo, h) * h - wo;
 }

@@ -11,8 +11,8 @@ typedef struct Scene {
   Lights lights;
 } Scene;
 
-PathScene shadedSurfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
-                          __global const ShadingLine* shading) {
+PRELIGHT_INLINE PathScene shadedSurfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
+                                          __global const ShadingLine* shading) {
   const Surface untextured = {(__global const DeviceTriangle*)(surface + layout->triangles),
                               (__global const DeviceMaterial*)(shading + layout->bases),
                               (__global const float2*)(shading + layout->layerTexCoords),
@@ -27,7 +27,7 @@ PathScene shadedSurfaceOf(__constant const SceneLayout* layout, __global const S
   return s;
 }
 
-Lights lightsOf(__constant const SceneLayout* layout, __global const LightLine* lights) {
+PRELIGHT_INLINE Lights lightsOf(__constant const SceneLayout* layout, __global const LightLine* lights) {
   const Lights l = {(__global const uint*)(lights + layout->tables), (__global const uint*)(lights + layout->emitters),
                     (__global const float*)(lights + layout->emitterDensities),
                     (__global const PunctualLight*)(lights + layout->punctual),
@@ -35,8 +35,8 @@ Lights lightsOf(__constant const SceneLayout* layout, __global const LightLine* 
   return l;
 }
 
-Scene sceneOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
-              __global const ShadingLine* shading, __global const LightLine* lights) {
+PRELIGHT_INLINE Scene sceneOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
+                              __global const ShadingLine* shading, __global const LightLine* lights) {
   const Scene scene = {shadedSurfaceOf(layout, surface, shading), lightsOf(layout, lights)};
   return scene;
 }

@@ -6,14 +6,14 @@
 #include "transport/light_table_funcs.cl"
 
 #ifdef PRELIGHT_SKY
-float4 skyTexel(Lights l, __constant const LightLayout* p, int x, int y) {
+PRELIGHT_INLINE float4 skyTexel(Lights l, __constant const LightLayout* p, int x, int y) {
   const int w = (int)p->skyWidth, h = (int)p->skyHeight;
   const int column = x < 0 ? x + w : (x >= w ? x - w : x);
   return l.sky[(size_t)clamp(y, 0, h - 1) * w + column];
 }
 
 // Radiance at (u, v) in [0,1]^2 of the map: bilinear between the centres of texels.
-float3 evalSky(Lights l, __constant const LightLayout* p, float2 uv) {
+PRELIGHT_INLINE float3 evalSky(Lights l, __constant const LightLayout* p, float2 uv) {
   const float2 at = uv * (float2)((float)p->skyWidth, (float)p->skyHeight) - 0.5f;
   const float2 base = floor(at);
   const float2 f = at - base;
@@ -23,14 +23,14 @@ float3 evalSky(Lights l, __constant const LightLayout* p, float2 uv) {
 }
 
 // docs/conventions.md, "Sky". In [0,1).
-float2 skyCoordinates(__constant const LightLayout* p, float3 d) {
+PRELIGHT_INLINE float2 skyCoordinates(__constant const LightLayout* p, float3 d) {
   const float u = atan2pi(d.x, -d.z) * 0.5f + 0.5f + p->skyTurn;
   const float v = atan2pi(sqrt(d.x * d.x + d.z * d.z), d.y);
   return (float2)(u - floor(u), fmin(v, 0.99999994f));
 }
 
 // 1/sr: the texel's probability over its share of the map, over the sphere's area that (u, v) maps to there.
-float pdfSky(Lights l, __constant const LightLayout* p, float2 uv) {
+PRELIGHT_INLINE float pdfSky(Lights l, __constant const LightLayout* p, float2 uv) {
   const uint x = min((uint)(uv.x * (float)p->skyWidth), p->skyWidth - 1u);
   const uint y = min((uint)(uv.y * (float)p->skyHeight), p->skyHeight - 1u);
   const float row = entryProbability(l.tables + p->rowTable, p->skyHeight, y);
@@ -39,7 +39,7 @@ float pdfSky(Lights l, __constant const LightLayout* p, float2 uv) {
   return row * column * texels / (19.7392088f * fmax(sinpi(uv.y), 1e-9f));  // 2 pi^2
 }
 
-bool sampleSky(Lights l, __constant const LightLayout* p, uint2 bits, LightSample* a) {
+PRELIGHT_INLINE bool sampleSky(Lights l, __constant const LightLayout* p, uint2 bits, LightSample* a) {
   float probability, u, v;
   const uint y = chooseEntry(l.tables + p->rowTable, p->skyHeight, bits.x, &probability, &v);
   const uint x = chooseEntry(l.tables + p->columnTable + (size_t)y * p->skyWidth, p->skyWidth, bits.y, &probability, &u);

@@ -15,7 +15,7 @@ typedef struct VirtualSample {
 } VirtualSample;
 
 // Of power that comes from i.wo; what the surface scatters diffusely.
-VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
+PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
   const float arrives = fmax(i.woLocal.z, 0.0f);
   const float enters = 1.0f - largest(schlick(b, arrives));
   // The half of the adjoint (adjointRatio) that the way in has; sampleVirtual has the other.
@@ -37,7 +37,7 @@ VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
 }
 
 // Nearer than the square root of `leastSquare` a light counts as at that distance. False: nothing arrives.
-bool sampleVirtual(VirtualLight light, float3 point, float leastSquare, VirtualSample* sample) {
+PRELIGHT_INLINE bool sampleVirtual(VirtualLight light, float3 point, float leastSquare, VirtualSample* sample) {
   const float3 way = vload3(0, light.position) - point;
   const float square = dot(way, way);
   if (!(square > 1e-18f)) return false;
