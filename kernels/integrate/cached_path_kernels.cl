@@ -16,8 +16,8 @@
 // Adds the irradiance of caustics in front of the vertex, and beyond it where the surface is translucent. They are smooth over
 // a pixel, as their filter is wider, and cost most: of a pixel's samples that meet a surface straight, causticSamples look them
 // up for all. Glass and mirrors send a pixel's samples to places far apart.
-void addCaustics(__constant const CachedPathParameters* c, __global const DensityLine* maps, uint depth, PathPoint at,
-                 float3* irradiance, float3* beyond) {
+PRELIGHT_INLINE void addCaustics(__constant const CachedPathParameters* c, __global const DensityLine* maps, uint depth,
+                                 PathPoint at, float3* irradiance, float3* beyond) {
   const uint samples = c->paths.samplesPerPass;
   const bool shared = depth == 0u;
   if (shared && at.path % samples >= c->causticSamples) return;
@@ -33,8 +33,8 @@ void addCaustics(__constant const CachedPathParameters* c, __global const Densit
 #endif
 
 // What a surface sends towards the camera of the light that was computed beforehand.
-float3 cachedRadiance(__constant const CachedPathParameters* c, __global const IrradianceLine* indirect,
-                      __global const DensityLine* maps, uint depth, PathPoint at) {
+PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, __global const IrradianceLine* indirect,
+                                      __global const DensityLine* maps, uint depth, PathPoint at) {
   const IrradianceMap map = irradianceMapOf(&c->indirect, indirect);
   const Interaction v = at.surface;
   float3 irradiance = irradianceAt(map, v.triangle, v.front, v.u, v.v);
