@@ -3,13 +3,11 @@
 #include <cmath>
 #include <random>
 
+#include "benchmarks/lab/dense_relighter.h"
 #include "compress/compression_error.h"
 #include "oracle/relighting.h"
 #include "prelight/error.h"
-#include "relight/cluster_relighter.h"
-#include "benchmarks/lab/cluster_relighter.h"
 #include "relight/compressed_light.h"
-#include "benchmarks/lab/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
 #include "support/devices.h"
