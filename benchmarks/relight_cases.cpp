@@ -11,12 +11,12 @@
 #include "basis/sh_rotation.h"
 #include "compress/compression_error.h"
 #include "oracle/relighting.h"
-#include "relight/cluster_relighter.h"
+#include "benchmarks/lab/cluster_relighter.h"
 #include "relight/compressed_light.h"
-#include "relight/dense_relighter.h"
+#include "benchmarks/lab/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
-#include "relight/light_projector.h"
+#include "benchmarks/lab/light_projector.h"
 
 namespace prelight::benchmarks {
 

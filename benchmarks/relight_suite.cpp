@@ -1,6 +1,7 @@
 #include <cstring>
 
 #include "base/parallel.h"
+#include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/relight_cases.h"
 #include "benchmarks/suites.h"
@@ -20,7 +21,7 @@ class DeviceCopy {
         lines_(bytes / (16 * sizeof(float))),
         in_(device, lines_ * 16),
         out_(device, lines_ * 16),
-        kernel_(device, "relight/light_kernels.cl", {}, "copyLanes") {
+        kernel_(device, labKernel(device, "light_kernels.cl"), {}, "copyLanes") {
     in_.fill(1.0f);
   }
 

@@ -61,186 +61,219 @@ const std::vector<Entry>& entries() {
   return list;
 }
 
+/// Of rays, bakes, pictures and transfer.
+void quickenTransfer(BenchmarkOptions& options) {
+  options.runs = 1;
+  options.castRays = 1u << 14;
+  options.rayCount = 1u << 14;
+  options.rayRounds = 3;
+  options.rayTriangles = {2000};
+  options.scalingTriangles = {1000, 2000};
+  options.bakeRays = 16;
+  options.errorRays = {16, 32};
+  options.errorReferenceRays = 64;
+  options.referenceSize = 16;
+  options.referenceSamples = {2, 4};
+  options.referenceLongRun = 16;
+  options.waveletFaceSize = 8;
+  options.waveletReceivers = 12;
+  options.waveletFrames = 3;
+  options.waveletCounts = {5, 20};
+  options.relightVertices = 200;
+  options.relightSkyRows = 16;
+  options.relightRounds = 3;
+  options.animationKeys = {2, 3};
+  options.animationErrors = {0.3};
+  options.animationMoments = 2;
+  options.compressOrder = 2;
+  options.compressBounces = 0;
+  options.compressMethods = {"half", "band8", "pca:2", "vq:8", "cpca:4:2"};
+  options.voScenes = {"shapes"};
+  options.voRays = 16;
+  options.voLights = 2;
+  options.voPoints = 100;
+  options.voCostRays = 16;
+  options.voCostRounds = 1;
+  options.voShadingRounds = 1;
+  options.voShadingVertices = 600;
+  options.voLightCounts = {1, 2, 3};
+}
+
+/// Of radiosity, light maps, encodings and photons.
+void quickenLight(BenchmarkOptions& options) {
+  options.encodingScenes = {"cornell"};
+  options.encodingPlaces = 2;
+  options.encodingSide = 4;
+  options.encodingSamples = 4;
+  options.radiosityScenes = {"cornell"};
+  options.radiosityRays = 64;
+  options.radiosityTolerance = 0.03;
+  options.radiositySeeds = 1;
+  options.lightMapScenes = {"cornell"};
+  options.lightMapRays = 16;
+  options.lightMapPhotons = 1000;
+  options.lightMapTexels = {256, 1024};
+  options.lightMapErrors = {0.5, 0.3};
+  options.lightMapPlaces = 200;
+  options.lightMapTruthRays = 16;
+  options.photonCounts = {2000};
+  options.photonCount = 2000;
+  options.photonLookups = 500;
+  options.causticSide = 32;
+  options.causticPhotons = {2000};
+  options.causticNearest = {10};
+  options.causticRadii = {2.0};
+  options.photonPasses = 4;
+  options.photonsPerPass = 500;
+  options.updateCells = {1, 4};
+  options.updateFrames = 16;
+  options.updateSide = 32;
+  options.updatePhotons = 500;
+  options.updateScenes = {{"cornell", "Short box"}};
+}
+
+/// Of whole techniques and stability.
+void quickenTechnique(BenchmarkOptions& options) {
+  options.techniqueScenes = {"shapes", "crowd under a sky"};
+  options.techniqueRays = 8;
+  options.techniqueOrder = 3;
+  options.techniqueHaarSize = 4;
+  options.techniqueWidth = 32;
+  options.techniqueHeight = 18;
+  options.techniqueSamples = 4;
+  options.techniqueFrames = 1;
+  options.techniqueObjects = 2;
+  options.techniqueLights = 2;
+  options.techniqueSkyRows = 16;
+  options.stabilityOrders = {1, 3, 8};
+  options.stabilityFaceSizes = {4, 16};
+  options.stabilitySkyRows = {16, 64};
+  options.stabilityElementCells = {4, 8};
+  options.stabilityRays = 200;
+  options.stabilityLights = 10000;
+  options.stabilityFlownPhotons = 2000;
+  options.stabilityDensityPhotons = {2000};
+  options.stabilityBakeRays = 16;
+  options.stabilityScenes = {"caustics"};
+}
+
+/// Of rays, bakes, pictures and transfer.
+nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
+  std::vector<std::string> skies;
+  for (const std::filesystem::path& sky : options.skies) skies.push_back(sky.filename().string());
+  return {{"runs", options.runs},
+          {"castRays", options.castRays},
+          {"rayCount", options.rayCount},
+          {"rayRounds", options.rayRounds},
+          {"rayTriangles", options.rayTriangles},
+          {"scalingTriangles", options.scalingTriangles},
+          {"rayPeer", embreeVersion().empty() ? "none" : embreeVersion()},
+          {"bakeRays", options.bakeRays},
+          {"errorRays", options.errorRays},
+          {"errorReferenceRays", options.errorReferenceRays},
+          {"referenceSize", options.referenceSize},
+          {"referenceSamples", options.referenceSamples},
+          {"referenceLongRun", options.referenceLongRun},
+          {"waveletFaceSize", options.waveletFaceSize},
+          {"waveletReceivers", options.waveletReceivers},
+          {"waveletFrames", options.waveletFrames},
+          {"waveletCounts", options.waveletCounts},
+          {"skies", skies},
+          {"relightVertices", options.relightVertices},
+          {"relightSkyRows", options.relightSkyRows},
+          {"relightRounds", options.relightRounds},
+          {"animationKeys", options.animationKeys},
+          {"animationErrors", options.animationErrors},
+          {"animationMoments", options.animationMoments},
+          {"compressOrder", options.compressOrder},
+          {"compressBounces", options.compressBounces},
+          {"compressMethods", options.compressMethods},
+          {"voScenes", options.voScenes},
+          {"voRays", options.voRays},
+          {"voLights", options.voLights},
+          {"voPoints", options.voPoints},
+          {"voCostRays", options.voCostRays},
+          {"voCostRounds", options.voCostRounds},
+          {"voShadingRounds", options.voShadingRounds},
+          {"voShadingVertices", options.voShadingVertices},
+          {"voLightCounts", options.voLightCounts}};
+}
+
+/// Of radiosity, light maps, encodings and photons.
+nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
+  return {{"radiosityScenes", options.radiosityScenes},
+          {"radiosityRays", options.radiosityRays},
+          {"radiosityTolerance", options.radiosityTolerance},
+          {"radiositySeeds", options.radiositySeeds},
+          {"encodingScenes", options.encodingScenes},
+          {"encodingPlaces", options.encodingPlaces},
+          {"encodingSide", options.encodingSide},
+          {"encodingSamples", options.encodingSamples},
+          {"lightMapScenes", options.lightMapScenes},
+          {"lightMapRays", options.lightMapRays},
+          {"lightMapPhotons", options.lightMapPhotons},
+          {"lightMapTexels", options.lightMapTexels},
+          {"lightMapErrors", options.lightMapErrors},
+          {"lightMapPlaces", options.lightMapPlaces},
+          {"lightMapTruthRays", options.lightMapTruthRays},
+          {"photonCounts", options.photonCounts},
+          {"photonCount", options.photonCount},
+          {"photonLookups", options.photonLookups},
+          {"causticSide", options.causticSide},
+          {"causticPhotons", options.causticPhotons},
+          {"causticNearest", options.causticNearest},
+          {"causticRadii", options.causticRadii},
+          {"photonPasses", options.photonPasses},
+          {"photonsPerPass", options.photonsPerPass},
+          {"updateCells", options.updateCells},
+          {"updateFrames", options.updateFrames},
+          {"updateSide", options.updateSide},
+          {"updatePhotons", options.updatePhotons},
+          {"updateScenes", options.updateScenes}};
+}
+
+/// Of whole techniques and stability.
+nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
+  return {{"techniqueScenes", options.techniqueScenes},
+          {"techniqueRays", options.techniqueRays},
+          {"techniqueCrowdRays", options.techniqueCrowdRays},
+          {"techniqueOrder", options.techniqueOrder},
+          {"techniqueHaarSize", options.techniqueHaarSize},
+          {"techniqueWidth", options.techniqueWidth},
+          {"techniqueHeight", options.techniqueHeight},
+          {"techniqueSamples", options.techniqueSamples},
+          {"techniqueFrames", options.techniqueFrames},
+          {"techniqueObjects", options.techniqueObjects},
+          {"techniqueLights", options.techniqueLights},
+          {"techniqueSkyRows", options.techniqueSkyRows},
+          {"stabilityOrders", options.stabilityOrders},
+          {"stabilityFaceSizes", options.stabilityFaceSizes},
+          {"stabilitySkyRows", options.stabilitySkyRows},
+          {"stabilityElementCells", options.stabilityElementCells},
+          {"stabilityRays", options.stabilityRays},
+          {"stabilityLights", options.stabilityLights},
+          {"stabilityPhotons", options.stabilityPhotons},
+          {"stabilityFlownPhotons", options.stabilityFlownPhotons},
+          {"stabilityDensityPhotons", options.stabilityDensityPhotons},
+          {"stabilityBakeRays", options.stabilityBakeRays},
+          {"stabilityScenes", options.stabilityScenes}};
+}
+
 }  // namespace
 
 BenchmarkOptions BenchmarkOptions::quick() {
-  return {.runs = 1,
-          .castRays = 1u << 14,
-          .rayCount = 1u << 14,
-          .rayRounds = 3,
-          .rayTriangles = {2000},
-          .scalingTriangles = {1000, 2000},
-          .bakeRays = 16,
-          .errorRays = {16, 32},
-          .errorReferenceRays = 64,
-          .referenceSize = 16,
-          .referenceSamples = {2, 4},
-          .referenceLongRun = 16,
-          .waveletFaceSize = 8,
-          .waveletReceivers = 12,
-          .waveletFrames = 3,
-          .waveletCounts = {5, 20},
-          .relightVertices = 200,
-          .relightSkyRows = 16,
-          .relightRounds = 3,
-          .animationKeys = {2, 3},
-          .animationErrors = {0.3},
-          .animationMoments = 2,
-          .compressOrder = 2,
-          .compressBounces = 0,
-          .compressMethods = {"half", "band8", "pca:2", "vq:8", "cpca:4:2"},
-          .voScenes = {"shapes"},
-          .voRays = 16,
-          .voLights = 2,
-          .voPoints = 100,
-          .voCostRays = 16,
-          .voCostRounds = 1,
-          .voShadingRounds = 1,
-          .voShadingVertices = 600,
-          .voLightCounts = {1, 2, 3},
-          .radiosityScenes = {"cornell"},
-          .radiosityRays = 64,
-          .radiosityTolerance = 0.03,
-          .radiositySeeds = 1,
-          .lightMapScenes = {"cornell"},
-          .lightMapRays = 16,
-          .lightMapPhotons = 1000,
-          .lightMapTexels = {256, 1024},
-          .lightMapErrors = {0.5, 0.3},
-          .lightMapPlaces = 200,
-          .lightMapTruthRays = 16,
-          .encodingScenes = {"cornell"},
-          .encodingPlaces = 2,
-          .encodingSide = 4,
-          .encodingSamples = 4,
-          .photonCounts = {2000},
-          .photonCount = 2000,
-          .photonLookups = 500,
-          .causticSide = 32,
-          .causticPhotons = {2000},
-          .causticNearest = {10},
-          .causticRadii = {2.0},
-          .photonPasses = 4,
-          .photonsPerPass = 500,
-          .updateCells = {1, 4},
-          .updateFrames = 16,
-          .updateSide = 32,
-          .updatePhotons = 500,
-          .updateScenes = {{"cornell", "Short box"}},
-          .techniqueScenes = {"shapes", "crowd under a sky"},
-          .techniqueRays = 8,
-          .techniqueOrder = 3,
-          .techniqueHaarSize = 4,
-          .techniqueWidth = 32,
-          .techniqueHeight = 18,
-          .techniqueSamples = 4,
-          .techniqueFrames = 1,
-          .techniqueObjects = 2,
-          .techniqueLights = 2,
-          .techniqueSkyRows = 16,
-          .stabilityOrders = {1, 3, 8},
-          .stabilityFaceSizes = {4, 16},
-          .stabilitySkyRows = {16, 64},
-          .stabilityElementCells = {4, 8},
-          .stabilityRays = 200,
-          .stabilityLights = 10000,
-          .stabilityFlownPhotons = 2000,
-          .stabilityDensityPhotons = {2000},
-          .stabilityBakeRays = 16,
-          .stabilityScenes = {"caustics"}};
+  BenchmarkOptions options;
+  quickenTransfer(options);
+  quickenLight(options);
+  quickenTechnique(options);
+  return options;
 }
 
 nlohmann::ordered_json BenchmarkOptions::toJson() const {
-  std::vector<std::string> skyNames;
-  for (const std::filesystem::path& sky : skies) skyNames.push_back(sky.filename().string());
-  return {{"runs", runs},
-          {"castRays", castRays},
-          {"rayCount", rayCount},
-          {"rayRounds", rayRounds},
-          {"rayTriangles", rayTriangles},
-          {"scalingTriangles", scalingTriangles},
-          {"rayPeer", embreeVersion().empty() ? "none" : embreeVersion()},
-          {"bakeRays", bakeRays},
-          {"errorRays", errorRays},
-          {"errorReferenceRays", errorReferenceRays},
-          {"referenceSize", referenceSize},
-          {"referenceSamples", referenceSamples},
-          {"referenceLongRun", referenceLongRun},
-          {"radiosityScenes", radiosityScenes},
-          {"radiosityRays", radiosityRays},
-          {"radiosityTolerance", radiosityTolerance},
-          {"radiositySeeds", radiositySeeds},
-          {"waveletFaceSize", waveletFaceSize},
-          {"waveletReceivers", waveletReceivers},
-          {"waveletFrames", waveletFrames},
-          {"waveletCounts", waveletCounts},
-          {"skies", skyNames},
-          {"relightVertices", relightVertices},
-          {"relightSkyRows", relightSkyRows},
-          {"relightRounds", relightRounds},
-          {"animationKeys", animationKeys},
-          {"animationErrors", animationErrors},
-          {"animationMoments", animationMoments},
-          {"compressOrder", compressOrder},
-          {"compressBounces", compressBounces},
-          {"compressMethods", compressMethods},
-          {"voScenes", voScenes},
-          {"voRays", voRays},
-          {"voLights", voLights},
-          {"voPoints", voPoints},
-          {"voCostRays", voCostRays},
-          {"voCostRounds", voCostRounds},
-          {"voShadingRounds", voShadingRounds},
-          {"voShadingVertices", voShadingVertices},
-          {"voLightCounts", voLightCounts},
-          {"lightMapScenes", lightMapScenes},
-          {"lightMapRays", lightMapRays},
-          {"lightMapPhotons", lightMapPhotons},
-          {"lightMapTexels", lightMapTexels},
-          {"lightMapErrors", lightMapErrors},
-          {"lightMapPlaces", lightMapPlaces},
-          {"lightMapTruthRays", lightMapTruthRays},
-          {"encodingScenes", encodingScenes},
-          {"encodingPlaces", encodingPlaces},
-          {"encodingSide", encodingSide},
-          {"encodingSamples", encodingSamples},
-          {"photonCounts", photonCounts},
-          {"photonCount", photonCount},
-          {"photonLookups", photonLookups},
-          {"causticSide", causticSide},
-          {"causticPhotons", causticPhotons},
-          {"causticNearest", causticNearest},
-          {"causticRadii", causticRadii},
-          {"photonPasses", photonPasses},
-          {"photonsPerPass", photonsPerPass},
-          {"updateCells", updateCells},
-          {"updateFrames", updateFrames},
-          {"updateSide", updateSide},
-          {"updatePhotons", updatePhotons},
-          {"updateScenes", updateScenes},
-          {"techniqueScenes", techniqueScenes},
-          {"techniqueRays", techniqueRays},
-          {"techniqueCrowdRays", techniqueCrowdRays},
-          {"techniqueOrder", techniqueOrder},
-          {"techniqueHaarSize", techniqueHaarSize},
-          {"techniqueWidth", techniqueWidth},
-          {"techniqueHeight", techniqueHeight},
-          {"techniqueSamples", techniqueSamples},
-          {"techniqueFrames", techniqueFrames},
-          {"techniqueObjects", techniqueObjects},
-          {"techniqueLights", techniqueLights},
-          {"techniqueSkyRows", techniqueSkyRows},
-          {"stabilityOrders", stabilityOrders},
-          {"stabilityFaceSizes", stabilityFaceSizes},
-          {"stabilitySkyRows", stabilitySkyRows},
-          {"stabilityElementCells", stabilityElementCells},
-          {"stabilityRays", stabilityRays},
-          {"stabilityLights", stabilityLights},
-          {"stabilityPhotons", stabilityPhotons},
-          {"stabilityFlownPhotons", stabilityFlownPhotons},
-          {"stabilityDensityPhotons", stabilityDensityPhotons},
-          {"stabilityBakeRays", stabilityBakeRays},
-          {"stabilityScenes", stabilityScenes}};
+  nlohmann::ordered_json json = transferJson(*this);
+  json.update(lightJson(*this));
+  json.update(techniqueJson(*this));
+  return json;
 }
 
 const std::vector<BenchmarkSuite>& suites() {

@@ -17,7 +17,7 @@ enum class Attribute : GLuint {
   EmissiveTexCoord = 3,  ///< vec2
   Color = 4,             ///< vec4, linear
   Accessibility = 5,     ///< float, baked AO or what a transfer does to an even sky
-  BentNormal = 6,        ///< vec3, baked; zero where there is none
+  BentNormal = 6,        ///< vec4, baked, w: aperture of its cone; zero where there is none
   Radiance = 7,          ///< vec3, transferred light before albedo
   Glow = 8,              ///< vec3, factor of the emission
   ChartCoord = 9,        ///< vec4: place and layer in the light maps, 1 where there is one

@@ -376,7 +376,7 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::P
   // Attributes without an array read these: a white colour, an open sky.
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 1.0f);
-  glVertexAttrib3f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f);
+  glVertexAttrib4f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Radiance), 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Glow), 1.0f, 1.0f, 1.0f);
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);

@@ -71,6 +71,13 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
        request.lightMap.wanted = true;
        request.lightMap.texelSize = asked.lightMap.texelSize;
      }},
+    {Shading::Cones, "cones", "sky, lights and reflections through the cone that is open above a surface",
+     "--cones",
+     [](const Bake& bake) {
+       return !bake.ao.empty() && !bake.bentNormals.empty() && !bake.apertures.empty();
+     },
+     [](const BakeRequest& request) { return request.cones; },
+     [](BakeRequest& request, const BakeRequest&) { request.ao = request.cones = true; }},
     {Shading::Full, "full", "all light, with caustics, mirrors and glass", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
@@ -78,8 +85,8 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
 
 /// From the one that shows most.
 constexpr std::array<Shading, shadingCount> byPreference = {
-    Shading::Sh,        Shading::Ch, Shading::Glossy, Shading::Haar,  Shading::Lights, Shading::LightMap,
-    Shading::Radiosity, Shading::Vo, Shading::Ao,     Shading::Phong, Shading::Full};
+    Shading::Sh,        Shading::Ch, Shading::Glossy, Shading::Haar, Shading::Lights, Shading::LightMap,
+    Shading::Radiosity, Shading::Vo, Shading::Cones,  Shading::Ao,   Shading::Phong,  Shading::Full};
 
 }  // namespace
 

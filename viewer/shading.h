@@ -22,10 +22,11 @@ enum class Shading : std::uint8_t {
   Vo,         ///< lights anywhere with the shadows and the diffuse light of vector occluders
   Radiosity,  ///< the baked irradiance of the scene's own lights, with all diffuse bounces
   LightMap,   ///< the same from the texels of a light map
+  Cones,      ///< sky, lights and reflections through the baked cone about the bent normal
   Full,       ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and glass
 };
 
-constexpr int shadingCount = 11;
+constexpr int shadingCount = 12;
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {

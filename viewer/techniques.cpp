@@ -18,12 +18,12 @@
 namespace prelight::viewer {
 namespace {
 
-/// Ambient occlusion: nothing but attributes.
+/// Ambient occlusion and its cones: nothing but attributes.
 class AoAttributes : public DrawnTransfer {
  public:
   explicit AoAttributes(const Bake& bake)
       : accessibility_(Attribute::Accessibility, std::span<const float>(bake.ao)),
-        bentNormals_(Attribute::BentNormal, std::span<const glm::vec3>(bake.bentNormals)) {}
+        bentNormals_(Attribute::BentNormal, std::span<const glm::vec4>(cones(bake))) {}
 
   void light(const Illumination&) override {}
   void bind(const gl::Program& program) const override {
@@ -34,6 +34,14 @@ class AoAttributes : public DrawnTransfer {
   void describe(const Illumination&, Warnings&) const override {}
 
  private:
+  /// [vertex], bent normal and aperture; 0 where the bake has none.
+  static std::vector<glm::vec4> cones(const Bake& bake) {
+    std::vector<glm::vec4> cones;
+    for (std::size_t v = 0; v < bake.bentNormals.size(); ++v)
+      cones.emplace_back(bake.bentNormals[v], bake.apertures.empty() ? 0.0f : bake.apertures[v]);
+    return cones;
+  }
+
   VertexStream accessibility_;
   VertexStream bentNormals_;
 };
@@ -121,6 +129,10 @@ constexpr std::array<Technique, shadingCount> table = {{
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<LightMapLighting>(*inputs.bake->lightMap, inputs.compiled);
      }},
+    {{Ambient::Cone, Reflection::Everywhere, Through::None},
+     [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
+       return std::make_unique<AoAttributes>(*inputs.bake);
+     }},
     {{Ambient::LightMap, Reflection::Everywhere, Through::None},
      [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
 }};
@@ -188,6 +200,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   if (!bake.ao.empty()) expectSize("ambient occlusion", bake.ao.size(), vertices);
   if (bake.irradiance) expectSize("irradiance", bake.irradiance->size(), vertices);
   if (!bake.bentNormals.empty()) expectSize("bent normals", bake.bentNormals.size(), vertices);
+  if (!bake.apertures.empty()) expectSize("occlusion cones", bake.apertures.size(), vertices);
   if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
   if (bake.ch) checkHarmonics("CH transfer", *bake.ch, vertices);
   if (const auto& compressed = bake.compressedSh) {

@@ -13,7 +13,8 @@ enum class Ambient : int {
   Open = 0,         ///< the sky around the normal
   Accessible = 1,   ///< the sky around the bent normal, occluded
   Transferred = 2,  ///< the transferred radiance
-  LightMap = 3,     ///< the irradiance of a light map
+  Cone = 4,  ///< the sky through the cone about the bent normal, which shadows lights and reflections, too
+  LightMap = 3,  ///< the irradiance of a light map
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.

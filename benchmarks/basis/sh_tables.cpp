@@ -8,7 +8,7 @@
 
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "basis/sh_device.h"
+#include "benchmarks/lab/sh_device.h"
 #include "basis/sh_table.h"
 #include "tables.h"
 

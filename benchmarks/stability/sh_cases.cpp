@@ -1,11 +1,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "basis/sh_device.h"
 #include "basis/sh_evaluate.h"
 #include "basis/sh_rotation.h"
+#include "benchmarks/lab/light_projector.h"
+#include "benchmarks/lab/sh_device.h"
 #include "benchmarks/stability/cases.h"
-#include "relight/light_projector.h"
 
 namespace prelight::benchmarks::stability {
 

@@ -6,8 +6,8 @@
 #include "basis/cube_map.h"
 #include "basis/haar.h"
 #include "basis/sh_environment.h"
+#include "benchmarks/lab/light_projector.h"
 #include "benchmarks/stability/cases.h"
-#include "relight/light_projector.h"
 
 namespace prelight::benchmarks::stability {
 

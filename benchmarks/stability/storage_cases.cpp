@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/octahedral.h"
+#include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "compress/half_float.h"
@@ -129,8 +130,8 @@ void packed(Trials& trials) {
   const Buffer<glm::vec4> in(device, std::span<const glm::vec4>(directions)),
       unpacked(device, directions.size());
   const Buffer<std::uint32_t> bits(device, directions.size());
-  launchOnce(device, "photon/direction_probe_kernels.cl", {}, "probeDirections", directions.size(),
-             static_cast<std::uint32_t>(directions.size()), in, bits, unpacked);
+  launchOnce(device, labKernel(device, "direction_probe_kernels.cl"), {}, "probeDirections",
+             directions.size(), static_cast<std::uint32_t>(directions.size()), in, bits, unpacked);
   const std::vector<glm::vec4> got = unpacked.read();
   Differences differences;
   for (std::size_t i = 0; i < got.size(); ++i)
@@ -148,7 +149,7 @@ void copies(Trials& trials) {
               : i % 4 == 2 ? 0x7fc00001u
                            : 0x80000000u;
   const Buffer<std::uint32_t> in(device, std::span<const std::uint32_t>(bits)), out(device, bits.size());
-  launchOnce(device, "relight/light_kernels.cl", {}, "copyLanes", {bits.size() / 16, 1}, in,
+  launchOnce(device, labKernel(device, "light_kernels.cl"), {}, "copyLanes", {bits.size() / 16, 1}, in,
              static_cast<std::uint32_t>(bits.size() / 16), out);
   const std::vector<std::uint32_t> got = out.read();
   Differences differences;

@@ -16,7 +16,7 @@ struct Subject {
   std::string truth;                 ///< what it is compared with
   std::string scale;                 ///< what errors are relative to
   std::string rests;                 ///< why the bound is what it is
-  std::vector<std::string> kernels;  ///< that it runs: "basis/sh_evaluate_kernels.cl:evaluateSh"
+  std::vector<std::string> kernels;  ///< that it runs: "lab/kernels/sh_evaluate_kernels.cl:evaluateSh"
   void (*run)(Trials&) = nullptr;
 };
 

@@ -2,13 +2,14 @@
 #include <array>
 #include <cmath>
 
+#include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "device/launch_once.h"
 #include "gpu/light_tables.h"
 #include "shared/shade_types.h"
 
-// How surfaces scatter light, and how the sky is sampled: kernels/integrate/probe_kernels.cl.
+// How surfaces scatter light, and how the sky is sampled: benchmarks/lab/kernels/bsdf_probe_kernels.cl.
 namespace prelight::benchmarks::stability {
 
 namespace {
@@ -104,7 +105,7 @@ void reflect(const Surface& surface, double alpha, const char* stress, double le
   const Buffer<glm::vec4> out(device, std::span<const glm::vec4>(pairs.out)),
       in(device, std::span<const glm::vec4>(pairs.in)), reflections(device, 2 * count);
   const Buffer<float> densities(device, count);
-  launchOnce(device, "integrate/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY"),
+  launchOnce(device, labKernel(device, "bsdf_probe_kernels.cl"), BuildOptions().define("PRELIGHT_GLOSSY"),
              "probeReflection", count, valueBuffer, static_cast<std::uint32_t>(count), out, in, reflections,
              densities);
   const std::vector<glm::vec4> got = reflections.read();
@@ -132,8 +133,8 @@ void scatter(const Surface& surface, double alpha, double cosine, Trials& trials
   const std::vector<float> values = valuesOf(surface, alpha);
   const Buffer<float> valueBuffer(device, std::span<const float>(values));
   const Buffer<glm::vec4> out(device, std::span(&wo, 1)), samples(device, 2 * count);
-  launchOnce(device, "integrate/probe_kernels.cl", BuildOptions().define("PRELIGHT_GLOSSY"), "probeScatter",
-             count, valueBuffer, static_cast<std::uint32_t>(count), out, samples);
+  launchOnce(device, labKernel(device, "bsdf_probe_kernels.cl"), BuildOptions().define("PRELIGHT_GLOSSY"),
+             "probeScatter", count, valueBuffer, static_cast<std::uint32_t>(count), out, samples);
   Differences differences;
   const std::vector<glm::vec4> drawn = samples.read();
   for (std::size_t i = 0; i < count; ++i)
@@ -157,8 +158,9 @@ void sampleSky(const char* stress, bool sun, double even, int rows, Trials& tria
   const Buffer<std::uint32_t> tableBuffer(device, std::span<const std::uint32_t>(tables.tables));
   const Buffer<glm::vec4> texels(device, std::span<const glm::vec4>(tables.sky)), directions(device, count),
       lookups(device, count);
-  launchOnce(device, "integrate/probe_kernels.cl", BuildOptions().define("PRELIGHT_SKY"), "probeSky", count,
-             parameters, static_cast<std::uint32_t>(count), tableBuffer, texels, directions, lookups);
+  launchOnce(device, labKernel(device, "bsdf_probe_kernels.cl"), BuildOptions().define("PRELIGHT_SKY"),
+             "probeSky", count, parameters, static_cast<std::uint32_t>(count), tableBuffer, texels,
+             directions, lookups);
   const std::vector<glm::vec4> drawn = directions.read(), found = lookups.read();
   const std::span<const std::uint32_t> all(tables.tables);
   Differences differences;

@@ -1,13 +1,13 @@
 #include <array>
 #include <cmath>
 
+#include "benchmarks/lab/cluster_relighter.h"
+#include "benchmarks/lab/dense_relighter.h"
 #include "benchmarks/stability/cases.h"
 #include "compress/compression_error.h"
 #include "compress/half_float.h"
 #include "oracle/relighting.h"
-#include "relight/cluster_relighter.h"
 #include "relight/compressed_light.h"
-#include "relight/dense_relighter.h"
 #include "relight/glossy_relighter.h"
 #include "relight/haar_relighter.h"
 

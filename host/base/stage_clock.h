@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Files the time since the last mark under a name.
+/// Files the time since the last mark under a name; marks of the same name one after the other add up.
 class StageClock {
  public:
   /// `seconds` outlives it.
@@ -17,7 +17,8 @@ class StageClock {
 
   void mark(const std::string& stage) {
     const auto now = Clock::now();
-    seconds_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    if (seconds_.empty() || seconds_.back().first != stage) seconds_.emplace_back(stage, 0.0);
+    seconds_.back().second += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
 

@@ -44,7 +44,8 @@ std::string techniqueText(const BakeRequest& request) {
   const auto add = [&](bool given, const std::string& option) {
     if (given) text += (text.empty() ? "" : " ") + option;
   };
-  add(request.ao, "--ao");
+  add(request.ao && !request.cones, "--ao");
+  add(request.cones, "--cones");
   add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
   add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
   add(request.haar.size > 0, fmt::format("--haar {}", request.haar.size));
@@ -247,6 +248,10 @@ void addShadowSetOptions(CLI::App& app, BakeRequest& request) {
 void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   BakeRequest& request = options.request;
   app.add_flag("--ao", request.ao, "ambient occlusion and bent normal");
+  app.add_flag_callback(
+      "--cones", [&] { request.ao = request.cones = true; },
+      "the same, with the angle of the cone about the bent normal that is open, to shadow sky, lights and "
+      "reflections");
   addOrder(app, "--sh", BakeRequest::maxShOrder, request.sh.order,
            "spherical-harmonic transfer of this order (order squared coefficients)");
   addOrder(app, "--ch", BakeRequest::maxShOrder, request.ch.order,

@@ -50,8 +50,9 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   for (const viewer::Shading shading : missing) {
     const viewer::ShadingInfo& info = viewer::infoOf(shading);
     info.addTo(request, asked);
-    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Vo &&
-                         shading != viewer::Shading::Radiosity && shading != viewer::Shading::LightMap;
+    const bool bounces = shading != viewer::Shading::Ao && shading != viewer::Shading::Cones &&
+                         shading != viewer::Shading::Vo && shading != viewer::Shading::Radiosity &&
+                         shading != viewer::Shading::LightMap;
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
@@ -69,6 +70,7 @@ void mergeBake(Bake& into, Bake&& from) {
   if (!from.ao.empty()) {
     into.ao = std::move(from.ao);
     into.bentNormals = std::move(from.bentNormals);
+    into.apertures = std::move(from.apertures);
   }
   const auto take = [](auto& to, auto& part) {
     if (part) to = std::move(part);

@@ -1,6 +1,6 @@
-# Writes OUTPUT: a C++ table of the FILES' texts by path relative to ROOT.
+# Writes OUTPUT: a C++ table of the FILES' texts by path relative to ROOT, the function NAME that HEADER declares.
 # Texts are split into pieces, because compilers bound the length of one literal.
-set(body "#include \"device/kernel_sources.h\"\n\nnamespace prelight {\n\nconst std::map<std::string, std::string>& kernelSources() {\n  static const std::map<std::string, std::string> sources = {\n")
+set(body "#include \"${HEADER}\"\n\nnamespace prelight {\n\nconst std::map<std::string, std::string>& ${NAME}() {\n  static const std::map<std::string, std::string> sources = {\n")
 foreach(file ${FILES})
   file(RELATIVE_PATH name ${ROOT} ${file})
   file(READ ${file} hex HEX)

@@ -39,35 +39,38 @@ StructLayout layoutOf(const char* name, std::size_t offset) {
   return {name, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(offset)};
 }
 
-}  // namespace
+/// Of rays, scenes, casts and vector occluders.
+std::vector<StructLayout> layoutsOfTracing() {
+  return {layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
+          layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
+          layoutOf<WideNode, 224>("WideNode", offsetof(WideNode, child)),
+          layoutOf<TriangleBlock, 320>("TriangleBlock", offsetof(TriangleBlock, triangle)),
+          layoutOf<NarrowNode, 64>("NarrowNode", offsetof(NarrowNode, child)),
+          layoutOf<NarrowTriangle, 40>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
+          layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
+          layoutOf<DeviceTriangle, 16>("DeviceTriangle", offsetof(DeviceTriangle, material)),
+          layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
+          layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
+          layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
+          layoutOf<ReferenceParameters, 208>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
+          layoutOf<ShadeMaterial, 64>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
+          layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
+          layoutOf<PathState, 48>("PathState", offsetof(PathState, diffuseBounces)),
+          layoutOf<ShadowItem, 16>("ShadowItem", offsetof(ShadowItem, path)),
+          layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
+          layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
+          layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, slot)),
+          layoutOf<OccluderWaySums, 32>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
+          layoutOf<GlassPath, 20>("GlassPath", offsetof(GlassPath, medium)),
+          layoutOf<OccluderLight, 64>("OccluderLight", offsetof(OccluderLight, twoSided)),
+          layoutOf<OccluderReceiverPoint, 48>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
+          layoutOf<LitVertex, 48>("LitVertex", offsetof(LitVertex, pad1)),
+          layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
+}
 
-std::vector<StructLayout> hostLayouts() {
+/// Of photons, gathering, radiosity and the buffers that scenes lie in.
+std::vector<StructLayout> layoutsOfLight() {
   return {
-      layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
-      layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
-      layoutOf<WideNode, 224>("WideNode", offsetof(WideNode, child)),
-      layoutOf<TriangleBlock, 320>("TriangleBlock", offsetof(TriangleBlock, triangle)),
-      layoutOf<NarrowNode, 64>("NarrowNode", offsetof(NarrowNode, child)),
-      layoutOf<NarrowTriangle, 40>("NarrowTriangle", offsetof(NarrowTriangle, triangle)),
-      layoutOf<DeviceMaterial, 48>("DeviceMaterial", offsetof(DeviceMaterial, wrapT)),
-      layoutOf<DeviceTriangle, 16>("DeviceTriangle", offsetof(DeviceTriangle, material)),
-      layoutOf<Receiver, 48>("Receiver", offsetof(Receiver, firstSample)),
-      layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
-      layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
-      layoutOf<ReferenceParameters, 208>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
-      layoutOf<ShadeMaterial, 64>("ShadeMaterial", offsetof(ShadeMaterial, flags)),
-      layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
-      layoutOf<PathState, 48>("PathState", offsetof(PathState, diffuseBounces)),
-      layoutOf<ShadowItem, 16>("ShadowItem", offsetof(ShadowItem, path)),
-      layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),
-      layoutOf<OccluderSums, 64>("OccluderSums", offsetof(OccluderSums, group)),
-      layoutOf<OccluderWay, 32>("OccluderWay", offsetof(OccluderWay, slot)),
-      layoutOf<OccluderWaySums, 32>("OccluderWaySums", offsetof(OccluderWaySums, pad)),
-      layoutOf<GlassPath, 20>("GlassPath", offsetof(GlassPath, medium)),
-      layoutOf<OccluderLight, 64>("OccluderLight", offsetof(OccluderLight, twoSided)),
-      layoutOf<OccluderReceiverPoint, 48>("OccluderReceiverPoint", offsetof(OccluderReceiverPoint, pad1)),
-      layoutOf<LitVertex, 48>("LitVertex", offsetof(LitVertex, pad1)),
-      layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ)),
       layoutOf<Photon, 32>("Photon", offsetof(Photon, direction)),
       layoutOf<LeafTree, 16>("LeafTree", offsetof(LeafTree, count)),
       layoutOf<PhotonBlock, 256>("PhotonBlock", offsetof(PhotonBlock, direction)),
@@ -107,6 +110,15 @@ std::vector<StructLayout> hostLayouts() {
       layoutOf<RelaxStep, 16>("RelaxStep", offsetof(RelaxStep, perSide)),
       layoutOf<LightGroupLine, 64>("LightGroupLine", offsetof(LightGroupLine, words)),
       layoutOf<LightGroupLayout, 36>("LightGroupLayout", offsetof(LightGroupLayout, normals))};
+}
+
+}  // namespace
+
+std::vector<StructLayout> hostLayouts() {
+  std::vector<StructLayout> layouts = layoutsOfTracing();
+  const std::vector<StructLayout> more = layoutsOfLight();
+  layouts.insert(layouts.end(), more.begin(), more.end());
+  return layouts;
 }
 
 std::vector<StructLayout> deviceLayouts(DeviceContext& device) {

@@ -12,7 +12,7 @@ constexpr int haarBounceOrder = 6;  // bands that carry what bounces add to wave
 
 BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
-  request.ao = false;
+  request.ao = request.cones = false;
   request.sh = {};
   request.ch.order = request.haar.size = request.glossy.order = request.volume.size = request.texels.size = 0;
   request.lightGroups = {};

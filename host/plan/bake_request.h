@@ -95,7 +95,8 @@ struct Effort {
 
 /// What the user asked a bake for: a part a technique, and what all of them share.
 struct BakeRequest {
-  bool ao = false;  ///< ambient occlusion and bent normal
+  bool ao = false;     ///< ambient occlusion and bent normal
+  bool cones = false;  ///< how wide the cone about the bent normal is that is open; needs ao
   ShRequest sh;
   ChRequest ch;
   HaarRequest haar;

@@ -59,10 +59,11 @@ enum class Pass : std::uint8_t {
   Textures,
   ShadowMaps,
   EnvironmentMaps,
+  OcclusionCones,
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 46> passNames = {"cast",
+constexpr std::array<std::string_view, 47> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -107,7 +108,8 @@ constexpr std::array<std::string_view, 46> passNames = {"cast",
                                                         "absorption",
                                                         "textures",
                                                         "shadow maps",
-                                                        "environment maps"};
+                                                        "environment maps",
+                                                        "occlusion cones"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 

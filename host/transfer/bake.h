@@ -31,6 +31,8 @@ struct BakeInfo {
 struct Bake {
   std::vector<float> ao;               ///< [vertex], cosine-weighted accessibility in [0,1], 1 = open
   std::vector<glm::vec3> bentNormals;  ///< [vertex], unit
+  std::vector<float> apertures;  ///< [vertex], cosine of half the angle of the cone about the bent normal
+                                 ///< that lets through what `ao` says, 0..1
   std::optional<HarmonicTransfer> sh;
   std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
   std::optional<HarmonicTransfer> ch;

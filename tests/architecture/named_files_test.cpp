@@ -32,7 +32,7 @@ std::vector<std::string> matchesIn(const std::string& text, const std::string& p
 
 /// Files are named from the root, or from where includes begin.
 bool existsBelowAny(const std::string& name) {
-  constexpr std::array<const char*, 5> bases = {"", "host", "kernels", "viewer", "tests"};
+  constexpr std::array<const char*, 7> bases = {"", "host", "kernels", "viewer", "tests", "benchmarks", "benchmarks/lab"};
   return std::any_of(bases.begin(), bases.end(),
                      [&](const char* base) { return fs::exists(test::sourceRoot() / base / name); });
 }

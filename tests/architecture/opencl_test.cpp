@@ -60,6 +60,15 @@ std::vector<Function> functionsOf(const std::string& text) {
 }
 
 /// The counts count: of parameters, of lines, and past comments and branches of the preprocessor.
+/// Of the library and of the laboratory.
+std::vector<std::string> kernelFiles() {
+  std::vector<std::string> files = filesBelow("kernels", {".cl"});
+  const std::vector<std::string> lab = filesBelow("benchmarks/lab/kernels", {".cl"});
+  EXPECT_FALSE(files.empty() || lab.empty()) << "the sources were not found";
+  files.insert(files.end(), lab.begin(), lab.end());
+  return files;
+}
+
 TEST(OpenCl, FunctionsOfAText_AreFoundWithTheirLengths) {
   const std::vector<Function> functions = functionsOf(
       "#define TWICE(x) { x, x }\n"
@@ -83,13 +92,13 @@ TEST(OpenCl, FunctionsOfAText_AreFoundWithTheirLengths) {
 
 /// What travels together is a struct or a buffer: a longer list is read by nobody.
 TEST(OpenCl, ParametersOfKernelsAndFunctions_AreTwelveAtMost) {
-  for (const std::string& file : filesBelow("kernels", {".cl"}))
+  for (const std::string& file : kernelFiles())
     for (const Function& function : functionsOf(textOf(file)))
       EXPECT_LE(function.parameters, mostParameters) << file << ": " << function.name;
 }
 
 TEST(OpenCl, KernelsAndFunctions_AreSixtyLinesLongAtMost) {
-  for (const std::string& file : filesBelow("kernels", {".cl"}))
+  for (const std::string& file : kernelFiles())
     for (const Function& function : functionsOf(textOf(file)))
       EXPECT_LE(function.lines, mostLines) << file << ": " << function.name;
 }

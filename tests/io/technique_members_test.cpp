@@ -47,6 +47,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   Bake bake;
   bake.ao = numbers(vertices);
   bake.bentNormals.assign(vertices, {0, 1, 0});
+  bake.apertures = numbers(vertices);
   bake.sh = bake.ch = harmonics;
   bake.compressedSh = compress(harmonics, parseCompression("half"));
   bake.animation = AnimatedTransfer{0, {0.0}, {harmonics}};

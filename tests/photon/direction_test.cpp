@@ -3,6 +3,7 @@
 #include <random>
 
 #include "base/octahedral.h"
+#include "benchmarks/lab/lab_kernels.h"
 #include "device/launch_once.h"
 #include "support/devices.h"
 #include "support/scenes.h"
@@ -39,8 +40,8 @@ Probed probe(const std::vector<glm::vec3>& directions) {
   const Buffer<glm::vec4> in(device, std::span<const glm::vec4>(padded));
   const Buffer<std::uint32_t> packed(device, directions.size());
   const Buffer<glm::vec4> unpacked(device, directions.size());
-  launchOnce(device, "photon/direction_probe_kernels.cl", {}, "probeDirections", directions.size(),
-             static_cast<std::uint32_t>(directions.size()), in, packed, unpacked);
+  launchOnce(device, labKernel(device, "direction_probe_kernels.cl"), {}, "probeDirections",
+             directions.size(), static_cast<std::uint32_t>(directions.size()), in, packed, unpacked);
   return {packed.read(), unpacked.read()};
 }
 

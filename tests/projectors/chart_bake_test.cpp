@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "basis/quadrature.h"
 #include "basis/sh.h"
-#include "projectors/chart_caster.h"
+#include "projectors/texels/chart_caster.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 

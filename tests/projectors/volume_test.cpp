@@ -8,7 +8,7 @@
 #include "bake/make_plan.h"
 #include "base/error.h"
 #include "basis/sh.h"
-#include "projectors/volume_caster.h"
+#include "projectors/volume/volume_caster.h"
 #include "support/devices.h"
 #include "support/scenes.h"
 

@@ -5,12 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "benchmarks/lab/lab_kernels.h"
 #include "device/launch_once.h"
 #include "support/devices.h"
 
 namespace prelight::test {
 
-/// What kernels/integrate/probe_kernels.cl says of pairs of directions.
+/// What benchmarks/lab/kernels/bsdf_probe_kernels.cl says of pairs of directions.
 struct Probed {
   std::vector<glm::vec4> scattered;  ///< diffuse and glossy part of each pair, times the cosine
   std::vector<float> densities;      ///< with which the second would have been drawn, 1/sr
@@ -42,7 +43,7 @@ class BsdfProbe {
         to(device, std::span<const glm::vec4>(wi));
     const Buffer<glm::vec4> scattered(device, 2 * wo.size());
     const Buffer<float> densities(device, wo.size());
-    launchOnce(device, file, options_, "probeReflection", wo.size(), surface,
+    launchOnce(device, labKernel(device, file), options_, "probeReflection", wo.size(), surface,
                static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
     return {scattered.read(), densities.read()};
   }
@@ -51,8 +52,8 @@ class BsdfProbe {
     DeviceContext& device = sharedDevice().context();
     const Buffer<float> surface(device, std::span<const float>(values_));
     const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), samples(device, 2 * count);
-    launchOnce(device, file, options_, "probeScatter", count, surface, static_cast<std::uint32_t>(count),
-               from, samples);
+    launchOnce(device, labKernel(device, file), options_, "probeScatter", count, surface,
+               static_cast<std::uint32_t>(count), from, samples);
     const std::vector<glm::vec4> read = samples.read();
     std::vector<ProbedSample> drawn(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -61,7 +62,7 @@ class BsdfProbe {
   }
 
  private:
-  static constexpr const char* file = "integrate/probe_kernels.cl";
+  static constexpr const char* file = "bsdf_probe_kernels.cl";
 
   BuildOptions options_;
   std::vector<float> values_;

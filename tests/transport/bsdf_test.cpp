@@ -5,14 +5,16 @@
 #include <numbers>
 #include <random>
 
+#include "benchmarks/lab/lab_kernels.h"
 #include "device/context.h"
 #include "device/launch_once.h"
 #include "gpu/light_tables.h"
-#include "transport/bsdf_probe.h"
 #include "shared/shade_types.h"
 #include "support/devices.h"
+#include "transport/bsdf_probe.h"
 
-// The kernels' reflection, its samplers and the sky's, one by one (kernels/integrate/probe_kernels.cl).
+// The kernels' reflection, its samplers and the sky's, one by one
+// (benchmarks/lab/kernels/bsdf_probe_kernels.cl).
 namespace prelight::test {
 namespace {
 
@@ -262,8 +264,8 @@ TEST(SkySampling, Directions_FollowTheirDensityAndIntegrateTheSky) {
   const Buffer<std::uint32_t> table(device, std::span<const std::uint32_t>(tables.tables));
   const Buffer<glm::vec4> texels(device, std::span<const glm::vec4>(tables.sky));
   const Buffer<glm::vec4> directions(device, count), lookups(device, count);
-  launchOnce(device, "integrate/probe_kernels.cl", BuildOptions().define("PRELIGHT_SKY"), "probeSky", count,
-             p, static_cast<std::uint32_t>(count), table, texels, directions, lookups);
+  launchOnce(device, labKernel(device, "bsdf_probe_kernels.cl"), BuildOptions().define("PRELIGHT_SKY"),
+             "probeSky", count, p, static_cast<std::uint32_t>(count), table, texels, directions, lookups);
 
   double sphere = 0.0, blue = 0.0;
   std::size_t unequal = 0;

@@ -17,6 +17,7 @@ const int ambientOpen = 0;
 const int ambientAccessible = 1;
 const int ambientTransferred = 2;
 const int ambientLightMap = 3;
+const int ambientCone = 4;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;

@@ -11,6 +11,7 @@
 #include "material.glsl"
 #include "specular.glsl"
 #include "sky.glsl"
+#include "cones.glsl"
 #include "triangles.glsl"
 #include "glossy.glsl"
 #include "light_map.glsl"
@@ -22,7 +23,7 @@ in vec4 vTexCoords;
 in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 in float vAccessibility;
-in vec3 vBentNormal;
+in vec4 vBentNormal;
 in vec3 vTransferred;
 in vec3 vGlow;
 in vec4 vChartCoord;
@@ -44,6 +45,12 @@ vec3 shadingNormal() {
   return gl_FrontFacing ? n : -n;
 }
 
+// Of the side that has one: axis and aperture.
+bool hasCone() {
+  return rules.x == ambientCone && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12;
+}
+vec4 openCone() { return vec4(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0)); }
+
 bool isTransferred(Light light) {
   return rules.z == throughAllLights || (rules.z == throughFarLights && isFar(light));
 }
@@ -58,6 +65,7 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
     vec3 toLight;
     vec3 perpendicular = perpendicularIrradiance(lights[k], vPosition, toLight);
     vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
+    if (hasCone()) irradiance *= lampInCone(openCone(), vAccessibility, toLight);
     if (!transferred) sum += irradiance * m.albedo / pi;
     if (!transferred && translucency.a > 0.0) sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
     if (specularWeight > 0.0) {
@@ -88,11 +96,11 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
     return m.albedo * (vChartCoord.w > 0.5 ? texture(lightMaps, vChartCoord.xyz).rgb : vTransferred);
   }
   vec3 around = n;
-  if (rules.x == ambientAccessible && gl_FrontFacing && dot(vBentNormal, vBentNormal) > 1e-12) {
-    around = normalize(vBentNormal);
+  if (rules.x == ambientAccessible && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12) {
+    around = normalize(vBentNormal.xyz);
   }
   vec3 open = rules.w != 0 ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
-  vec3 radiance = m.albedo * open * ambientAround(around);
+  vec3 radiance = m.albedo * open * (hasCone() ? skyInCone(openCone()) : ambientAround(around));
   // How open the other side is is not known: as open as this one.
   if (translucency.a > 0.0) radiance += m.through * vAccessibility * ambientAround(-around);
   return radiance;
@@ -123,7 +131,9 @@ void main() {
   if (rules.y == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);
   } else {
-    radiance += reflectance * vAccessibility * skyRadiance(reflect(-toEye, n), levelOfRoughness(m.roughness));
+    vec3 reflected = reflect(-toEye, n);
+    float open = hasCone() ? lobeInCone(openCone(), m.roughness, reflected) : vAccessibility;
+    radiance += reflectance * open * skyRadiance(reflected, levelOfRoughness(m.roughness));
   }
 
   vec3 through = m.transmission * m.base * (vec3(1.0) - clamp(reflectance, 0.0, 1.0));

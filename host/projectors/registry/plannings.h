@@ -7,10 +7,12 @@
 
 namespace prelight {
 
-/// Where techniques come one after the other before a bake. Plans in files and keys of states depend on it.
+/// Where techniques come one after the other in a bake. Plans in files, keys of states and reports depend on
+/// it.
 enum class PlanningOrder : std::uint8_t {
   Plan,  ///< passes
   Key,   ///< what a state depends on
+  Run,   ///< projectors: what reads of a bake runs after what writes it
 };
 
 /// Of all techniques that a bake can be asked for.

@@ -2,28 +2,43 @@
 #include <array>
 
 #include "projectors/ambient_occlusion/ambient_occlusion_planning.h"
+#include "projectors/ambient_occlusion/ambient_occlusion_projector.h"
 #include "projectors/ambient_occlusion/ambient_occlusion_technique.h"
 #include "projectors/ch/ch_planning.h"
+#include "projectors/ch/ch_projector.h"
 #include "projectors/ch/ch_technique.h"
 #include "projectors/glossy/glossy_planning.h"
+#include "projectors/glossy/glossy_projector.h"
 #include "projectors/glossy/glossy_technique.h"
 #include "projectors/haar/haar_planning.h"
+#include "projectors/haar/haar_projector.h"
 #include "projectors/haar/haar_technique.h"
 #include "projectors/light_groups/light_groups_planning.h"
+#include "projectors/light_groups/light_groups_projector.h"
 #include "projectors/light_groups/light_groups_technique.h"
 #include "projectors/lightmap/lightmap_planning.h"
+#include "projectors/lightmap/lightmap_projector.h"
 #include "projectors/lightmap/lightmap_technique.h"
+#include "projectors/occlusion_cones/occlusion_cones_planning.h"
+#include "projectors/occlusion_cones/occlusion_cones_projector.h"
+#include "projectors/occlusion_cones/occlusion_cones_technique.h"
 #include "projectors/radiosity/radiosity_planning.h"
+#include "projectors/radiosity/radiosity_projector.h"
 #include "projectors/radiosity/radiosity_technique.h"
 #include "projectors/registry/plannings.h"
+#include "projectors/registry/projectors.h"
 #include "projectors/registry/registry.h"
 #include "projectors/sh/sh_planning.h"
+#include "projectors/sh/sh_projector.h"
 #include "projectors/sh/sh_technique.h"
 #include "projectors/texels/texels_planning.h"
+#include "projectors/texels/texels_projector.h"
 #include "projectors/texels/texels_technique.h"
 #include "projectors/vector_occluders/vector_occluders_planning.h"
+#include "projectors/vector_occluders/vector_occluders_projector.h"
 #include "projectors/vector_occluders/vector_occluders_technique.h"
 #include "projectors/volume/volume_planning.h"
+#include "projectors/volume/volume_projector.h"
 #include "projectors/volume/volume_technique.h"
 
 namespace prelight {
@@ -33,26 +48,28 @@ namespace {
 /// A technique and its place in every order. A new one takes the next number in each column.
 struct Row {
   Technique (*technique)();
-  Planning (*planning)();      ///< nullptr: made of what another one has baked
-  std::array<int, 3> places;   ///< [Order]
-  std::array<int, 2> planned;  ///< [PlanningOrder]
+  Planning (*planning)();  ///< nullptr: made of what another one has baked
+  std::unique_ptr<Projector> (*projector)(const BakeContext&);  ///< nullptr where planning is
+  std::array<int, 3> places;                                    ///< [Order]
+  std::array<int, 3> planned;                                   ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 13> rows = {{
-    //                                                     entry root summary, plan key
-    {ambientOcclusionTechnique, ambientOcclusionPlanning, {0, 0, 0}, {0, 0}},
-    {shTechnique, shPlanning, {1, 1, 2}, {1, 1}},
-    {compressedShTechnique, nullptr, {2, 2, 3}, {}},
-    {animationTechnique, nullptr, {3, 4, 12}, {}},
-    {chTechnique, chPlanning, {4, 5, 4}, {2, 2}},
-    {haarTechnique, haarPlanning, {5, 6, 5}, {3, 3}},
-    {glossyTechnique, glossyPlanning, {6, 7, 6}, {4, 6}},
-    {lightGroupsTechnique, lightGroupsPlanning, {7, 8, 7}, {5, 7}},
-    {vectorOccludersTechnique, vectorOccludersPlanning, {9, 3, 8}, {6, 8}},
-    {volumeTechnique, volumePlanning, {11, 9, 9}, {7, 4}},
-    {texelsTechnique, texelsPlanning, {10, 10, 10}, {8, 5}},
-    {radiosityTechnique, radiosityPlanning, {8, 11, 1}, {9, 9}},
-    {lightMapTechnique, lightMapPlanning, {12, 12, 11}, {10, 10}},
+constexpr std::array<Row, 14> rows = {{
+    // places: entry, root, summary; planned: plan, key, run
+    {ambientOcclusionTechnique, ambientOcclusionPlanning, ambientOcclusionProjector, {0, 0, 0}, {0, 0, 0}},
+    {shTechnique, shPlanning, shProjector, {1, 1, 2}, {1, 1, 2}},
+    {compressedShTechnique, nullptr, nullptr, {2, 2, 3}, {}},
+    {animationTechnique, nullptr, nullptr, {3, 4, 12}, {}},
+    {chTechnique, chPlanning, chProjector, {4, 5, 4}, {2, 2, 3}},
+    {haarTechnique, haarPlanning, haarProjector, {5, 6, 5}, {3, 3, 7}},
+    {glossyTechnique, glossyPlanning, glossyProjector, {6, 7, 6}, {4, 6, 8}},
+    {lightGroupsTechnique, lightGroupsPlanning, lightGroupsProjector, {7, 8, 7}, {5, 7, 4}},
+    {vectorOccludersTechnique, vectorOccludersPlanning, vectorOccludersProjector, {9, 3, 8}, {6, 8, 1}},
+    {volumeTechnique, volumePlanning, volumeProjector, {11, 9, 9}, {7, 4, 5}},
+    {texelsTechnique, texelsPlanning, texelsProjector, {10, 10, 10}, {8, 5, 6}},
+    {radiosityTechnique, radiosityPlanning, radiosityProjector, {8, 11, 1}, {9, 9, 9}},
+    {lightMapTechnique, lightMapPlanning, lightMapProjector, {12, 12, 11}, {10, 10, 10}},
+    {occlusionConesTechnique, occlusionConesPlanning, occlusionConesProjector, {13, 13, 13}, {11, 11, 11}},
 }};
 
 template <std::size_t columns>
@@ -90,6 +107,15 @@ std::vector<Technique> techniques(Order order) {
   for (const Row& row : sortedBy(&Row::places, static_cast<std::size_t>(order)))
     found.push_back(row.technique());
   return found;
+}
+
+std::vector<std::unique_ptr<Projector>> makeProjectors(const BakeContext& context) {
+  std::vector<std::unique_ptr<Projector>> made;
+  for (const Row& row : sortedBy(&Row::planned, static_cast<std::size_t>(PlanningOrder::Run))) {
+    if (row.projector == nullptr) continue;
+    if (std::unique_ptr<Projector> projector = row.projector(context)) made.push_back(std::move(projector));
+  }
+  return made;
 }
 
 std::vector<Planning> plannings(PlanningOrder order) {

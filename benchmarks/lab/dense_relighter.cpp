@@ -1,8 +1,9 @@
-#include "relight/dense_relighter.h"
+#include "benchmarks/lab/dense_relighter.h"
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "benchmarks/lab/lab_kernels.h"
 #include "relight/compressed_light.h"
 
 namespace prelight {
@@ -46,7 +47,7 @@ template <typename Number>
 void DenseRelighter::store(std::span<const Number> transfer, int storage) {
   const std::vector<Number> tiles = tiled(transfer, channels_ * count_);
   stored_ = Stored<Number>{Buffer<Number>(device_, std::span<const Number>(tiles)),
-                           {device_, "relight/dense_kernels.cl",
+                           {device_, labKernel(device_, "dense_kernels.cl"),
                             denseOptions(launch_, count_, channels_, storage), "relightDense"}};
   transferBytes_ = transfer.size_bytes();
 }
@@ -120,7 +121,7 @@ KeyframeRelighter::KeyframeRelighter(DeviceContext& device, std::span<const Harm
     keys_.emplace_back(device, std::span<const float>(tiles));
   }
   light_ = Buffer<float>(device, 3 * count_ + 3);
-  kernel_ = {device, "relight/dense_kernels.cl",
+  kernel_ = {device, labKernel(device, "dense_kernels.cl"),
              denseOptions(launch_, count_, static_cast<std::size_t>(first.channels), FloatStorage),
              "relightBetweenKeys"};
 }

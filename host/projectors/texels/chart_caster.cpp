@@ -1,4 +1,4 @@
-#include "projectors/chart_caster.h"
+#include "projectors/texels/chart_caster.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
-#include "relight/cluster_relighter.h"
+#include "benchmarks/lab/cluster_relighter.h"
 
 #include "base/error.h"
+#include "benchmarks/lab/lab_kernels.h"
 #include "relight/compressed_light.h"
 
 namespace prelight {
@@ -39,7 +40,7 @@ ClusterRelighter::ClusterRelighter(DeviceContext& device, const CompressedTransf
 template <typename Number>
 void ClusterRelighter::store(const std::vector<Number>& weights, const BuildOptions& options) {
   stored_ = Stored<Number>{upload(device_, weights),
-                           {device_, "relight/cluster_kernels.cl", options, "relightClusters"}};
+                           {device_, labKernel(device_, "cluster_kernels.cl"), options, "relightClusters"}};
   weightBytes_ = weights.size() * sizeof(Number);
 }
 

@@ -1,4 +1,4 @@
-#include "relight/light_projector.h"
+#include "benchmarks/lab/light_projector.h"
 
 #include <gtest/gtest.h>
 

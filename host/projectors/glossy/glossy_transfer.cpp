@@ -1,4 +1,4 @@
-#include "projectors/glossy_transfer.h"
+#include "projectors/glossy/glossy_transfer.h"
 
 #include <algorithm>
 

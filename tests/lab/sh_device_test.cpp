@@ -1,4 +1,4 @@
-#include "basis/sh_device.h"
+#include "benchmarks/lab/sh_device.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "projectors/occluder_transfer.h"
+#include "projectors/vector_occluders/occluder_transfer.h"
 
 #include <algorithm>
 

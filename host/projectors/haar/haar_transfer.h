@@ -2,7 +2,7 @@
 
 #include "base/progress.h"
 #include "projectors/slot_transfer.h"
-#include "projectors/texel_transfer.h"
+#include "projectors/haar/texel_transfer.h"
 #include "receivers/fit_mesh.h"
 #include "transfer/bake.h"
 

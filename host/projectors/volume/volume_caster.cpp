@@ -1,4 +1,4 @@
-#include "projectors/volume_caster.h"
+#include "projectors/volume/volume_caster.h"
 
 #include <algorithm>
 

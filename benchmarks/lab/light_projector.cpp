@@ -1,4 +1,4 @@
-#include "relight/light_projector.h"
+#include "benchmarks/lab/light_projector.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include "basis/quadrature.h"
 #include "basis/sh.h"
 #include "basis/sh_rotation.h"
+#include "benchmarks/lab/lab_kernels.h"
 
 namespace prelight {
 
@@ -71,7 +72,7 @@ ShRotator::ShRotator(DeviceContext& device, int order)
     : device_(device),
       order_(order),
       matrices_(device, sizeOf(order) * sizeOf(4 * order * order - 1) / 3),
-      kernel_(device, "relight/light_kernels.cl", {}, "rotateBands") {}
+      kernel_(device, labKernel(device, "light_kernels.cl"), {}, "rotateBands") {}
 
 void ShRotator::setRotation(const glm::dmat3& rotation) {
   const sh::ShRotation turn(order_, rotation);
@@ -101,7 +102,7 @@ LightProjector::LightProjector(DeviceContext& device, int width, int height, int
       inSkyFrame_(device, 3 * sizeOf(order * order)),
       coefficients_(device, 3 * sizeOf(order * order)),
       toWorld_(device, order) {
-  const char* file = "relight/light_kernels.cl";
+  const std::string file = labKernel(device, "light_kernels.cl");
   momentsKernel_ = {device, file, {}, "skyMoments"};
   coefficientsKernel_ = {device, file, {}, "skyCoefficients"};
   cubeKernel_ = {device, file, {}, "sampleCube"};

@@ -1,4 +1,4 @@
-#include "projectors/texel_transfer.h"
+#include "projectors/haar/texel_transfer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
-#include "basis/sh_device.h"
+#include "benchmarks/lab/sh_device.h"
 
 #include "basis/sh_evaluate.h"
 #include "basis/sh_table.h"
+#include "benchmarks/lab/lab_kernels.h"
 #include "device/kernel.h"
 
 namespace prelight::sh {
@@ -16,7 +17,7 @@ std::vector<float> evaluateOnDevice(const Device& device, std::span<const glm::v
   Buffer<float> input(context, std::span<const float>(packed));
   Buffer<float> values(context, directions.size() * coefficientCount(order));
   Kernel<std::uint32_t, std::int32_t, Buffer<float>, Buffer<float>, Buffer<float>> kernel(
-      context, "basis/sh_evaluate_kernels.cl", {}, "evaluateSh");
+      context, labKernel(context, "sh_evaluate_kernels.cl"), {}, "evaluateSh");
   kernel.launch(directions.size(), static_cast<std::uint32_t>(directions.size()), order, table, input,
                 values);
   return values.read();

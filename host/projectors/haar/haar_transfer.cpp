@@ -1,4 +1,4 @@
-#include "projectors/haar_transfer.h"
+#include "projectors/haar/haar_transfer.h"
 
 #include <algorithm>
 #include <array>

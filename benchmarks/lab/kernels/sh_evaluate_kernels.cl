@@ -1,4 +1,4 @@
-#include "basis/sh_evaluate_funcs.cl"
+#include "lab/kernels/sh_evaluate_funcs.cl"
 
 // A work-item a direction. directions [count][3], of length 1 up to rounding; values [order^2][count];
 // table: makeMonicShTable of host/basis/sh_table.h.

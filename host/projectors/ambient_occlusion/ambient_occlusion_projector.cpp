@@ -1,0 +1,53 @@
+#include "projectors/ambient_occlusion/ambient_occlusion_projector.h"
+
+#include <algorithm>
+
+#include "projectors/packed_values.h"
+#include "projectors/receiver_cast.h"
+
+namespace prelight {
+
+namespace {
+
+/// [vertex], unit. The mean of directions above the surface is above it too, whatever the fit overshoots.
+std::vector<glm::vec3> bentNormals(const SideCast& front, const FitMesh& mesh, const CompiledScene& scene) {
+  const std::vector<double> fitted = front.solveBentNormal();
+  std::vector<glm::vec3> normals;
+  normals.reserve(scene.vertexCount());
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const std::size_t slot = mesh.slotOfVertex[v];
+    const glm::dvec3 n = glm::normalize(glm::dvec3(scene.normals[v]));
+    glm::dvec3 bent = n + glm::dvec3(fitted[3 * slot], fitted[3 * slot + 1], fitted[3 * slot + 2]);
+    bent -= std::min(0.0, glm::dot(bent, n)) * n;
+    const double length = glm::length(bent);
+    // Where nothing is open there is no mean direction; the normal is as good as any.
+    normals.push_back(length > 1e-5 ? glm::vec3(bent / length) : glm::vec3(n));
+  }
+  return normals;
+}
+
+class AmbientOcclusionProjector final : public Projector {
+ public:
+  explicit AmbientOcclusionProjector(const BakeContext& context) : context_(context) {}
+
+  std::string_view stage() const override { return "fit"; }
+  void addNeeds(CastNeeds& needs) const override { needs.bentNormal = true; }
+
+  void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
+    bake.bentNormals = bentNormals(cast->front(), context_.mesh, context_.scene);
+    for (std::uint32_t v = 0; v < context_.scene.vertexCount(); ++v)
+      bake.ao.push_back(finiteOr(cast->accessibility()[context_.mesh.slotOfVertex[v]], 1.0f));
+  }
+
+ private:
+  const BakeContext& context_;
+};
+
+}  // namespace
+
+std::unique_ptr<Projector> ambientOcclusionProjector(const BakeContext& context) {
+  if (!context.request.ao) return nullptr;
+  return std::make_unique<AmbientOcclusionProjector>(context);
+}
+
+}  // namespace prelight

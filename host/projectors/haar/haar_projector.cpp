@@ -1,0 +1,41 @@
+#include "projectors/haar/haar_projector.h"
+
+#include <fmt/format.h>
+
+#include "projectors/haar/haar_transfer.h"
+#include "projectors/receiver_cast.h"
+
+namespace prelight {
+
+namespace {
+
+class HaarProjector final : public Projector {
+ public:
+  explicit HaarProjector(const BakeContext& context) : context_(context) {}
+
+  std::string_view stage() const override { return "haar"; }
+  void addNeeds(CastNeeds& needs) const override { needs.texelFaceSize = context_.request.haar.size; }
+
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const HaarRequest& request = context_.request.haar;
+    const SlotTransfer& transfer = cast->transfer(progress);
+    const TexelTransfer direct(context_.scene, context_.mesh, cast->front(), request.size);
+    bake.haar = makeHaarTransfer(context_.mesh, direct, transfer, request.size, request.error, progress);
+    context_.report.notes.push_back(
+        fmt::format("wavelets: {:.0f} of {} coefficients a row are kept, on average",
+                    double(bake.haar->indices.size()) / double(bake.haar->offsets.size() - 1),
+                    cubeTexelCount(request.size)));
+  }
+
+ private:
+  const BakeContext& context_;
+};
+
+}  // namespace
+
+std::unique_ptr<Projector> haarProjector(const BakeContext& context) {
+  if (context.request.haar.size == 0) return nullptr;
+  return std::make_unique<HaarProjector>(context);
+}
+
+}  // namespace prelight

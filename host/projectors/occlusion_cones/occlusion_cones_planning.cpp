@@ -1,0 +1,20 @@
+#include "projectors/occlusion_cones/occlusion_cones_planning.h"
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  if (!input.request.cones) return {};
+  return {{Pass::OcclusionCones, true, "from ambient occlusion and bent normal, without further rays"}};
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) {
+  if (request.cones) hash.value(request.cones);
+}
+
+}  // namespace
+
+Planning occlusionConesPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+
+}  // namespace prelight

@@ -1,0 +1,52 @@
+#include "projectors/occlusion_cones/occlusion_cones_technique.h"
+
+#include "io/values/append_values.h"
+#include "io/values/vertex_values.h"
+#include "projectors/summary_text.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = Technique::Json;
+
+std::size_t storedBytes(const Bake& bake) { return bytesOf(bake.apertures); }
+
+void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+  if (!output.bake.apertures.empty())
+    entry["aperture"] = appendVertices(output.document, output.bake.apertures, ranges, 1);
+}
+
+class Reader final : public TechniqueReader {
+ public:
+  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+
+  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
+    if (const auto aperture = entry.find("aperture"))
+      placeVertices(values_.floats(*aperture, "SCALAR", vertexCount(ranges)), ranges, 1, input_.scene,
+                    bake.apertures);
+  }
+
+ private:
+  const BakedInput& input_;
+  ValueReader values_;
+};
+
+void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+  if (!bake.apertures.empty())
+    found.push_back({"aperture", "occlusion cones", bytesOf(bake.apertures), true, true});
+}
+
+}  // namespace
+
+Technique occlusionConesTechnique() {
+  return {.name = "occlusion_cones",
+          .members = {"aperture"},
+          .accessors = {"aperture"},
+          .storedBytes = storedBytes,
+          .writeEntry = writeEntry,
+          .makeReader = makeTechniqueReader<Reader>,
+          .summarize = summarize};
+}
+
+}  // namespace prelight

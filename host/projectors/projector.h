@@ -1,0 +1,77 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "base/progress.h"
+#include "base/stage_clock.h"
+#include "base/state_file.h"
+#include "cast/light_groups.h"
+#include "gpu/tracer.h"
+#include "occluders/occluder_groups.h"
+#include "plan/plan.h"
+#include "plan/shadow_sets.h"
+#include "receivers/fit_mesh.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf/charts.h"
+#include "scene/scene.h"
+#include "transfer/bake.h"
+#include "transfer/bake_report.h"
+
+namespace prelight {
+
+class ReceiverCast;
+
+/// What every technique of a bake works on. All of it outlives the projectors.
+struct BakeContext {
+  const CompiledScene& scene;
+  const Scene* source;   ///< that `scene` was compiled from; nullptr: not at hand
+  const Charts* charts;  ///< whose texels get transfer; nullptr: none
+  const BakeRequest& request;
+  const Plan& plan;
+  const Device& device;
+  const FitMesh& mesh;
+  const ShadowSets& sets;
+  Tracer& tracer;
+  std::span<Tracer> setTracers;                 ///< [set - 1]
+  std::chrono::steady_clock::time_point start;  ///< of the bake, less what earlier runs of it took
+  StageClock& clock;
+  BakeReport& report;
+};
+
+/// What techniques ask of the rays that all of them share, beyond accessibility and the bands of SH that the
+/// request names (castOrder). What is pointed to outlives the cast.
+struct CastNeeds {
+  bool bentNormal = false;
+  const GroupedLights* lights = nullptr;      ///< whose direct light is fitted
+  const OccluderGroups* occluders = nullptr;  ///< that hits are told apart by
+  int texelFaceSize = 0;                      ///< of a cube map that rays are kept on; 0: they are not
+  bool receivers = false;                     ///< where bounces are: keep those of stored rows
+};
+
+/// What a technique does in a bake. Projectors are made before the first ray and run one after the other.
+class Projector {
+ public:
+  virtual ~Projector() = default;
+
+  /// The stage of the report that its time belongs to; empty: it files its time itself.
+  virtual std::string_view stage() const = 0;
+
+  /// Adds what it needs of the shared cast.
+  virtual void addNeeds(CastNeeds& /*needs*/) const {}
+
+  /// Comes before load() and run().
+  virtual void prepare(Progress& /*progress*/) {}
+
+  /// Adds its part to the bake. `cast` has run; nullptr where the request needs none. Throws Interrupted;
+  /// run() again, or after load(), goes on.
+  virtual void run(ReceiverCast* cast, Bake& bake, Progress& progress) = 0;
+
+  /// What rays of its own have found so far.
+  virtual void save(StateWriter& /*state*/) const {}
+  virtual void load(StateReader& /*state*/) {}
+};
+
+}  // namespace prelight

@@ -1,0 +1,115 @@
+#include "projectors/receiver_cast.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "basis/cube_map.h"
+
+namespace prelight {
+
+namespace {
+
+/// Rows of senders that the plan's memory and the device have room for.
+std::uint32_t storedCapacity(const BakeContext& context, std::uint32_t raysPerReceiver) {
+  if (!context.plan.runs(Pass::Bounces)) return 0;
+  const std::uint64_t bytes = std::min(context.plan.transportBytes, context.device.info().maxAllocation);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(
+      bytes / (sizeof(device::Sender) * raysPerReceiver), 0xffffffffu / raysPerReceiver));
+}
+
+std::size_t groupCount(const CastNeeds& needs) {
+  return needs.lights != nullptr ? needs.lights->groups.size() : 0;
+}
+
+CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, const Schedule& schedule,
+                        std::uint32_t capacity) {
+  const int order = transferOrder(context.request);
+  CastOptions options;
+  options.shOrder = castOrder(context.request);
+  options.raysPerReceiver = schedule.raysPerReceiver;
+  options.storedReceivers = capacity;
+  options.bounceColumns = static_cast<std::size_t>(order * order) + groupCount(needs);
+  options.texelFaceSize = needs.texelFaceSize;
+  options.lights = needs.lights;
+  options.sets = &context.sets;
+  options.setTracers = context.setTracers;
+  options.limits = context.request.limits;
+  options.occluders = needs.occluders;
+  return options;
+}
+
+Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, const Schedule& schedule) {
+  Projections projections;
+  projections.sets = &context.sets;
+  projections.shOrder = castOrder(context.request);
+  projections.bentNormal = needs.bentNormal;
+  projections.groups = static_cast<std::uint32_t>(groupCount(needs));
+  if (needs.texelFaceSize > 0) {
+    projections.texelRows = context.plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
+    projections.texelCount = cubeTexelCount(needs.texelFaceSize);
+  }
+  projections.backs = context.plan.runs(Pass::Bounces);
+  projections.receivers = needs.receivers && context.plan.runs(Pass::Bounces);
+  projections.occluders = needs.occluders != nullptr;
+  if (needs.occluders != nullptr)
+    projections.occluderCount = static_cast<std::uint32_t>(needs.occluders->names.size());
+  return projections;
+}
+
+std::string backNote(const SceneCast& cast) {
+  return cast.back() != nullptr
+             ? fmt::format("back faces: {} triangles are seen from behind and reflect there too",
+                           std::count(cast.backSeen().begin(), cast.backSeen().end(), 1))
+             : "back faces: skipped, no ray meets one that reflects";
+}
+
+std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
+                                    const std::vector<double>& fitted) {
+  std::vector<double> accessibility;
+  for (std::size_t slot = 0; slot < mesh.slotCount(); ++slot)
+    accessibility.push_back(std::clamp(1.0 + fitted[slot * front.baseline().columns()], 0.0, 1.0));
+  return accessibility;
+}
+
+}  // namespace
+
+ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
+    : context_(context),
+      bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
+      schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
+      capacity_(storedCapacity(context, schedule_.raysPerReceiver)),
+      caster_(context.scene, context.tracer, castOptions(context, needs, schedule_, capacity_)),
+      cast_(context.scene, context.mesh, caster_, schedule_, projectionsOf(context, needs, schedule_),
+            capacity_) {}
+
+void ReceiverCast::run(Progress& progress) {
+  cast_.run(progress);
+  if (bounces_ > 0) context_.report.notes.push_back(backNote(cast_));
+  context_.clock.mark("cast");
+  fitted_ = front().solve();
+  const ErrorEstimate error = front().estimateError();
+  context_.report.aoErrorRms = error.rms;
+  context_.report.aoErrorMax = error.max;
+  accessibility_ = accessibilityOf(context_.mesh, front(), fitted_);
+  context_.clock.mark("fit");
+}
+
+const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
+  if (!transfer_) {
+    transfer_ = makeTransfer(context_.scene, context_.mesh, caster_, cast_, fitted_,
+                             transferOrder(context_.request), bounces_, progress, context_.report.notes);
+    context_.clock.mark("bounce");
+  }
+  return *transfer_;
+}
+
+void ReceiverCast::addTo(BakeReport& report) const {
+  report.rays += cast_.rays() + caster_.furtherRays();
+  report.receivers = cast_.receivers();
+  if (!context_.request.effort.error && !context_.request.effort.seconds)
+    report.skippedRayFraction =
+        std::max(0.0, 1.0 - double(front().receivers()) / (schedule_.receiversPerPass * schedule_.passes));
+}
+
+}  // namespace prelight

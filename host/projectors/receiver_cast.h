@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "projectors/projector.h"
+#include "projectors/scene_cast.h"
+#include "projectors/slot_transfer.h"
+
+namespace prelight {
+
+/// The rays that techniques share, cast from receivers all over the surface, and what the least-squares fit
+/// of the vertices makes of them.
+class ReceiverCast {
+ public:
+  /// What is given outlives it.
+  ReceiverCast(const BakeContext& context, const CastNeeds& needs);
+
+  /// Casts and fits. Throws Interrupted; run() again, or after load(), goes on.
+  void run(Progress& progress);
+
+  Caster& caster() { return caster_; }
+  const SceneCast& scene() const { return cast_; }
+  const SideCast& front() const { return cast_.front(); }
+
+  /// After run(): the front's solution, [slot][column] relative to the baseline.
+  const std::vector<double>& fitted() const { return fitted_; }
+
+  /// After run(): AO, [slot], in [0,1].
+  const std::vector<double>& accessibility() const { return accessibility_; }
+
+  /// After run(): light that surfaces receive, with all bounces. Made when it is asked for first.
+  const SlotTransfer& transfer(Progress& progress);
+
+  /// That run; 0 where the plan skips them.
+  int bounces() const { return bounces_; }
+
+  std::uint64_t receivers() const { return cast_.receivers(); }
+
+  /// After all that casts through it: rays and receivers.
+  void addTo(BakeReport& report) const;
+
+  void save(StateWriter& state) const { cast_.save(state); }
+  void load(StateReader& state) { cast_.load(state); }
+
+ private:
+  const BakeContext& context_;
+  int bounces_;
+  Schedule schedule_;
+  std::uint32_t capacity_;  ///< rows of senders
+  Caster caster_;
+  SceneCast cast_;
+  std::vector<double> fitted_;
+  std::vector<double> accessibility_;
+  std::optional<SlotTransfer> transfer_;
+};
+
+}  // namespace prelight

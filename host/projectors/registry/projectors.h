@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "projectors/projector.h"
+
+namespace prelight {
+
+/// Of the techniques that a request has, in the order in which they run. Throws what their constructors
+/// throw.
+std::vector<std::unique_ptr<Projector>> makeProjectors(const BakeContext& context);
+
+}  // namespace prelight

@@ -1,0 +1,67 @@
+#include "projectors/texels/texels_projector.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "projectors/receiver_cast.h"
+#include "projectors/texels/chart_caster.h"
+#include "receivers/chart_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+void checkMemory(const BakeRequest& request, const Charts& charts) {
+  std::uint64_t bytes = 0;
+  for (const Chart& chart : charts.charts)
+    bytes += static_cast<std::uint64_t>(chart.width) * static_cast<std::uint64_t>(chart.height) * 4u *
+             static_cast<std::uint64_t>(request.sh.order * request.sh.order * (request.bounces > 0 ? 3 : 1));
+  if (bytes > request.maxMemory)
+    throw UsageError("--texels",
+                     fmt::format("{} light maps take {} MB, more than the {} MB of --max-memory",
+                                 charts.charts.size(), bytes >> 20, request.maxMemory >> 20),
+                     "bake fewer texels or a lower order, or raise --max-memory");
+}
+
+class TexelsProjector final : public Projector {
+ public:
+  explicit TexelsProjector(const BakeContext& context) : context_(context) {
+    if (context.request.sh.order == 0)
+      throw UsageError("--texels", "it has the order of the SH transfer, and none is asked for",
+                       "add --sh N");
+    checkMemory(context.request, *context.charts);
+  }
+
+  std::string_view stage() const override { return "texels"; }
+
+  void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
+    const BakeRequest& request = context_.request;
+    const ChartOptions options{request.sh.order, cast->bounces(), raysEach(request),  request.seed,
+                               request.limits,   &context_.sets,  context_.setTracers};
+    const SlotTransfer& transfer = cast->transfer(progress);
+    ChartReport made;
+    bake.texels = makeChartTransfer(context_.scene, *context_.charts, context_.mesh, context_.tracer,
+                                    transfer, options, progress, made);
+    context_.report.rays += made.rays;
+    context_.report.notes.push_back(
+        fmt::format("texels: {} light maps, {} texels of them on the surface, {} rays each, {:.3g} % of "
+                    "those from inside objects",
+                    bake.texels->maps.size(), made.texels, options.rays,
+                    100.0 * double(made.hidden * (options.rays / ChartSampler::positionsPerTexel)) /
+                        double(std::max<std::uint64_t>(made.rays, 1))));
+  }
+
+ private:
+  const BakeContext& context_;
+};
+
+}  // namespace
+
+std::unique_ptr<Projector> texelsProjector(const BakeContext& context) {
+  if (context.charts == nullptr || context.charts->charts.empty()) return nullptr;
+  return std::make_unique<TexelsProjector>(context);
+}
+
+}  // namespace prelight

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "base/error.h"
+#include "oracle/brute_force.h"
+#include "projectors/occlusion_cones/cone_aperture.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
+#include "support/run_bake.h"
+
+namespace prelight {
+namespace {
+
+CompiledScene shapes() {
+  Warnings warnings;
+  return compileScene(loadScene(makeBuiltinScene("shapes"), warnings), warnings);
+}
+
+/// The share of a cosine-weighted sky within a cone, by midpoints over the hemisphere that are worth the
+/// same.
+double openByQuadrature(double cosine, double aperture) {
+  constexpr int rings = 1500, sectors = 1500;
+  const double across = std::sqrt(1.0 - cosine * cosine);
+  int inside = 0;
+  for (int i = 0; i < rings; ++i) {
+    const double up = std::sqrt((i + 0.5) / rings), out = std::sqrt(1.0 - up * up);
+    for (int j = 0; j < sectors; ++j)
+      inside +=
+          up * cosine + out * std::cos(2.0 * std::numbers::pi * (j + 0.5) / sectors) * across > aperture;
+  }
+  return inside / (double(rings) * sectors);
+}
+
+TEST(ConeAperture, AboutTheNormal_IsTheClosedForm) {
+  for (const double open : {0.01, 0.25, 0.5, 0.81, 0.99})
+    EXPECT_NEAR(coneAperture(open, 1.0), std::sqrt(1.0 - open), 1e-6) << open;
+}
+
+TEST(ConeAperture, Aslant_LetsThroughWhatIsAccessible) {
+  for (const double cosine : {0.1, 0.3, 0.6, 0.9})
+    for (const double open : {0.05, 0.2, 0.5}) {
+      if (open > 0.5 * (1.0 + cosine)) continue;  // no cone up to a half space is that open
+      EXPECT_NEAR(openByQuadrature(cosine, coneAperture(open, cosine)), open, 5e-4) << cosine << " " << open;
+    }
+}
+
+TEST(ConeAperture, NothingAndAll_AreAClosedConeAndAHalfSpace) {
+  EXPECT_NEAR(coneAperture(0.0, 0.7), 1.0, 1e-9);
+  EXPECT_NEAR(coneAperture(1.0, 1.0), 0.0, 1e-5);
+  EXPECT_NEAR(coneAperture(0.9, 0.1), 0.0, 1e-5) << "more than any cone of that axis";
+}
+
+TEST(OcclusionCones, WithoutAmbientOcclusion_AreRefused) {
+  BakeRequest request;
+  request.cones = true;
+  request.sh.order = 1;
+  EXPECT_THROW(test::runBake(shapes(), request), UsageError);
+}
+
+TEST(OcclusionCones, Plan_NamesThemWhereTheyAreAskedFor) {
+  const CompiledScene scene = shapes();
+  BakeRequest request;
+  request.ao = true;
+  EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::OcclusionCones));
+  request.cones = true;
+  EXPECT_TRUE(makePlan(Scene(), scene, request).runs(Pass::OcclusionCones));
+}
+
+TEST(OcclusionCones, NotAskedFor_AreNotThere) {
+  BakeRequest request;
+  request.ao = true;
+  request.effort.rays = 16;
+  EXPECT_TRUE(test::runBake(shapes(), request).bake.apertures.empty());
+}
+
+/// Root mean square errors of what reaches vertices from single directions, cosine included.
+struct LampErrors {
+  double cones = 0.0;
+  double accessibility = 0.0;  ///< of all lamps dimmed by AO
+  double open = 0.0;           ///< of no shadows at all
+};
+
+LampErrors errorsOfLamps(const CompiledScene& scene, const Bake& bake, int places, int directions) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  std::uniform_int_distribution<std::uint32_t> triangles(0, scene.triangleCount() - 1);
+  LampErrors sums;
+  int count = 0;
+  for (int place = 0; place < places; ++place) {
+    const std::uint32_t triangle = triangles(random);
+    const std::uint32_t v = scene.triangles[triangle].x;
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(scene.normals[v]));
+    const glm::dvec3 middle = (glm::dvec3(scene.positions[scene.triangles[triangle].x]) +
+                               glm::dvec3(scene.positions[scene.triangles[triangle].y]) +
+                               glm::dvec3(scene.positions[scene.triangles[triangle].z])) /
+                              3.0;
+    for (int d = 0; d < directions; ++d) {
+      glm::dvec3 way(number(random), number(random), number(random));
+      if (glm::length(way) > 1.0 || glm::dot(way, normal) < 0.05 * glm::length(way)) continue;
+      way = glm::normalize(way);
+      const double cosine = glm::dot(way, normal);
+      const bool seen = !reference::closestHit(scene, middle + 1e-4 * normal, way, 1e9, triangle);
+      const double truth = seen ? cosine : 0.0;
+      const bool within = glm::dot(way, glm::dvec3(bake.bentNormals[v])) > bake.apertures[v];
+      sums.cones += std::pow((within ? cosine : 0.0) - truth, 2);
+      sums.accessibility += std::pow(bake.ao[v] * cosine - truth, 2);
+      sums.open += std::pow(cosine - truth, 2);
+      ++count;
+    }
+  }
+  return {std::sqrt(sums.cones / count), std::sqrt(sums.accessibility / count), std::sqrt(sums.open / count)};
+}
+
+TEST(OcclusionCones, LampsOverShapes_AreShadowedNearerToTheTruth) {
+  const CompiledScene scene = shapes();
+  BakeRequest request;
+  request.ao = request.cones = true;
+  request.effort.rays = 256;
+  const LampErrors errors = errorsOfLamps(scene, test::runBake(scene, request).bake, 300, 40);
+  RecordProperty("cones", std::to_string(errors.cones));
+  RecordProperty("accessibility", std::to_string(errors.accessibility));
+  RecordProperty("open", std::to_string(errors.open));
+  EXPECT_LT(errors.cones, 0.9 * errors.open);
+  EXPECT_LT(errors.cones, errors.accessibility);
+}
+
+}  // namespace
+}  // namespace prelight
