@@ -3,6 +3,7 @@
 #include "project/incident_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
+#include "shared/ray_types.h"
 
 // A receiver a work-item. receivers [receiver]; rays [receiver][raysPerReceiver] as they started, with their radiances
 // [..][3] -> incident [receiver][3][value]: irradiance,

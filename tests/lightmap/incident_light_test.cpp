@@ -163,7 +163,8 @@ TEST(IncidentLight, PointLightOfOrderFive_HasTheFunctionsOfItsWay) {
     std::array<double, 25> functions{};
     sh::evaluate(w, 5, functions);
     const float* of = &values[78 * i];
-    ASSERT_NEAR(of[0], all * w.y, 2e-5);
+    // Receivers keep off the surface by what rounding may move them.
+    ASSERT_NEAR(of[0], all * w.y, 1e-5 * all);
     for (std::size_t k = 0; k < 25; ++k) {
       ASSERT_NEAR(of[1 + k], all * functions[k], 1e-4) << k;
       ASSERT_EQ(of[26 + 1 + k], 0.0f);
