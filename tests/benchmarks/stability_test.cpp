@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <regex>
 #include <set>
 
+#include "benchmarks/lab/lab_kernels.h"
 #include "benchmarks/stability/stability_suite.h"
 #include "benchmarks/stability/subjects.h"
 #include "device/kernel_sources.h"
@@ -15,7 +17,9 @@ namespace {
 std::set<std::string> kernelsOfSources() {
   const std::regex entry(R"(__kernel[^;{]*?\bvoid\s+(\w+)\s*\()");
   std::set<std::string> kernels;
-  for (const auto& [file, text] : kernelSources())
+  std::map<std::string, std::string> sources = kernelSources();
+  sources.insert(labKernelSources().begin(), labKernelSources().end());
+  for (const auto& [file, text] : sources)
     for (std::sregex_iterator match(text.begin(), text.end(), entry), end; match != end; ++match)
       kernels.insert(file + ":" + (*match)[1].str());
   return kernels;

@@ -148,20 +148,22 @@ TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
 /// Where the light is told in many numbers, a picture of it is that of the light itself, and nothing like
 /// that of surfaces without bumps.
 TEST(EncodedShading, NormalMap_GetsTheLightsOwnIrradiance) {
+  double mostTurned = 0.0;
   for (const glm::dmat3& attitude : attitudes())
-    for (const char* name : {"sh-3", "ambient-cube"}) {
+    for (const char* name : {"sh-3", "sg-24"}) {
       const Encoding& encoding = *encodingNamed(name);
       BumpedQuad quad(attitude);
       quad.light(encoding);
       const glm::dvec3 even = irradianceOf(glm::dvec3(quad.normal()), glm::dvec3(quad.normal())),
                        expected = irradianceOf(glm::dvec3(quad.normal()), quad.mapped());
-      ASSERT_GT(std::abs(expected.x - even.x), 0.15 * even.x);
+      mostTurned = std::max(mostTurned, std::abs(expected.x - even.x) / even.x);
       for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
         const glm::dvec3 got = quad.show(shading, &encoding);
         for (int c = 0; c < 3; ++c)
           EXPECT_NEAR(got[c], expected[c], 0.08 * expected[c]) << name << " " << viewer::shadingName(shading);
       }
     }
+  EXPECT_GT(mostTurned, 0.15) << "a picture without bumps would pass";
 }
 
 /// Between vertices, and between texels, numbers are interpolated.
