@@ -4,6 +4,7 @@
 #include "radiosity/direct_slots_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/radiosity_types.h"
+#include "shared/ray_types.h"
 
 // A point a work-item. rays, hits, values [point][slot] of aimAtLights -> incident [point][3][value], of punctual
 // lights and the sky: irradiance, and incident radiance in SH.
