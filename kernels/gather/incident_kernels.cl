@@ -6,8 +6,7 @@
 #include "shared/ray_types.h"
 
 // A receiver a work-item. receivers [receiver]; rays [receiver][raysPerReceiver] as they started, with their radiances
-// [..][3] -> incident [receiver][3][value]: irradiance,
-// and incident radiance in SH.
+// [..][3] -> incident [receiver][3][value]: irradiance, and incident radiance in SH.
 __kernel void sumIncident(__constant const GatherParameters* p, __global const Receiver* receivers,
                           __global const Ray* rays, __global const float* radiances, __global float* incident) {
   const size_t i = get_global_id(0);

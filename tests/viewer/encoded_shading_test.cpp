@@ -127,22 +127,21 @@ std::vector<glm::dmat3> attitudes() {
   return {glm::dmat3(1.0), {along, glm::cross(n, along), n}};
 }
 
+/// In an attitude of which no axis is one of the world's.
 TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
-  for (const glm::dmat3& attitude : attitudes())
-    for (const Encoding& encoding : encodings()) {
-      BumpedQuad quad(attitude);
-      quad.light(encoding);
-      const std::vector<float> values = encoded(encoding, quad.normal());
-      for (const Shading shading : {Shading::LightMap, Shading::Radiosity})
-        for (const bool bumps : {false, true}) {
-          const glm::vec3 m = bumps ? glm::vec3(quad.mapped()) : quad.normal();
-          const glm::dvec3 expected(encoding.irradiance(values, surfaceFrame(quad.normal()), m)),
-              got = quad.show(shading, &encoding, bumps);
-          for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR(got[c], expected[c], 2e-3 * expected[c])
-                << encoding.name << " " << viewer::shadingName(shading) << " " << bumps;
-        }
+  for (const Encoding& encoding : encodings()) {
+    BumpedQuad quad(attitudes().back());
+    quad.light(encoding);
+    const std::vector<float> values = encoded(encoding, quad.normal());
+    for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
+      const glm::dvec3 expected(
+          encoding.irradiance(values, surfaceFrame(quad.normal()), glm::vec3(quad.mapped()))),
+          got = quad.show(shading, &encoding);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(got[c], expected[c], 2e-3 * expected[c])
+            << encoding.name << " " << viewer::shadingName(shading);
     }
+  }
 }
 
 /// Where the light is told in many numbers, a picture of it is that of the light itself, and nothing like
