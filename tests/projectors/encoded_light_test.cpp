@@ -202,7 +202,7 @@ TEST(EncodedLight, Plan_SaysWhyItRunsOrNot) {
   request.encodedLight.encodings.pop_back();
   EXPECT_LT(makePlan(Scene(), scene, request).hostBytes, bytes);
   request.encodedLight = {};
-  EXPECT_EQ(reasonOf(false), "not asked for");
+  EXPECT_EQ(reasonOf(false), "no line");
   EXPECT_EQ(lightMapCoefficients(makePlan(Scene(), scene, request)), 1);
   request.lightMap.wanted = false;
   request.ao = true;

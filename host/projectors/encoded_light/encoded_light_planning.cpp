@@ -17,12 +17,10 @@ std::string storedText(const EncodedLightRequest& request) {
   return text;
 }
 
-/// Bakes without light maps have no line of it, as before there was any.
 std::vector<PlannedPass> passes(const PlanInput& input) {
   constexpr Pass name = Pass::EncodedLight;
   const EncodedLightRequest& request = input.request.encodedLight;
-  if (!input.request.lightMap && !request) return {};
-  if (!request) return {{name, false, "not asked for"}};
+  if (!request) return {};
   if (!input.request.lightMap)
     return {{name, false, "no light map is asked for, whose light it would encode"}};
   if (!takesLight(input.scene)) return {{name, false, "no surface reflects diffusely, so none needs light"}};
