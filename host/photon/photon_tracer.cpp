@@ -10,6 +10,8 @@ namespace {
 
 using namespace device;
 
+// Kinds of PRELIGHT_PHOTON_* in the work queue.
+constexpr std::uint32_t goesOn = 0, staysHere = 1, metBack = 2;
 constexpr std::uint32_t tallyRun = 256;  // tallies that one work-item adds up
 constexpr std::uint32_t tallyColumns = 6;
 constexpr double countsAPhoton = 67108864.0;  // 2^26: fine enough for one photon, and 10^11 fit in 63 bits
@@ -58,11 +60,11 @@ PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
       hits_(device_, blockPhotons_),
       candidates_(device_, blockPhotons_),
       photons_(device_, blockPhotons_),
-      order_(device_, blockPhotons_),
       numbers_(device_, blockPhotons_),
       outcomes_(device_, blockPhotons_),
       tallies_(device_, std::size_t{tallyColumns} * blockPhotons_),
-      sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)) {}
+      sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)),
+      work_(device_, blockPhotons_) {}
 
 void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sources) {
   emit_ = {device_, "photon/emit_kernels.cl", scene_.options(), "emitPhotons"};
@@ -176,40 +178,31 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
     report.power.absorbed[c] += sums[c];
     report.power.escaped[c] += sums[3 + c];
   }
-  outcome_.resize(count);
-  outcomes_.read(std::span(outcome_));
-  goesOn_.clear();
-  stays_.clear();
-  bool metBacks = false;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if ((outcome_[i] & PRELIGHT_PHOTON_GOES_ON) != 0) goesOn_.push_back(i);
-    if ((outcome_[i] & PRELIGHT_PHOTON_STORED) != 0) stays_.push_back(i);
-    metBacks |= (outcome_[i] & PRELIGHT_PHOTON_MET_BACK) != 0;
-  }
-  if (metBacks) markBacks(count, hits);
-  report.stored += stays_.size();
-  store(static_cast<std::uint32_t>(stays_.size()), firstPath, hits);
-  const auto left = static_cast<std::uint32_t>(goesOn_.size());
+  const auto [left, stored, metBacks, none] = work_.list(outcomes_, count);
+  if (metBacks > 0) markBacks(metBacks, hits);
+  report.stored += stored;
+  store(stored, firstPath, hits);
   if (left == 0) return 0;
-  // In the order of their numbers, whatever the device did first. The rays that were traced are done with.
-  order_.write(std::span<const std::uint32_t>(goesOn_));
-  compactPaths_.launch(left, left, blockPhotons_, order_, rays_, queue_, nextQueue_);
+  // The rays that were traced are done with.
+  compactPaths_.launch(left, left, work_.first(goesOn), blockPhotons_, work_.lists(), rays_, queue_,
+                       nextQueue_);
   std::swap(queue_, nextQueue_);
   return left;
 }
 
 void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {
   hits.backs.resize(compiled_.triangleCount(), 0);
-  std::vector<Hit> met(count);
+  std::vector<std::uint32_t> listed(count);
+  work_.lists().read(std::span(listed), work_.first(metBack));
+  std::vector<Hit> met(hits_.size());
   hits_.read(std::span(met));
-  for (std::uint32_t i = 0; i < count; ++i)
-    if ((outcome_[i] & PRELIGHT_PHOTON_MET_BACK) != 0) hits.backs[met[i].triangle] = 1;
+  for (const std::uint32_t i : listed) hits.backs[met[i].triangle] = 1;
 }
 
 void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {
   if (count == 0) return;
-  order_.write(std::span<const std::uint32_t>(stays_));
-  compactPhotons_.launch(count, count, order_, candidates_, queue_, photons_, numbers_);
+  compactPhotons_.launch(count, count, work_.first(staysHere), work_.lists(), candidates_, queue_, photons_,
+                         numbers_);
   const std::size_t before = hits.photons.size();
   hits.photons.resize(before + count);
   hits.paths.resize(before + count);

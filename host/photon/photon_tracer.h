@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gpu/transport_scene.h"
+#include "gpu/work_queue.h"
 #include "photon/photon_sources.h"
 #include "prelight/photons.h"
 #include "prelight/progress.h"
@@ -104,11 +105,10 @@ class PhotonTracer {
   Buffer<std::uint32_t> queue_, nextQueue_;
   Buffer<device::Hit> hits_;
   Buffer<device::Photon> candidates_, photons_;
-  Buffer<std::uint32_t> order_, numbers_;
+  Buffer<std::uint32_t> numbers_;
   Buffer<std::uint8_t> outcomes_;
   Buffer<std::int64_t> tallies_, sums_;
-  std::vector<std::uint8_t> outcome_;
-  std::vector<std::uint32_t> goesOn_, stays_;
+  WorkQueue work_;  ///< of outcomes
 
   using Parameters = Buffer<device::PhotonParameters>;
   using Numbers = Buffer<std::uint32_t>;
@@ -119,8 +119,10 @@ class PhotonTracer {
          Buffer<device::LightLine>, Buffer<device::Ray>, Buffer<device::Hit>, Numbers,
          Buffer<device::PhotonPath>, Buffer<std::uint8_t>, Buffer<device::Photon>, Buffer<std::int64_t>>
       scatter_;
-  Kernel<std::uint32_t, std::uint32_t, Numbers, Buffer<device::Ray>, Numbers, Numbers> compactPaths_;
-  Kernel<std::uint32_t, Numbers, Buffer<device::Photon>, Numbers, Buffer<device::Photon>, Numbers>
+  Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Numbers, Buffer<device::Ray>, Numbers, Numbers>
+      compactPaths_;
+  Kernel<std::uint32_t, std::uint32_t, Numbers, Buffer<device::Photon>, Numbers, Buffer<device::Photon>,
+         Numbers>
       compactPhotons_;
   Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Buffer<std::int64_t>, Buffer<std::int64_t>> sum_;
 };

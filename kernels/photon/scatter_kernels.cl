@@ -130,22 +130,25 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
   }
 }
 
-// order [count]: those of the photons that go on, whose rays lie from `next` on -> their rays and queue, close together.
-__kernel void compactPaths(const uint count, const uint next, __global const uint* order, __global Ray* rays,
-                           __global const uint* queue, __global uint* nextQueue) {
+// lists: from `first` on those of the photons that go on, whose rays lie from `next` on -> their rays and queue, close
+// together.
+__kernel void compactPaths(const uint count, const uint first, const uint next, __global const uint* lists,
+                           __global Ray* rays, __global const uint* queue, __global uint* nextQueue) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  rays[i] = rays[next + order[i]];
-  nextQueue[i] = queue[order[i]];
+  const uint from = lists[first + i];
+  rays[i] = rays[next + from];
+  nextQueue[i] = queue[from];
 }
 
-// order [count]: those that are stored -> photons and the numbers of their paths in the block.
-__kernel void compactPhotons(const uint count, __global const uint* order, __global const Photon* stored,
+// lists: from `first` on those that are stored -> photons and the numbers of their paths in the block.
+__kernel void compactPhotons(const uint count, const uint first, __global const uint* lists, __global const Photon* stored,
                              __global const uint* queue, __global Photon* photons, __global uint* numbers) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  photons[i] = stored[order[i]];
-  numbers[i] = queue[order[i]];
+  const uint from = lists[first + i];
+  photons[i] = stored[from];
+  numbers[i] = queue[from];
 }
 
 // tallies [count][columns] -> sums [work-item][columns], each over `run` of them.

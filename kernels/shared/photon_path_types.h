@@ -58,6 +58,7 @@ typedef struct PhotonPath {
 } PhotonPath;
 
 // What became of a photon at a surface.
+// Marks of a WorkQueue: bits 0, 1 and 2.
 #define PRELIGHT_PHOTON_GOES_ON 1u
 #define PRELIGHT_PHOTON_STORED 2u
 #define PRELIGHT_PHOTON_MET_BACK 4u  ///< of a one-sided surface that reflects diffusely
