@@ -24,38 +24,39 @@ constexpr double pi = std::numbers::pi;
 constexpr glm::vec3 albedo(0.9f, 0.7f, 0.5f);
 constexpr std::array<int, 3> bump = {200, 90, 240};  // of the normal map
 
-/// Over a surface: an even sky and a wide lamp aslant, in colours of their own.
-glm::dvec3 radiance(const glm::dvec3& w, const glm::dvec3& normal) {
-  const glm::dvec3 way = glm::normalize(glm::dvec3(0.7, -0.3, 0.6));
-  if (glm::dot(w, normal) <= 0.0) return glm::dvec3(0.0);
+/// Over a surface, of which `axes` has the normal last: an even sky and a wide lamp aslant, in colours of
+/// their own.
+glm::dvec3 radiance(const glm::dvec3& w, const glm::dmat3& axes) {
+  const glm::dvec3 way = axes * glm::normalize(glm::dvec3(0.8, -0.4, 0.35));
+  if (glm::dot(w, axes[2]) <= 0.0) return glm::dvec3(0.0);
   return glm::dvec3(0.3, 0.4, 0.5) +
          glm::dvec3(4.0, 3.0, 2.0) * std::pow(std::max(glm::dot(w, way), 0.0), 8.0);
 }
 
 /// Sum over all directions of radiance, a vector of three channels, times f(direction).
 template <typename Add>
-void integrate(const glm::dvec3& normal, const Add& add) {
+void integrate(const glm::dmat3& axes, const Add& add) {
   constexpr int rings = 120, steps = 240;
   for (int i = 0; i < rings; ++i)
     for (int k = 0; k < steps; ++k) {
       const double z = 2.0 * (i + 0.5) / rings - 1.0, s = std::sqrt(1.0 - z * z),
                    azimuth = 2.0 * pi * (k + 0.5) / steps;
       const glm::dvec3 w(s * std::cos(azimuth), s * std::sin(azimuth), z);
-      add(w, radiance(w, normal) * (4.0 * pi / (rings * steps)));
+      add(w, radiance(w, axes) * (4.0 * pi / (rings * steps)));
     }
 }
 
-glm::dvec3 irradianceOf(const glm::dvec3& normal, const glm::dvec3& mapped) {
+glm::dvec3 irradianceOf(const glm::dmat3& axes, const glm::dvec3& mapped) {
   glm::dvec3 sum(0.0);
-  integrate(normal,
+  integrate(axes,
             [&](const glm::dvec3& w, const glm::dvec3& l) { sum += l * std::max(glm::dot(w, mapped), 0.0); });
   return sum;
 }
 
 /// [channel][term]
-std::array<float, 75> incidentOf(const glm::dvec3& normal) {
+std::array<float, 75> incidentOf(const glm::dmat3& axes) {
   std::array<double, 75> sums{};
-  integrate(normal, [&](const glm::dvec3& w, const glm::dvec3& l) {
+  integrate(axes, [&](const glm::dvec3& w, const glm::dvec3& l) {
     std::array<double, 25> functions{};
     sh::evaluate(w, 5, functions);
     for (std::size_t i = 0; i < 75; ++i) sums[i] += functions[i % 25] * l[static_cast<int>(i / 25)];
@@ -65,9 +66,9 @@ std::array<float, 75> incidentOf(const glm::dvec3& normal) {
   return incident;
 }
 
-std::vector<float> encoded(const Encoding& encoding, const glm::vec3& normal) {
+std::vector<float> encoded(const Encoding& encoding, const glm::dmat3& axes) {
   std::vector<float> values(encoding.values);
-  encoding.encode(incidentOf(glm::dvec3(normal)), surfaceFrame(normal), values);
+  encoding.encode(incidentOf(axes), surfaceFrame(glm::vec3(axes[2])), values);
   return values;
 }
 
@@ -99,7 +100,7 @@ struct BumpedQuad {
 
   /// The same light at every texel and vertex.
   void light(const Encoding& encoding) {
-    const std::vector<float> values = encoded(encoding, normal());
+    const std::vector<float> values = encoded(encoding, axes);
     const auto repeated = [&](std::size_t places) {
       EncodedLight light{std::string(encoding.name), {}};
       for (std::size_t i = 0; i < places; ++i)
@@ -132,7 +133,7 @@ TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
   for (const Encoding& encoding : encodings()) {
     BumpedQuad quad(attitudes().back());
     quad.light(encoding);
-    const std::vector<float> values = encoded(encoding, quad.normal());
+    const std::vector<float> values = encoded(encoding, quad.axes);
     for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
       const glm::dvec3 expected(
           encoding.irradiance(values, surfaceFrame(quad.normal()), glm::vec3(quad.mapped()))),
@@ -144,25 +145,24 @@ TEST(EncodedShading, EveryEncoding_ShowsWhatItSaysOnTheHost) {
   }
 }
 
-/// Where the light is told in many numbers, a picture of it is that of the light itself, and nothing like
-/// that of surfaces without bumps.
+/// Where the light is told in many numbers, a picture has at most half the error that one without them has.
 TEST(EncodedShading, NormalMap_GetsTheLightsOwnIrradiance) {
-  double mostTurned = 0.0;
   for (const glm::dmat3& attitude : attitudes())
-    for (const char* name : {"sh-3", "sg-24"}) {
+    for (const char* name : {"sh-3", "sg-12", "sg-24"}) {
       const Encoding& encoding = *encodingNamed(name);
       BumpedQuad quad(attitude);
       quad.light(encoding);
-      const glm::dvec3 even = irradianceOf(glm::dvec3(quad.normal()), glm::dvec3(quad.normal())),
-                       expected = irradianceOf(glm::dvec3(quad.normal()), quad.mapped());
-      mostTurned = std::max(mostTurned, std::abs(expected.x - even.x) / even.x);
+      const glm::dvec3 even = irradianceOf(quad.axes, quad.axes[2]),
+                       expected = irradianceOf(quad.axes, quad.mapped());
       for (const Shading shading : {Shading::LightMap, Shading::Radiosity}) {
         const glm::dvec3 got = quad.show(shading, &encoding);
-        for (int c = 0; c < 3; ++c)
-          EXPECT_NEAR(got[c], expected[c], 0.08 * expected[c]) << name << " " << viewer::shadingName(shading);
+        for (int c = 0; c < 3; ++c) {
+          ASSERT_GT(std::abs(expected[c] - even[c]), 0.15 * even[c]);
+          EXPECT_NEAR(got[c], expected[c], 0.5 * std::abs(expected[c] - even[c]))
+              << name << " " << viewer::shadingName(shading) << ", without directions " << even[c];
+        }
       }
     }
-  EXPECT_GT(mostTurned, 0.15) << "a picture without bumps would pass";
 }
 
 /// Between vertices, and between texels, numbers are interpolated.
@@ -170,7 +170,7 @@ TEST(EncodedShading, NumbersBetweenPlaces_AreInterpolated) {
   for (const Encoding& encoding : encodings()) {
     BumpedQuad quad(glm::dmat3(1.0));
     quad.light(encoding);
-    const std::vector<float> full = encoded(encoding, quad.normal());
+    const std::vector<float> full = encoded(encoding, quad.axes);
     std::vector<float>& vertices = quad.scene.bake.encodedLight[0].values;
     for (std::size_t v = 0; v < 4; ++v)  // dark on the left
       if (quad.scene.compiled.positions[v].x < 0.0f)
