@@ -146,13 +146,9 @@ TEST_F(CliLightMap, Encode_StoresLightAtTexelsAndVertices) {
   EXPECT_EQ(report.at("options").at("encodedLight"), nlohmann::ordered_json({"sh-3", "ambient-cube"}));
   const std::string info = prelightDone({"info", "out.glb"}).output;
   EXPECT_THAT(info, HasSubstr("ambient-cube, 18 numbers"));
-<<<<<<< HEAD
   EXPECT_THAT(info, Not(HasSubstr("encoded light: ")));
   EXPECT_THAT(prelightDone({"info", "scene.glb", "--lightmap", "--encode", "sh-3"}).output,
               HasSubstr("encoded light: incident radiance"));
-=======
-  EXPECT_THAT(prelightDone({"info", "scene.glb", "--lightmap"}).output, HasSubstr("encoded light"));
->>>>>>> incident
 }
 
 TEST_F(CliLightMap, EncodeOfNoEncoding_IsAUsageError) {
