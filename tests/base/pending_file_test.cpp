@@ -15,6 +15,7 @@
 #include "base/state_file.h"
 #include "prelight/error.h"
 #include "support/file_limit.h"
+#include "support/gltf_files.h"
 
 namespace prelight {
 namespace {
@@ -24,14 +25,6 @@ using ::testing::HasSubstr;
 
 class PendingFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("prelight-pending-") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void write(const fs::path& path, const std::string& text) const {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(text));
     writeFileAtomically(path, std::span(&bytes, 1));
@@ -62,7 +55,8 @@ class PendingFiles : public ::testing::Test {
     return ::stat(path.c_str(), &status) == 0 ? status.st_mode & 0777 : 0;
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(PendingFiles, Name_AsLongAsTheFileSystemTakes_IsWritten) {

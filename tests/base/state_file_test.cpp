@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "prelight/error.h"
+#include "support/gltf_files.h"
 
 namespace prelight {
 namespace {
@@ -16,10 +17,6 @@ using ::testing::HasSubstr;
 class StateFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / (std::string("prelight-state-") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     path_ = folder_ / "out.glb.state";
     StateWriter writer;
     writer.value(7);
@@ -27,7 +24,6 @@ class StateFile : public ::testing::Test {
     writer.values(std::vector<std::uint8_t>{});
     writeStateFile(path_, "bake", key_, writer.payload());
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string bytes() const {
     std::ifstream file(path_, std::ios::binary);
@@ -44,7 +40,8 @@ class StateFile : public ::testing::Test {
     return "";
   }
 
-  fs::path folder_, path_;
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path(), path_;
   StateKey key_ = {{"scene", 1}, {"options", 2}, {"seed", 3}};
 };
 

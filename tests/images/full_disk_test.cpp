@@ -7,6 +7,7 @@
 #include "prelight/error.h"
 #include "prelight/picture.h"
 #include "support/file_limit.h"
+#include "support/gltf_files.h"
 
 namespace prelight {
 namespace {
@@ -31,14 +32,8 @@ Picture noise(int size) {
 
 class FullDisk : public ::testing::TestWithParam<const char*> {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / "prelight-full-disk";
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_P(FullDisk, Picture_IsAnErrorAndTheOlderOneStays) {

@@ -9,6 +9,7 @@
 
 #include "prelight/prelight.h"
 #include "support/devices.h"
+#include "support/gltf_files.h"
 
 namespace prelight {
 namespace {
@@ -60,14 +61,10 @@ class FirstReport final : public Progress {
 /// An empty folder that is gone afterwards.
 class LibraryFiles : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::filesystem::path path(const char* name) const { return folder_ / name; }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      (std::string("prelight_library_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::TemporaryFolder folder_;
 };
 
 TEST(Load, BytesThatAreNoGltf_AreRefusedByName) {
