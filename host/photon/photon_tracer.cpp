@@ -178,10 +178,11 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
     report.power.absorbed[c] += sums[c];
     report.power.escaped[c] += sums[3 + c];
   }
-  const auto [left, stored, metBacks, none] = work_.list(outcomes_, count);
-  if (metBacks > 0) markBacks(metBacks, hits);
-  report.stored += stored;
-  store(stored, firstPath, hits);
+  const std::array<std::uint32_t, WorkQueue::kinds> listed = work_.list(outcomes_, count);
+  markBacks(listed[metBack], hits);
+  report.stored += listed[staysHere];
+  store(listed[staysHere], firstPath, hits);
+  const std::uint32_t left = listed[goesOn];
   if (left == 0) return 0;
   // The rays that were traced are done with.
   compactPaths_.launch(left, left, work_.first(goesOn), blockPhotons_, work_.lists(), rays_, queue_,
@@ -191,10 +192,11 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
 }
 
 void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {
+  if (count == 0) return;
   hits.backs.resize(compiled_.triangleCount(), 0);
   std::vector<std::uint32_t> listed(count);
   work_.lists().read(std::span(listed), work_.first(metBack));
-  std::vector<Hit> met(hits_.size());
+  std::vector<Hit> met(listed.back() + 1);  // the list ascends
   hits_.read(std::span(met));
   for (const std::uint32_t i : listed) hits.backs[met[i].triangle] = 1;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "plan/cast_orders.h"
+#include "prelight/error.h"
 
 namespace prelight {
 
@@ -31,6 +32,12 @@ int transferOrder(const BakeRequest& request) {
 
 int castOrder(const BakeRequest& request) {
   return std::max(transferOrder(request), 2 * request.glossy.order - 1);
+}
+
+void requireShOrder(const BakeRequest& request, const char* field) {
+  if (request.sh.order == 0)
+    throw UsageError(field, "it has the order of the SH transfer, and none is asked for",
+                     "set ShRequest::order");
 }
 
 }  // namespace prelight

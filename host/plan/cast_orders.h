@@ -10,4 +10,7 @@ int transferOrder(const BakeRequest& request);
 /// Bands of SH that rays are projected to.
 int castOrder(const BakeRequest& request);
 
+/// Throws UsageError about `field` where no SH is asked for, whose order it has.
+void requireShOrder(const BakeRequest& request, const char* field);
+
 }  // namespace prelight

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plan/cast_orders.h"
 #include "prelight/error.h"
 #include "projectors/receiver_cast.h"
 #include "projectors/texels/chart_caster.h"
@@ -28,9 +29,7 @@ void checkMemory(const BakeRequest& request, const Charts& charts) {
 class TexelsProjector final : public Projector {
  public:
   explicit TexelsProjector(const BakeContext& context) : context_(context) {
-    if (context.request.sh.order == 0)
-      throw UsageError("TexelsRequest::size", "it has the order of the SH transfer, and none is asked for",
-                       "set ShRequest::order");
+    requireShOrder(context.request, "TexelsRequest::size");
     checkMemory(context.request, *context.charts);
   }
 

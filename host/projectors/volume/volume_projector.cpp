@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "prelight/error.h"
+#include "plan/cast_orders.h"
 #include "projectors/receiver_cast.h"
 #include "projectors/volume/volume_caster.h"
 #include "transfer/volume_light.h"
@@ -16,9 +16,7 @@ namespace {
 class VolumeProjector final : public Projector {
  public:
   explicit VolumeProjector(const BakeContext& context) : context_(context) {
-    if (context.request.sh.order == 0)
-      throw UsageError("VolumeRequest::size", "it has the order of the SH transfer, and none is asked for",
-                       "set ShRequest::order");
+    requireShOrder(context.request, "VolumeRequest::size");
   }
 
   std::string_view stage() const override { return "volume"; }
