@@ -177,7 +177,7 @@ void fit(const char* stress, double half, double magnitude, int cells, Trials& t
       const double value = linear(p);
       fit.add(sample, std::span(&value, 1));
     }
-  const std::vector<double> got = fit.solve(0.0);
+  const std::vector<float> got = fit.solve(0.0);
   Differences differences;
   for (std::size_t slot = 0; slot < got.size(); ++slot)
     differences.add(got[slot] / magnitude, linear(glm::dvec3(mesh.positions[slot])) / magnitude, 1.0);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
+
 namespace prelight {
 
 namespace {
@@ -22,54 +24,57 @@ std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>
 }
 
 /// [slot][group], deviations of AO whose squares sum to its variance.
-using Deviations = std::vector<double>;
+using Deviations = std::vector<float>;
+
+/// Deviations are wanted to a percent; the noise that they are made of is not known as well.
+SolveLimits roughly(std::size_t threads = hardwareThreads()) { return {1e-3, 32, threads}; }
 
 /// Takes the groups' mean off every slot's values, and scales them.
-Deviations centred(std::vector<double> values, double factor) {
+Deviations centred(std::vector<float> values, double factor) {
   for (std::size_t first = 0; first < values.size(); first += errorGroups) {
     double mean = 0.0;
-    for (std::size_t g = 0; g < errorGroups; ++g) mean += values[first + g] / errorGroups;
-    for (std::size_t g = 0; g < errorGroups; ++g) values[first + g] = factor * (values[first + g] - mean);
+    for (std::size_t g = 0; g < errorGroups; ++g) mean += values[first + g] / double(errorGroups);
+    for (std::size_t g = 0; g < errorGroups; ++g)
+      values[first + g] = static_cast<float>(factor * (values[first + g] - mean));
   }
   return values;
 }
 
-void addRecord(VertexFit& fit, const SampleRecord& record) {
-  const double value = double(record.open) - 1.0;
-  fit.add(record.sample, std::span(&value, 1));
-}
+/// What is fitted: AO relative to an open receiver's.
+double valueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
 
-/// How far the residuals of each group alone move the fit. What all groups share is the pull of the
+/// How far the residuals of each group alone move the fit to all records, whose values are given. What all groups share is the pull of the
 /// smoothing, not noise.
-Deviations sandwich(const FitMesh& mesh, const VertexFit& empty, const std::vector<SampleRecord>& records) {
-  VertexFit fit = empty;
-  for (const auto& record : records) addRecord(fit, record);
-  const std::vector<double> fitted = fit.solve(defaultSmoothing);
+Deviations sandwich(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
+                    const std::vector<float>& values) {
   std::vector<double> scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0);
   for (const auto& record : records) {
     const auto& slots = mesh.triangles[record.sample.triangle];
     const auto b = cornerWeights(record.sample);
-    const double expected = b[0] * fitted[slots[0]] + b[1] * fitted[slots[1]] + b[2] * fitted[slots[2]];
-    const double residual = double(record.open) - 1.0 - expected;
+    const double expected = b[0] * values[slots[0]] + b[1] * values[slots[1]] + b[2] * values[slots[2]];
+    const double residual = valueOf(record) - expected;
     for (std::size_t k = 0; k < 3; ++k)
       scores[slots[k] * errorGroups + record.group] += fit.weightOf(record.sample) * b[k] * residual;
   }
   constexpr double groups = errorGroups;
-  return centred(fit.solve(defaultSmoothing, scores, errorGroups), std::sqrt(groups / (groups - 1.0)));
+  return centred(fit.solve(defaultSmoothing, scores, errorGroups, roughly()),
+                 std::sqrt(groups / (groups - 1.0)));
 }
 
-/// How far leaving each group out moves the fit.
-Deviations jackknife(const FitMesh& mesh, const VertexFit& empty, const std::vector<SampleRecord>& records) {
-  std::vector<double> values(std::size_t{mesh.slotCount()} * errorGroups);
-  for (std::uint32_t group = 0; group < errorGroups; ++group) {
-    VertexFit fit = empty;
+/// How far leaving each group out moves the fit to all records from its values.
+Deviations jackknife(const VertexFit& fit, const std::vector<SampleRecord>& records,
+                     const std::vector<float>& values) {
+  Deviations deviations(values.size() * errorGroups);
+  parallelRanges(errorGroups, 1, [&](std::size_t group, std::size_t) {
+    VertexFit rest = fit;
     for (const auto& record : records)
-      if (record.group != group) addRecord(fit, record);
-    const std::vector<double> fitted = fit.solve(defaultSmoothing);
-    for (std::size_t s = 0; s < fitted.size(); ++s) values[s * errorGroups + group] = fitted[s];
-  }
+      if (record.group == group) rest.remove(record.sample, std::array{valueOf(record)});
+    const std::vector<float> without = rest.solveFrom(defaultSmoothing, values, roughly(1));
+    for (std::size_t s = 0; s < values.size(); ++s)
+      deviations[s * errorGroups + group] = without[s] - values[s];
+  });
   constexpr double groups = errorGroups;
-  return centred(std::move(values), std::sqrt((groups - 1.0) / groups));
+  return centred(std::move(deviations), std::sqrt((groups - 1.0) / groups));
 }
 
 /// Mean square over the surface of the interpolated deviations. The mean of a linear function's square over a
@@ -95,7 +100,7 @@ double surfaceMeanSquare(const FitMesh& mesh, const std::vector<double>& areas,
 /// each with an m-th of the receivers, exceeds the variance (m^(1 + b) - 1) / (m - 1) times when that falls
 /// like n^-(1 + b); consecutive groups make up the halves.
 double complementFactor(const FitMesh& mesh, const std::vector<double>& areas, const Deviations& groups) {
-  Deviations halves(groups.size(), 0.0);
+  Deviations halves(groups.size(), 0.0f);
   for (std::size_t i = 0; i < groups.size(); ++i)
     halves[i - i % errorGroups] += i % errorGroups < errorGroups / 2 ? groups[i] : -groups[i];
   const double unscale = (errorGroups - 1.0) / errorGroups;  // deviations carry the root of its inverse
@@ -113,7 +118,7 @@ double complementFactor(const FitMesh& mesh, const std::vector<double>& areas, c
 /// [slot], sums of squares.
 std::vector<double> variances(const Deviations& deviations) {
   std::vector<double> sums(deviations.size() / errorGroups, 0.0);
-  for (std::size_t i = 0; i < deviations.size(); ++i) sums[i / errorGroups] += deviations[i] * deviations[i];
+  for (std::size_t i = 0; i < deviations.size(); ++i) sums[i / errorGroups] += double(deviations[i]) * deviations[i];
   return sums;
 }
 
@@ -122,7 +127,11 @@ std::vector<double> variances(const Deviations& deviations) {
 ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& empty, const std::vector<double>& areas,
                               const std::vector<SampleRecord>& records, std::uint64_t receivers,
                               bool independent) {
-  const Deviations low = sandwich(mesh, empty, records), high = jackknife(mesh, empty, records);
+  VertexFit fit = empty;
+  for (const auto& record : records) fit.add(record.sample, std::array{valueOf(record)});
+  const std::vector<float> values = fit.solve(defaultSmoothing);
+  const Deviations low = sandwich(mesh, fit, records, values),
+                   high = jackknife(fit, records, values);
   // The receivers without a record make the variance smaller in proportion.
   double share = receivers > 0 ? static_cast<double>(records.size()) / static_cast<double>(receivers) : 1.0;
   if (!independent) share *= complementFactor(mesh, areas, low);

@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "base/parallel.h"
 
@@ -11,209 +13,237 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t rowGrain = 1024;
-constexpr double floor = 1e-9;  // of the mean diagonal: what no sample and no neighbour determines is 0
+constexpr double floor = 1e-9;  // of the mean diagonal: what next to no sample determines leans on the rest
 constexpr std::size_t largestBlock =
     256;  // unknowns of a dense solve; a vertex with more around it stands alone
 
+/// [slot], what the diagonal would be with samples spread evenly: a sixth of the weight in the triangles
+/// around, the mean of w b^2 over a triangle. 0 where no sample is.
+std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const std::array<double, 6>> mass) {
+  std::vector<double> scale(mesh.slotCount());
+  parallelRanges(mesh.slotCount(), rowGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s)
+      for (std::uint32_t i = mesh.cornerStart[s]; i < mesh.cornerStart[s + 1]; ++i)
+        scale[s] += totalWeight(mass[mesh.corners[i] / 3]) / 6.0;
+  });
+  return scale;
+}
+
 }  // namespace
 
-/// Sum of the weights of a triangle's samples: barycentric weights sum to 1.
 double totalWeight(const std::array<double, 6>& m) { return m[0] + m[1] + m[2] + 2.0 * (m[3] + m[4] + m[5]); }
 
-NormalEquations::NormalEquations(const FitMesh& mesh, const std::vector<std::array<double, 6>>& mass,
-                                 double lambda, const std::vector<double>& stiffness)
-    : mesh_(mesh),
-      diagonal_(mesh.slotCount(), 0.0),
-      offDiagonal_(mesh.columns.size(), 0.0),
-      edgeWeight_(mesh.columns.size(), 0.0),
-      scale_(mesh.slotCount(), 0.0),
-      lambda_(lambda) {
-  for (std::size_t t = 0; t < mass.size(); ++t) {
-    const auto& s = mesh.triangles[t];
-    const auto& m = mass[t];
-    const double weight = totalWeight(m);
-    for (std::size_t k = 0; k < 3; ++k) {
-      diagonal_[s[k]] += m[k];
-      scale_[s[k]] += weight / 6.0;  // the mean of w b^2 over a triangle
-      addEdge(s[k], s[(k + 1) % 3], m[3 + k], weight);
+NormalEquations::NormalEquations(const FitMesh& mesh, std::span<const std::array<double, 6>> mass,
+                                 double lambda, std::span<const double> stiffness)
+    : mesh_(mesh) {
+  const std::vector<double> scale = evenDiagonal(mesh, mass);
+  numberRows(scale);
+  evenOutComponents(scale);
+  assemble(mass);
+  smooth(lambda, scale, stiffness);
+}
+
+void NormalEquations::numberRows(const std::vector<double>& scale) {
+  rowOfSlot_.assign(mesh_.slotCount(), noRow);
+  for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s)
+    if (scale[s] > 0.0) {
+      rowOfSlot_[s] = static_cast<std::uint32_t>(slots_.size());
+      slots_.push_back(s);
     }
-  }
-  evenOutComponents();
-  for (std::size_t i = 0; i < stiffness.size(); ++i) scale_[i] *= stiffness[i];
-  scaleRegularizer();
 }
 
 // Stretches of surface that do not touch have nothing to do with each other. Each is brought to the same
 // scale, so that neither the floor nor the end of an iteration neglects a pebble on a plain.
-void NormalEquations::evenOutComponents() {
-  const std::vector<std::uint32_t> components = componentsOf(mesh_);
-  std::vector<double> sums(rows(), 0.0), counts(rows(), 0.0);
-  for (std::size_t i = 0; i < rows(); ++i) {
-    sums[components[i]] += scale_[i];
-    counts[components[i]] += 1.0;
+void NormalEquations::evenOutComponents(const std::vector<double>& scale) {
+  std::vector<double> sums(mesh_.slotCount(), 0.0), counts(mesh_.slotCount(), 0.0);
+  for (const std::uint32_t slot : slots_) {
+    sums[mesh_.components[slot]] += scale[slot];
+    counts[mesh_.components[slot]] += 1.0;
   }
-  factors_.resize(rows());
-  for (std::size_t i = 0; i < rows(); ++i) {
-    const double sum = sums[components[i]];
-    factors_[i] = sum > 0.0 ? counts[components[i]] / sum : 1.0;
-    diagonal_[i] *= factors_[i];
-    scale_[i] *= factors_[i];
-    for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
-      offDiagonal_[e] *= factors_[i];
-      edgeWeight_[e] *= factors_[i];
-    }
-  }
+  factors_.reserve(rows());
+  for (const std::uint32_t slot : slots_)
+    factors_.push_back(counts[mesh_.components[slot]] / sums[mesh_.components[slot]]);
 }
 
-void NormalEquations::apply(const std::vector<double>& x, std::vector<double>& y,
-                            std::vector<double>& scratch, std::size_t columns) const {
-  laplacian(x, scratch, columns);
+void NormalEquations::assemble(std::span<const std::array<double, 6>> mass) {
+  start_.assign(rows() + 1, 0);
+  for (std::size_t row = 0; row < rows(); ++row) {
+    start_[row + 1] = start_[row];
+    for (std::uint32_t e = mesh_.rowStart[slots_[row]]; e < mesh_.rowStart[slots_[row] + 1]; ++e)
+      start_[row + 1] += rowOfSlot_[mesh_.columns[e]] != noRow ? 1 : 0;
+  }
+  edges_.resize(start_.back());
+  entries_.resize(rows());
   parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      double* out = &y[i * columns];
-      const double own = edgeSum_[i] > 0.0 ? lambda_ * scale_[i] : 0.0;
-      for (std::size_t c = 0; c < columns; ++c)
-        out[c] = (diagonal_[i] + floor) * x[i * columns + c] + own * scratch[i * columns + c];
-      for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
-        const std::size_t j = mesh_.columns[e];
-        const double transposed = transposed_[e];
-        for (std::size_t c = 0; c < columns; ++c)
-          out[c] += offDiagonal_[e] * x[j * columns + c] + transposed * scratch[j * columns + c];
-      }
+    std::vector<EdgeSums> sums;
+    for (std::size_t row = begin; row < end; ++row) assembleRow(mass, row, sums);
+  });
+}
+
+// The Laplacian weighs neighbours by the surface they share: a tiny triangle beside a large one must not be
+// bent to make the large one smooth.
+void NormalEquations::assembleRow(std::span<const std::array<double, 6>> mass, std::size_t row,
+                                  std::vector<EdgeSums>& sums) {
+  const std::uint32_t slot = slots_[row], firstEdge = mesh_.rowStart[slot];
+  sums.assign(mesh_.rowStart[slot + 1] - firstEdge, {});
+  double diagonal = 0.0;
+  const auto add = [&](std::uint32_t other, double value, double weight) {
+    if (other == slot) {  // both ends of an edge have become one slot
+      diagonal += value;
+      return;
+    }
+    std::uint32_t e = 0;
+    while (mesh_.columns[firstEdge + e] != other) ++e;
+    sums[e].value += value;
+    sums[e].weight += weight;
+  };
+  for (std::uint32_t i = mesh_.cornerStart[slot]; i < mesh_.cornerStart[slot + 1]; ++i) {
+    const std::size_t t = mesh_.corners[i] / 3, k = mesh_.corners[i] % 3, before = (k + 2) % 3;
+    const double weight = totalWeight(mass[t]);
+    diagonal += mass[t][k];
+    add(mesh_.triangles[t][(k + 1) % 3], mass[t][3 + k], weight);
+    add(mesh_.triangles[t][before], mass[t][3 + before], weight);
+  }
+  const double factor = factors_[row];
+  double edgeSum = 0.0;
+  std::uint32_t edge = start_[row];
+  for (std::uint32_t e = 0; e < sums.size(); ++e) {
+    const std::uint32_t other = rowOfSlot_[mesh_.columns[firstEdge + e]];
+    if (other == noRow) continue;
+    edges_[edge] = {other, static_cast<float>(factor * sums[e].value),
+                    static_cast<float>(factor * sums[e].weight + floor)};
+    edgeSum += edges_[edge++].weight;
+  }
+  entries_[row].diagonal = static_cast<float>(factor * diagonal + floor);
+  entries_[row].edgeSum = static_cast<float>(edgeSum);
+}
+
+// S is the even diagonal, so that small and large triangles are smoothed alike and a slot whose few samples
+// all lie far from it leans on its neighbours.
+void NormalEquations::smooth(double lambda, const std::vector<double>& scale,
+                             std::span<const double> stiffness) {
+  const auto strength = [&](std::size_t row) {
+    return lambda * factors_[row] * scale[slots_[row]] * (stiffness.empty() ? 1.0 : stiffness[slots_[row]]);
+  };
+  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const double sum = entries_[row].edgeSum;
+      entries_[row].pull = sum > 0.0 ? static_cast<float>(strength(row) / (sum * sum)) : 0.0f;
+    }
+  });
+  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const double sum = entries_[row].edgeSum;
+      double diagonal = entries_[row].diagonal + entries_[row].pull * sum * sum;
+      for (std::uint32_t e = start_[row]; e < start_[row + 1]; ++e)
+        diagonal += double(entries_[edges_[e].row].pull) * edges_[e].weight * edges_[e].weight;
+      entries_[row].inverseDiagonal = static_cast<float>(1.0 / diagonal);
     }
   });
 }
 
-void NormalEquations::addEdge(std::uint32_t a, std::uint32_t b, double value, double weight) {
-  if (a == b) {
-    diagonal_[a] += 2.0 * value;
-    return;
-  }
-  for (const std::size_t e : {find(a, b), find(b, a)}) {
-    offDiagonal_[e] += value;
-    edgeWeight_[e] += weight;
-  }
-}
-
-std::size_t NormalEquations::find(std::uint32_t row, std::uint32_t column) const {
-  const auto begin = mesh_.columns.begin() + mesh_.rowStart[row];
-  const auto end = mesh_.columns.begin() + mesh_.rowStart[row + 1];
-  return static_cast<std::size_t>(std::lower_bound(begin, end, column) - mesh_.columns.begin());
-}
-
-// S is what the diagonal would be with samples spread evenly, so that small and large triangles are
-// smoothed alike and a slot whose few samples all lie far from it leans on its neighbours. The Laplacian
-// weighs neighbours by the surface they share: a tiny triangle beside a large one must not be bent to make
-// the large one smooth. Slots and edges without any sample get next to nothing, which makes them follow.
-void NormalEquations::scaleRegularizer() {
-  for (double& s : scale_) s = s > 0.0 ? s : 1.0;  // the mean of a component
-  edgeSum_.assign(rows(), 0.0);
-  for (std::size_t i = 0; i < rows(); ++i)
-    for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
-      edgeWeight_[e] += floor;
-      edgeSum_[i] += edgeWeight_[e];
-    }
-  share_.resize(mesh_.columns.size());
-  transposed_.resize(mesh_.columns.size());
-  total_.resize(rows());
-  for (std::size_t i = 0; i < rows(); ++i) {
-    double regularizer = edgeSum_[i] > 0.0 ? scale_[i] : 0.0;
-    for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
-      const std::size_t j = mesh_.columns[e];
-      const double reverse = edgeWeight_[e] / edgeSum_[j];
-      share_[e] = edgeWeight_[e] / edgeSum_[i];
-      transposed_[e] = -lambda_ * scale_[j] * reverse;
-      regularizer += scale_[j] * reverse * reverse;
-    }
-    total_[i] = diagonal_[i] + floor + lambda_ * regularizer;
-  }
-}
-
-void NormalEquations::laplacian(const std::vector<double>& x, std::vector<double>& y,
-                                std::size_t columns) const {
+std::vector<double> NormalEquations::laplacian(std::span<const float> x) const {
+  std::vector<double> bending(mesh_.slotCount(), 0.0);
   parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      double* out = &y[i * columns];
-      for (std::size_t c = 0; c < columns; ++c) out[c] = edgeSum_[i] > 0.0 ? x[i * columns + c] : 0.0;
-      for (std::uint32_t e = mesh_.rowStart[i]; e < mesh_.rowStart[i + 1]; ++e) {
-        for (std::size_t c = 0; c < columns; ++c) out[c] -= share_[e] * x[mesh_.columns[e] * columns + c];
-      }
+    for (std::size_t row = begin; row < end; ++row) {
+      double sum = 0.0;
+      for (std::uint32_t e = start_[row]; e < start_[row + 1]; ++e)
+        sum += edges_[e].weight * (double(x[slots_[row]]) - x[slots_[edges_[e].row]]);
+      if (entries_[row].edgeSum > 0.0f) bending[slots_[row]] = sum / entries_[row].edgeSum;
     }
   });
+  return bending;
 }
 
-// Slots up to two edges away, one or none where there are too many; ascending.
-std::vector<std::uint32_t> NormalEquations::around(std::uint32_t slot) const {
-  std::vector<std::uint32_t> slots = {slot};
+// Rows up to two edges away, one or none where there are too many; ascending.
+std::vector<std::uint32_t> NormalEquations::around(std::uint32_t row) const {
+  std::vector<std::uint32_t> rows = {row};
   for (int ring = 0; ring < 2; ++ring) {
-    std::vector<std::uint32_t> wider = slots;
-    for (const std::uint32_t s : slots)
-      wider.insert(wider.end(), mesh_.columns.begin() + mesh_.rowStart[s],
-                   mesh_.columns.begin() + mesh_.rowStart[s + 1]);
+    std::vector<std::uint32_t> wider = rows;
+    for (const std::uint32_t r : rows)
+      for (std::uint32_t e = start_[r]; e < start_[r + 1]; ++e) wider.push_back(edges_[e].row);
     std::sort(wider.begin(), wider.end());
     wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
     if (wider.size() > largestBlock) break;
-    slots = std::move(wider);
+    rows = std::move(wider);
   }
-  return slots;
+  return rows;
 }
 
-// Entries of A + lambda L^T S L + floor among `slots`, which ascend; [row][column].
-std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>& slots) const {
-  const std::size_t n = slots.size();
+// Entries of the operator among `rows`, which ascend; [row][column].
+std::vector<double> NormalEquations::denseBlock(const std::vector<std::uint32_t>& rows) const {
+  const std::size_t n = rows.size();
   std::vector<double> block(n * n, 0.0);
-  const auto placeOf = [&](std::uint32_t slot) {
-    const auto at = std::lower_bound(slots.begin(), slots.end(), slot);
-    return at != slots.end() && *at == slot ? static_cast<std::ptrdiff_t>(at - slots.begin()) : -1;
+  const auto placeOf = [&](std::uint32_t row) {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), row);
+    return at != rows.end() && *at == row ? static_cast<std::ptrdiff_t>(at - rows.begin()) : -1;
   };
-  std::vector<std::uint32_t> laplacians = slots;  // whose row of L touches one of them
+  std::vector<std::uint32_t> laplacians = rows;  // whose row of L touches one of them
   for (std::size_t i = 0; i < n; ++i) {
-    block[i * n + i] += diagonal_[slots[i]] + floor;
-    for (std::uint32_t e = mesh_.rowStart[slots[i]]; e < mesh_.rowStart[slots[i] + 1]; ++e) {
-      laplacians.push_back(mesh_.columns[e]);
-      const std::ptrdiff_t j = placeOf(mesh_.columns[e]);
-      if (j >= 0) block[i * n + static_cast<std::size_t>(j)] += offDiagonal_[e];
+    block[i * n + i] += entries_[rows[i]].diagonal;
+    for (std::uint32_t e = start_[rows[i]]; e < start_[rows[i] + 1]; ++e) {
+      laplacians.push_back(edges_[e].row);
+      const std::ptrdiff_t j = placeOf(edges_[e].row);
+      if (j >= 0) block[i * n + static_cast<std::size_t>(j)] += edges_[e].value;
     }
   }
   std::sort(laplacians.begin(), laplacians.end());
   laplacians.erase(std::unique(laplacians.begin(), laplacians.end()), laplacians.end());
   std::vector<std::pair<std::size_t, double>> row;
   for (const std::uint32_t k : laplacians) {
-    if (!(edgeSum_[k] > 0.0)) continue;
     row.clear();
-    if (const std::ptrdiff_t own = placeOf(k); own >= 0) row.emplace_back(own, 1.0);
-    for (std::uint32_t e = mesh_.rowStart[k]; e < mesh_.rowStart[k + 1]; ++e)
-      if (const std::ptrdiff_t j = placeOf(mesh_.columns[e]); j >= 0) row.emplace_back(j, -share_[e]);
+    if (const std::ptrdiff_t own = placeOf(k); own >= 0) row.emplace_back(own, entries_[k].edgeSum);
+    for (std::uint32_t e = start_[k]; e < start_[k + 1]; ++e)
+      if (const std::ptrdiff_t j = placeOf(edges_[e].row); j >= 0) row.emplace_back(j, -edges_[e].weight);
     for (const auto& [i, a] : row)
-      for (const auto& [j, b] : row) block[i * n + j] += lambda_ * scale_[k] * a * b;
+      for (const auto& [j, b] : row) block[i * n + j] += entries_[k].pull * a * b;
   }
   return block;
 }
 
 // What samples of 1, x, y and z add to a slot's right-hand side: barycentric weights reproduce linear
 // functions.
-glm::dvec4 NormalEquations::rightSideOfLinear(std::size_t slot) const {
-  glm::dvec4 sum = diagonal_[slot] * glm::dvec4(1.0, mesh_.positions[slot]);
-  for (std::uint32_t e = mesh_.rowStart[slot]; e < mesh_.rowStart[slot + 1]; ++e)
-    sum += offDiagonal_[e] * glm::dvec4(1.0, mesh_.positions[mesh_.columns[e]]);
+glm::dvec4 NormalEquations::rightSideOfLinear(std::uint32_t row) const {
+  glm::dvec4 sum = double(entries_[row].diagonal) * glm::dvec4(1.0, mesh_.positions[slots_[row]]);
+  for (std::uint32_t e = start_[row]; e < start_[row + 1]; ++e)
+    sum += double(edges_[e].value) * glm::dvec4(1.0, mesh_.positions[slots_[edges_[e].row]]);
   return sum;
+}
+
+std::vector<SlotWeight> NormalEquations::inverseRow(std::uint32_t slot) const {
+  return rowOfSlot_[slot] != noRow ? sampledRow(rowOfSlot_[slot]) : meanOfNeighbours(slot);
+}
+
+std::vector<SlotWeight> NormalEquations::meanOfNeighbours(std::uint32_t slot) const {
+  std::map<std::uint32_t, double> sums;
+  double count = 0.0;
+  for (std::uint32_t e = mesh_.rowStart[slot]; e < mesh_.rowStart[slot + 1]; ++e) {
+    const std::uint32_t row = rowOfSlot_[mesh_.columns[e]];
+    if (row == noRow) continue;
+    const std::vector<SlotWeight> weights = sampledRow(row);
+    if (!weights.empty()) count += 1.0;
+    for (const SlotWeight& w : weights) sums[w.slot] += w.weight;
+  }
+  std::vector<SlotWeight> mean;
+  for (const auto& [other, sum] : sums) mean.push_back({other, sum / count});
+  return mean;
 }
 
 // The row of the block's inverse, and what it takes to make it exact for linear functions, which the whole
 // inverse is but for the smoothing: with B the right-hand sides of 1, x, y, z, the row z + A^-1 B c with B^T
 // (z + A^-1 B c) = (1, x, y, z) of the slot.
-std::vector<SlotWeight> NormalEquations::inverseRow(std::uint32_t slot) const {
-  const std::vector<std::uint32_t> slots = around(slot);
-  const auto n = static_cast<Eigen::Index>(slots.size());
-  const std::vector<double> block = denseBlock(slots);
+std::vector<SlotWeight> NormalEquations::sampledRow(std::uint32_t row) const {
+  const std::vector<std::uint32_t> rows = around(row);
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  const std::vector<double> block = denseBlock(rows);
   Eigen::MatrixXd right(n, 5);
   right.col(4).setZero();
-  right(std::lower_bound(slots.begin(), slots.end(), slot) - slots.begin(), 4) = 1.0;
+  right(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin(), 4) = 1.0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const glm::dvec4 linear = rightSideOfLinear(slots[static_cast<std::size_t>(i)]);
+    const glm::dvec4 linear = rightSideOfLinear(rows[static_cast<std::size_t>(i)]);
     for (int k = 0; k < 4; ++k) right(i, k) = linear[k];
   }
-  const glm::vec3 p = mesh_.positions[slot];
+  const glm::vec3 p = mesh_.positions[slots_[row]];
   // Around the slot, so that far from the origin nothing cancels.
   for (int axis = 0; axis < 3; ++axis) right.col(1 + axis) -= double(p[axis]) * right.col(0);
   const Eigen::MatrixXd solved = Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n).ldlt().solve(right);
@@ -224,11 +254,11 @@ std::vector<SlotWeight> NormalEquations::inverseRow(std::uint32_t slot) const {
   const Eigen::Vector4d lacking = Eigen::Vector4d(1.0, 0.0, 0.0, 0.0) - got;
   // On a plane one direction has nothing to it.
   const Eigen::Vector4d c = gram.completeOrthogonalDecomposition().solve(lacking);
-  const Eigen::VectorXd row = solved.col(4) + solved.leftCols<4>() * c;
+  const Eigen::VectorXd inverse = solved.col(4) + solved.leftCols<4>() * c;
   std::vector<SlotWeight> weights;
   // Right-hand sides come unscaled.
   for (Eigen::Index i = 0; i < n; ++i)
-    weights.push_back({slots[static_cast<std::size_t>(i)], factors_[slot] * row[i]});
+    weights.push_back({slots_[rows[static_cast<std::size_t>(i)]], factors_[row] * inverse[i]});
   return weights;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/state_file.h"
+#include "fit/conjugate_gradients.h"
 #include "fit/normal_equations.h"
 #include "receivers/fit_mesh.h"
 #include "receivers/surface_sampler.h"
@@ -28,6 +29,9 @@ class VertexFit {
 
   void add(const SurfaceSample& sample, std::span<const double> values);
 
+  /// Takes away what add() has added.
+  void remove(const SurfaceSample& sample, std::span<const double> values);
+
   std::size_t columns() const { return columns_; }
 
   void save(StateWriter& state) const;
@@ -37,30 +41,42 @@ class VertexFit {
   double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
 
   /// [slot][column]. Slots without a sample near take their neighbours' values, or 0 when they have none.
-  std::vector<double> solve(double lambda) const;
+  std::vector<float> solve(double lambda) const;
 
   /// [slot], of one column alone.
-  std::vector<double> solveColumn(double lambda, std::size_t column) const;
+  std::vector<float> solveColumn(double lambda, std::size_t column) const;
+
+  /// The same of a fit of one column from a guess that is near, [slot].
+  std::vector<float> solveFrom(double lambda, std::vector<float> guess, const SolveLimits& limits) const;
+
+  /// Solves for another right-hand side [slot][column] with this fit's samples.
+  std::vector<float> solve(double lambda, std::span<const double> rightSide, std::size_t columns,
+                           const SolveLimits& limits = {}) const;
 
   /// The equations that solve() solves, for those who want rows of their inverse.
-  NormalEquations equations(double lambda) const { return {mesh_, scaledMass(), lambda, stiffness_}; }
+  NormalEquations equations(double lambda) const;
 
   /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
   void stiffen(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
   const std::vector<double>& stiffness() const { return stiffness_; }
 
-  /// Solves for another right-hand side [slot][column] with this fit's samples.
-  std::vector<double> solve(double lambda, const std::vector<double>& rightSide, std::size_t columns) const;
+  /// Of the slots without a sample near, only those of `extent`, [slot], get values; empty: all.
+  void extendTo(std::vector<std::uint8_t> extent) { extent_ = std::move(extent); }
+  const std::vector<std::uint8_t>& extent() const { return extent_; }
 
  private:
+  void add(const SurfaceSample& sample, double weight, std::span<const double> values);
   double scaleOf(std::size_t triangle) const;
   std::vector<double> rightSide(std::size_t firstColumn, std::size_t count) const;
-  std::vector<std::array<double, 6>> scaledMass() const;
+  std::vector<float> solve(const NormalEquations& equations, std::span<const double> rightSide,
+                           std::size_t columns, std::vector<float> guess, const SolveLimits& limits) const;
 
   const FitMesh& mesh_;
   std::size_t columns_;
   std::vector<double> stiffness_;            ///< [slot], or empty: 1
+  std::vector<std::uint8_t> extent_;         ///< [slot], or empty: all
   std::vector<double> triangleWeights_;      ///< [triangle], or empty: samples weigh what they say
+  std::vector<std::uint32_t> counts_;        ///< [triangle], samples
   std::vector<std::array<double, 6>> mass_;  ///< [triangle]: sum w b_i b_j of 00 11 22 01 12 20
   std::vector<double> right_;                ///< [slot][column], or [triangle][corner][column]: sum w b f
 };

@@ -15,7 +15,7 @@ constexpr double samplesPerTexel = 1.0;
 constexpr std::uint32_t leastSamples = 4, mostSamples = 256;  // of a triangle
 
 /// `count` coefficients of a map from `first` on, fitted to vertices: [slot][channel][coefficient].
-std::vector<double> fitToVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
+std::vector<float> fitToVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map,
                                   int first, int count) {
   const auto each = static_cast<std::size_t>(count);
   VertexFit fit(mesh, 3 * each);
@@ -48,24 +48,24 @@ std::vector<double> fitToVertices(const CompiledScene& scene, const FitMesh& mes
 
 std::vector<glm::vec3> irradianceOfVertices(const CompiledScene& scene, const FitMesh& mesh,
                                             const LightMap& map) {
-  const std::vector<double> solved = fitToVertices(scene, mesh, map, 0, 1);
+  const std::vector<float> solved = fitToVertices(scene, mesh, map, 0, 1);
   std::vector<glm::vec3> irradiance;
   irradiance.reserve(scene.vertexCount());
   for (const std::uint32_t slot : mesh.slotOfVertex) {
-    const double* value = &solved[3 * std::size_t{slot}];
-    irradiance.emplace_back(glm::max(glm::dvec3(value[0], value[1], value[2]), 0.0));
+    const float* value = &solved[3 * std::size_t{slot}];
+    irradiance.push_back(glm::max(glm::vec3(value[0], value[1], value[2]), 0.0f));
   }
   return irradiance;
 }
 
 std::vector<float> incidentOfVertices(const CompiledScene& scene, const FitMesh& mesh, const LightMap& map) {
   const auto length = 3 * static_cast<std::size_t>(map.coefficients - 1);
-  const std::vector<double> solved = fitToVertices(scene, mesh, map, 1, map.coefficients - 1);
+  const std::vector<float> solved = fitToVertices(scene, mesh, map, 1, map.coefficients - 1);
   std::vector<float> incident;
   incident.reserve(length * scene.vertexCount());
   for (const std::uint32_t slot : mesh.slotOfVertex)
     for (std::size_t i = 0; i < length; ++i)
-      incident.push_back(static_cast<float>(solved[length * slot + i]));
+      incident.push_back(solved[length * slot + i]);
   return incident;
 }
 

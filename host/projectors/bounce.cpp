@@ -7,13 +7,13 @@ namespace prelight {
 namespace {
 
 /// Device transfer, [vertex][3][n] and then the backs, from the slots' values.
-void scatter(const FitMesh& mesh, const std::vector<double>& slots, std::size_t columns, float* out) {
+void scatter(const FitMesh& mesh, const std::vector<float>& slots, std::size_t columns, float* out) {
   for (std::size_t v = 0; v < mesh.slotOfVertex.size(); ++v)
     for (std::size_t c = 0; c < columns; ++c)
-      out[v * columns + c] = static_cast<float>(slots[mesh.slotOfVertex[v] * columns + c]);
+      out[v * columns + c] = slots[mesh.slotOfVertex[v] * columns + c];
 }
 
-std::vector<double> fitRows(Caster& caster, const SideCast& cast, std::size_t columns, Progress& progress) {
+std::vector<float> fitRows(Caster& caster, const SideCast& cast, std::size_t columns, Progress& progress) {
   VertexFit fit = cast.emptyFit(columns);
   std::vector<float> values;
   std::vector<double> row(columns);

@@ -12,7 +12,7 @@ namespace prelight {
 /// One cast side of the surface and its transfer of the current bounce, [slot][3][column].
 struct BounceSide {
   const SideCast* cast = nullptr;
-  std::vector<double> transfer;
+  std::vector<float> transfer;
 };
 
 /// Replaces each side's transfer by that of the next bounce: every stored row gathers albedo x transfer of

@@ -66,10 +66,10 @@ std::string backNote(const SceneCast& cast) {
 }
 
 std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
-                                    const std::vector<double>& fitted) {
+                                    const std::vector<float>& fitted) {
   std::vector<double> accessibility;
   for (std::size_t slot = 0; slot < mesh.slotCount(); ++slot)
-    accessibility.push_back(std::clamp(1.0 + fitted[slot * front.baseline().columns()], 0.0, 1.0));
+    accessibility.push_back(std::clamp(1.0 + double(fitted[slot * front.baseline().columns()]), 0.0, 1.0));
   return accessibility;
 }
 

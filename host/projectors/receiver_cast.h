@@ -24,7 +24,7 @@ class ReceiverCast {
   const SideCast& front() const { return cast_.front(); }
 
   /// After run(): the front's solution, [slot][column] relative to the baseline.
-  const std::vector<double>& fitted() const { return fitted_; }
+  const std::vector<float>& fitted() const { return fitted_; }
 
   /// After run(): AO, [slot], in [0,1].
   const std::vector<double>& accessibility() const { return accessibility_; }
@@ -50,7 +50,7 @@ class ReceiverCast {
   std::uint32_t capacity_;  ///< rows of senders
   Caster caster_;
   SceneCast cast_;
-  std::vector<double> fitted_;
+  std::vector<float> fitted_;
   std::vector<double> accessibility_;
   std::optional<SlotTransfer> transfer_;
 };

@@ -44,6 +44,7 @@ bool SceneCast::markFreshBacks() {
   if (!back_) makeBack();
   for (std::size_t t = 0; t < fresh.size(); ++t) backSeen_[t] |= fresh[t];
   back_->active() = std::move(fresh);
+  back_->limitTo(backSeen_);
   return true;
 }
 
@@ -68,6 +69,7 @@ void SceneCast::load(StateReader& state) {
   if (withBack != 0) {
     makeBack();
     state.sameSize(backSeen_);
+    back_->limitTo(backSeen_);
     back_->load(state);
   }
   std::uint32_t rows = front_.storedCount();

@@ -44,6 +44,14 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
+void SideCast::limitTo(std::span<const std::uint8_t> triangles) {
+  std::vector<std::uint8_t> slots(mesh_.slotCount(), 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const std::uint32_t slot : mesh_.triangles[t]) slots[slot] |= triangles[t];
+  if (lightFit_) lightFit_->extendTo(slots);
+  fit_.extendTo(std::move(slots));
+}
+
 void SideCast::start() {
   running_ = true;
   round_ = passInRound_ = 0;
@@ -70,8 +78,8 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
 
 // Of all values alike, by what AO says: where that is flat, light is too, nearly always.
 void SideCast::stiffen() {
-  std::vector<double> laplacian(mesh_.slotCount());
-  fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0), laplacian, 1);
+  const std::vector<double> laplacian =
+      fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0));
   fit_.stiffen(stiffnessOf(mesh_, laplacian, estimateError().slots));
 }
 
@@ -122,10 +130,10 @@ void SideCast::castPass(Progress& progress) {
 // What occluders send is damped by their AO (Sherif 2013, 7.2.4), so that the first pass is for AO alone, and
 // those after it have the more of it the later they are.
 void SideCast::estimateAccessibility() {
-  const std::vector<double> blocked = fit_.solveColumn(defaultSmoothing, 0);
+  const std::vector<float> blocked = fit_.solveColumn(defaultSmoothing, 0);
   accessibility_.resize(scene_.vertexCount());
   for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v)
-    accessibility_[v] = static_cast<float>(std::clamp(1.0 + blocked[mesh_.slotOfVertex[v]], 0.0, 1.0));
+    accessibility_[v] = static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
   caster_.setAccessibility(scene_, accessibility_);
 }
 
@@ -281,6 +289,7 @@ VertexFit SideCast::plainFit(std::size_t columns) const {
 VertexFit SideCast::emptyFit(std::size_t columns) const {
   VertexFit fit = plainFit(columns);
   fit.stiffen(fit_.stiffness());
+  fit.extendTo(fit_.extent());
   return fit;
 }
 

@@ -26,6 +26,9 @@ class SideCast {
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }
 
+  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is called.
+  void limitTo(std::span<const std::uint8_t> triangles);
+
   /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill. After
   /// load(), goes on where the saved run was interrupted.
   void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
@@ -37,13 +40,13 @@ class SideCast {
   void load(StateReader& state);
 
   /// Fitted values relative to the baseline, [slot][column].
-  std::vector<double> solve() const { return fit_.solve(defaultSmoothing); }
+  std::vector<float> solve() const { return fit_.solve(defaultSmoothing); }
 
   /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
-  std::vector<double> solveBentNormal() const { return bentFit_.value().solve(defaultSmoothing); }
+  std::vector<float> solveBentNormal() const { return bentFit_.value().solve(defaultSmoothing); }
 
   /// Fitted direct light of groups of lights, [slot][3][group]. Only where the projections ask for it.
-  std::vector<double> solveLights() const { return lightFit_.value().solve(defaultSmoothing); }
+  std::vector<float> solveLights() const { return lightFit_.value().solve(defaultSmoothing); }
 
   /// What is seen of occluders. Only where the projections ask for it.
   const OccluderMeans& occluders() const { return occluders_.value(); }

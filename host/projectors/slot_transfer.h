@@ -16,11 +16,11 @@ namespace prelight {
 struct SlotTransfer {
   int order = 0;
   std::uint32_t groups = 0;
-  std::vector<double> direct;  ///< [slot][3][column]
-  std::vector<double> total;   ///< the same with bounces
-  std::vector<double>
+  std::vector<float> direct;  ///< [slot][3][column]
+  std::vector<float> total;   ///< the same with bounces
+  std::vector<float>
       reflected;  ///< the total without the last bounce: what was reflected last. Empty: no bounce
-  std::vector<double> backReflected;  ///< the same of the vertices' backs; empty: none is seen
+  std::vector<float> backReflected;  ///< the same of the vertices' backs; empty: none is seen
   int bounces = 0;                    ///< as asked for
 
   std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
@@ -33,7 +33,7 @@ struct SlotTransfer {
 /// Direct transfer from a cast that has run, and `bounces` of it from the caster's stored rows. `fitted` is
 /// the front's solution; `order` is at most that of the cast.
 SlotTransfer makeTransfer(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                          const SceneCast& cast, const std::vector<double>& fitted, int order, int bounces,
+                          const SceneCast& cast, const std::vector<float>& fitted, int order, int bounces,
                           Progress& progress, std::vector<std::string>& notes);
 
 /// What is reflected last, in the layout of the kernels: [vertex][3][columns], then, where any is seen, the

@@ -136,7 +136,7 @@ const SolveReport& Radiosity::relight(const RadiosityLights& lights, Progress& p
   return solve(progress);
 }
 
-std::vector<double> Radiosity::fitDirect(const FitMesh& mesh, double meanArea) const {
+std::vector<float> Radiosity::fitDirect(const FitMesh& mesh, double meanArea) const {
   VertexFit fit(mesh, 3);
   const std::uint32_t points = directLight_->pointsPerElement();
   for (std::size_t i = 0; i < lit_.size(); ++i) {
@@ -153,7 +153,7 @@ std::vector<double> Radiosity::fitDirect(const FitMesh& mesh, double meanArea) c
   return fit.solve(defaultSmoothing);
 }
 
-std::vector<double> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea) const {
+std::vector<float> Radiosity::fitIndirect(const FitMesh& mesh, double meanArea) const {
   VertexFit fit(mesh, 3);
   const std::vector<glm::vec4> irradiance = solver_->irradiance();
   for (const std::uint32_t element : lit_) {
@@ -173,13 +173,13 @@ std::vector<glm::vec3> Radiosity::irradianceOfVertices(const FitMesh& mesh) cons
   double area = 0.0;
   for (const std::uint32_t element : lit_) area += factors_.areas[element];
   const double meanArea = area / std::max<double>(1.0, double(lit_.size()));
-  const std::vector<double> direct = fitDirect(mesh, meanArea), indirect = fitIndirect(mesh, meanArea);
+  const std::vector<float> direct = fitDirect(mesh, meanArea), indirect = fitIndirect(mesh, meanArea);
   std::vector<glm::vec3> vertices;
   for (const std::uint32_t slot : mesh.slotOfVertex) {
     glm::vec3 value(0.0f);
     for (int c = 0; c < 3; ++c) {
       const std::size_t at = 3 * std::size_t{slot} + static_cast<std::size_t>(c);
-      const auto sum = static_cast<float>(std::max(0.0, direct[at]) + std::max(0.0, indirect[at]));
+      const float sum = std::max(0.0f, direct[at]) + std::max(0.0f, indirect[at]);
       value[c] = std::isfinite(sum) ? sum : 0.0f;
     }
     vertices.push_back(value);

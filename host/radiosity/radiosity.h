@@ -67,8 +67,8 @@ class Radiosity {
   void makeRows();
   std::vector<glm::vec4> emissionThroughRows(std::vector<float>& share) const;
   void sumPoints(const std::vector<PointIrradiance>& points);
-  std::vector<double> fitDirect(const FitMesh& mesh, double meanArea) const;
-  std::vector<double> fitIndirect(const FitMesh& mesh, double meanArea) const;
+  std::vector<float> fitDirect(const FitMesh& mesh, double meanArea) const;
+  std::vector<float> fitIndirect(const FitMesh& mesh, double meanArea) const;
 
   const CompiledScene& scene_;
   Tracer& tracer_;

@@ -1,8 +1,11 @@
 #include "receivers/fit_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <numeric>
+
+#include "base/parallel.h"
 
 namespace prelight {
 
@@ -21,16 +24,30 @@ VertexKey keyOf(const CompiledScene& scene, std::span<const std::uint32_t> class
   return key;
 }
 
+std::size_t hashOf(const VertexKey& key) {
+  std::uint64_t hash = 0;
+  for (const std::uint32_t word : key) hash = (hash ^ word) * 0x9e3779b97f4a7c15u ^ hash >> 29;
+  return hash ^ hash >> 32;
+}
+
+/// The lowest vertex of the same key, vertex by vertex: a hash table with open addressing.
+std::vector<std::uint32_t> firstOfKey(const CompiledScene& scene, std::span<const std::uint32_t> classes) {
+  constexpr std::uint32_t none = ~0u;
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * std::size_t{scene.vertexCount()} + 1), none);
+  std::vector<std::uint32_t> first(scene.vertexCount());
+  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
+    const VertexKey key = keyOf(scene, classes, v);
+    std::size_t place = hashOf(key) & (table.size() - 1);
+    while (table[place] != none && keyOf(scene, classes, table[place]) != key)
+      place = (place + 1) & (table.size() - 1);
+    if (table[place] == none) table[place] = v;
+    first[v] = table[place];
+  }
+  return first;
+}
+
 void weld(const CompiledScene& scene, std::span<const std::uint32_t> classes, FitMesh& mesh) {
-  std::vector<VertexKey> keys(scene.vertexCount());
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) keys[v] = keyOf(scene, classes, v);
-  std::vector<std::uint32_t> order(scene.vertexCount());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return keys[a] != keys[b] ? keys[a] < keys[b] : a < b; });
-  std::vector<std::uint32_t> first(scene.vertexCount());  // lowest vertex of the same key
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && keys[order[i]] == keys[order[i - 1]] ? first[order[i - 1]] : order[i];
+  const std::vector<std::uint32_t> first = firstOfKey(scene, classes);
   mesh.slotOfVertex.resize(scene.vertexCount());
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
     if (first[v] == v) {
@@ -43,41 +60,52 @@ void weld(const CompiledScene& scene, std::span<const std::uint32_t> classes, Fi
   }
 }
 
-void connect(FitMesh& mesh) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(6 * mesh.triangles.size());
+void listCorners(FitMesh& mesh) {
+  mesh.cornerStart.assign(mesh.slotCount() + 1, 0);
   for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      if (a == b) continue;
-      edges.emplace_back(a, b);
-      edges.emplace_back(b, a);
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const std::uint32_t slot : t) ++mesh.cornerStart[slot + 1];
+  std::partial_sum(mesh.cornerStart.begin(), mesh.cornerStart.end(), mesh.cornerStart.begin());
+  mesh.corners.resize(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> next(mesh.cornerStart.begin(), mesh.cornerStart.end() - 1);
+  for (std::uint32_t c = 0; c < mesh.corners.size(); ++c)
+    mesh.corners[next[mesh.triangles[c / 3][c % 3]]++] = c;
+}
+
+/// Slots that triangles join to `slot`, ascending.
+void neighboursOf(const FitMesh& mesh, std::uint32_t slot, std::vector<std::uint32_t>& neighbours) {
+  neighbours.clear();
+  for (std::uint32_t i = mesh.cornerStart[slot]; i < mesh.cornerStart[slot + 1]; ++i)
+    for (const std::uint32_t other : mesh.triangles[mesh.corners[i] / 3])
+      if (other != slot) neighbours.push_back(other);
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+}
+
+void connect(FitMesh& mesh) {
+  constexpr std::size_t grain = 4096;
+  const auto forSlots = [&](const auto& work) {
+    parallelRanges(mesh.slotCount(), grain, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> neighbours;
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        neighboursOf(mesh, static_cast<std::uint32_t>(slot), neighbours);
+        work(slot, neighbours);
+      }
+    });
+  };
   mesh.rowStart.assign(mesh.slotCount() + 1, 0);
-  mesh.columns.reserve(edges.size());
-  for (const auto& [row, column] : edges) {
-    ++mesh.rowStart[row + 1];
-    mesh.columns.push_back(column);
-  }
+  forSlots([&](std::size_t slot, const std::vector<std::uint32_t>& neighbours) {
+    mesh.rowStart[slot + 1] = static_cast<std::uint32_t>(neighbours.size());
+  });
   std::partial_sum(mesh.rowStart.begin(), mesh.rowStart.end(), mesh.rowStart.begin());
+  mesh.columns.resize(mesh.rowStart.back());
+  forSlots([&](std::size_t slot, const std::vector<std::uint32_t>& neighbours) {
+    std::copy(neighbours.begin(), neighbours.end(), mesh.columns.begin() + mesh.rowStart[slot]);
+  });
 }
 
-}  // namespace
-
-FitMesh makeFitMesh(const CompiledScene& scene, std::span<const std::uint32_t> classes) {
-  FitMesh mesh;
-  weld(scene, classes, mesh);
-  mesh.triangles.reserve(scene.triangleCount());
-  for (const auto& t : scene.triangles)
-    mesh.triangles.push_back({mesh.slotOfVertex[t.x], mesh.slotOfVertex[t.y], mesh.slotOfVertex[t.z]});
-  connect(mesh);
-  return mesh;
-}
-
-std::vector<std::uint32_t> componentsOf(const FitMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.slotCount());
+void findComponents(FitMesh& mesh) {
+  std::vector<std::uint32_t>& parent = mesh.components;
+  parent.resize(mesh.slotCount());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto root = [&](std::uint32_t slot) {
     while (parent[slot] != slot) slot = parent[slot] = parent[parent[slot]];
@@ -89,7 +117,20 @@ std::vector<std::uint32_t> componentsOf(const FitMesh& mesh) {
       parent[std::max(a, b)] = std::min(a, b);
     }
   for (std::uint32_t slot = 0; slot < mesh.slotCount(); ++slot) parent[slot] = root(slot);
-  return parent;
+}
+
+}  // namespace
+
+FitMesh makeFitMesh(const CompiledScene& scene, std::span<const std::uint32_t> classes) {
+  FitMesh mesh;
+  weld(scene, classes, mesh);
+  mesh.triangles.reserve(scene.triangleCount());
+  for (const auto& t : scene.triangles)
+    mesh.triangles.push_back({mesh.slotOfVertex[t.x], mesh.slotOfVertex[t.y], mesh.slotOfVertex[t.z]});
+  listCorners(mesh);
+  connect(mesh);
+  findComponents(mesh);
+  return mesh;
 }
 
 }  // namespace prelight

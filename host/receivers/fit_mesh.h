@@ -18,15 +18,15 @@ struct FitMesh {
   std::vector<glm::vec3> positions;                     ///< [slot]
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< [triangle], slots of its corners
   std::vector<std::uint32_t> rowStart;                  ///< [slot + 1], into columns
-  std::vector<std::uint32_t> columns;  ///< neighbours of each slot, ascending, without itself
+  std::vector<std::uint32_t> columns;      ///< neighbours of each slot, ascending, without itself
+  std::vector<std::uint32_t> cornerStart;  ///< [slot + 1], into corners
+  std::vector<std::uint32_t> corners;      ///< 3 x triangle + corner of each slot, ascending
+  std::vector<std::uint32_t> components;   ///< [slot], the lowest slot that triangles join it to
 
   std::uint32_t slotCount() const { return static_cast<std::uint32_t>(vertexOfSlot.size()); }
 };
 
 /// Vertices of different `classes` do not share a slot: [vertex], or empty.
 FitMesh makeFitMesh(const CompiledScene& scene, std::span<const std::uint32_t> classes = {});
-
-/// [slot], the lowest slot that triangles join it to.
-std::vector<std::uint32_t> componentsOf(const FitMesh& mesh);
 
 }  // namespace prelight

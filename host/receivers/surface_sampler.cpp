@@ -106,7 +106,7 @@ SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, S
 }
 
 void SurfaceSampler::coverComponents(const FitMesh& mesh, double receivers, double least) {
-  const std::vector<std::uint32_t> components = componentsOf(mesh);
+  const std::vector<std::uint32_t>& components = mesh.components;
   std::vector<double> sums(mesh.slotCount(), 0.0);
   const auto sumOf = [&](std::size_t t) -> double& { return sums[components[mesh.triangles[t][0]]]; };
   for (std::size_t t = 0; t < shares_.size(); ++t) sumOf(t) += shares_[t];

@@ -82,7 +82,7 @@ TEST(VertexFit, QuadraticFunction_HasLeastSurfaceError) {
   const auto f = [](const glm::vec3& p) { return double(p.x) * p.x; };
   addSamples(scene, fit, 64, f);
   const auto x = fit.solve(0.0);
-  const auto surfaceError = [&](const std::vector<double>& values) {
+  const auto surfaceError = [&](const auto& values) {
     double sum = 0.0;
     for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
       for (std::uint32_t i = 0; i < 64; ++i) {

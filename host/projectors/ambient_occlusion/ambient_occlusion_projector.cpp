@@ -11,7 +11,7 @@ namespace {
 
 /// [vertex], unit. The mean of directions above the surface is above it too, whatever the fit overshoots.
 std::vector<glm::vec3> bentNormals(const SideCast& front, const FitMesh& mesh, const CompiledScene& scene) {
-  const std::vector<double> fitted = front.solveBentNormal();
+  const std::vector<float> fitted = front.solveBentNormal();
   std::vector<glm::vec3> normals;
   normals.reserve(scene.vertexCount());
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {

@@ -20,9 +20,9 @@ class ChProjector final : public Projector {
     const ChRequest& request = context_.request.ch;
     const auto n = static_cast<std::size_t>(request.order * request.order);
     const ch::Basis basis(request.order);
-    std::vector<double> coefficients(n);
-    const auto write = [&](const double* row, float* out) {
-      const std::span<const double> sh(row, n);
+    std::vector<double> sh(n), coefficients(n);
+    const auto write = [&](const float* row, float* out) {
+      sh.assign(row, row + n);
       request.naive ? basis.momentsFromSh(sh, coefficients) : basis.fromSh(sh, coefficients);
       for (std::size_t i = 0; i < n; ++i) out[i] = finiteOr(coefficients[i], 0.0f);
     };

@@ -12,7 +12,7 @@ namespace {
 /// Columns of the light that are gathered at once: what a fit holds in memory is these times order^2.
 constexpr std::size_t lightColumns = 4;
 
-void addDirect(const FitMesh& mesh, const SideCast& front, const std::vector<double>& fitted, int order,
+void addDirect(const FitMesh& mesh, const SideCast& front, const std::vector<float>& fitted, int order,
                int channels, std::vector<float>& matrices) {
   const int transferOrder = 2 * order - 1;
   const std::size_t n = static_cast<std::size_t>(order * order), columns = front.baseline().columns();
@@ -36,12 +36,12 @@ std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const
                           std::size_t first) {
   const bool backs = !transfer.backReflected.empty();
   std::vector<float> part(std::size_t{scene.vertexCount()} * 3 * lightColumns * (backs ? 2 : 1), 0.0f);
-  const auto fill = [&](const std::vector<double>& slots, float* out) {
+  const auto fill = [&](const std::vector<float>& slots, float* out) {
     for (std::size_t v = 0; v < scene.vertexCount(); ++v)
       for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t j = 0; j < lightColumns && first + j < transfer.shColumns(); ++j)
           out[(v * 3 + c) * lightColumns + j] =
-              static_cast<float>(slots[(mesh.slotOfVertex[v] * 3 + c) * transfer.columns() + first + j]);
+              slots[(mesh.slotOfVertex[v] * 3 + c) * transfer.columns() + first + j];
   };
   fill(transfer.reflected, part.data());
   if (backs) fill(transfer.backReflected, part.data() + part.size() / 2);
@@ -49,7 +49,7 @@ std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const
 }
 
 /// Fits the rows of a gather to the slots: [slot][i][3][column].
-std::vector<double> fitPart(Caster& caster, const SideCast& front, int order, Progress& progress) {
+std::vector<float> fitPart(Caster& caster, const SideCast& front, int order, Progress& progress) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * lightColumns;
   VertexFit fit = front.emptyFit(width);
   std::vector<float> values;
@@ -70,7 +70,7 @@ std::vector<double> fitPart(Caster& caster, const SideCast& front, int order, Pr
 }  // namespace
 
 std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                                      const SceneCast& cast, const std::vector<double>& fitted,
+                                      const SceneCast& cast, const std::vector<float>& fitted,
                                       const SlotTransfer& transfer, int order, Progress& progress) {
   const auto n = static_cast<std::size_t>(order * order);
   const int channels = transfer.channels();
@@ -79,13 +79,13 @@ std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh&
   if (transfer.reflected.empty()) return matrices;
   for (std::size_t first = 0; first < n; first += lightColumns) {
     caster.setTransfer(partOf(scene, mesh, transfer, first));
-    const std::vector<double> part = fitPart(caster, cast.front(), order, progress);
+    const std::vector<float> part = fitPart(caster, cast.front(), order, progress);
     for (std::size_t s = 0; s < mesh.slotCount(); ++s)
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < 3; ++c)
           for (std::size_t j = 0; j < lightColumns && first + j < n; ++j)
             matrices[((s * 3 + c) * n + i) * n + first + j] +=
-                static_cast<float>(part[((s * n + i) * 3 + c) * lightColumns + j]);
+                part[((s * n + i) * 3 + c) * lightColumns + j];
     progress.report("glossy", double(std::min(n, first + lightColumns)) / double(n));
   }
   return matrices;

@@ -15,7 +15,7 @@ namespace prelight {
 /// `order` - 1, which `fitted` (the front's solution) holds. Bounces, where `transfer` has any, are gathered
 /// from the stored rows.
 std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                                      const SceneCast& cast, const std::vector<double>& fitted,
+                                      const SceneCast& cast, const std::vector<float>& fitted,
                                       const SlotTransfer& transfer, int order, Progress& progress);
 
 }  // namespace prelight

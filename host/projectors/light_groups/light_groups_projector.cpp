@@ -27,7 +27,7 @@ class LightGroupsProjector final : public Projector {
     const std::size_t first = transfer.shColumns(), n = lights_.groups.size();
     bake.lightGroups = {
         lights_.groups, channels, transfer.bounces,
-        packRows(context_.mesh, transfer, context_.scene, channels, n, [&](const double* row, float* out) {
+        packRows(context_.mesh, transfer, context_.scene, channels, n, [&](const float* row, float* out) {
           // Light is never negative; a fit may dip below.
           for (std::size_t g = 0; g < n; ++g) out[g] = std::max(0.0f, finiteOr(row[first + g], 0.0f));
         })};

@@ -20,7 +20,7 @@ class ShProjector final : public Projector {
     const auto n = static_cast<std::size_t>(order * order);
     bake.sh = {order, transfer.channels(), transfer.bounces,
                packRows(context_.mesh, transfer, context_.scene, transfer.channels(), n,
-                        [&](const double* row, float* out) {
+                        [&](const float* row, float* out) {
                           for (std::size_t i = 0; i < n; ++i) out[i] = finiteOr(row[i], 0.0f);
                         }),
                false};

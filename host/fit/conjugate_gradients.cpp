@@ -1,0 +1,182 @@
+#include "fit/conjugate_gradients.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/thread_team.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t rowGrain = 1024;
+constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
+
+/// Conjugate gradients for W columns, so that the inner loops have a fixed length.
+template <std::size_t W>
+class BlockSolver {
+ public:
+  BlockSolver(const NormalEquations& equations, const SolveLimits& limits)
+      : equations_(equations),
+        limits_(limits),
+        rows_(equations.rows()),
+        x_(rows_ * W),
+        residual_(x_.size()),
+        direction_(x_.size()),
+        image_(x_.size()),
+        bend_(x_.size()),
+        right_(x_.size()),
+        partial_((rows_ + rowGrain - 1) / rowGrain) {}
+
+  /// Columns [first, first + count) of right and x, which have `columns` in all.
+  void run(std::span<const double> right, std::vector<float>& x, std::size_t columns, std::size_t first,
+           std::size_t count) {
+    runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
+      forRows(member, [&](std::size_t i) {
+        const std::size_t from = equations_.slots()[i] * columns + first;
+        for (std::size_t c = 0; c < W; ++c) {
+          right_[i * W + c] = c < count ? static_cast<float>(equations_.factor(i) * right[from + c]) : 0.0f;
+          x_[i * W + c] = c < count ? x[from + c] : 0.0f;
+        }
+      });
+      solve(member);
+      forRows(member, [&](std::size_t i) {
+        std::copy_n(&x_[i * W], count, &x[equations_.slots()[i] * columns + first]);
+      });
+    });
+  }
+
+ private:
+  using Sums = std::array<double, W>;
+
+  template <typename Work>
+  void forRows(const TeamMember& member, const Work& work) const {
+    member.ranges(rows_, rowGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t r = begin; r < end; ++r) work(r);
+    });
+  }
+
+  /// Goes through all rows; add(row, sums) adds what a row has to a sum a column. The total comes in an order
+  /// that no number of threads changes.
+  template <typename Add>
+  Sums sumOver(const TeamMember& member, const Add& add) {
+    member.ranges(rows_, rowGrain, [&](std::size_t begin, std::size_t end) {
+      Sums& total = partial_[begin / rowGrain];
+      total.fill(0.0);
+      for (std::size_t run = begin; run < end; run += sumRun) {
+        std::array<float, W> few{};
+        for (std::size_t r = run; r < std::min(end, run + sumRun); ++r) add(r, few);
+        for (std::size_t c = 0; c < W; ++c) total[c] += few[c];
+      }
+    });
+    member.wait();
+    Sums sums{};
+    for (const Sums& part : partial_)
+      for (std::size_t c = 0; c < W; ++c) sums[c] += part[c];
+    member.wait();  // the parts may be written again
+    return sums;
+  }
+
+  // image = operator x `of`, in two sweeps, with the sum of their products.
+  Sums apply(const TeamMember& member, const std::vector<float>& of) {
+    forRows(member, [&](std::size_t i) { equations_.bend<W>(i, of.data(), bend_.data()); });
+    member.wait();
+    return sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
+      equations_.applyRow<W>(i, of.data(), bend_.data(), image_.data());
+      for (std::size_t c = 0; c < W; ++c) sum[c] += of[i * W + c] * image_[i * W + c];
+    });
+  }
+
+  /// residual = right - operator x; the sums of its squares over the preconditioner.
+  Sums trueResidual(const TeamMember& member) {
+    apply(member, x_);
+    return sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
+      const float inverse = equations_.inverseDiagonal(i);
+      for (std::size_t c = 0; c < W; ++c) {
+        const float r = right_[i * W + c] - image_[i * W + c];
+        residual_[i * W + c] = r;
+        sum[c] += r * r * inverse;
+      }
+    });
+  }
+
+  static bool reached(const Sums& rho, const Sums& goal) {
+    for (std::size_t c = 0; c < W; ++c)
+      if (rho[c] > goal[c]) return false;
+    return true;
+  }
+
+  // The true residual cannot fall much below what single precision tells from 0: a second start is enough.
+  void solve(const TeamMember& member) {
+    Sums rho = trueResidual(member), goal = rho;
+    for (double& sum : goal) sum *= limits_.tolerance * limits_.tolerance;
+    int left = limits_.iterations;
+    for (int start = 0; start < 2 && left > 0 && !reached(rho, goal); ++start) {
+      turn(member, Sums{});
+      for (; left > 0 && !reached(rho, goal); --left) rho = step(member, rho);
+      rho = trueResidual(member);
+    }
+  }
+
+  // direction = preconditioned residual + beta direction.
+  void turn(const TeamMember& member, const Sums& beta) {
+    std::array<float, W> factor;
+    for (std::size_t c = 0; c < W; ++c) factor[c] = static_cast<float>(beta[c]);
+    forRows(member, [&](std::size_t i) {
+      const float inverse = equations_.inverseDiagonal(i);
+      for (std::size_t c = 0; c < W; ++c)
+        direction_[i * W + c] = residual_[i * W + c] * inverse + factor[c] * direction_[i * W + c];
+    });
+    member.wait();
+  }
+
+  Sums step(const TeamMember& member, const Sums& rho) {
+    const Sums curvature = apply(member, direction_);
+    std::array<float, W> length;
+    for (std::size_t c = 0; c < W; ++c)
+      length[c] = curvature[c] > 0.0 ? static_cast<float>(rho[c] / curvature[c]) : 0.0f;
+    const Sums next = sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
+      const float inverse = equations_.inverseDiagonal(i);
+      for (std::size_t c = 0; c < W; ++c) {
+        x_[i * W + c] += length[c] * direction_[i * W + c];
+        const float r = residual_[i * W + c] - length[c] * image_[i * W + c];
+        residual_[i * W + c] = r;
+        sum[c] += r * r * inverse;
+      }
+    });
+    Sums beta;
+    for (std::size_t c = 0; c < W; ++c) beta[c] = rho[c] > 0.0 ? next[c] / rho[c] : 0.0;
+    turn(member, beta);
+    return next;
+  }
+
+  const NormalEquations& equations_;
+  const SolveLimits& limits_;
+  std::size_t rows_;
+  std::vector<float> x_, residual_, direction_, image_, bend_, right_;  ///< [row][column of the block]
+  std::vector<Sums> partial_;                                           ///< [range]
+};
+
+template <std::size_t W>
+std::size_t solveBlocks(const NormalEquations& equations, std::span<const double> right, std::size_t columns,
+                        std::size_t first, std::size_t least, std::vector<float>& x,
+                        const SolveLimits& limits) {
+  if (columns - first < least) return first;
+  BlockSolver<W> solver(equations, limits);
+  for (; columns - first >= least; first += std::min(W, columns - first))
+    solver.run(right, x, columns, first, std::min(W, columns - first));
+  return first;
+}
+
+}  // namespace
+
+void conjugateGradients(const NormalEquations& equations, std::span<const double> right, std::size_t columns,
+                        std::vector<float>& x, const SolveLimits& limits) {
+  std::size_t first = solveBlocks<16>(equations, right, columns, 0, 13, x, limits);
+  first = solveBlocks<8>(equations, right, columns, first, 5, x, limits);
+  first = solveBlocks<4>(equations, right, columns, first, 2, x, limits);
+  solveBlocks<1>(equations, right, columns, first, 1, x, limits);
+}
+
+}  // namespace prelight
