@@ -1,0 +1,191 @@
+#include "projectors/side_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/adaptive_smoothing.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, before fewer are cast there
+constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
+
+/// In [0,1], but for rounding.
+bool isShare(float value) { return value >= -1e-3f && value <= 1.001f; }
+
+}  // namespace
+
+SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
+                   const Projections& projections, Side side, const std::vector<double>& areas)
+    : scene_(scene),
+      mesh_(mesh),
+      schedule_(schedule),
+      projections_(projections),
+      areas_(areas),
+      baseline_(scene, mesh, projections.shOrder, side == Side::Front ? 1.0 : -1.0),
+      fit_(plainFit(baseline_.columns())),
+      seen_(mesh.slotCount(), 0),
+      slotRays_(mesh.slotCount(), 0),
+      residual_(baseline_.columns()) {
+  if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
+  if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
+  if (projections_.occluders) occluders_.emplace(mesh);
+}
+
+void SideSums::add(const CastBlock& block) {
+  for (std::size_t i = 0; i < block.samples.size(); ++i) addReceiver(block, i);
+  receivers_ += block.samples.size();
+}
+
+void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
+  std::vector<std::uint8_t> slots(mesh_.slotCount(), 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const std::uint32_t slot : mesh_.triangles[t]) slots[slot] |= triangles[t];
+  if (lightFit_) lightFit_->extendTo(slots);
+  fit_.extendTo(std::move(slots));
+}
+
+// Of all values alike, by what AO says: where that is flat, light is too, nearly always.
+void SideSums::stiffen() {
+  const std::vector<double> laplacian =
+      fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0));
+  fit_.stiffen(stiffnessOf(mesh_, laplacian, estimateError().slots));
+}
+
+// The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form,
+// then the interpolated baseline is taken off, so that the fit sees only what occlusion changes.
+void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
+  const SurfaceSample& sample = block.samples[i];
+  const device::Receiver& receiver = block.receivers[i];
+  const std::size_t valueCount = block.values.values.size() / block.samples.size();
+  const float* values = &block.values.values[i * valueCount];
+  const double open = values[0];
+  const glm::dvec3 normal(receiver.normal[0], receiver.normal[1], receiver.normal[2]);
+  baseline_.evaluate(normal, residual_.data());
+  const auto& slots = mesh_.triangles[sample.triangle];
+  const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
+  const double *r0 = baseline_.row(slots[0]), *r1 = baseline_.row(slots[1]), *r2 = baseline_.row(slots[2]);
+  residual_[0] = open - 1.0;
+  for (std::size_t c = 1; c < residual_.size(); ++c)
+    residual_[c] = double(values[3 + c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
+  fit_.add(sample, residual_);
+  // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
+  if (bentFit_)
+    addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
+  if (lightFit_) addLights(block, i);
+  if (block.occluders) occluders_.value().add(sample, receiver, block.values.occluders, i);
+  markSlots(sample, open);
+  if (records_.size() == mostRecords) return;
+  records_.push_back({sample, values[0], block.group});
+  if (projections_.texelRows > 0)
+    texelRows_.add(std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver,
+                                                          schedule_.raysPerReceiver),
+                   projections_.texelRows);
+}
+
+void SideSums::addLights(const CastBlock& block, std::size_t i) {
+  const std::size_t columns = lightFit_->columns();
+  lightRow_.assign(block.values.lights.begin() + static_cast<std::ptrdiff_t>(i * columns),
+                   block.values.lights.begin() + static_cast<std::ptrdiff_t>((i + 1) * columns));
+  lightFit_->add(block.samples[i], lightRow_);
+}
+
+// Directions are fitted, not the mean vectors that they come from: otherwise what is bright at one corner of
+// a triangle would turn the normal at a dark one. The less is open, the less a direction is worth; nothing
+// open has none.
+void SideSums::addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen) {
+  const double length = glm::length(meanOpen);
+  if (length < 1e-6) return;
+  const auto& t = scene_.triangles[sample.triangle];
+  const double b1 = sample.b1, b2 = sample.b2;
+  const glm::dvec3 interpolated = (1.0 - b1 - b2) * glm::dvec3(scene_.normals[t.x]) +
+                                  b1 * glm::dvec3(scene_.normals[t.y]) + b2 * glm::dvec3(scene_.normals[t.z]);
+  const glm::dvec3 residual = meanOpen / length - interpolated;
+  SurfaceSample weighted = sample;
+  weighted.weight *=
+      static_cast<float>(length * length / (length * length + bentNormalHalfWeight * bentNormalHalfWeight));
+  bentFit_->add(weighted, std::span(&residual.x, 3));
+}
+
+void SideSums::markSlots(const SurfaceSample& sample, double open) {
+  for (const std::uint32_t slot : mesh_.triangles[sample.triangle]) {
+    seen_[slot] |= static_cast<std::uint8_t>((open > 0.0 ? 1 : 0) | (open < 1.0 ? 2 : 0));
+    slotRays_[slot] += std::min(schedule_.raysPerReceiver, ~slotRays_[slot]);
+  }
+}
+
+bool SideSums::isPlain(std::size_t triangle, bool closedToo) const {
+  std::uint8_t seen = 0;
+  for (const std::uint32_t slot : mesh_.triangles[triangle]) {
+    seen |= seen_[slot];
+    if (slotRays_[slot] < plainRays) return false;
+  }
+  return seen == 1 || (seen == 2 && closedToo);
+}
+
+// With an error target, receivers crowd where it is not met yet.
+VertexFit SideSums::plainFit(std::size_t columns) const {
+  return schedule_.error ? VertexFit(mesh_, columns, areas_) : VertexFit(mesh_, columns);
+}
+
+VertexFit SideSums::emptyFit(std::size_t columns) const {
+  VertexFit fit = plainFit(columns);
+  fit.stiffen(fit_.stiffness());
+  fit.extendTo(fit_.extent());
+  return fit;
+}
+
+// Rays that all met the same say little of what they missed: of n that all escaped, the next is blocked with
+// a probability whose posterior has a standard deviation of about 1 / (n + 2) (at 95 %, it is below 3 / n).
+ErrorEstimate SideSums::estimateError() const {
+  ErrorEstimate estimate =
+      estimateAoError(mesh_, emptyFit(1), areas_, records_, receivers_, schedule_.replicates > 1);
+  for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
+    const bool used = mesh_.rowStart[s] < mesh_.rowStart[s + 1];
+    if (used && seen_[s] != 3) estimate.slots[s] = std::max(estimate.slots[s], 1.0 / (slotRays_[s] + 2.0));
+    estimate.max = std::max(estimate.max, estimate.slots[s]);
+  }
+  return estimate;
+}
+
+void SideSums::save(StateWriter& state) const {
+  fit_.save(state);
+  if (bentFit_) bentFit_->save(state);
+  if (lightFit_) lightFit_->save(state);
+  if (occluders_) occluders_->save(state);
+  texelRows_.save(state);
+  state.values(records_);
+  state.values(seen_);
+  state.values(slotRays_);
+  state.value(receivers_);
+}
+
+void SideSums::load(StateReader& state) {
+  fit_.load(state);
+  if (bentFit_) bentFit_->load(state);
+  if (lightFit_) lightFit_->load(state);
+  if (occluders_) occluders_->load(state, projections_.occluderCount);
+  texelRows_.load(state);
+  state.values(records_);
+  state.sameSize(seen_);
+  state.sameSize(slotRays_);
+  state.value(receivers_);
+  check(state);
+}
+
+void SideSums::check(const StateReader& state) const {
+  state.require(records_.size() == std::min<std::uint64_t>(receivers_, mostRecords));
+  texelRows_.check(state, projections_.texelRows > 0 ? records_.size() : 0, schedule_.raysPerReceiver,
+                   projections_.texelCount);
+  for (const SampleRecord& record : records_) {
+    const SurfaceSample& sample = record.sample;
+    state.require(sample.triangle < mesh_.triangles.size() && record.group < errorGroups);
+    state.require(isShare(sample.b1) && isShare(sample.b2) && isShare(record.open));
+    state.require(std::isfinite(sample.weight) && sample.weight >= 0.0f);
+  }
+  for (const std::uint8_t seen : seen_) state.require(seen <= 3);
+}
+
+}  // namespace prelight

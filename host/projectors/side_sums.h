@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cast/caster.h"
+#include "fit/baseline.h"
+#include "fit/error_estimate.h"
+#include "fit/vertex_fit.h"
+#include "projectors/occluder_means.h"
+#include "projectors/projections.h"
+#include "projectors/schedule.h"
+#include "projectors/texel_rows.h"
+#include "receivers/surface_sampler.h"
+
+namespace prelight {
+
+/// Receivers that were cast together, and what they saw.
+struct CastBlock {
+  std::vector<SurfaceSample> samples;
+  std::vector<device::Receiver> receivers;  ///< parallel to samples
+  CastValues values;                        ///< of the receivers
+  std::uint32_t group = 0;                  ///< of the error estimate, below errorGroups
+  bool occluders = false;                   ///< whether the values tell occluders apart
+};
+
+/// What the receivers of one side of the surface saw, summed up for the fits of the vertices.
+class SideSums {
+ public:
+  /// `projections` are those of this side. The samples of a triangle weigh its entry of `areas` where the
+  /// schedule has an error to reach: receivers crowd where it is not met yet.
+  SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
+           const Projections& projections, Side side, const std::vector<double>& areas);
+
+  /// Adds a block of receivers; the result depends on the order of blocks.
+  void add(const CastBlock& block);
+
+  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is called.
+  void limitTo(std::span<const std::uint8_t> triangles);
+
+  /// Ends the sums of a round: smooths where what bends is noise. Until the next round begins.
+  void stiffen();
+  void soften() { fit_.stiffen({}); }
+
+  const VertexFit& fit() const { return fit_; }
+  const VertexFit& bentFit() const { return bentFit_.value(); }
+  const VertexFit& lightFit() const { return lightFit_.value(); }
+  const OccluderMeans& occluders() const { return occluders_.value(); }
+  const TexelRows& texelRows() const { return texelRows_; }
+  const Baseline& baseline() const { return baseline_; }
+  const std::vector<SampleRecord>& records() const { return records_; }
+
+  /// A fit without samples that weighs them as this side's own does.
+  VertexFit emptyFit(std::size_t columns) const;
+
+  ErrorEstimate estimateError() const;
+
+  /// Whether all rays around a triangle met the same, and enough of them were cast to believe it. Triangles
+  /// around which all were blocked count where `closedToo`.
+  bool isPlain(std::size_t triangle, bool closedToo) const;
+
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
+
+  /// Records beyond this number are not kept.
+  static constexpr std::size_t mostRecords = std::size_t{1} << 24;  // 400 MB
+
+ private:
+  VertexFit plainFit(std::size_t columns) const;
+  void addReceiver(const CastBlock& block, std::size_t i);
+  void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
+  void addLights(const CastBlock& block, std::size_t i);
+  void markSlots(const SurfaceSample& sample, double open);
+  void check(const StateReader& state) const;
+
+  const CompiledScene& scene_;
+  const FitMesh& mesh_;
+  const Schedule& schedule_;
+  const Projections& projections_;
+  const std::vector<double>& areas_;
+  Baseline baseline_;
+  VertexFit fit_;
+  std::optional<VertexFit> bentFit_;
+  std::optional<VertexFit> lightFit_;
+  std::optional<OccluderMeans> occluders_;
+  std::vector<SampleRecord> records_;
+  TexelRows texelRows_;
+  std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
+  std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
+  std::uint64_t receivers_ = 0;
+  std::vector<double> residual_;
+  std::vector<double> lightRow_;
+};
+
+}  // namespace prelight
