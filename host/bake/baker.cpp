@@ -1,6 +1,7 @@
 #include "bake/baker.h"
 
 #include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -121,8 +122,10 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const Clock::time_point start = startOf(saved);
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
-  const FitMesh mesh = makeFitMesh(scene, sets.setOfVertices(scene));
+  std::future<FitMesh> unknowns =
+      std::async([&] { return makeFitMesh(scene, sets.setOfVertices(scene)); });  // beside the hierarchy
   Tracer tracer(scene, device);
+  const FitMesh mesh = unknowns.get();
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);

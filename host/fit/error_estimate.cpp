@@ -65,13 +65,17 @@ Deviations sandwich(const FitMesh& mesh, const VertexFit& fit, const std::vector
 Deviations jackknife(const VertexFit& fit, const std::vector<SampleRecord>& records,
                      const std::vector<float>& values) {
   Deviations deviations(values.size() * errorGroups);
-  parallelRanges(errorGroups, 1, [&](std::size_t group, std::size_t) {
+  const std::size_t threads = std::min<std::size_t>(hardwareThreads(), errorGroups);
+  parallelRanges(errorGroups, (errorGroups + threads - 1) / threads, [&](std::size_t begin, std::size_t end) {
     VertexFit rest = fit;
-    for (const auto& record : records)
-      if (record.group == group) rest.remove(record.sample, std::array{valueOf(record)});
-    const std::vector<float> without = rest.solveFrom(defaultSmoothing, values, roughly(1));
-    for (std::size_t s = 0; s < values.size(); ++s)
-      deviations[s * errorGroups + group] = without[s] - values[s];
+    for (std::size_t group = begin; group < end; ++group) {
+      if (group > begin) rest = fit;
+      for (const auto& record : records)
+        if (record.group == group) rest.remove(record.sample, std::array{valueOf(record)});
+      const std::vector<float> without = rest.solveFrom(defaultSmoothing, values, roughly(1));
+      for (std::size_t s = 0; s < values.size(); ++s)
+        deviations[s * errorGroups + group] = without[s] - values[s];
+    }
   });
   constexpr double groups = errorGroups;
   return centred(std::move(deviations), std::sqrt((groups - 1.0) / groups));

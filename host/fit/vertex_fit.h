@@ -71,7 +71,7 @@ class VertexFit {
   std::vector<float> solve(const NormalEquations& equations, std::span<const double> rightSide,
                            std::size_t columns, std::vector<float> guess, const SolveLimits& limits) const;
 
-  const FitMesh& mesh_;
+  const FitMesh* mesh_;  ///< not null
   std::size_t columns_;
   std::vector<double> stiffness_;            ///< [slot], or empty: 1
   std::vector<std::uint8_t> extent_;         ///< [slot], or empty: all

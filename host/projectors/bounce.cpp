@@ -1,6 +1,6 @@
 #include "projectors/bounce.h"
 
-#include <algorithm>
+#include "projectors/stored_rows.h"
 
 namespace prelight {
 
@@ -13,20 +13,13 @@ void scatter(const FitMesh& mesh, const std::vector<float>& slots, std::size_t c
       out[v * columns + c] = slots[mesh.slotOfVertex[v] * columns + c];
 }
 
-std::vector<float> fitRows(Caster& caster, const SideCast& cast, std::size_t columns, Progress& progress) {
-  VertexFit fit = cast.emptyFit(columns);
-  std::vector<float> values;
-  std::vector<double> row(columns);
-  for (std::uint32_t first = 0; first < cast.storedCount(); first += caster.blockSize()) {
-    progress.check();
-    const std::uint32_t count = std::min(caster.blockSize(), cast.storedCount() - first);
-    caster.gather(cast.storedFirst() + first, count, values);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * columns), columns, row.begin());
-      fit.add(cast.records()[first + i].sample, row);
-    }
-  }
-  return fit.solve(defaultSmoothing);
+std::vector<float> fitRows(Caster& caster, const SideCast& side, std::size_t columns, Progress& progress) {
+  return fitStoredRows(
+      caster, side, columns,
+      [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
+        caster.gather(side.storedFirst() + first, count, values);
+      },
+      progress);
 }
 
 }  // namespace

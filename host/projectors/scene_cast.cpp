@@ -22,13 +22,17 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
       front_(scene, mesh, caster, schedule, projections, Side::Front) {}
 
 void SceneCast::run(Progress& progress) {
-  if (!frontDone_) front_.run(progress, 0, capacity_);
+  if (!frontDone_) {
+    front_.run(progress, 0, capacity_);
+    front_.finish();
+  }
   frontDone_ = true;
   for (; projections_.backs && capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
     if (!goesOn && !markFreshBacks()) return;
     back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
   }
+  if (back_) back_->finish();
 }
 
 void SceneCast::makeBack() {

@@ -59,7 +59,6 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
     }
     ended = passInRound_ < schedule_.passes || endRound();
   }
-  sums_.stiffen();
   running_ = false;
 }
 

@@ -30,6 +30,9 @@ class SideCast {
   /// load(), goes on where the saved run was interrupted.
   void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
 
+  /// Ends the last run: the fit is ready to be solved.
+  void finish() { sums_.stiffen(); }
+
   /// True between the start of a run and its end, so also after one that was interrupted.
   bool running() const { return running_; }
 

@@ -159,6 +159,7 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
     const auto before = static_cast<std::uint64_t>(sum);
     sum += expected;
     const auto chosen = static_cast<std::uint64_t>(sum) - before;
+    if (chosen == 0) continue;
     const std::uint32_t sequence = t * replicates_ + replicate;
     choosePlaces(sequence, chosen);
     const double inset = insetOf(scene_, t, areas_[t]);

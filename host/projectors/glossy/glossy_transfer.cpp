@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "basis/sh.h"
+#include "projectors/stored_rows.h"
 
 namespace prelight {
 
@@ -51,20 +52,13 @@ std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const
 /// Fits the rows of a gather to the slots: [slot][i][3][column].
 std::vector<float> fitPart(Caster& caster, const SideCast& front, int order, Progress& progress) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * lightColumns;
-  VertexFit fit = front.emptyFit(width);
-  std::vector<float> values;
-  std::vector<double> row(width);
-  for (std::uint32_t first = 0; first < front.storedCount(); first += caster.blockSize()) {
-    progress.check();
-    const std::uint32_t count = std::min(caster.blockSize(), front.storedCount() - first);
-    caster.gatherGlossy(std::span(front.storedReceivers()).subspan(first, count), front.storedFirst() + first,
-                        order, lightColumns, values);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * width), width, row.begin());
-      fit.add(front.records()[first + i].sample, row);
-    }
-  }
-  return fit.solve(defaultSmoothing);
+  return fitStoredRows(
+      caster, front, width,
+      [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
+        caster.gatherGlossy(std::span(front.storedReceivers()).subspan(first, count),
+                            front.storedFirst() + first, order, lightColumns, values);
+      },
+      progress);
 }
 
 }  // namespace
