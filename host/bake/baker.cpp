@@ -43,6 +43,14 @@ std::vector<Tracer> tracersOf(const CompiledScene& scene, const ShadowSets& sets
   return tracers;
 }
 
+/// Spatial splits take the time of some 20 rays a triangle and save up to a tenth of each ray (docs/bvh.md).
+BuildQuality qualityFor(const CompiledScene& scene, const BakeRequest& request) {
+  constexpr double worthwhile = 200.0;  // rays a triangle
+  if (request.effort.error || request.effort.seconds || !request.castsReceivers()) return BuildQuality::High;
+  const double rays = static_cast<double>(request.effort.rays) * scene.vertexCount();
+  return rays < worthwhile * scene.triangleCount() ? BuildQuality::Balanced : BuildQuality::High;
+}
+
 /// The techniques of a bake and the cast that they share, from the first ray to the last.
 class BakeRun {
  public:
@@ -124,7 +132,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   std::future<FitMesh> unknowns =
       std::async([&] { return makeFitMesh(scene, sets.setOfVertices(scene)); });  // beside the hierarchy
-  Tracer tracer(scene, device);
+  Tracer tracer(scene, device, BvhLayout::Automatic, qualityFor(scene, request));
   const FitMesh mesh = unknowns.get();
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;

@@ -27,7 +27,7 @@ std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>
 using Deviations = std::vector<float>;
 
 /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
-SolveLimits roughly(std::size_t threads = hardwareThreads()) { return {1e-3, 32, threads}; }
+SolveLimits roughly(std::size_t threads = hardwareThreads()) { return {1e-2, 32, threads}; }
 
 /// Takes the groups' mean off every slot's values, and scales them.
 Deviations centred(std::vector<float> values, double factor) {
