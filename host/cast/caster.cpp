@@ -186,10 +186,11 @@ void Caster::load(StateReader& state, std::uint32_t rows, bool backs) {
   marks_.write(std::span<const std::uint8_t>(marks));
 }
 
-void Caster::setTransfer(const std::vector<float>& transfer) {
-  if (transfer_.size() != transfer.size()) transfer_ = Buffer<float>(device_, transfer.size());
-  transfer_.write(std::span<const float>(transfer));
+void Caster::resizeTransfer(std::size_t values) {
+  if (transfer_.size() != values) transfer_ = Buffer<float>(device_, values);
 }
+
+void Caster::setTransfer(std::span<const float> transfer, std::size_t first) { transfer_.write(transfer, first); }
 
 void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
   setParameters(count, first);

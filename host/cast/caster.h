@@ -100,8 +100,10 @@ class Caster {
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
 
-  /// Transfer that gather() reads: [vertex][3][columns], of vertices, then of their backs.
-  void setTransfer(const std::vector<float>& transfer);
+  /// Transfer that gather() reads: [vertex][3][columns], of vertices, then of their backs. A part of it, from
+  /// value `first` on, into room for all.
+  void setTransfer(std::span<const float> transfer, std::size_t first = 0);
+  void resizeTransfer(std::size_t values);
 
   /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
   /// [row][3][bounceColumns].

@@ -46,6 +46,16 @@ void VertexFit::add(const SurfaceSample& sample, double weight, std::span<const 
   }
 }
 
+void VertexFit::addTo(std::span<double> rightSide, const SurfaceSample& sample,
+                      std::span<const float> values) const {
+  const std::array<double, 3> b = cornerWeights(sample);
+  for (std::size_t k = 0; k < 3; ++k) {
+    double* right = &rightSide[mesh_->triangles[sample.triangle][k] * values.size()];
+    const double share = weightOf(sample) * b[k];
+    for (std::size_t c = 0; c < values.size(); ++c) right[c] += share * values[c];
+  }
+}
+
 void VertexFit::save(StateWriter& state) const {
   state.values(counts_);
   state.values(mass_);

@@ -49,6 +49,9 @@ class VertexFit {
   /// The same of a fit of one column from a guess that is near, [slot].
   std::vector<float> solveFrom(double lambda, std::vector<float> guess, const SolveLimits& limits) const;
 
+  /// Adds what one of this fit's samples has in other columns to a right-hand side, [slot][column].
+  void addTo(std::span<double> rightSide, const SurfaceSample& sample, std::span<const float> values) const;
+
   /// Solves for another right-hand side [slot][column] with this fit's samples.
   std::vector<float> solve(double lambda, std::span<const double> rightSide, std::size_t columns,
                            const SolveLimits& limits = {}) const;

@@ -9,16 +9,14 @@
 
 namespace prelight {
 
-/// One cast side of the surface and its transfer of the current bounce, [slot][3][column].
-struct BounceSide {
-  const SideCast* cast = nullptr;
-  std::vector<float> transfer;
-};
+/// Uploads transfer of the slots and of their backs, [slot][3][column], as what surfaces send next. No backs:
+/// an empty vector.
+void sendTransfer(const FitMesh& mesh, Caster& caster, const std::vector<float>& fronts,
+                  const std::vector<float>& backs);
 
-/// Replaces each side's transfer by that of the next bounce: every stored row gathers albedo x transfer of
-/// what its rays hit, and the vertices are fitted to the rows. No ray is cast. `back` may be null: nothing
-/// sees a back.
-void bounceOnce(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                std::size_t columnsPerChannel, BounceSide& front, BounceSide* back, Progress& progress);
+/// What a side's slots receive of the transfer that was sent, [slot][3][column], through the side's stored
+/// rows. `columns` is that of all channels together.
+std::vector<float> receiveTransfer(Caster& caster, const SideCast& side, std::size_t columns,
+                                   Progress& progress);
 
 }  // namespace prelight

@@ -98,8 +98,8 @@ void ReceiverCast::run(Progress& progress) {
 
 const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
   if (!transfer_) {
-    transfer_ = makeTransfer(context_.scene, context_.mesh, caster_, cast_, fitted_,
-                             transferOrder(context_.request), bounces_, progress, context_.report.notes);
+    transfer_ = makeTransfer(context_.mesh, caster_, cast_, fitted_, transferOrder(context_.request),
+                             bounces_, progress, context_.report.notes);
     context_.clock.mark("bounce");
   }
   return *transfer_;

@@ -62,14 +62,15 @@ class SideCast {
 
   ErrorEstimate estimateError() const { return sums_.estimateError(); }
 
-  /// A fit without samples that weighs them as this side's own does.
-  VertexFit emptyFit(std::size_t columns) const { return sums_.emptyFit(columns); }
+  /// A fit of the stored rows' places, without values.
+  VertexFit fitOfStoredRows() const { return sums_.fitOf(storedCount_); }
 
   const Baseline& baseline() const { return sums_.baseline(); }
   const std::vector<SampleRecord>& records() const { return sums_.records(); }
   std::uint32_t storedFirst() const { return storedFirst_; }
   std::uint32_t storedCount() const { return storedCount_; }
   std::uint64_t receivers() const { return receivers_; }
+  std::size_t slotCount() const { return mesh_.slotCount(); }
   std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:

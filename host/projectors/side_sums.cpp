@@ -1,6 +1,7 @@
 #include "projectors/side_sums.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fit/adaptive_smoothing.h"
@@ -130,10 +131,17 @@ VertexFit SideSums::plainFit(std::size_t columns) const {
   return schedule_.error ? VertexFit(mesh_, columns, areas_) : VertexFit(mesh_, columns);
 }
 
-VertexFit SideSums::emptyFit(std::size_t columns) const {
-  VertexFit fit = plainFit(columns);
+// One column: AO's.
+VertexFit SideSums::emptyFit() const {
+  VertexFit fit = plainFit(1);
   fit.stiffen(fit_.stiffness());
   fit.extendTo(fit_.extent());
+  return fit;
+}
+
+VertexFit SideSums::fitOf(std::size_t count) const {
+  VertexFit fit = emptyFit();
+  for (std::size_t i = 0; i < count; ++i) fit.add(records_[i].sample, std::array{0.0});
   return fit;
 }
 
@@ -141,7 +149,7 @@ VertexFit SideSums::emptyFit(std::size_t columns) const {
 // a probability whose posterior has a standard deviation of about 1 / (n + 2) (at 95 %, it is below 3 / n).
 ErrorEstimate SideSums::estimateError() const {
   ErrorEstimate estimate =
-      estimateAoError(mesh_, emptyFit(1), areas_, records_, receivers_, schedule_.replicates > 1);
+      estimateAoError(mesh_, emptyFit(), areas_, records_, receivers_, schedule_.replicates > 1);
   for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
     const bool used = mesh_.rowStart[s] < mesh_.rowStart[s + 1];
     if (used && seen_[s] != 3) estimate.slots[s] = std::max(estimate.slots[s], 1.0 / (slotRays_[s] + 2.0));

@@ -52,8 +52,8 @@ class SideSums {
   const Baseline& baseline() const { return baseline_; }
   const std::vector<SampleRecord>& records() const { return records_; }
 
-  /// A fit without samples that weighs them as this side's own does.
-  VertexFit emptyFit(std::size_t columns) const;
+  /// A fit of the first `count` records' places, without values: for right-hand sides of other columns.
+  VertexFit fitOf(std::size_t count) const;
 
   ErrorEstimate estimateError() const;
 
@@ -69,6 +69,7 @@ class SideSums {
 
  private:
   VertexFit plainFit(std::size_t columns) const;
+  VertexFit emptyFit() const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
   void addLights(const CastBlock& block, std::size_t i);

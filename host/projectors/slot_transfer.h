@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,10 @@ namespace prelight {
 struct SlotTransfer {
   int order = 0;
   std::uint32_t groups = 0;
-  std::vector<float> direct;  ///< [slot][3][column]
-  std::vector<float> total;   ///< the same with bounces
+  std::vector<float> total;  ///< [slot][3][column], with bounces
+  std::vector<float> last;   ///< of it, the last bounce; empty: none
   std::vector<float>
-      reflected;  ///< the total without the last bounce: what was reflected last. Empty: no bounce
-  std::vector<float> backReflected;  ///< the same of the vertices' backs; empty: none is seen
+      backReflected;  ///< what the vertices' backs reflected last, without; empty: none is seen
   int bounces = 0;                    ///< as asked for
 
   std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
@@ -30,11 +30,22 @@ struct SlotTransfer {
   }  ///< that differ: without bounces nothing colours the light
 };
 
+/// Transfer without bounces of a slot's front in coefficient i of SH, the same in every channel. `fitted` is the
+/// front's solution.
+inline float directTransfer(const SideCast& front, std::span<const float> fitted, std::size_t slot,
+                            std::size_t i) {
+  const double relative = fitted[slot * front.baseline().columns() + 1 + i];
+  return static_cast<float>(front.baseline().row(slot)[1 + i] + relative);
+}
+
+/// What surfaces reflected last, [slot][3][column]: the total without the last bounce.
+std::vector<float> reflectedTransfer(const SlotTransfer& transfer);
+
 /// Direct transfer from a cast that has run, and `bounces` of it from the caster's stored rows. `fitted` is
 /// the front's solution; `order` is at most that of the cast.
-SlotTransfer makeTransfer(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
-                          const SceneCast& cast, const std::vector<float>& fitted, int order, int bounces,
-                          Progress& progress, std::vector<std::string>& notes);
+SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& cast,
+                          const std::vector<float>& fitted, int order, int bounces, Progress& progress,
+                          std::vector<std::string>& notes);
 
 /// What is reflected last, in the layout of the kernels: [vertex][3][columns], then, where any is seen, the
 /// vertices' backs alike. `columns` is at most shColumns().

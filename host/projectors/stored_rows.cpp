@@ -1,6 +1,7 @@
 #include "projectors/stored_rows.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/background_work.h"
 
@@ -9,9 +10,11 @@ namespace prelight {
 std::vector<float> fitStoredRows(const Caster& caster, const SideCast& side, std::size_t columns,
                                  const GatherRows& gather, Progress& progress) {
   constexpr std::size_t waiting = 1;
-  VertexFit fit = side.emptyFit(columns);
+  std::optional<VertexFit> part;
+  if (side.storedCount() < side.receivers()) part.emplace(side.fitOfStoredRows());
+  const VertexFit& fit = part ? *part : side.fit();
+  std::vector<double> right(side.slotCount() * columns, 0.0);
   std::vector<std::vector<float>> blocks(BackgroundWork::placesFor(waiting));
-  std::vector<double> row(columns);
   {
     BackgroundWork adding(waiting);
     for (std::uint32_t first = 0; first < side.storedCount(); first += caster.blockSize()) {
@@ -20,15 +23,13 @@ std::vector<float> fitStoredRows(const Caster& caster, const SideCast& side, std
       std::vector<float>& values = blocks[first / caster.blockSize() % blocks.size()];
       gather(first, count, values);
       adding.add([&, first, count] {
-        for (std::uint32_t i = 0; i < count; ++i) {
-          std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * columns), columns, row.begin());
-          fit.add(side.records()[first + i].sample, row);
-        }
+        for (std::uint32_t i = 0; i < count; ++i)
+          fit.addTo(right, side.records()[first + i].sample, std::span(values).subspan(i * columns, columns));
       });
     }
     adding.finish();
   }
-  return fit.solve(defaultSmoothing);
+  return fit.solve(defaultSmoothing, right, columns);
 }
 
 }  // namespace prelight

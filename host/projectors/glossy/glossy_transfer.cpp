@@ -34,7 +34,7 @@ void addDirect(const FitMesh& mesh, const SideCast& front, const std::vector<flo
 
 /// Device transfer of some columns of the light, [vertex][3][column] and then the backs.
 std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const SlotTransfer& transfer,
-                          std::size_t first) {
+                          const std::vector<float>& reflected, std::size_t first) {
   const bool backs = !transfer.backReflected.empty();
   std::vector<float> part(std::size_t{scene.vertexCount()} * 3 * lightColumns * (backs ? 2 : 1), 0.0f);
   const auto fill = [&](const std::vector<float>& slots, float* out) {
@@ -44,7 +44,7 @@ std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const
           out[(v * 3 + c) * lightColumns + j] =
               slots[(mesh.slotOfVertex[v] * 3 + c) * transfer.columns() + first + j];
   };
-  fill(transfer.reflected, part.data());
+  fill(reflected, part.data());
   if (backs) fill(transfer.backReflected, part.data() + part.size() / 2);
   return part;
 }
@@ -70,9 +70,12 @@ std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh&
   const int channels = transfer.channels();
   std::vector<float> matrices(std::size_t{mesh.slotCount()} * static_cast<std::size_t>(channels) * n * n);
   addDirect(mesh, cast.front(), fitted, order, channels, matrices);
-  if (transfer.reflected.empty()) return matrices;
+  if (transfer.last.empty()) return matrices;
+  const std::vector<float> reflected = reflectedTransfer(transfer);
   for (std::size_t first = 0; first < n; first += lightColumns) {
-    caster.setTransfer(partOf(scene, mesh, transfer, first));
+    const std::vector<float> sent = partOf(scene, mesh, transfer, reflected, first);
+    caster.resizeTransfer(sent.size());
+    caster.setTransfer(sent);
     const std::vector<float> part = fitPart(caster, cast.front(), order, progress);
     for (std::size_t s = 0; s < mesh.slotCount(); ++s)
       for (std::size_t i = 0; i < n; ++i)

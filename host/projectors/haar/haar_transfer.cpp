@@ -70,17 +70,6 @@ class ShToHaar {
   std::vector<std::uint32_t> indices_;  ///< of the coarse coefficients in the whole cube map
 };
 
-/// SH coefficients of what bounces add in a slot: [i][channel].
-std::vector<std::array<float, 3>> bounced(const SlotTransfer& transfer, std::size_t slot) {
-  std::vector<std::array<float, 3>> sh(transfer.shColumns());
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t first = (slot * 3 + c) * transfer.columns();
-    for (std::size_t i = 0; i < sh.size(); ++i)
-      sh[i][c] = static_cast<float>(transfer.total[first + i] - transfer.direct[first + i]);
-  }
-  return sh;
-}
-
 /// Rows of consecutive slots.
 struct SlotRows {
   haar::SparseRow entries;
@@ -89,8 +78,9 @@ struct SlotRows {
 
 class RowMaker {
  public:
-  RowMaker(const TexelTransfer& direct, const SlotTransfer& transfer, int faceSize, double error)
-      : direct_(direct), transfer_(transfer), faceSize_(faceSize), error_(error) {
+  RowMaker(const TexelTransfer& direct, const SlotTransfer& transfer, std::span<const float> fitted,
+           int faceSize, double error)
+      : direct_(direct), transfer_(transfer), fitted_(fitted), faceSize_(faceSize), error_(error) {
     if (transfer.bounces > 0) shToHaar_.emplace(transfer.order, faceSize);
   }
 
@@ -109,15 +99,26 @@ class RowMaker {
       haar::forward(std::span(shared), faceSize_);
       for (std::size_t k = 0, n = varying.size(); k < n; ++k)
         for (std::size_t c = 0; c < channels; ++c) own[c * n + k] = shared[varying[k]];
-      if (shToHaar_) shToHaar_->add(bounced(transfer_, s), own);
+      if (shToHaar_) shToHaar_->add(bounced(s), own);
       for (const std::uint32_t i : varying) shared[i] = 0.0f;
       cutter.cut(shared, own, channels, error_, rows.entries, rows.ends);
     }
   }
 
  private:
+  /// SH coefficients of what bounces add in a slot: [i][channel].
+  std::vector<std::array<float, 3>> bounced(std::size_t slot) const {
+    std::vector<std::array<float, 3>> sh(transfer_.shColumns());
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < sh.size(); ++i)
+        sh[i][c] = transfer_.total[(slot * 3 + c) * transfer_.columns() + i] -
+                   directTransfer(direct_.side(), fitted_, slot, i);
+    return sh;
+  }
+
   const TexelTransfer& direct_;
   const SlotTransfer& transfer_;
+  std::span<const float> fitted_;
   int faceSize_;
   double error_;
   std::optional<ShToHaar> shToHaar_;
@@ -193,10 +194,10 @@ std::size_t entriesToExpect(const FitMesh& mesh, const std::vector<SlotRows>& ra
 }  // namespace
 
 HaarTransfer makeHaarTransfer(const FitMesh& mesh, const TexelTransfer& direct, const SlotTransfer& transfer,
-                              int faceSize, double error, Progress& progress) {
+                              std::span<const float> fitted, int faceSize, double error, Progress& progress) {
   HaarTransfer haar{faceSize, transfer.channels(), transfer.bounces, {0}, {}, {}};
   HaarAssembly assembly(mesh, haar);
-  const RowMaker maker(direct, transfer, faceSize, error);
+  const RowMaker maker(direct, transfer, fitted, faceSize, error);
   // Slots part by part, so that a user can stop in between and the memory of a part serves the next.
   std::vector<SlotRows> ranges(partSize / slotGrain);
   for (std::uint32_t first = 0; first < mesh.slotCount(); first += partSize) {

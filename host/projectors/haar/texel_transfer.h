@@ -32,6 +32,9 @@ class TexelTransfer {
   /// The side must outlive this; its rays were coded on a cube map of this face size.
   TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, const SideCast& side, int faceSize);
 
+  /// What was cast.
+  const SideCast& side() const { return side_; }
+
   /// Rays of a receiver.
   struct WeightedRow {
     std::uint32_t row;  ///< of TexelRows

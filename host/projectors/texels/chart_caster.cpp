@@ -48,6 +48,7 @@ class ChartCaster {
     std::vector<float> sent = sentTransfer(mesh, surface, columns_);
     // A texel may see a back that no vertex has seen; nothing is known of it, and it stays dark.
     sent.resize(2 * 3 * columns_ * scene_.vertexCount(), 0.0f);
+    caster_.resizeTransfer(sent.size());
     caster_.setTransfer(sent);
   }
 
