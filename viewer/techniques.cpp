@@ -257,9 +257,9 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   }
 }
 
-void checkFullLight(const GlobalIllumination& full, const CompiledScene& scene) {
-  checkLightMap(full.indirect, scene);
-  for (const device::Photon& photon : full.photons)
+void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const CompiledScene& scene) {
+  checkLightMap(globalIllumination.indirect, scene);
+  for (const device::Photon& photon : globalIllumination.photons)
     if (photon.triangle >= scene.triangleCount())
       throw Error(ExitCode::RuntimeFailure, "photons of caustics", "they are of another scene");
 }

@@ -1,4 +1,4 @@
-#include "integrators/full_renderer.h"
+#include "integrators/global_illumination_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -6,35 +6,35 @@
 #include <numbers>
 
 #include "integrators/cornell_by_mitsuba.h"
-#include "support/shot.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
+#include "support/shot.h"
 
 namespace prelight::test {
 namespace {
 
-struct FullShot {
+struct Shot {
   Scene source;
   CompiledScene scene;
   std::vector<Light> lights;
   std::optional<Environment> sky;
   Camera camera;
-  FullRequest request;
-  FullReport report;
+  GlobalIlluminationPictureRequest request;
+  GlobalIlluminationPictureReport report;
 
   Picture render() {
     const LitScene lit{scene, noImages(), lights, sky ? &*sky : nullptr};
     Progress progress;
     report = {};
-    return renderFull(source, lit, camera, request, sharedDevice(), progress, report);
+    return renderGlobalIllumination(source, lit, camera, request, sharedDevice(), progress, report);
   }
 };
 
-FullShot builtinShot(const std::string& name, int size) {
-  FullShot shot;
+Shot builtinShot(const std::string& name, int size) {
+  Shot shot;
   Warnings warnings;
   shot.source = loadScene(makeBuiltinScene(name), warnings);
   shot.scene = compileScene(shot.source, warnings);
@@ -44,14 +44,14 @@ FullShot builtinShot(const std::string& name, int size) {
   return shot;
 }
 
-bool runs(const FullReport& report, Pass pass) {
+bool runs(const GlobalIlluminationPictureReport& report, Pass pass) {
   for (const PlannedPass& p : report.plan)
     if (p.pass == pass) return p.runs;
   ADD_FAILURE() << nameOf(pass);
   return false;
 }
 
-Picture truthOf(const FullShot& shot, std::uint64_t samples) {
+Picture truthOf(const Shot& shot, std::uint64_t samples) {
   Shot reference;
   reference.scene = shot.scene;
   reference.lights = shot.lights;
@@ -64,8 +64,8 @@ Picture truthOf(const FullShot& shot, std::uint64_t samples) {
 }
 
 /// All blocks and all colours: none is left out.
-TEST(FullRenderer, Cornell_IsWhatMitsubaDraws) {
-  FullShot shot = builtinShot("cornell", cornellPixels);
+TEST(GlobalIlluminationRenderer, Cornell_IsWhatMitsubaDraws) {
+  Shot shot = builtinShot("cornell", cornellPixels);
   shot.request.samples = 64;
   const Picture picture = shot.render();
   constexpr int side = cornellPixels / cornellBlocks;
@@ -91,10 +91,10 @@ TEST(FullRenderer, Cornell_IsWhatMitsubaDraws) {
 }
 
 /// A closed room of albedo 1/2 whose walls emit 1 shows 2 everywhere.
-TEST(FullRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
+TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
   // Emitters whose light on the texels that are gathered from is integrated, and too many for that.
   for (const int cells : {1, 2}) {
-    FullShot shot;
+    Shot shot;
     shot.scene = box(cells, glm::vec3(-1.0f), glm::vec3(1.0f), true);
     shot.scene.materials[0] = lambert(0.5f);
     shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
@@ -118,8 +118,8 @@ TEST(FullRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
 
 /// A room of albedo 1/2 whose walls emit 1, in it a box that absorbs nothing and lets most of the light
 /// through: 2 everywhere.
-TEST(FullRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
-  FullShot shot;
+TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
+  Shot shot;
   shot.scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   append(shot.scene, box(2, {-0.7f, -0.7f, -0.7f}, {0.3f, 0.3f, 0.3f}, false));
   shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
@@ -136,8 +136,8 @@ TEST(FullRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
 
 /// The floor under the middle of a leaf of 4 x 4 m and 1 m above it, in the sun: 0.8 of the light comes
 /// through, and the floor gets the leaf's form factor of that. Then the leaf itself from below.
-TEST(FullRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
-  FullShot shot;
+TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
+  Shot shot;
   shot.scene = ground(4, 6.0f);
   append(shot.scene, ground(2, 2.0f, 1.0f));
   shot.scene.materials[0] = lambert(0.5f);
@@ -164,8 +164,8 @@ TEST(FullRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
 }
 
 /// A spot that shines down on a flat mirror alone, of 0.8, and the floor over it that sees the lamp's image.
-FullShot mirroredSpot() {
-  FullShot shot;
+Shot mirroredSpot() {
+  Shot shot;
   shot.scene = ground(1, 1.0f);
   shot.scene.materials[0] = metal(0.8f, 0.0f);
   CompiledScene ceiling = ground(1, 3.0f, 2.0f);
@@ -188,8 +188,8 @@ FullShot mirroredSpot() {
 }
 
 /// A mirror's caustic is the light of the lamp's image: 0.8 I cos / d2, 3 m below the ceiling.
-TEST(FullRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
-  FullShot shot = mirroredSpot();
+TEST(GlobalIlluminationRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
+  Shot shot = mirroredSpot();
   shot.request.causticPhotons = 1'000'000;
   const Picture picture = shot.render();
   ASSERT_TRUE(runs(shot.report, Pass::CausticPhotons));
@@ -212,8 +212,8 @@ TEST(FullRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
 
 /// Pictures of a floor and of a one-sided sheet over it that turns its back to the floor. A spot under the
 /// sheet shines on the floor alone: all the sheet's light has been reflected by the floor.
-FullShot underASheet() {
-  FullShot shot;
+Shot underASheet() {
+  Shot shot;
   shot.scene = ground(1, 1.5f);
   append(shot.scene, ground(1, 1.5f, 1.0f));
   shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
@@ -241,31 +241,31 @@ std::vector<double> blockMeans(const Picture& picture) {
   return means;
 }
 
-TEST(FullRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
-  FullShot shot = underASheet();
+TEST(GlobalIlluminationRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
+  Shot shot = underASheet();
   shot.camera = orthographicCamera({0.0, 0.96, 0.0}, {0.0, 1.0, 0.0}, 1.2);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 1024));
   EXPECT_TRUE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.03 * truth[i]) << i;
 }
 
-TEST(FullRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflects) {
-  FullShot shot = underASheet();
+TEST(GlobalIlluminationRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflects) {
+  Shot shot = underASheet();
   shot.camera = orthographicCamera({1.05, 0.01, 0.0}, {1.05, 0.0, 0.0}, 0.35);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 4096));
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.05 * truth[i]) << i;
 }
 
-TEST(FullRenderer, SceneWithoutLight_IsBlack) {
-  FullShot shot = builtinShot("cornell", 8);
+TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {
+  Shot shot = builtinShot("cornell", 8);
   for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);
   for (const glm::vec3& pixel : shot.render().pixels) EXPECT_EQ(pixel, glm::vec3(0.0f));
   EXPECT_FALSE(runs(shot.report, Pass::IndirectLight));
   EXPECT_EQ(shot.report.photons.emitted, 0u);
 }
 
-TEST(FullRenderer, SameSeed_GivesTheSamePicture_AnotherSeedAnother) {
-  FullShot shot = builtinShot("caustics", 16);
+TEST(GlobalIlluminationRenderer, SameSeed_GivesTheSamePicture_AnotherSeedAnother) {
+  Shot shot = builtinShot("caustics", 16);
   shot.request.causticPhotons = 20000;
   const Picture a = shot.render(), b = shot.render();
   EXPECT_EQ(a.pixels, b.pixels);

@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class CliFull : public CliTest {
+class CliGlobalIllumination : public CliTest {
  protected:
   nlohmann::json render(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "render");
@@ -29,7 +29,7 @@ nlohmann::json passOf(const nlohmann::json& report, const std::string& name) {
   return {};
 }
 
-TEST_F(CliFull, DiffuseScene_SkipsCausticsAndSaysWhy) {
+TEST_F(CliGlobalIllumination, DiffuseScene_SkipsCausticsAndSaysWhy) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   const nlohmann::json report = render({"cornell.glb", "-o", "a.exr"});
   EXPECT_EQ(report["shading"], "full");
@@ -41,7 +41,7 @@ TEST_F(CliFull, DiffuseScene_SkipsCausticsAndSaysWhy) {
   EXPECT_GT(compare("a.exr", "a.exr")["picture"]["meanA"], 0.05);
 }
 
-TEST_F(CliFull, Summary_NamesThePassesThatAreSkippedAndNoOthers) {
+TEST_F(CliGlobalIllumination, Summary_NamesThePassesThatAreSkippedAndNoOthers) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   const nlohmann::json report = render({"cornell.glb", "-o", "a.exr"});
   const std::string messages =
@@ -58,7 +58,7 @@ TEST_F(CliFull, Summary_NamesThePassesThatAreSkippedAndNoOthers) {
   EXPECT_LT(skipped, report["plan"].size());
 }
 
-TEST_F(CliFull, SameSeed_GivesTheSameBytesAndAnotherSeedDoesNot) {
+TEST_F(CliGlobalIllumination, SameSeed_GivesTheSameBytesAndAnotherSeedDoesNot) {
   prelightDone({"scene", "caustics", "-o", "scene.glb"});
   EXPECT_TRUE(
       passOf(render({"scene.glb", "-o", "a.exr", "--caustic-photons", "5000"}), "caustic photons")["runs"]);
@@ -68,7 +68,7 @@ TEST_F(CliFull, SameSeed_GivesTheSameBytesAndAnotherSeedDoesNot) {
   EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 0.0);
 }
 
-TEST_F(CliFull, SceneWithoutLight_IsLitByANeutralSky) {
+TEST_F(CliGlobalIllumination, SceneWithoutLight_IsLitByANeutralSky) {
   writeFile("scene.glb", floorAndRoof().bytes());
   const ProcessResult result = prelightDone(
       {"render", "scene.glb", "-o", "a.exr", "--shading", "full", "--size", "16x16", "--light", "none"});
@@ -76,7 +76,7 @@ TEST_F(CliFull, SceneWithoutLight_IsLitByANeutralSky) {
   EXPECT_GT(compare("a.exr", "a.exr")["picture"]["meanA"], 0.0);
 }
 
-TEST_F(CliFull, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritten) {
+TEST_F(CliGlobalIllumination, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritten) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   for (const auto& [option, value] :
        std::vector<std::pair<std::string, std::string>>{{"--spp", "0"},
@@ -88,7 +88,7 @@ TEST_F(CliFull, OptionsOutOfRange_AreRefusedBeforeAnythingIsWritten) {
   }
 }
 
-TEST_F(CliFull, Rasterised_IsCloseToTheTracedPictureAndHasTheSamePlan) {
+TEST_F(CliGlobalIllumination, Rasterised_IsCloseToTheTracedPictureAndHasTheSamePlan) {
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
   render({"shapes.glb", "-o", "a.exr"});
   const nlohmann::json drawn = render({"shapes.glb", "-o", "b.exr", "--rasterised"});
@@ -98,7 +98,7 @@ TEST_F(CliFull, Rasterised_IsCloseToTheTracedPictureAndHasTheSamePlan) {
   EXPECT_NEAR(picture["meanB"].get<double>() / picture["meanA"].get<double>(), 1.0, 0.02);
 }
 
-TEST_F(CliFull, Window_ShowsWhatIsDrawnWithoutOne) {
+TEST_F(CliGlobalIllumination, Window_ShowsWhatIsDrawnWithoutOne) {
   prelightDone({"scene", "shapes", "-o", "shapes.glb"});
   const std::vector<std::string> same = {"--shading", "full", "--size",       "48x48",
                                          "--photons", "2000", "--map-texels", "512"};
@@ -116,7 +116,7 @@ TEST_F(CliFull, Window_ShowsWhatIsDrawnWithoutOne) {
   EXPECT_LT(picture["rmse"].get<double>(), 1e-5);
 }
 
-TEST_F(CliFull, RasterisedWithAnotherShading_IsRefused) {
+TEST_F(CliGlobalIllumination, RasterisedWithAnotherShading_IsRefused) {
   prelightDone({"scene", "cornell", "-o", "cornell.glb"});
   expectFailure(2, {"render", "cornell.glb", "-o", "a.exr", "--shading", "phong", "--rasterised"},
                 {"--rasterised", "--shading full"});

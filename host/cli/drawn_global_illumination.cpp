@@ -1,4 +1,4 @@
-#include "cli/full_light.h"
+#include "cli/drawn_global_illumination.h"
 
 #include <algorithm>
 
@@ -13,28 +13,28 @@ constexpr std::uint32_t followedTexels = 100, followedPhotons = 4000;
 /// All may have to be sent again within a few frames.
 constexpr std::uint64_t followedCausticPhotons = 20000;
 
-/// What lights a picture in full shading: an even sky where nothing else gives light.
-struct FullLights {
+/// What lights a picture of global illumination: an even sky where nothing else gives light.
+struct PictureLights {
   std::vector<Light> lights;
   std::optional<Environment> sky;
 };
 
-FullLights fullLights(const PictureOptions& options, const ShadedScene& shaded) {
-  FullLights found{options.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
+PictureLights pictureLights(const PictureOptions& options, const ShadedScene& shaded) {
+  PictureLights found{options.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
   if (!found.sky && makeLightTables(shaded.loaded.compiled, found.lights, nullptr, true).groupCount == 0)
     found.sky = constantEnvironment(glm::vec3(1.0f));
   return found;
 }
 
 /// What was asked for, or what the size of the picture tells.
-FullRequest sizedRequest(const PictureOptions& options, const ShadedScene& shaded) {
-  FullRequest request = options.full;
+GlobalIlluminationPictureRequest sizedRequest(const PictureOptions& options, const ShadedScene& shaded) {
+  GlobalIlluminationPictureRequest request = options.globalIllumination;
   request.width = shaded.render.width;
   request.height = shaded.render.height;
   return request;
 }
 
-Device openFullDevice(Session& session, const PictureOptions& options) {
+Device openDevice(Session& session, const PictureOptions& options) {
   DeviceOptions deviceOptions = session.deviceOptions();
   options.bake.addTo(deviceOptions);
   return session.times().measure("device", [&] { return Device::open(deviceOptions); });
@@ -42,41 +42,42 @@ Device openFullDevice(Session& session, const PictureOptions& options) {
 
 }  // namespace
 
-GlobalIllumination fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded) {
+GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOptions& options,
+                                           const ShadedScene& shaded) {
   requireTriangles(shaded.loaded);
-  const Device device = openFullDevice(session, options);
-  const FullLights lights = fullLights(options, shaded);
+  const Device device = openDevice(session, options);
+  const PictureLights lights = pictureLights(options, shaded);
   const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
                      lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
-  const FullRequest sized = sizedRequest(options, shaded);
+  const GlobalIlluminationPictureRequest sized = sizedRequest(options, shaded);
   GlobalIlluminationRequest request;
-  request.indirect.photons = options.full.indirect.photons;
-  request.indirect.rays = options.full.indirect.rays;
+  request.indirect.photons = options.globalIllumination.indirect.photons;
+  request.indirect.rays = options.globalIllumination.indirect.rays;
   request.indirect.seed = options.bake.request.seed;
   request.indirect.directByPhotons = true;  // as frames that go on from here, see LiveLight
   request.causticPhotons = sized.photonsOfCaustics();
-  GlobalIllumination full = session.times().measure("light", [&] {
+  GlobalIllumination light = session.times().measure("light", [&] {
     return computeGlobalIllumination(shaded.loaded.scene, lit, request, sized.mapTexels(), device,
                                      session.progress());
   });
   session.progress().clear();
-  return full;
+  return light;
 }
 
 std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,
                                                const ShadedScene& shaded) {
   requireTriangles(shaded.loaded);
   auto following = std::make_unique<FollowingLight>();
-  following->device.emplace(openFullDevice(session, options));
-  FullLights lights = fullLights(options, shaded);
+  following->device.emplace(openDevice(session, options));
+  PictureLights lights = pictureLights(options, shaded);
   following->sky = std::move(lights.sky);
   CompiledScene compiled = shaded.loaded.compiled;
   compiled.lights = std::move(lights.lights);
-  const FullRequest sized = sizedRequest(options, shaded);
+  const GlobalIlluminationPictureRequest sized = sizedRequest(options, shaded);
   LiveLightOptions live;
-  live.photons = options.full.indirect.photons;
+  live.photons = options.globalIllumination.indirect.photons;
   live.texels = sized.mapTexels();
-  live.gather.rays = options.full.indirect.rays;
+  live.gather.rays = options.globalIllumination.indirect.rays;
   live.gather.texelsPerFrame = followedTexels;
   live.photonsPerFrame = followedPhotons;
   live.causticPhotons = std::min(sized.photonsOfCaustics(), followedCausticPhotons);

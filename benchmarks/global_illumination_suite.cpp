@@ -5,7 +5,7 @@
 
 #include "benchmarks/path_traced.h"
 #include "benchmarks/suites.h"
-#include "integrators/full_renderer.h"
+#include "integrators/global_illumination_renderer.h"
 
 namespace prelight::benchmarks {
 
@@ -37,15 +37,16 @@ double relMse99(const Picture& picture, const Picture& truth) {
 TimedPicture renderAll(const BenchmarkScene& scene, int size, std::uint32_t samples, std::uint64_t seed,
                        const Device& device, const Progress& progress) {
   const LitScene lit{scene.compiled, scene.scene.images, scene.scene.lights};
-  FullRequest request;
+  GlobalIlluminationPictureRequest request;
   request.samples = samples;
   request.seed = request.indirect.seed = seed;
   request.width = request.height = size;
   StopOnly quiet(progress);
-  FullReport report;
+  GlobalIlluminationPictureReport report;
   TimedPicture trial;
   trial.seconds = secondsOf([&] {
-    trial.picture = renderFull(scene.scene, lit, scene.scene.cameras.at(0), request, device, quiet, report);
+    trial.picture =
+        renderGlobalIllumination(scene.scene, lit, scene.scene.cameras.at(0), request, device, quiet, report);
   });
   return trial;
 }
@@ -60,10 +61,10 @@ struct Measured {
   }
 };
 
-void report(const std::string& scene, std::uint32_t samples, const Measured& full, const Measured& peer,
+void report(const std::string& scene, std::uint32_t samples, const Measured& gathered, const Measured& peer,
             std::vector<BenchmarkResult>& results) {
   const std::string name = fmt::format("{}/{} samples", scene, samples);
-  const double error = median(full.errors), seconds = median(full.seconds);
+  const double error = median(gathered.errors), seconds = median(gathered.seconds);
   results.push_back({"full", name, "relMSE of 99 %", error, "relative", {}, {}});
   // The path tracer's error falls with the inverse of its time.
   const double peerSeconds = median(peer.seconds) * median(peer.errors) / std::max(error, 1e-12);
@@ -79,22 +80,23 @@ void measureScene(const BenchmarkScene& scene, const Device& device, const Bench
   renderAll(scene, size, sampleCounts[0], 0, device, progress);  // warms up
   steps.advance();
   Measured peer;
-  std::array<Measured, sampleCounts.size()> full;
+  std::array<Measured, sampleCounts.size()> gathered;
   for (int run = 0; run < options.runs; ++run) {
     const auto seed = static_cast<std::uint64_t>(run);
     peer.add(pathTrace(scene, size, std::min(peerSamples, options.referenceLongRun), seed, device, progress),
              truth);
-    for (std::size_t i = 0; i < full.size(); ++i)
-      full[i].add(renderAll(scene, size, sampleCounts[i], seed, device, progress), truth);
+    for (std::size_t i = 0; i < gathered.size(); ++i)
+      gathered[i].add(renderAll(scene, size, sampleCounts[i], seed, device, progress), truth);
     steps.advance();
   }
-  for (std::size_t i = 0; i < full.size(); ++i) report(scene.name, sampleCounts[i], full[i], peer, results);
+  for (std::size_t i = 0; i < gathered.size(); ++i)
+    report(scene.name, sampleCounts[i], gathered[i], peer, results);
 }
 
 }  // namespace
 
-std::vector<BenchmarkResult> runFullSuite(const Device& device, const BenchmarkOptions& options,
-                                          Progress& progress) {
+std::vector<BenchmarkResult> runGlobalIlluminationSuite(const Device& device, const BenchmarkOptions& options,
+                                                        Progress& progress) {
   constexpr std::array<const char*, 3> scenes = {"cornell", "caustics", "rooms"};
   StepCounter steps(progress, "bench full", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;

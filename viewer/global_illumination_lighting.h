@@ -12,10 +12,11 @@ namespace prelight::viewer {
 
 /// All light: lights of every kind with the shadows of their maps, and indirect light of a light map.
 /// Shadow maps are drawn when a light is another than before, none where nothing shines.
-class FullLighting : public DrawnTransfer {
+class GlobalIlluminationLighting : public DrawnTransfer {
  public:
   /// Everything outlives it.
-  FullLighting(const GlobalIllumination& full, const CompiledScene& compiled, const RenderScene& scene);
+  GlobalIlluminationLighting(const GlobalIllumination& globalIllumination, const CompiledScene& compiled,
+                             const RenderScene& scene);
 
   void light(const Illumination& light) override;
   void bind(const gl::Program& program) const override;

@@ -1,4 +1,4 @@
-#include "cli/full_picture.h"
+#include "cli/global_illumination_picture.h"
 
 #include <fmt/format.h>
 
@@ -21,9 +21,11 @@ nlohmann::ordered_json toJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
 }
 
-nlohmann::ordered_json fullReport(const PictureOptions& options, const FullRequest& request,
-                                  const FullReport& made, const std::filesystem::path& output,
-                                  const DeviceInfo& device, Session& session) {
+nlohmann::ordered_json pictureReport(const PictureOptions& options,
+                                     const GlobalIlluminationPictureRequest& request,
+                                     const GlobalIlluminationPictureReport& made,
+                                     const std::filesystem::path& output, const DeviceInfo& device,
+                                     Session& session) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [name, seconds] : made.stageSeconds) stages[name] = seconds;
   return {{"command", "render"},
@@ -47,7 +49,8 @@ nlohmann::ordered_json fullReport(const PictureOptions& options, const FullReque
           {"warnings", session.warnings()}};
 }
 
-void printSummary(const FullRequest& request, const FullReport& made, const std::filesystem::path& output,
+void printSummary(const GlobalIlluminationPictureRequest& request,
+                  const GlobalIlluminationPictureReport& made, const std::filesystem::path& output,
                   Session& session) {
   const Console& console = session.console();
   console.line("photons", fmt::format("{} from lights, {} towards mirrors and glass",
@@ -66,7 +69,7 @@ void printSummary(const FullRequest& request, const FullReport& made, const std:
 
 }  // namespace
 
-void addFullOptions(CLI::App& app, FullRequest& request) {
+void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureRequest& request) {
   addWholeNumber(
       app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
       fmt::format("full shading: photons that indirect light is gathered from (default {})",
@@ -80,8 +83,9 @@ void addFullOptions(CLI::App& app, FullRequest& request) {
       "full shading: texels of the map of indirect light, about (default: by the picture's size)");
 }
 
-void renderFullPicture(Session& session, const PictureOptions& options, const FullRequest& asked,
-                       const std::filesystem::path& output) {
+void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
+                                     const GlobalIlluminationPictureRequest& asked,
+                                     const std::filesystem::path& output) {
   // Opening a device and laying out the light map are work of one thread.
   DeviceOptions deviceOptions = session.deviceOptions();
   options.bake.addTo(deviceOptions);
@@ -94,7 +98,7 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
     sky = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
   checkOutputFile("-o", output, {".exr", ".png"});
   const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
-  FullRequest request = asked;
+  GlobalIlluminationPictureRequest request = asked;
   request.height = options.size.height;
   request.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
   request.seed = request.indirect.seed = options.bake.request.seed;
@@ -109,9 +113,10 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
   }
   const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights), sky ? &*sky : nullptr,
                      options.skyRotationDegrees * std::numbers::pi / 180.0};
-  FullReport made;
+  GlobalIlluminationPictureReport made;
   const Picture picture = session.times().measure("render", [&] {
-    return renderFull(lit, camera, request, std::move(surface), device, session.progress(), made);
+    return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
+                                    made);
   });
   session.progress().clear();
   requireFinite(output, picture);
@@ -120,7 +125,7 @@ void renderFullPicture(Session& session, const PictureOptions& options, const Fu
     session.times().measure("write", [&] { writePicture(output, picture); });
   }
   printSummary(request, made, output, session);
-  session.console().json(fullReport(options, request, made, output, device.info(), session));
+  session.console().json(pictureReport(options, request, made, output, device.info(), session));
 }
 
 }  // namespace prelight::cli

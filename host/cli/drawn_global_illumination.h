@@ -21,8 +21,9 @@ struct FollowingLight {
   std::optional<LiveLight> light;
 };
 
-/// Indirect light and caustics of full shading, under the picture's lights.
-GlobalIllumination fullLight(Session& session, const PictureOptions& options, const ShadedScene& shaded);
+/// Indirect light and caustics of global illumination, under the picture's lights.
+GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOptions& options,
+                                           const ShadedScene& shaded);
 
 /// The same light, able to follow what moves, a little a frame.
 std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,

@@ -16,7 +16,7 @@ namespace prelight {
 
 /// A picture with all light: direct light and mirrors traced at every pixel, indirect light gathered
 /// beforehand, caustics from photons.
-struct FullRequest {
+struct GlobalIlluminationPictureRequest {
   int width = 0;
   int height = 0;
   std::uint32_t samples = 8;  ///< a pixel, 1 to 64
@@ -33,7 +33,7 @@ struct FullRequest {
   std::uint64_t photonsOfCaustics() const;
 };
 
-struct FullReport {
+struct GlobalIlluminationPictureReport {
   std::vector<PlannedPass> plan;
   std::vector<std::pair<std::string, double>> stageSeconds;
   std::uint64_t rays = 0;
@@ -42,14 +42,16 @@ struct FullReport {
   std::size_t texels = 0;
 };
 
-/// `surface`: of FullRequest::mapTexels(); may still be in the making, while a device is opened and photons
-/// fly. Throws what making it does, and Interrupted between blocks.
-Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   std::future<LitSurface> surface, const Device& device, Progress& progress,
-                   FullReport& report);
+/// `surface`: of GlobalIlluminationPictureRequest::mapTexels(); may still be in the making, while a device is
+/// opened and photons fly. Throws what making it does, and Interrupted between blocks.
+Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
+                                 const GlobalIlluminationPictureRequest& request,
+                                 std::future<LitSurface> surface, const Device& device, Progress& progress,
+                                 GlobalIlluminationPictureReport& report);
 
 /// With a surface of its own.
-Picture renderFull(const Scene& scene, const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   const Device& device, Progress& progress, FullReport& report);
+Picture renderGlobalIllumination(const Scene& scene, const LitScene& lit, const Camera& camera,
+                                 const GlobalIlluminationPictureRequest& request, const Device& device,
+                                 Progress& progress, GlobalIlluminationPictureReport& report);
 
 }  // namespace prelight

@@ -1,5 +1,5 @@
-// Full shading in OpenGL: shadows against rays on the host in double precision, mirrors and glass against
-// closed forms.
+// Global illumination in OpenGL: shadows against rays on the host in double precision, mirrors and glass
+// against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,21 +27,21 @@ using viewer::Shading;
 
 /// No indirect light and no caustics: a map for the scene of 0.
 GlobalIllumination darkness(const QuadScene& quad) {
-  GlobalIllumination full;
+  GlobalIllumination globalIllumination;
   LightMapLayoutRequest request;
   request.texels = 500;
-  full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
-  full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
-  return full;
+  globalIllumination.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
+  globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
+  return globalIllumination;
 }
 
-struct FullScene {
+struct IlluminatedScene {
   QuadScene quad;
-  GlobalIllumination full;
+  GlobalIllumination globalIllumination;
 
   viewer::RenderInputs inputs() const {
     viewer::RenderInputs inputs = quad.inputs();
-    inputs.full = &full;
+    inputs.globalIllumination = &globalIllumination;
     return inputs;
   }
 
@@ -51,16 +51,16 @@ struct FullScene {
   }
 };
 
-viewer::RenderOptions fullOptions(int size) {
-  viewer::RenderOptions options = square(Shading::Full, size);
+viewer::RenderOptions globalIlluminationOptions(int size) {
+  viewer::RenderOptions options = square(Shading::GlobalIllumination, size);
   options.samplesPerAxis = 1;
   return options;
 }
 
 /// The geometry of a built-in scene, white and diffuse, in metres times `scale`, under one light of the
 /// scaled scene.
-FullScene whiteScene(const std::string& name, double scale, Light light) {
-  FullScene result;
+IlluminatedScene whiteScene(const std::string& name, double scale, Light light) {
+  IlluminatedScene result;
   Warnings warnings;
   result.quad.scene = loadScene(makeBuiltinScene(name), warnings);
   for (Material& material : result.quad.scene.materials) material = lambertian(glm::vec3(1.0f));
@@ -77,7 +77,7 @@ FullScene whiteScene(const std::string& name, double scale, Light light) {
   if (light.type == LightType::Directional) light.intensity /= static_cast<float>(scale * scale);
   result.quad.scene.lights = {light};
   result.quad.compile();
-  result.full = darkness(result.quad);
+  result.globalIllumination = darkness(result.quad);
   return result;
 }
 
@@ -113,7 +113,7 @@ std::optional<Meeting> meet(const CompiledScene& scene, const glm::dvec3& origin
 }
 
 struct Rays {
-  explicit Rays(const FullScene& scene, int pixels) : size(pixels) {
+  explicit Rays(const IlluminatedScene& scene, int pixels) : size(pixels) {
     const viewer::CameraMatrices camera = viewer::cameraMatrices(
         viewer::chooseCamera(scene.quad.scene, scene.quad.compiled, std::nullopt), scene.quad.compiled, 1.0);
     eye = camera.position;
@@ -181,8 +181,8 @@ Traced trace(const CompiledScene& scene, const Rays& rays, const viewer::ShadedL
 }
 
 /// Of pixels whose eight neighbours show the same.
-ShadowCheck compareShadows(const FullScene& scene, int size) {
-  viewer::RenderOptions options = fullOptions(size);
+ShadowCheck compareShadows(const IlluminatedScene& scene, int size) {
+  viewer::RenderOptions options = globalIlluminationOptions(size);
   options.emitters = false;
   const Picture picture = scene.render(options);
   const viewer::ShadedLight light = viewer::shadedLight(scene.quad.scene.lights.front(), scene.quad.compiled);
@@ -229,7 +229,7 @@ std::vector<ShadowCase> shadowCases() {
           {"rooms", makeLight(LightType::Point, {20, 20, 20}, {-1.6, 1.6, 0.4})}};
 }
 
-TEST(FullShadows, OfManyScenesAndLights_AreThoseOfRays) {
+TEST(GlobalIlluminationShadows, OfManyScenesAndLights_AreThoseOfRays) {
   int lit = 0, dark = 0;
   for (const ShadowCase& testCase : shadowCases()) {
     const ShadowCheck check = compareShadows(whiteScene(testCase.scene, 1.0, testCase.light), 72);
@@ -244,12 +244,13 @@ TEST(FullShadows, OfManyScenesAndLights_AreThoseOfRays) {
   EXPECT_GT(dark, 1000);
 }
 
-TEST(FullShadows, ScenesOfMillimetresAndKilometres_AreDrawnAlike) {
+TEST(GlobalIlluminationShadows, ScenesOfMillimetresAndKilometres_AreDrawnAlike) {
   const ShadowCase shapes = shadowCases()[3];
-  const FullScene metres = whiteScene(shapes.scene, 1.0, shapes.light);
-  const Picture expected = metres.render(fullOptions(96));
+  const IlluminatedScene metres = whiteScene(shapes.scene, 1.0, shapes.light);
+  const Picture expected = metres.render(globalIlluminationOptions(96));
   for (const double scale : {1e-3, 1e3}) {
-    const Picture scaled = whiteScene(shapes.scene, scale, shapes.light).render(fullOptions(96));
+    const Picture scaled =
+        whiteScene(shapes.scene, scale, shapes.light).render(globalIlluminationOptions(96));
     int other = 0;
     for (std::size_t i = 0; i < scaled.pixels.size(); ++i)
       other += glm::length(scaled.pixels[i] - expected.pixels[i]) > 0.02f * (0.1f + expected.pixels[i].r);
@@ -259,8 +260,8 @@ TEST(FullShadows, ScenesOfMillimetresAndKilometres_AreDrawnAlike) {
 }
 
 /// A floor at y = 0 under a lamp, and something over it.
-FullScene floorAndShade(const Material& shade) {
-  FullScene scene;
+IlluminatedScene floorAndShade(const Material& shade) {
+  IlluminatedScene scene;
   const glm::dmat4 up({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
   scene.quad.add(lambertian(glm::vec3(1.0f)), 2.0f, up);
   glm::dmat4 above = up;
@@ -269,28 +270,28 @@ FullScene floorAndShade(const Material& shade) {
   scene.quad.scene.lights = {makeLight(LightType::Point, {10, 10, 10}, {0, 3, 0})};
   scene.quad.lookFrom({0, 0.6, 3.0}, {0, 0, 0});
   scene.quad.compile();
-  scene.full = darkness(scene.quad);
+  scene.globalIllumination = darkness(scene.quad);
   return scene;
 }
 
-TEST(FullShadows, MaskedHoles_LetLightThroughAndTheRestDoesNot) {
+TEST(GlobalIlluminationShadows, MaskedHoles_LetLightThroughAndTheRestDoesNot) {
   Material whole = lambertian(glm::vec3(1.0f)), hole = whole;
   hole.alphaMode = AlphaMode::Mask;
   hole.alphaCutoff = 0.5f;
   hole.baseColor.a = 0.4f;
-  const glm::vec3 under = pixelAt(floorAndShade(whole).render(fullOptions(65)));
+  const glm::vec3 under = pixelAt(floorAndShade(whole).render(globalIlluminationOptions(65)));
   EXPECT_EQ(under.r, 0.0f);
-  const glm::vec3 through = pixelAt(floorAndShade(hole).render(fullOptions(65)));
+  const glm::vec3 through = pixelAt(floorAndShade(hole).render(globalIlluminationOptions(65)));
   // The floor is seen about the origin: 3 m under the light.
   expectColor(through, glm::dvec3(10.0 / 9.0 / std::numbers::pi), 0.01);
 }
 
-TEST(FullShadows, BacksOfSurfaces_CastThem) {
-  FullScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
+TEST(GlobalIlluminationShadows, BacksOfSurfaces_CastThem) {
+  IlluminatedScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
   scene.quad.scene.meshNodes.back().transforms.front() =
       glm::dmat4({1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 1, 0, 1});  // faces down
   scene.quad.compile();
-  EXPECT_EQ(pixelAt(scene.render(fullOptions(65))).r, 0.0f);
+  EXPECT_EQ(pixelAt(scene.render(globalIlluminationOptions(65))).r, 0.0f);
 }
 
 Material leaf() {
@@ -302,42 +303,42 @@ Material leaf() {
 }
 
 /// A sheet that faces +Z, lit from its front or its back.
-FullScene litSheet(const Material& material, double side) {
-  FullScene scene;
+IlluminatedScene litSheet(const Material& material, double side) {
+  IlluminatedScene scene;
   scene.quad.add(material, 2.0f);
   scene.quad.scene.lights = {makeLight(LightType::Point, {10, 10, 10}, {0.0, 0.0, 2.0 * side})};
   scene.quad.lookFrom({0, 0, 3.0}, {0, 0, 0});
   scene.quad.compile();
-  scene.full = darkness(scene.quad);
+  scene.globalIllumination = darkness(scene.quad);
   return scene;
 }
 
-TEST(FullShading, SheetThatLetsAllLightThrough_ShowsThatFromBehindAlone) {
-  expectColor(pixelAt(litSheet(leaf(), -1.0).render(fullOptions(33))),
+TEST(GlobalIlluminationShading, SheetThatLetsAllLightThrough_ShowsThatFromBehindAlone) {
+  expectColor(pixelAt(litSheet(leaf(), -1.0).render(globalIlluminationOptions(33))),
               10.0 / 4.0 / std::numbers::pi * glm::dvec3(0.8, 0.4, 0.2), 0.01);
-  EXPECT_EQ(pixelAt(litSheet(leaf(), 1.0).render(fullOptions(33))), glm::vec3(0.0f));
+  EXPECT_EQ(pixelAt(litSheet(leaf(), 1.0).render(globalIlluminationOptions(33))), glm::vec3(0.0f));
 }
 
-TEST(FullShading, SheetOfAQuarter_ReflectsTheRestOfItsAlbedo) {
+TEST(GlobalIlluminationShading, SheetOfAQuarter_ReflectsTheRestOfItsAlbedo) {
   Material quarter = leaf();
   quarter.diffuseTransmission = 0.25f;
-  expectColor(pixelAt(litSheet(quarter, 1.0).render(fullOptions(33))),
+  expectColor(pixelAt(litSheet(quarter, 1.0).render(globalIlluminationOptions(33))),
               glm::dvec3(10.0 / 4.0 / std::numbers::pi * 0.75 * 0.9), 0.01);
 }
 
-TEST(FullShading, MapOfTheOtherSide_ComesThrough) {
-  FullScene scene = litSheet(leaf(), 1.0);  // whose front reflects nothing of the lamp
-  for (LightMapTexel& texel : scene.full.indirect.layout.texels)
+TEST(GlobalIlluminationShading, MapOfTheOtherSide_ComesThrough) {
+  IlluminatedScene scene = litSheet(leaf(), 1.0);  // whose front reflects nothing of the lamp
+  for (LightMapTexel& texel : scene.globalIllumination.indirect.layout.texels)
     for (int c = 0; c < 3; ++c)
-      scene.full.indirect.values[3 * texel.texel + static_cast<std::size_t>(c)] =
+      scene.globalIllumination.indirect.values[3 * texel.texel + static_cast<std::size_t>(c)] =
           texel.face < scene.quad.compiled.triangleCount() ? 0.0f : 2.0f;
-  expectColor(pixelAt(scene.render(fullOptions(33))), 2.0 / std::numbers::pi * glm::dvec3(0.8, 0.4, 0.2),
-              0.01);
+  expectColor(pixelAt(scene.render(globalIlluminationOptions(33))),
+              2.0 / std::numbers::pi * glm::dvec3(0.8, 0.4, 0.2), 0.01);
 }
 
 /// A floor under a square lamp of 1 m, 1.5 m above it.
-FullScene floorUnderLamp() {
-  FullScene scene;
+IlluminatedScene floorUnderLamp() {
+  IlluminatedScene scene;
   const glm::dmat4 up({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
   scene.quad.add(lambertian(glm::vec3(1.0f)), 2.0f, up);
   Material lamp = lambertian(glm::vec3(0.0f));
@@ -345,55 +346,55 @@ FullScene floorUnderLamp() {
   scene.quad.add(lamp, 0.5f, glm::dmat4({1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 1.5, 0, 1}));
   scene.quad.lookFrom({0, 0.6, 3.0}, {0, 0, 0});
   scene.quad.compile();
-  scene.full = darkness(scene.quad);
+  scene.globalIllumination = darkness(scene.quad);
   return scene;
 }
 
-TEST(FullShading, EmissiveSquareOverAFloor_IsTheClosedForm) {
-  const FullScene scene = floorUnderLamp();
+TEST(GlobalIlluminationShading, EmissiveSquareOverAFloor_IsTheClosedForm) {
+  const IlluminatedScene scene = floorUnderLamp();
   // Form factor of a square above a point of a parallel plane: four times that of the quarter (Howell, B-3).
   const double a = 0.5 / 1.5, r = std::sqrt(1.0 + a * a);
   const double factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * (a / r) * std::atan(a / r);
-  expectColor(pixelAt(scene.render(fullOptions(65))), glm::dvec3(7.0 * factor), 0.01);
+  expectColor(pixelAt(scene.render(globalIlluminationOptions(65))), glm::dvec3(7.0 * factor), 0.01);
 }
 
-TEST(FullShading, EvenSkyOverAnOpenFloor_IsItsRadiance) {
-  FullScene scene;
+TEST(GlobalIlluminationShading, EvenSkyOverAnOpenFloor_IsItsRadiance) {
+  IlluminatedScene scene;
   scene.quad.add(lambertian(glm::vec3(0.8f)), 2.0f);
   scene.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
   scene.quad.lookFrom({0, 0, 3}, {0, 0, 0});
   scene.quad.compile();
-  scene.full = darkness(scene.quad);
-  expectColor(pixelAt(scene.render(fullOptions(33))), glm::dvec3(0.8), 0.02);
+  scene.globalIllumination = darkness(scene.quad);
+  expectColor(pixelAt(scene.render(globalIlluminationOptions(33))), glm::dvec3(0.8), 0.02);
 }
 
-TEST(FullShading, IndirectLight_IsThatOfTheMapAndCanBeReplaced) {
-  FullScene scene;
+TEST(GlobalIlluminationShading, IndirectLight_IsThatOfTheMapAndCanBeReplaced) {
+  IlluminatedScene scene;
   scene.quad.add(lambertian(glm::vec3(0.5f)), 2.0f);
   Environment black{1, 1, {glm::vec3(0.0f)}};
   scene.quad.setSky(black);
   scene.quad.lookFrom({0, 0, 3}, {0, 0, 0});
   scene.quad.compile();
-  scene.full = darkness(scene.quad);
+  scene.globalIllumination = darkness(scene.quad);
   const viewer::RenderInputs inputs = scene.inputs();
-  const viewer::View view = viewer::makeView(inputs, fullOptions(33));
+  const viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(33));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   EXPECT_EQ(pixelAt(viewer::renderView(renderer, view, 1)).r, 0.0f);
-  std::vector<float> values(scene.full.indirect.values.size(), 2.0f);
+  std::vector<float> values(scene.globalIllumination.indirect.values.size(), 2.0f);
   renderer.updateIndirect(values);
   expectColor(pixelAt(viewer::renderView(renderer, view, 1)), glm::dvec3(1.0 / std::numbers::pi), 1e-4);
   values.pop_back();
   EXPECT_THROW(renderer.updateIndirect(values), Error);
 }
 
-TEST(FullShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsOwn) {
-  FullScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
+TEST(GlobalIlluminationShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsOwn) {
+  IlluminatedScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
   Light spot = makeLight(LightType::Spot, {5, 5, 5}, {1, 2, 0}, {0, -1, 0});
   spot.outerConeAngle = 0.5f;
   scene.quad.scene.lights.push_back(spot);
   const viewer::RenderInputs inputs = scene.inputs();
-  viewer::View view = viewer::makeView(inputs, fullOptions(33));
+  viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(33));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   viewer::renderView(renderer, view, 1);
@@ -411,10 +412,10 @@ TEST(FullShading, StillScene_DrawsNoMapTwiceAndAMovedLightOnlyItsOwn) {
   EXPECT_FALSE(renderer.plan(view)[1].runs);
 }
 
-TEST(FullShading, PacedUpdates_ComeToThePictureOfAllAtOnce) {
-  FullScene scene = floorUnderLamp();
+TEST(GlobalIlluminationShading, PacedUpdates_ComeToThePictureOfAllAtOnce) {
+  IlluminatedScene scene = floorUnderLamp();
   const viewer::RenderInputs inputs = scene.inputs();
-  const viewer::View view = viewer::makeView(inputs, fullOptions(33));
+  const viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(33));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   viewer::renderView(renderer, view, 1);
@@ -433,10 +434,10 @@ TEST(FullShading, PacedUpdates_ComeToThePictureOfAllAtOnce) {
   EXPECT_EQ(viewer::renderView(afresh, view, 1).pixels, paced.pixels);
 }
 
-TEST(FullShading, SceneWithoutLight_DrawsNoShadowMapAndSaysSo) {
-  FullScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
+TEST(GlobalIlluminationShading, SceneWithoutLight_DrawsNoShadowMapAndSaysSo) {
+  IlluminatedScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
   const viewer::RenderInputs inputs = scene.inputs();
-  viewer::View view = viewer::makeView(inputs, fullOptions(33));
+  viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(33));
   view.lights.front().intensity = glm::vec3(0.0f);
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
@@ -445,10 +446,10 @@ TEST(FullShading, SceneWithoutLight_DrawsNoShadowMapAndSaysSo) {
   EXPECT_FALSE(renderer.plan(view)[0].runs);
 }
 
-TEST(FullShading, MovedScene_TakesItsShadowsAlong) {
-  FullScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
+TEST(GlobalIlluminationShading, MovedScene_TakesItsShadowsAlong) {
+  IlluminatedScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
   const viewer::RenderInputs inputs = scene.inputs();
-  const viewer::View view = viewer::makeView(inputs, fullOptions(65));
+  const viewer::View view = viewer::makeView(inputs, globalIlluminationOptions(65));
   const viewer::gl::EglContext context;
   viewer::Renderer renderer(inputs);
   EXPECT_EQ(pixelAt(viewer::renderView(renderer, view, 1)).r, 0.0f);
@@ -458,19 +459,19 @@ TEST(FullShading, MovedScene_TakesItsShadowsAlong) {
   EXPECT_GT(pixelAt(viewer::renderView(renderer, view, 1)).r, 0.3f);
 }
 
-TEST(FullShading, EmptyScene_IsItsSky) {
-  FullScene scene;
+TEST(GlobalIlluminationShading, EmptyScene_IsItsSky) {
+  IlluminatedScene scene;
   scene.quad.setSky(constantEnvironment(glm::vec3(0.5f)));
   scene.quad.lookFrom({0, 0, 3}, {0, 0, 0});
   scene.quad.compile();
-  scene.full.indirect.values.clear();
-  expectColor(pixelAt(scene.render(fullOptions(33))), glm::dvec3(0.5), 1e-4);
+  scene.globalIllumination.indirect.values.clear();
+  expectColor(pixelAt(scene.render(globalIlluminationOptions(33))), glm::dvec3(0.5), 1e-4);
 }
 
-TEST(FullShading, LightOfAnotherScene_IsRefused) {
-  FullScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
-  scene.full.indirect.layout.chartOf.pop_back();
-  EXPECT_THROW(scene.render(fullOptions(33)), Error);
+TEST(GlobalIlluminationShading, LightOfAnotherScene_IsRefused) {
+  IlluminatedScene scene = floorAndShade(lambertian(glm::vec3(1.0f)));
+  scene.globalIllumination.indirect.layout.chartOf.pop_back();
+  EXPECT_THROW(scene.render(globalIlluminationOptions(33)), Error);
 }
 
 }  // namespace

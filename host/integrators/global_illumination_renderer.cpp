@@ -1,4 +1,4 @@
-#include "integrators/full_renderer.h"
+#include "integrators/global_illumination_renderer.h"
 
 #include <fmt/format.h>
 
@@ -44,8 +44,8 @@ PlannedPass planRaysToLargeEmitters(const CompiledScene& compiled) {
 }
 
 GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const Camera& camera,
-                              const FullRequest& request, std::future<LitSurface> surface,
-                              const Device& device, Progress& progress) {
+                              const GlobalIlluminationPictureRequest& request,
+                              std::future<LitSurface> surface, const Device& device, Progress& progress) {
   GlobalIlluminationRequest light;
   light.indirect = request.indirect;
   light.indirect.seed = request.seed;
@@ -54,7 +54,7 @@ GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const 
   return computeGlobalIllumination(lit, scene, light, std::move(surface), device, progress);
 }
 
-void addTo(FullReport& report, const GlobalIllumination& light) {
+void addTo(GlobalIlluminationPictureReport& report, const GlobalIllumination& light) {
   report.plan.insert(report.plan.end(), light.plan.begin(), light.plan.end());
   report.stageSeconds.insert(report.stageSeconds.end(), light.stageSeconds.begin(), light.stageSeconds.end());
   report.rays += light.rays;
@@ -72,8 +72,8 @@ std::vector<glm::vec3> irradianceOf(const LightMap& map) {
 }
 
 Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
-             const reference::CachedLight& cached, const FullRequest& request, Progress& progress,
-             FullReport& report) {
+             const reference::CachedLight& cached, const GlobalIlluminationPictureRequest& request,
+             Progress& progress, GlobalIlluminationPictureReport& report) {
   reference::ReferenceRequest paths;
   paths.depth = request.depth;
   paths.samples = paths.samplesPerPass = request.samples;
@@ -93,24 +93,25 @@ Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera&
   return film.picture();
 }
 
-std::uint64_t pixelsOf(const FullRequest& request) {
+std::uint64_t pixelsOf(const GlobalIlluminationPictureRequest& request) {
   return static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
 }
 
 }  // namespace
 
-std::uint32_t FullRequest::mapTexels() const {
+std::uint32_t GlobalIlluminationPictureRequest::mapTexels() const {
   const auto usual = std::clamp<std::uint64_t>(pixelsOf(*this) / 32, 4096, 65536);
   return texels.value_or(static_cast<std::uint32_t>(usual));
 }
 
-std::uint64_t FullRequest::photonsOfCaustics() const {
+std::uint64_t GlobalIlluminationPictureRequest::photonsOfCaustics() const {
   return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 160'000, 1'000'000));
 }
 
-Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   std::future<LitSurface> surface, const Device& device, Progress& progress,
-                   FullReport& report) {
+Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
+                                 const GlobalIlluminationPictureRequest& request,
+                                 std::future<LitSurface> surface, const Device& device, Progress& progress,
+                                 GlobalIlluminationPictureReport& report) {
   StageClock stages(report.stageSeconds);
   // A picture sends few rays: a better tree takes longer to build than it saves.
   Tracer tracer(lit.scene, device, BvhLayout::Automatic, BuildQuality::Balanced);
@@ -134,9 +135,10 @@ Picture renderFull(const LitScene& lit, const Camera& camera, const FullRequest&
   return picture;
 }
 
-Picture renderFull(const Scene& scene, const LitScene& lit, const Camera& camera, const FullRequest& request,
-                   const Device& device, Progress& progress, FullReport& report) {
-  return renderFull(
+Picture renderGlobalIllumination(const Scene& scene, const LitScene& lit, const Camera& camera,
+                                 const GlobalIlluminationPictureRequest& request, const Device& device,
+                                 Progress& progress, GlobalIlluminationPictureReport& report) {
+  return renderGlobalIllumination(
       lit, camera, request,
       std::async(std::launch::async, [&] { return layOutSurface(scene, lit.scene, request.mapTexels()); }),
       device, progress, report);
