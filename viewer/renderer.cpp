@@ -60,7 +60,7 @@ int largestOrder(const Bake* bake) {
   if (bake == nullptr) return order;
   if (bake->sh) order = std::max(order, bake->sh->order);
   if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
-  if (bake->texels) order = std::max(order, bake->texels->order);
+  if (bake->chartTransfer) order = std::max(order, bake->chartTransfer->order);
   if (bake->ch) order = std::max(order, bake->ch->order);
   if (bake->glossy) order = std::max(order, bake->glossy->order);
   return order;

@@ -82,8 +82,8 @@ std::unique_ptr<DrawnTransfer> makeShOfVertices(const RenderInputs& inputs) {
 
 std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
   std::unique_ptr<DrawnTransfer> vertices = makeShOfVertices(inputs);
-  if (!inputs.bake->texels) return vertices;
-  return std::make_unique<ChartLighting>(*inputs.bake->texels, inputs.compiled, std::move(vertices));
+  if (!inputs.bake->chartTransfer) return vertices;
+  return std::make_unique<ChartLighting>(*inputs.bake->chartTransfer, inputs.compiled, std::move(vertices));
 }
 
 /// Of a bake that holds it (drawsEncoding).
@@ -248,7 +248,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
                numbers(vertices, glossy->channels, glossy->order, 4));
   }
   if (bake.occluders) checkOccluders(*bake.occluders, vertices);
-  if (bake.texels) checkCharts(*bake.texels, scene);
+  if (bake.chartTransfer) checkCharts(*bake.chartTransfer, scene);
   if (bake.lightMap) checkLightMap(*bake.lightMap, scene);
   checkEncoded("encoded light of vertices", bake.encodedLight, vertices);
   if (const auto& lights = bake.lightGroups) {

@@ -57,7 +57,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
-  if (request.sh.order > 0) request.texels.size = asked.texels.size;
+  if (request.sh.order > 0) request.chartTransfer.size = asked.chartTransfer.size;
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
@@ -81,7 +81,7 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.haar, from.haar);
   take(into.glossy, from.glossy);
   take(into.lightGroups, from.lightGroups);
-  take(into.texels, from.texels);
+  take(into.chartTransfer, from.chartTransfer);
   take(into.occluders, from.occluders);
   take(into.irradiance, from.irradiance);
   take(into.lightMap, from.lightMap);

@@ -23,7 +23,7 @@ Charts chartsOf(const LoadedScene& scene, int size, BakeReport& report) {
                      fmt::format("no primitive has texture coordinates for a light map: {}",
                                  fmt::join(charts.leftOut, "; ")),
                      "unwrap the meshes into TEXCOORD_1, within 0..1 and without overlaps, or leave "
-                     "TexelsRequest::size 0");
+                     "ChartTransferRequest::size 0");
   if (!charts.leftOut.empty())
     report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
   return charts;
@@ -48,7 +48,7 @@ BakeResult bake(const LoadedScene& scene, const BakeRequest& request, const Bake
   const Plan plan = planOf(scene, request);
   LibraryCall call(options.device, options.progress);
   BakeResult result;
-  const Charts charts = chartsOf(scene, request.texels.size, result.report);
+  const Charts charts = chartsOf(scene, request.chartTransfer.size, result.report);
   std::optional<FileCheckpoint> checkpoint;
   if (!options.checkpoint.empty())
     checkpoint.emplace(options.checkpoint, bakeKey(scene.compiled, request, call.device().info()));

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "projectors/lightmap/light_map_plan.h"
+#include "projectors/light_map/light_map_plan.h"
 #include "support/scenes.h"
 
 namespace prelight {

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
-#include "lightmap/make_light_map_layout.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
-#include "lightmap/make_light_map_layout.h"
 #include "support/scenes.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
