@@ -1,4 +1,4 @@
-#include "prelight/baking.h"
+#include "prelight/bake.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
