@@ -93,7 +93,7 @@ class Renderer {
     return surroundings_ == nullptr ? 0 : surroundings_->facesDrawn();
   }
 
-  /// Of the last tile; nullptr where the inputs have no caustics.
+  /// Caustics of the last tile; nullptr where the inputs have none.
   const CausticPass* caustics() const { return caustics_.get(); }
 
  private:

@@ -84,7 +84,7 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
      [](BakeRequest&, const BakeRequest&) {}},
 }};
 
-/// From the one that shows most.
+/// Shadings in the order in which they are preferred: those that show most come first.
 constexpr std::array<Shading, shadingCount> byPreference = {
     Shading::Sh,     Shading::Ch,       Shading::Glossy,    Shading::Haar,
     Shading::Lights, Shading::LightMap, Shading::Radiosity, Shading::Vo,

@@ -86,7 +86,7 @@ std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
   return std::make_unique<ChartLighting>(*inputs.bake->chartTransfer, inputs.compiled, std::move(vertices));
 }
 
-/// Of a bake that holds it (drawsEncoding).
+/// Draws the encoding of a bake that holds it (drawsEncoding).
 std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const RenderInputs& inputs) {
   const std::string_view name = inputs.encoding->name;
   const Bake& bake = *inputs.bake;
@@ -103,7 +103,7 @@ struct Technique {
 
 constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Metals, Through::FarLights};
 
-/// In the order of Shading.
+/// How each shading is drawn, in the order of Shading.
 constexpr std::array<Technique, shadingCount> table = {{
     {{}, [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
     {{Ambient::Accessible, Reflection::Everywhere, Through::None},

@@ -13,7 +13,7 @@ namespace {
 /// Between a chart's edge and the centres of its outer texels, texels: look-ups that the hardware rounds to
 /// 1/256 of a texel still meet no other chart.
 constexpr double margin = 1.0 / 64.0;
-/// Of a texel's side to either side of its centre, where look-ups meet it with a weight worth the name.
+/// How far from a texel's centre, in its sides, look-ups meet it with a weight worth the name.
 constexpr double reachOfTexel = 0.999;
 constexpr double noDistance = 1e30;
 

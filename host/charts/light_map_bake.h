@@ -28,7 +28,7 @@ class LightMapPart {
   virtual std::uint64_t rays() const = 0;
 };
 
-/// For people.
+/// A line that tells people what the map is and what it took.
 std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
 
 /// The values of a light map's texels, block by block; then texels inside objects take after their

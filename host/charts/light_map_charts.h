@@ -44,7 +44,7 @@ struct LightMapLayoutRequest {
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
                                   const LightMapLayoutRequest& request);
 
-/// Of a chart laid flat, m2.
+/// The area of a chart laid flat, m2.
 double flatArea(const LightMapChart& chart);
 
 /// Whether light on a side of a triangle is ever asked for.

@@ -126,7 +126,7 @@ class SeamSolver {
     }
   };
 
-  /// Of a texel without weight, the first: it takes no part.
+  /// The unknown that stands for a texel; the first for one without weight, which takes no part.
   std::uint32_t indexOf(std::uint32_t texel, double weight) const {
     if (weight == 0.0) return 0;
     return static_cast<std::uint32_t>(std::lower_bound(texels_.begin(), texels_.end(), texel) -

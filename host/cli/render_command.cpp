@@ -41,7 +41,7 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedSc
   return report;
 }
 
-/// Of a picture that OpenGL draws: about `samples` a pixel.
+/// Samples along each axis of a pixel, so that OpenGL draws about `samples` in all.
 int samplesPerAxis(std::uint32_t samples) {
   return std::clamp(static_cast<int>(std::lround(std::sqrt(samples))), 1, 8);
 }

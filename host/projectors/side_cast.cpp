@@ -68,7 +68,7 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
   running_ = false;
 }
 
-// Of all values alike, by what AO says: where that is flat, light is too, nearly always.
+// Stiffens the fit of all values by what AO says: where that is flat, light is too, nearly always.
 void SideCast::stiffen() {
   std::vector<double> laplacian(mesh_.slotCount());
   fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0), laplacian, 1);

@@ -136,7 +136,7 @@ class LightMapEmbedder {
   FileTrianglesFinder triangles_{document_, scene_};
 };
 
-/// As a URI's path: everything but unreserved characters in percent.
+/// Turns a name into a URI's path: everything but unreserved characters in percent.
 std::string percentEncode(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -23,7 +23,7 @@ void writeLightMap(const std::filesystem::path& path, const LightMap& map);
 
 class OutputFiles;
 
-/// As one of several files, base/atomic_file.h.
+/// Adds the picture to files that are written together (base/atomic_file.h).
 void addLightMap(OutputFiles& files, const std::filesystem::path& path, const LightMap& map);
 
 /// Light map of a document, with its picture, which lies beside it; nullopt when it has none. Charts and the

@@ -26,7 +26,7 @@ std::uint64_t photonsOf(const BakeRequest& request, const LightMapLayout& layout
       request.lightMap.error > 0.0 ? std::max<std::size_t>(texels, LightMapLayoutRequest{}.texels) : texels);
 }
 
-/// Of the chart that has the smallest texels, m. Charts of a few texels are rounded too far to tell.
+/// The side of the smallest texels of any chart, m. Charts of a few texels are rounded too far to tell.
 double smallestTexel(const CompiledScene& scene, const LightMapLayout& layout) {
   constexpr double leastTexels = 4.0;
   std::vector<double> areas(layout.chartCount, 0.0), texels(layout.chartCount, 0.0);

@@ -26,13 +26,13 @@ bool takesLight(const CompiledScene& scene);
 /// Texels that a map has at most, about.
 std::uint64_t mostTexels(const CompiledScene& scene, const BakeRequest& request);
 
-/// Of LightMap while it is baked: as many as it keeps, or as light that is to be encoded needs.
+/// LightMap::coefficients while it is baked: as many as it keeps, or as light that is to be encoded needs.
 int lightMapCoefficients(const Plan& plan);
 
-/// Of LightMap: those of order 2 where the plan keeps directions, else 1.
+/// LightMap::coefficients that are kept: those of order 2 where the plan keeps directions, else 1.
 int keptLightMapCoefficients(const Plan& plan);
 
-/// That a light map takes while it is baked, about.
+/// Bytes that a light map takes while it is baked, about.
 std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request, int coefficients);
 
 }  // namespace prelight

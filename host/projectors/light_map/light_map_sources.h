@@ -24,7 +24,7 @@ class LightMapSources {
 
   std::span<LightMapPart* const> parts() const { return parts_; }
 
-  /// Of sources of one coefficient: irradiance at places of the surface, W/m2, [place][channel]. `hidden` as
+  /// Irradiance at places of the surface by sources of one coefficient, W/m2, [place][channel]. `hidden` as
   /// LightMapPart's. Throws Interrupted between blocks.
   std::vector<float> irradiance(std::span<const LightMapTexel> places, std::span<std::uint8_t> hidden,
                                 const Progress& progress) const;

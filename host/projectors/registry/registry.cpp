@@ -95,7 +95,7 @@ constexpr bool placesDiffer() {
 }
 static_assert(placesDiffer());
 
-/// By one of the columns.
+/// The rows in the order that one of the columns gives.
 template <std::size_t columns>
 std::vector<Row> sortedBy(std::array<int, columns> Row::*places, std::size_t column) {
   std::vector<Row> sorted(rows.begin(), rows.end());
