@@ -17,7 +17,7 @@ constexpr int incidentOrderOf(int values) {
   return order;
 }
 
-/// Defines the order for programs that include shared/incident_values.h.
+/// Defines the order for programs that include project/incident_funcs.cl.
 inline void addIncidentOrder(BuildOptions& options, int order) {
   if (order > leastIncidentOrder) options.define("PRELIGHT_INCIDENT_ORDER", order);
 }
