@@ -16,7 +16,7 @@
 namespace prelight::test {
 namespace {
 
-struct Shot {
+struct IlluminatedShot {
   Scene source;
   CompiledScene scene;
   std::vector<Light> lights;
@@ -33,8 +33,8 @@ struct Shot {
   }
 };
 
-Shot builtinShot(const std::string& name, int size) {
-  Shot shot;
+IlluminatedShot builtinShot(const std::string& name, int size) {
+  IlluminatedShot shot;
   Warnings warnings;
   shot.source = loadScene(makeBuiltinScene(name), warnings);
   shot.scene = compileScene(shot.source, warnings);
@@ -51,7 +51,7 @@ bool runs(const GlobalIlluminationPictureReport& report, Pass pass) {
   return false;
 }
 
-Picture truthOf(const Shot& shot, std::uint64_t samples) {
+Picture truthOf(const IlluminatedShot& shot, std::uint64_t samples) {
   Shot reference;
   reference.scene = shot.scene;
   reference.lights = shot.lights;
@@ -65,7 +65,7 @@ Picture truthOf(const Shot& shot, std::uint64_t samples) {
 
 /// All blocks and all colours: none is left out.
 TEST(GlobalIlluminationRenderer, Cornell_IsWhatMitsubaDraws) {
-  Shot shot = builtinShot("cornell", cornellPixels);
+  IlluminatedShot shot = builtinShot("cornell", cornellPixels);
   shot.request.samples = 64;
   const Picture picture = shot.render();
   constexpr int side = cornellPixels / cornellBlocks;
@@ -94,7 +94,7 @@ TEST(GlobalIlluminationRenderer, Cornell_IsWhatMitsubaDraws) {
 TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
   // Emitters whose light on the texels that are gathered from is integrated, and too many for that.
   for (const int cells : {1, 2}) {
-    Shot shot;
+    IlluminatedShot shot;
     shot.scene = box(cells, glm::vec3(-1.0f), glm::vec3(1.0f), true);
     shot.scene.materials[0] = lambert(0.5f);
     shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
@@ -119,7 +119,7 @@ TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
 /// A room of albedo 1/2 whose walls emit 1, in it a box that absorbs nothing and lets most of the light
 /// through: 2 everywhere.
 TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
-  Shot shot;
+  IlluminatedShot shot;
   shot.scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   append(shot.scene, box(2, {-0.7f, -0.7f, -0.7f}, {0.3f, 0.3f, 0.3f}, false));
   shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
@@ -137,7 +137,7 @@ TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
 /// The floor under the middle of a leaf of 4 x 4 m and 1 m above it, in the sun: 0.8 of the light comes
 /// through, and the floor gets the leaf's form factor of that. Then the leaf itself from below.
 TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
-  Shot shot;
+  IlluminatedShot shot;
   shot.scene = ground(4, 6.0f);
   append(shot.scene, ground(2, 2.0f, 1.0f));
   shot.scene.materials[0] = lambert(0.5f);
@@ -164,8 +164,8 @@ TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
 }
 
 /// A spot that shines down on a flat mirror alone, of 0.8, and the floor over it that sees the lamp's image.
-Shot mirroredSpot() {
-  Shot shot;
+IlluminatedShot mirroredSpot() {
+  IlluminatedShot shot;
   shot.scene = ground(1, 1.0f);
   shot.scene.materials[0] = metal(0.8f, 0.0f);
   CompiledScene ceiling = ground(1, 3.0f, 2.0f);
@@ -189,7 +189,7 @@ Shot mirroredSpot() {
 
 /// A mirror's caustic is the light of the lamp's image: 0.8 I cos / d2, 3 m below the ceiling.
 TEST(GlobalIlluminationRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
-  Shot shot = mirroredSpot();
+  IlluminatedShot shot = mirroredSpot();
   shot.request.causticPhotons = 1'000'000;
   const Picture picture = shot.render();
   ASSERT_TRUE(runs(shot.report, Pass::CausticPhotons));
@@ -212,8 +212,8 @@ TEST(GlobalIlluminationRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage)
 
 /// Pictures of a floor and of a one-sided sheet over it that turns its back to the floor. A spot under the
 /// sheet shines on the floor alone: all the sheet's light has been reflected by the floor.
-Shot underASheet() {
-  Shot shot;
+IlluminatedShot underASheet() {
+  IlluminatedShot shot;
   shot.scene = ground(1, 1.5f);
   append(shot.scene, ground(1, 1.5f, 1.0f));
   shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
@@ -242,7 +242,7 @@ std::vector<double> blockMeans(const Picture& picture) {
 }
 
 TEST(GlobalIlluminationRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
-  Shot shot = underASheet();
+  IlluminatedShot shot = underASheet();
   shot.camera = orthographicCamera({0.0, 0.96, 0.0}, {0.0, 1.0, 0.0}, 1.2);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 1024));
   EXPECT_TRUE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
@@ -250,14 +250,14 @@ TEST(GlobalIlluminationRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt
 }
 
 TEST(GlobalIlluminationRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflects) {
-  Shot shot = underASheet();
+  IlluminatedShot shot = underASheet();
   shot.camera = orthographicCamera({1.05, 0.01, 0.0}, {1.05, 0.0, 0.0}, 0.35);
   const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 4096));
   for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.05 * truth[i]) << i;
 }
 
 TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {
-  Shot shot = builtinShot("cornell", 8);
+  IlluminatedShot shot = builtinShot("cornell", 8);
   for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);
   for (const glm::vec3& pixel : shot.render().pixels) EXPECT_EQ(pixel, glm::vec3(0.0f));
   EXPECT_FALSE(runs(shot.report, Pass::IndirectLight));
@@ -265,7 +265,7 @@ TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {
 }
 
 TEST(GlobalIlluminationRenderer, SameSeed_GivesTheSamePicture_AnotherSeedAnother) {
-  Shot shot = builtinShot("caustics", 16);
+  IlluminatedShot shot = builtinShot("caustics", 16);
   shot.request.causticPhotons = 20000;
   const Picture a = shot.render(), b = shot.render();
   EXPECT_EQ(a.pixels, b.pixels);
