@@ -5,10 +5,10 @@
 #include <map>
 
 #include "bake/make_plan.h"
-#include "lightmap/light_map_lookup.h"
-#include "lightmap/make_light_map_layout.h"
-#include "lightmap/texel_sizes.h"
-#include "projectors/lightmap/light_map_sources.h"
+#include "charts/light_map_lookup.h"
+#include "charts/make_light_map_layout.h"
+#include "charts/texel_sizes.h"
+#include "projectors/light_map/light_map_sources.h"
 #include "receivers/sampling.h"
 
 namespace prelight::benchmarks {

@@ -2,7 +2,7 @@
 
 #include "benchmarks/light_map_error.h"
 #include "benchmarks/suites.h"
-#include "lightmap/light_map_charts.h"
+#include "charts/light_map_charts.h"
 
 namespace prelight::benchmarks {
 

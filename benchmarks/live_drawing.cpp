@@ -12,13 +12,15 @@ namespace prelight::benchmarks {
 struct LiveDrawing::Parts {
   Parts(const BenchmarkScene& scene, const LiveLight& followed, int side)
       : live(followed),
-        full(illuminationOf(followed)),
-        inputs{.scene = scene.scene, .compiled = followed.scene().compiled(), .full = &full},
+        globalIllumination(illuminationOf(followed)),
+        inputs{.scene = scene.scene,
+               .compiled = followed.scene().compiled(),
+               .globalIllumination = &globalIllumination},
         renderer(inputs),
         target(side, side),
-        photons(full.photons) {
+        photons(globalIllumination.photons) {
     viewer::RenderOptions options;
-    options.shading = viewer::Shading::Full;
+    options.shading = viewer::Shading::GlobalIllumination;
     options.width = options.height = side;
     view = viewer::makeView(inputs, options);
     renderer.paceUpdates(true);
@@ -26,7 +28,7 @@ struct LiveDrawing::Parts {
 
   const LiveLight& live;
   viewer::gl::EglContext context;
-  GlobalIllumination full;
+  GlobalIllumination globalIllumination;
   viewer::RenderInputs inputs;
   viewer::Renderer renderer;
   viewer::gl::Framebuffer target;
@@ -43,14 +45,14 @@ void LiveDrawing::draw(const LiveFrame& frame, bool moved) {
   Parts& p = *parts_;
   if (moved) p.renderer.sceneMoved();
   if (frame.shownChanged) {
-    LightMap& map = p.full.indirect;
+    LightMap& map = p.globalIllumination.indirect;
     std::fill(map.values.begin(), map.values.end(), 0.0f);
     if (!p.live.indirect().empty()) setIrradiance(p.live.indirect(), map);
     p.renderer.updateIndirect(map.values);
   }
   if (frame.causticsChanged) {
     p.photons = p.live.caustics();
-    p.renderer.updateCaustics({p.photons, p.full.caustics.filter});
+    p.renderer.updateCaustics({p.photons, p.globalIllumination.caustics.filter});
   }
   p.renderer.draw(p.view, {0, 0, p.view.width, p.view.height}, p.target);
   viewer::gl::Framebuffer::finish();

@@ -7,7 +7,7 @@
 
 namespace prelight::benchmarks {
 
-/// Pictures of full shading, drawn by OpenGL without a window, of a scene whose light is live.
+/// Pictures of global illumination, drawn by OpenGL without a window, of a scene whose light is live.
 class LiveDrawing {
  public:
   /// The scene and its light outlive it; pictures of side x side pixels, one sample each. Throws Error

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "bake/make_plan.h"
-#include "lightmap/make_light_map_layout.h"
-#include "projectors/lightmap/light_map_plan.h"
+#include "charts/make_light_map_layout.h"
+#include "projectors/light_map/light_map_plan.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 

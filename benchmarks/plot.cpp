@@ -224,7 +224,7 @@ std::string referencePlot(const Results& results, const std::string& subtitle) {
   return timeErrorPlot(results, "Error of the reference renderer against time", subtitle, "relMSE");
 }
 
-std::string fullPlot(const Results& results, const std::string& subtitle) {
+std::string globalIlluminationPlot(const Results& results, const std::string& subtitle) {
   return timeErrorPlot(results, "Error of pictures with all light against time", subtitle, "relMSE of 99 %");
 }
 
@@ -416,7 +416,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"bake", "bake", bakePlot},
                                            {"error", "error", errorPlot},
                                            {"reference", "reference", referencePlot},
-                                           {"full", "full", fullPlot},
+                                           {"full", "full", globalIlluminationPlot},
                                            {"wavelets", "wavelets", waveletsPlot},
                                            {"relight", "relight", relightPlot},
                                            {"compress", "compress", compressPlot},

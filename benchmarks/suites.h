@@ -40,8 +40,8 @@ std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const Bench
                                                Progress& progress);
 
 /// Error and time of pictures with all light, by samples a pixel, against path tracing to the same error.
-std::vector<BenchmarkResult> runFullSuite(const Device& device, const BenchmarkOptions& options,
-                                          Progress& progress);
+std::vector<BenchmarkResult> runGlobalIlluminationSuite(const Device& device, const BenchmarkOptions& options,
+                                                        Progress& progress);
 
 /// Error, flicker and row sizes of Haar wavelets, by how the light's coefficients are chosen and turned; the
 /// quincunx lattice beside them.

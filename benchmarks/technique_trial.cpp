@@ -14,7 +14,7 @@
 #include "benchmarks/take_turns.h"
 #include "integrators/reference.h"
 #include "io/baked_file.h"
-#include "projectors/lightmap/light_map_file.h"
+#include "projectors/light_map/light_map_file.h"
 #include "viewer/view.h"
 
 namespace prelight::benchmarks {

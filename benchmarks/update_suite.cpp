@@ -10,9 +10,9 @@
 #include "base/luminance.h"
 #include "benchmarks/moving_room.h"
 #include "benchmarks/suites.h"
+#include "charts/make_light_map_layout.h"
 #include "gi/indirect_light.h"
 #include "gi/update/live_light.h"
-#include "lightmap/make_light_map_layout.h"
 #include "prelight/error.h"
 #ifdef PRELIGHT_WITH_VIEWER
 #include "benchmarks/live_drawing.h"

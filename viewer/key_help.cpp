@@ -42,12 +42,12 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
   if (controls.view().lights.size() > 1) lines.push_back(line("Tab", "next light"));
   lines.push_back(line("L", "add a light"));
   if (hasSky) lines.push_back(line("Shift + left drag", "turn the sky (also Q and E)"));
-  if (controls.canShade(Shading::Full) && !controls.nodes().empty()) {
+  if (controls.canShade(Shading::GlobalIllumination) && !controls.nodes().empty()) {
     if (controls.nodes().size() > 1) lines.push_back(line("N", "next node"));
     lines.push_back(line("Shift + right drag", "move the selected node (full shading)"));
   }
   lines.push_back(line("number keys", shadingKeys(controls)));
-  if (controls.canShade(Shading::Full)) lines.push_back(line("F", "full shading"));
+  if (controls.canShade(Shading::GlobalIllumination)) lines.push_back(line("F", "full shading"));
   if (controls.canShade(Shading::Lights) && !controls.groups().empty()) {
     if (controls.groups().size() > 1) lines.push_back(line("G", "next light group"));
     lines.push_back(line("PgUp, PgDn", "selected light group brighter, dimmer"));

@@ -24,13 +24,13 @@ struct FollowedView {
   double skyRotation = 0.0;           ///< radians about +Y
 };
 
-/// Indirect light and caustics of full shading that follow what moves, while a window is open.
+/// Indirect light and caustics of global illumination that follow what moves, while a window is open.
 class LightFollower {
  public:
   virtual ~LightFollower() = default;
 
-  /// Called before every frame in full shading: does a frame's share of the work. True: there is new light.
-  /// While it returns false nothing is drawn unless the view changes. OpenGL's state stays as it is.
+  /// Called before every frame of global illumination: does a frame's share of the work. True: there is new
+  /// light. While it returns false nothing is drawn unless the view changes. OpenGL's state stays as it is.
   virtual bool update(const FollowedView& view) = 0;
 
   /// False: further calls of update() would bring more, though nothing changes.

@@ -9,7 +9,7 @@
 
 namespace prelight::viewer {
 
-/// Samples that stand for large lights in full shading: all emissive triangles, and the sky.
+/// Samples that stand for large lights in global illumination: all emissive triangles, and the sky.
 class LightSamples {
  public:
   static constexpr int emitterCount = 64;

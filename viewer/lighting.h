@@ -23,7 +23,7 @@
 ///   (6 % without it). The sky is not windowed.
 namespace prelight::viewer {
 
-/// As the shaders number them.
+/// Types of lights as the shaders number them.
 enum class LightKind : std::uint8_t { Directional = 0, Point = 1, Spot = 2, Emitter = 3 };
 
 /// A light in scene coordinates (world minus CompiledScene::origin).

@@ -68,7 +68,7 @@ Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, 
   const gl::EglContext context;
   Renderer renderer(inputs, options.lobe);
   renderer.describe(view, notes);
-  if (plan != nullptr && view.shading == Shading::Full) *plan = renderer.plan(view);
+  if (plan != nullptr && view.shading == Shading::GlobalIllumination) *plan = renderer.plan(view);
   return renderView(renderer, view, options.samplesPerAxis);
 }
 

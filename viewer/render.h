@@ -33,8 +33,8 @@ struct RenderInputs {
       nullptr;                         ///< nullptr: no sky, or a neutral one when nothing else gives light
   const Device* device = nullptr;      ///< relights wavelet and glossy transfer; nullptr: the host does
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
-  const GlobalIllumination* full =
-      nullptr;  ///< full shading needs it, and adds its caustics; nullptr: not offered
+  const GlobalIllumination* globalIllumination =
+      nullptr;  ///< Shading::GlobalIllumination needs it, and adds its caustics; nullptr: not offered
   const NormalMaps* normalMaps =
       nullptr;  ///< of light maps that hold directions, and of encodings; nullptr: surfaces are even
   const Encoding* encoding =
@@ -42,7 +42,7 @@ struct RenderInputs {
 
   /// All of them for a scene whose vertices are elsewhere.
   RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene, moved, bake, environment, device, caustics, full, normalMaps, encoding};
+    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalMaps, encoding};
   }
 };
 
@@ -72,7 +72,8 @@ struct RenderOptions {
 /// Draws a picture of linear radiance, without a display or a window.
 /// `notes` receives, once each, what the picture approximates or what was chosen for want of an input.
 /// Throws UsageError (camera index, size), Error (no OpenGL, shading that the bake does not carry).
-/// `plan` receives what full shading draws beside the picture and what it leaves out; nullptr: not wanted.
+/// `plan` receives what global illumination draws beside the picture and what it leaves out; nullptr: not
+/// wanted.
 Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, Warnings& notes,
                       std::vector<PlannedPass>* plan = nullptr);
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "basis/sh.h"
-#include "prelight/error.h"
 #include "encodings/encoding.h"
+#include "prelight/error.h"
 #include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
@@ -60,7 +60,7 @@ int largestOrder(const Bake* bake) {
   if (bake == nullptr) return order;
   if (bake->sh) order = std::max(order, bake->sh->order);
   if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
-  if (bake->texels) order = std::max(order, bake->texels->order);
+  if (bake->chartTransfer) order = std::max(order, bake->chartTransfer->order);
   if (bake->ch) order = std::max(order, bake->ch->order);
   if (bake->glossy) order = std::max(order, bake->glossy->order);
   return order;
@@ -147,7 +147,7 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   }
   prepare(surfaceProgram_);
   prepare(backgroundProgram_);
-  if (inputs.full != nullptr) checkFullLight(*inputs.full, compiled_);
+  if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
   gl::check("preparing the renderer");
 }
@@ -160,22 +160,23 @@ void Renderer::makeCaustics(const Caustics& caustics) {
   caustics_ = std::make_unique<CausticPass>(caustics, compiled_);
 }
 
-FullLighting& Renderer::full() {
-  if (full_ == nullptr) {
-    full_ = std::make_unique<FullLighting>(*inputs_.full, compiled_, scene_);
+GlobalIlluminationLighting& Renderer::globalIllumination() {
+  if (globalIllumination_ == nullptr) {
+    globalIllumination_ =
+        std::make_unique<GlobalIlluminationLighting>(*inputs_.globalIllumination, compiled_, scene_);
     paceUpdates(paced_);
-    fullProgram_ = std::make_unique<gl::Program>("surface.vert", "full.frag");
-    prepare(*fullProgram_);
+    globalIlluminationProgram_ = std::make_unique<gl::Program>("surface.vert", "global_illumination.frag");
+    prepare(*globalIlluminationProgram_);
     surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
-    if (caustics_ == nullptr && !inputs_.full->photons.empty())
-      makeCaustics({inputs_.full->photons, inputs_.full->caustics.filter});
+    if (caustics_ == nullptr && !inputs_.globalIllumination->photons.empty())
+      makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
   }
-  return *full_;
+  return *globalIllumination_;
 }
 
 /// The surface's, with the encoding's own text where one is drawn.
 const gl::Program& Renderer::programOf(const View& view) {
-  if (view.shading == Shading::Full) return *fullProgram_;
+  if (view.shading == Shading::GlobalIllumination) return *globalIlluminationProgram_;
   if (!drawsEncoding(view.shading, inputs_)) return surfaceProgram_;
   if (encodedProgram_ == nullptr) {
     const std::map<std::string, std::string> text = {
@@ -187,12 +188,12 @@ const gl::Program& Renderer::programOf(const View& view) {
 }
 
 void Renderer::updateIndirect(std::span<const float> values) {
-  full().updateIndirect(values);
+  globalIllumination().updateIndirect(values);
   surroundings_->changedSlowly();
 }
 
 void Renderer::updateCaustics(const Caustics& caustics) {
-  full();
+  globalIllumination();
   surroundings_->changedSlowly();
   if (caustics_ == nullptr)
     makeCaustics(caustics);
@@ -202,19 +203,21 @@ void Renderer::updateCaustics(const Caustics& caustics) {
 
 void Renderer::paceUpdates(bool pace) {
   paced_ = pace;
-  if (full_ != nullptr) full_->setMostSampleViews(pace ? sampleViewsAPicture : ShadowMaps::everything);
+  if (globalIllumination_ != nullptr)
+    globalIllumination_->setMostSampleViews(pace ? sampleViewsAPicture : ShadowMaps::everything);
 }
 
 bool Renderer::isBehind() const {
-  return full_ != nullptr && (full_->shadows().isBehind() || surroundings_->isBehind());
+  return globalIllumination_ != nullptr &&
+         (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
 }
 
 void Renderer::sceneMoved() {
   scene_.fillPositions(compiled_);
   emitters_ = sampleEmitters(compiled_, emitterSamples);
   if (samples_ != nullptr) samples_->setScene(compiled_);
-  if (full_ == nullptr) return;
-  full_->sceneMoved();
+  if (globalIllumination_ == nullptr) return;
+  globalIllumination_->sceneMoved();
   surroundings_->changed();
 }
 
@@ -227,16 +230,16 @@ void Renderer::updateSurroundings(const View& view, const Illumination& light) {
     View seen = view;
     seen.camera = face.camera;
     seen.width = seen.height = Surroundings::side;
-    drawScene(seen, {0, 0, seen.width, seen.height}, target, light, full_.get(), face.node);
+    drawScene(seen, {0, 0, seen.width, seen.height}, target, light, globalIllumination_.get(), face.node);
   });
 }
 
 bool Renderer::showsCaustics(const View& view) const {
-  return caustics_ != nullptr && (inputs_.caustics != nullptr || view.shading == Shading::Full);
+  return caustics_ != nullptr && (inputs_.caustics != nullptr || view.shading == Shading::GlobalIllumination);
 }
 
 bool Renderer::canShade(Shading shading) const {
-  if (shading == Shading::Full) return inputs_.full != nullptr;
+  if (shading == Shading::GlobalIllumination) return inputs_.globalIllumination != nullptr;
   return shading == Shading::Phong || (inputs_.bake != nullptr && infoOf(shading).carriedBy(*inputs_.bake));
 }
 
@@ -269,15 +272,15 @@ Illumination Renderer::illuminationOf(const View& view) {
 const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination& light) {
   if (!canShade(view.shading)) {
     const ShadingInfo& info = infoOf(view.shading);
-    if (view.shading == Shading::Full)
+    if (view.shading == Shading::GlobalIllumination)
       throw Error(ExitCode::RuntimeFailure, "--shading full", "its indirect light is not among the inputs",
                   "compute it with computeGlobalIllumination");
     throw Error(ExitCode::RuntimeFailure, "--shading " + std::string(info.name),
                 "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
   }
-  if (view.shading == Shading::Full) {
-    full().light(light);
-    return &full();
+  if (view.shading == Shading::GlobalIllumination) {
+    globalIllumination().light(light);
+    return &globalIllumination();
   }
   Drawn& drawn = drawn_[static_cast<std::size_t>(view.shading)];
   if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
@@ -300,7 +303,7 @@ OccluderEye Renderer::eyeOf(const View& view) const {
 std::vector<ShadedLight> Renderer::lightsOf(const View& view) {
   std::vector<ShadedLight> lights, samples;
   for (const Light& light : view.lights) lights.push_back(shadedLight(light, compiled_));
-  if (view.shading == Shading::Full) {
+  if (view.shading == Shading::GlobalIllumination) {
     if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(compiled_);
     samples = samples_->of(view.emitters, skyOf(view), view.skyRotation);
   } else if (view.emitters) {
@@ -402,7 +405,8 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::P
   if (transfer != nullptr) transfer->bind(program);
   for (const Batch* batch : batches) {
     setSurface(scene_.surfaces()[batch->surface], program);
-    if (surroundings_ != nullptr && &program == fullProgram_.get()) surroundings_->set(program, *batch);
+    if (surroundings_ != nullptr && &program == globalIlluminationProgram_.get())
+      surroundings_->set(program, *batch);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     drawTriangles(*batch);
   }
@@ -432,7 +436,7 @@ void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Frameb
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
-  if (view.shading == Shading::Full) updateSurroundings(view, light);
+  if (view.shading == Shading::GlobalIllumination) updateSurroundings(view, light);
   drawScene(view, tile, target, light, transfer, -1);
 }
 
@@ -444,8 +448,8 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   for (const Batch& batch : scene_.batches()) {
     if (leftOutNode >= 0 && batch.node == leftOutNode) continue;
     const Surface& surface = scene_.surfaces()[batch.surface];
-    // Full shading draws what bodies of glass let through itself.
-    const bool body = view.shading == Shading::Full && surface.isBody();
+    // Global illumination draws what bodies of glass let through itself.
+    const bool body = view.shading == Shading::GlobalIllumination && surface.isBody();
     (surface.isBlended() && !body ? blended : opaque).push_back(&batch);
   }
   const glm::dvec3 eye = glm::dvec3(view.camera.world[3]) - compiled_.origin;
@@ -463,7 +467,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   if (showsCaustics(view)) drawCaustics(view, tile, target, opaque, program);
   uploadFrame(view, tile, light.lights, leftOutNode >= 0 ? turnsInSurroundings : target.width() / tile.width);
   bindTextures(view);
-  if (view.shading == Shading::Full) surroundings_->bind();
+  if (view.shading == Shading::GlobalIllumination) surroundings_->bind();
   target.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -488,7 +492,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
 std::vector<PlannedPass> Renderer::plan(const View& view) {
   const Illumination light = illuminationOf(view);
   litTransfer(view, light);
-  const std::size_t views = full().shadows().viewCount(), nodes = surroundings_->nodeCount();
+  const std::size_t views = globalIllumination().shadows().viewCount(), nodes = surroundings_->nodeCount();
   return {{Pass::ShadowMaps, views > 0,
            views > 0 ? std::to_string(light.lights.size()) + " lights and samples of large ones see " +
                            std::to_string(views) + " views"
@@ -521,7 +525,7 @@ void Renderer::describe(const View& view, Warnings& notes) {
                     "(--shading lights has their shadows)");
   }
   if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
-  if (view.shading == Shading::Full && surroundings_->nodesLeftOut() > 0)
+  if (view.shading == Shading::GlobalIllumination && surroundings_->nodesLeftOut() > 0)
     notes.push_back(std::to_string(surroundings_->nodesLeftOut()) +
                     " of the nodes that mirror or are glass are small and show the sky alone: the largest " +
                     std::to_string(Surroundings::mostNodes) + " have environment maps");

@@ -8,9 +8,9 @@
 
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
-#include "viewer/full_lighting.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
+#include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
 #include "viewer/light_samples.h"
 #include "viewer/render_scene.h"
@@ -51,7 +51,8 @@ class Renderer {
   /// OpenGL cannot hold it and when the bake does not fit the scene.
   explicit Renderer(const RenderInputs& inputs, Lobe lobe = Lobe::Ggx);
 
-  /// True when the bake carries what a shading needs; for Full: when its light is among the inputs.
+  /// True when the bake carries what a shading needs; for GlobalIllumination: when its light is among the
+  /// inputs.
   bool canShade(Shading shading) const;
 
   /// Draws the tile of the view into the whole of `target`, whose size is a multiple of the tile's.
@@ -59,11 +60,11 @@ class Renderer {
   /// shading that the bake does not carry.
   void draw(const View& view, const Tile& tile, const gl::Framebuffer& target);
 
-  /// Replaces the indirect light of full shading, W/m2, [y][x][channel 3] of the inputs' light map. Throws
-  /// Error for another number of values.
+  /// Replaces the indirect light of global illumination, W/m2, [y][x][channel 3] of the inputs' light map.
+  /// Throws Error for another number of values.
   void updateIndirect(std::span<const float> values);
 
-  /// Replaces the caustics of full shading.
+  /// Replaces the caustics of global illumination.
   void updateCaustics(const Caustics& caustics);
 
   /// Vertices of the scene are at other places, with normals as they were: draws them there from now on.
@@ -76,21 +77,23 @@ class Renderer {
   /// Further pictures of the same view would show more of what has moved.
   bool isBehind() const;
 
-  /// What full shading draws of a view beside its picture: shadow maps and environment maps.
+  /// What global illumination draws of a view beside its picture: shadow maps and environment maps.
   std::vector<PlannedPass> plan(const View& view);
 
   /// What a view approximates or had to choose, for people.
   void describe(const View& view, Warnings& notes);
 
-  /// Squares of shadow maps that full shading drew anew for its last picture.
-  std::size_t shadowViewsDrawn() const { return full_ == nullptr ? 0 : full_->shadows().viewsDrawn(); }
+  /// Squares of shadow maps that global illumination drew anew for its last picture.
+  std::size_t shadowViewsDrawn() const {
+    return globalIllumination_ == nullptr ? 0 : globalIllumination_->shadows().viewsDrawn();
+  }
 
   /// Faces of environment maps that it drew anew for its last picture.
   std::size_t surroundingFacesDrawn() const {
     return surroundings_ == nullptr ? 0 : surroundings_->facesDrawn();
   }
 
-  /// Of the last tile; nullptr where the inputs have no caustics.
+  /// Caustics of the last tile; nullptr where the inputs have none.
   const CausticPass* caustics() const { return caustics_.get(); }
 
  private:
@@ -100,7 +103,7 @@ class Renderer {
   std::vector<ShadedLight> lightsOf(const View& view);
   Illumination illuminationOf(const View& view);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
-  FullLighting& full();
+  GlobalIlluminationLighting& globalIllumination();
   const gl::Program& programOf(const View& view);
   bool showsCaustics(const View& view) const;
   void updateSurroundings(const View& view, const Illumination& light);
@@ -129,11 +132,11 @@ class Renderer {
   std::array<Drawn, shadingCount> drawn_;
   std::vector<ShadedLight> emitters_;
   std::unique_ptr<LightSamples> samples_;
-  std::unique_ptr<FullLighting> full_;
+  std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
   bool paced_ = false;
-  std::unique_ptr<gl::Program> fullProgram_, encodedProgram_;
+  std::unique_ptr<gl::Program> globalIlluminationProgram_, encodedProgram_;
   SkyCoefficients sky_;
   Environment neutralMap_;
   SkyCoefficients neutralSky_;

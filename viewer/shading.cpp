@@ -79,15 +79,16 @@ constexpr std::array<ShadingInfo, shadingCount> table = {{
      },
      [](const BakeRequest& request) { return request.cones; },
      [](BakeRequest& request, const BakeRequest&) { request.ao = request.cones = true; }},
-    {Shading::Full, "full", "all light, with caustics, mirrors and glass", "",
+    {Shading::GlobalIllumination, "full", "all light, with caustics, mirrors and glass", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
 }};
 
-/// From the one that shows most.
+/// Shadings in the order in which they are preferred: those that show most come first.
 constexpr std::array<Shading, shadingCount> byPreference = {
-    Shading::Sh,        Shading::Ch, Shading::Glossy, Shading::Haar, Shading::Lights, Shading::LightMap,
-    Shading::Radiosity, Shading::Vo, Shading::Cones,  Shading::Ao,   Shading::Phong,  Shading::Full};
+    Shading::Sh,     Shading::Ch,       Shading::Glossy,    Shading::Haar,
+    Shading::Lights, Shading::LightMap, Shading::Radiosity, Shading::Vo,
+    Shading::Cones,  Shading::Ao,       Shading::Phong,     Shading::GlobalIllumination};
 
 }  // namespace
 

@@ -12,18 +12,19 @@ namespace prelight::viewer {
 
 /// How light reaches a surface in the picture.
 enum class Shading : std::uint8_t {
-  Phong,      ///< direct light without shadows, ambient from the open sky
-  Ao,         ///< Phong with the ambient light occluded by the baked accessibility
-  Sh,         ///< light through the baked SH transfer, compressed or not
-  Ch,         ///< the same through CH transfer
-  Haar,       ///< the same through wavelet transfer
-  Glossy,     ///< diffuse and glossy reflection through transfer matrices
-  Lights,     ///< the scene's own lights through light-group transfer, with shadows
-  Vo,         ///< lights anywhere with the shadows and the diffuse light of vector occluders
-  Radiosity,  ///< the baked irradiance of the scene's own lights, with all diffuse bounces
-  LightMap,   ///< the same from the texels of a light map
-  Cones,      ///< sky, lights and reflections through the baked cone about the bent normal
-  Full,       ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and glass
+  Phong,               ///< direct light without shadows, ambient from the open sky
+  Ao,                  ///< Phong with the ambient light occluded by the baked accessibility
+  Sh,                  ///< light through the baked SH transfer, compressed or not
+  Ch,                  ///< the same through CH transfer
+  Haar,                ///< the same through wavelet transfer
+  Glossy,              ///< diffuse and glossy reflection through transfer matrices
+  Lights,              ///< the scene's own lights through light-group transfer, with shadows
+  Vo,                  ///< lights anywhere with the shadows and the diffuse light of vector occluders
+  Radiosity,           ///< the baked irradiance of the scene's own lights, with all diffuse bounces
+  LightMap,            ///< the same from the texels of a light map
+  Cones,               ///< sky, lights and reflections through the baked cone about the bent normal
+  GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
+                       ///< glass
 };
 
 constexpr int shadingCount = 12;
@@ -32,9 +33,10 @@ constexpr int shadingCount = 12;
 struct ShadingInfo {
   Shading shading;
   std::string_view name;
-  std::string_view summary;             ///< for lists of names
-  std::string_view bakeOption;          ///< of `bake`, for what it needs; empty for Phong
-  bool (*carriedBy)(const Bake&);       ///< the bake has all that it needs; no bake has what Full does
+  std::string_view summary;     ///< for lists of names
+  std::string_view bakeOption;  ///< of `bake`, for what it needs; empty for Phong
+  bool (*carriedBy)(
+      const Bake&);  ///< the bake has all that it needs; no bake has what GlobalIllumination does
   bool (*askedBy)(const BakeRequest&);  ///< the request names what it needs
   /// Asks for what it needs: as `asked` does, or by default.
   void (*addTo)(BakeRequest& request, const BakeRequest& asked);

@@ -82,11 +82,11 @@ std::unique_ptr<DrawnTransfer> makeShOfVertices(const RenderInputs& inputs) {
 
 std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
   std::unique_ptr<DrawnTransfer> vertices = makeShOfVertices(inputs);
-  if (!inputs.bake->texels) return vertices;
-  return std::make_unique<ChartLighting>(*inputs.bake->texels, inputs.compiled, std::move(vertices));
+  if (!inputs.bake->chartTransfer) return vertices;
+  return std::make_unique<ChartLighting>(*inputs.bake->chartTransfer, inputs.compiled, std::move(vertices));
 }
 
-/// Of a bake that holds it (drawsEncoding).
+/// Draws the encoding of a bake that holds it (drawsEncoding).
 std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const RenderInputs& inputs) {
   const std::string_view name = inputs.encoding->name;
   const Bake& bake = *inputs.bake;
@@ -103,7 +103,7 @@ struct Technique {
 
 constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Metals, Through::FarLights};
 
-/// In the order of Shading.
+/// How each shading is drawn, in the order of Shading.
 constexpr std::array<Technique, shadingCount> table = {{
     {{}, [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
     {{Ambient::Accessible, Reflection::Everywhere, Through::None},
@@ -248,7 +248,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
                numbers(vertices, glossy->channels, glossy->order, 4));
   }
   if (bake.occluders) checkOccluders(*bake.occluders, vertices);
-  if (bake.texels) checkCharts(*bake.texels, scene);
+  if (bake.chartTransfer) checkCharts(*bake.chartTransfer, scene);
   if (bake.lightMap) checkLightMap(*bake.lightMap, scene);
   checkEncoded("encoded light of vertices", bake.encodedLight, vertices);
   if (const auto& lights = bake.lightGroups) {
@@ -257,9 +257,9 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   }
 }
 
-void checkFullLight(const GlobalIllumination& full, const CompiledScene& scene) {
-  checkLightMap(full.indirect, scene);
-  for (const device::Photon& photon : full.photons)
+void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const CompiledScene& scene) {
+  checkLightMap(globalIllumination.indirect, scene);
+  for (const device::Photon& photon : globalIllumination.photons)
     if (photon.triangle >= scene.triangleCount())
       throw Error(ExitCode::RuntimeFailure, "photons of caustics", "they are of another scene");
 }

@@ -44,11 +44,11 @@ DrawingRules rulesOf(Shading shading, const RenderInputs& inputs);
 /// Throws Error when something in the bake does not fit the scene or cannot be drawn.
 void checkBake(const Bake& bake, const CompiledScene& scene);
 
-/// Throws Error when the light of full shading does not fit the scene.
-void checkFullLight(const GlobalIllumination& full, const CompiledScene& scene);
+/// Throws Error when the light of global illumination does not fit the scene.
+void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const CompiledScene& scene);
 
-/// Uploads what the shading needs of a bake that carries it; nullptr for Phong and for Full, whose light is
-/// in no bake.
+/// Uploads what the shading needs of a bake that carries it; nullptr for Phong and for GlobalIllumination,
+/// whose light is in no bake.
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe);
 
 }  // namespace prelight::viewer

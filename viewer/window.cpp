@@ -127,7 +127,7 @@ class EventRouter {
     if (action == GLFW_RELEASE || (overlay_ != nullptr && overlay_->wantsKeys())) return;
     if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_, GLFW_TRUE);
     if (key == GLFW_KEY_H && overlay_ != nullptr) overlay_->toggleHelp();
-    if (key == GLFW_KEY_F) controls_.setShading(Shading::Full);
+    if (key == GLFW_KEY_F) controls_.setShading(Shading::GlobalIllumination);
     if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) controls_.setShading(shadingOfKey(key - GLFW_KEY_0));
     if (const auto command = commandOf(key)) controls_.run(*command);
   }
@@ -225,7 +225,7 @@ class Follower {
   bool update(const View& view) {
     const bool moved = scene_.move(view.nodeShifts);
     if (moved) renderer_.sceneMoved();
-    if (light_ == nullptr || view.shading != Shading::Full) return moved;
+    if (light_ == nullptr || view.shading != Shading::GlobalIllumination) return moved;
     const bool lit = light_->update({view.lights, scene_.shifts(), view.skyRotation});
     if (lit) {
       renderer_.updateIndirect(light_->indirect());
@@ -236,7 +236,7 @@ class Follower {
 
   /// Light of the view would change further by itself.
   bool isBusy(const View& view) const {
-    return light_ != nullptr && view.shading == Shading::Full && !light_->settled();
+    return light_ != nullptr && view.shading == Shading::GlobalIllumination && !light_->settled();
   }
 
  private:

@@ -14,7 +14,7 @@ using ViewerInputs = RenderInputs;
 struct ViewerOptions {
   RenderOptions render;  ///< first view; width and height are the window's, in pixels
   std::string title = "prelight";
-  LightFollower* follower = nullptr;  ///< of full shading; nullptr: its light stays as it is
+  LightFollower* follower = nullptr;  ///< of global illumination; nullptr: its light stays as it is
   int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };

@@ -4,7 +4,7 @@
 
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
-#include "integrators/full_renderer.h"
+#include "integrators/global_illumination_renderer.h"
 #include "integrators/path_tracer.h"
 #include "integrators/reference.h"
 #include "radiosity/direct_light.h"
@@ -181,13 +181,13 @@ void hollow(const char* stress, bool instant, double intensity, Trials& trials) 
     request.samples = 16;
     got = render(scene, lights, camera, request, trials).picture().pixels;
   } else {
-    FullRequest request;
+    GlobalIlluminationPictureRequest request;
     request.width = request.height = 6;
     request.texels = 512;
     request.indirect.photons = 20000;
     request.causticPhotons = 1000;
     Scene plain;
-    FullReport report;
+    GlobalIlluminationPictureReport report;
     Primitive primitive;
     primitive.positions = scene.positions;
     primitive.triangles = scene.triangles;
@@ -195,7 +195,7 @@ void hollow(const char* stress, bool instant, double intensity, Trials& trials) 
     plain.meshNodes.push_back({0, "sphere", 0, {glm::dmat4(1.0)}, 0});
     plain.materials = {matte(albedo)};
     const LitScene lit{scene, noImages(), lights};
-    got = renderFull(plain, lit, camera, request, trials.device(), progress, report).pixels;
+    got = renderGlobalIllumination(plain, lit, camera, request, trials.device(), progress, report).pixels;
   }
   double mean = 0.0;
   Differences differences;

@@ -31,7 +31,7 @@ class PendingFile {
 
   void write(std::span<const std::byte> bytes);
 
-  /// Of bytes that were written already.
+  /// Replaces bytes that were written already.
   void overwrite(std::uint64_t offset, std::span<const std::byte> bytes);
 
   /// After the last byte: the file system has taken all of them.

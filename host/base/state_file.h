@@ -109,7 +109,7 @@ class StateReader {
     if (size > 0) std::memcpy(values.data(), source, size * sizeof(T));
   }
 
-  /// As values(), for a vector that must have as many elements as the one given.
+  /// Does as values() for a vector that must have as many elements as the one given.
   template <typename T>
   void sameSize(std::vector<T>& out) {
     const std::size_t expected = out.size();

@@ -12,7 +12,7 @@ namespace prelight {
 /// near.
 std::optional<std::string> suggestName(std::string_view word, std::span<const std::string> names);
 
-/// For messages about a word that is none of `names`: "did you mean NAME? ", or nothing when none is near.
+/// Ends messages about a word that is none of `names`: "did you mean NAME? ", or nothing when none is near.
 std::string didYouMean(std::string_view word, std::span<const std::string> names);
 
 }  // namespace prelight

@@ -19,10 +19,10 @@ auto overRectangle(double a0, double a1, double b0, double b1, Antiderivative f)
   return (f(a1, b1) - f(a0, b1)) - (f(a1, b0) - f(a0, b0));
 }
 
-/// Of dw = (1 + a^2 + b^2)^(-3/2) da db.
+/// The integral from (0, 0) to (a, b) of dw = (1 + a^2 + b^2)^(-3/2) da db.
 double solidAngleTo(double a, double b) { return std::atan2(a * b, std::sqrt(a * a + b * b + 1.0)); }
 
-/// Of w dw = (a, b, 1) (1 + a^2 + b^2)^(-2) da db.
+/// The integral from (0, 0) to (a, b) of w dw = (a, b, 1) (1 + a^2 + b^2)^(-2) da db.
 glm::dvec3 momentTo(double a, double b) {
   const double ra = 1.0 / std::sqrt(1.0 + a * a);
   const double rb = 1.0 / std::sqrt(1.0 + b * b);

@@ -13,7 +13,7 @@ namespace prelight::haar {
 /// What they share is looked through once. Holds memory to work in: one a thread.
 class RowCutter {
  public:
-  /// Of rows of `count` coefficients, those that differ: ascending indices.
+  /// Cuts rows of `count` coefficients; `varying` lists those that differ, ascending.
   explicit RowCutter(std::size_t count, std::vector<std::uint32_t> varying = {});
 
   /// Appends what is kept of each row to `kept`, and where it ends there to `ends`. `shared` has `count`

@@ -17,7 +17,7 @@ constexpr int incidentOrderOf(int values) {
   return order;
 }
 
-/// For programs that include it.
+/// Defines the order for programs that include project/incident_funcs.cl.
 inline void addIncidentOrder(BuildOptions& options, int order) {
   if (order > leastIncidentOrder) options.define("PRELIGHT_INCIDENT_ORDER", order);
 }

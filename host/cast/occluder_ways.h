@@ -28,7 +28,7 @@ class OccluderWays {
 
   void cast(const CastBlockBuffers& block, std::size_t rays, Tracer& tracer);
 
-  /// Of the block that was cast last, [ray][PRELIGHT_WAYS].
+  /// The ways of the block that was cast last, [ray][PRELIGHT_WAYS].
   const Buffer<device::OccluderWay>& ways() const { return ways_; }
   /// [ray of a mirrored way]
   const Buffer<device::Hit>& mirrorHits() const { return mirrorHits_; }

@@ -17,7 +17,7 @@
 #include "io/baked_file.h"
 #include "io/finite_results.h"
 #include "prelight/picture.h"
-#include "projectors/lightmap/light_map_file.h"
+#include "projectors/light_map/light_map_file.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
@@ -56,7 +56,7 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
     throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
   if (command.bake.compression)
     throw UsageError("--animation", "keys are not compressed", "leave out --compress");
-  if (request.texels.size > 0)
+  if (request.chartTransfer.size > 0)
     throw UsageError("--animation", "keys have no light maps", "leave out --texels");
   if (command.resume)
     throw UsageError("--resume", "a bake of an animation starts anew", "leave out --resume");
@@ -79,7 +79,7 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
   if (request.volume.size > 0 && request.sh.order == 0)
     throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
                      "add --sh N");
-  if (request.texels.size > 0 && request.sh.order == 0)
+  if (request.chartTransfer.size > 0 && request.sh.order == 0)
     throw UsageError("--texels", "light maps have the order of the SH transfer, and none is asked for",
                      "add --sh N");
   checkAnimationOptions(command, request);

@@ -53,7 +53,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.glossy.order > 0, fmt::format("--glossy {}", request.glossy.order));
   add(request.occluders.wanted, "--vo");
   add(request.volume.size > 0, fmt::format("--volume {}", request.volume.size));
-  add(request.texels.size > 0, fmt::format("--texels {}", request.texels.size));
+  add(request.chartTransfer.size > 0, fmt::format("--texels {}", request.chartTransfer.size));
   add(request.lightGroups.wanted, "--light-groups");
   add(request.radiosity.wanted, "--radiosity");
   add(request.lightMap.wanted, "--lightmap");
@@ -295,12 +295,12 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
                   "side, 1 to {} (32 is usual)",
                   BakeRequest::maxVolumeSize));
   addWholeNumber(
-      app, "--texels", {1, BakeRequest::maxTexelSize},
-      [&](std::uint64_t n) { request.texels.size = static_cast<int>(n); },
+      app, "--texels", {1, BakeRequest::maxChartSize},
+      [&](std::uint64_t n) { request.chartTransfer.size = static_cast<int>(n); },
       fmt::format(
           "SH transfer of light maps too, with the normals of normal maps: texels along a side of the "
           "largest, 1 to {}",
-          BakeRequest::maxTexelSize));
+          BakeRequest::maxChartSize));
   addWholeNumber(
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },

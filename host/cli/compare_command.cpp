@@ -148,7 +148,8 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   };
   compareHarmonics("sh", first.sh, second.sh);
   compareHarmonics("ch", first.ch, second.ch);
-  if (first.texels && second.texels) compareTexels(*first.texels, *second.texels, session, result);
+  if (first.chartTransfer && second.chartTransfer)
+    compareTexels(*first.chartTransfer, *second.chartTransfer, session, result);
   if (first.lightMap && second.lightMap) compareLightMaps(*first.lightMap, *second.lightMap, session, result);
   if (result.empty())
     throw InputError(command.second.string(),

@@ -13,6 +13,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"BakeRequest::maxMemory", "--max-memory"},
     {"BakeRequest::radiosity", "--radiosity"},
     {"BakeRequest::shadowSets", "--shadow-set"},
+    {"ChartTransferRequest::size", "--texels"},
     {"CompressionRequest", "--compress"},
     {"CompressionRequest::clusters", "--compress"},
     {"CompressionRequest::components", "--compress"},
@@ -32,7 +33,6 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"RadiosityRequest::patchSize", "--patch-size"},
     {"RenderOptions::method", "--integrator"},
     {"ShRequest::order", "--sh"},
-    {"TexelsRequest::size", "--texels"},
     {"VolumeRequest::size", "--volume"},
 });
 

@@ -13,7 +13,7 @@ namespace prelight::cli {
 void checkOutputFile(const std::string& option, const std::filesystem::path& path,
                      std::initializer_list<std::string_view> extensions);
 
-/// As above for a folder, which is made when only its last part is missing.
+/// Checks a folder likewise, and makes it when only its last part is missing.
 void checkOutputFolder(const std::string& option, const std::filesystem::path& path);
 
 /// Writes beside `path` and renames into place.

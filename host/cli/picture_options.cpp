@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include "cli/drawn_global_illumination.h"
 #include "cli/encoding_option.h"
-#include "cli/full_light.h"
-#include "cli/full_picture.h"
+#include "cli/global_illumination_picture.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "compress/compression_error.h"
@@ -57,7 +57,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     light = light || bounces;
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
-  if (request.sh.order > 0) request.texels.size = asked.texels.size;
+  if (request.sh.order > 0) request.chartTransfer.size = asked.chartTransfer.size;
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
@@ -81,7 +81,7 @@ void mergeBake(Bake& into, Bake&& from) {
   take(into.haar, from.haar);
   take(into.glossy, from.glossy);
   take(into.lightGroups, from.lightGroups);
-  take(into.texels, from.texels);
+  take(into.chartTransfer, from.chartTransfer);
   take(into.occluders, from.occluders);
   take(into.irradiance, from.irradiance);
   take(into.lightMap, from.lightMap);
@@ -107,7 +107,7 @@ BakeRun bakeUnderLights(Session& session, const PictureOptions& options, const D
 void bakeMissing(Session& session, const PictureOptions& options, bool everyShading, ShadedScene& shaded) {
   const viewer::Shading shading = shaded.render.shading;
   const BakeRequest& asked = options.bake.request;
-  if (shading == viewer::Shading::Full) return;
+  if (shading == viewer::Shading::GlobalIllumination) return;
   if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
     if (options.bake.techniqueGiven() && shading != viewer::Shading::Phong)
       session.warn(fmt::format(
@@ -260,7 +260,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addWholeNumber(
       app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
       "add the light that mirrors and glass focus, by this many photons towards them");
-  addFullOptions(app, options.full);
+  addGlobalIlluminationOptions(app, options.globalIllumination);
   addOccluderOptions(app, options.occluders);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
@@ -274,7 +274,7 @@ viewer::RenderInputs ShadedScene::inputs() const {
           environment ? &*environment : nullptr,
           device ? &*device : nullptr,
           caustics ? &caustics->caustics : nullptr,
-          full ? &*full : nullptr,
+          globalIllumination ? &*globalIllumination : nullptr,
           normalMaps ? &*normalMaps : nullptr,
           encoding};
 }
@@ -316,11 +316,11 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   loadBumps(session, shaded);
   checkShadingOptions(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
-  if (render.shading == viewer::Shading::Full && everyShading) {
+  if (render.shading == viewer::Shading::GlobalIllumination && everyShading) {
     shaded.following = followingLight(session, options, shaded);
-    shaded.full = illuminationOf(*shaded.following->light);
-  } else if (render.shading == viewer::Shading::Full) {
-    shaded.full = fullLight(session, options, shaded);
+    shaded.globalIllumination = illuminationOf(*shaded.following->light);
+  } else if (render.shading == viewer::Shading::GlobalIllumination) {
+    shaded.globalIllumination = drawnGlobalIllumination(session, options, shaded);
   }
   if (options.causticPhotons > 0) {
     DeviceOptions device = session.deviceOptions();

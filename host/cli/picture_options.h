@@ -8,13 +8,13 @@
 
 #include "cli/bake_options.h"
 #include "cli/drawn_caustics.h"
-#include "cli/full_light.h"
+#include "cli/drawn_global_illumination.h"
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "encodings/encoding.h"
 #include "gi/global_illumination.h"
-#include "integrators/full_renderer.h"
+#include "integrators/global_illumination_renderer.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
 #include "scene/gltf/normal_maps.h"
@@ -29,7 +29,7 @@ struct PictureOptions {
   std::filesystem::path environment;
   std::optional<viewer::Shading> shading;
   const Encoding* encoding = nullptr;  ///< of what light maps or vertices hold; nullptr: irradiance
-  FullRequest full;                    ///< of full shading
+  GlobalIlluminationPictureRequest globalIllumination;  ///< what `--shading full` asks for
   std::optional<int> camera;
   PictureSize size;
   double skyRotationDegrees = 0.0;
@@ -56,10 +56,10 @@ struct ShadedScene {
   BakeRequest request;           ///< of `run`
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
-  std::optional<GlobalIllumination> full;
+  std::optional<GlobalIllumination> globalIllumination;
   std::optional<NormalMaps> normalMaps;       ///< where baked light can be turned by them
   const Encoding* encoding = nullptr;         ///< that is drawn
-  std::unique_ptr<FollowingLight> following;  ///< of a window in full shading
+  std::unique_ptr<FollowingLight> following;  ///< of a window that shows global illumination
 
   viewer::RenderInputs inputs() const;
 };

@@ -26,7 +26,7 @@ bool stackIsSmall() {
   return getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur < leastStack;
 }
 
-/// Of a library that has found no memory.
+/// Ends the program when a library has found no memory.
 void endOutOfMemory(int) {
   writeError(
       "prelight: error: out of memory: the address space is limited (ulimit -v), and a library gave up\n");

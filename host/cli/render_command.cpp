@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/full_picture.h"
+#include "cli/global_illumination_picture.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
@@ -35,35 +35,37 @@ nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedSc
                                    {"stages", toJson(session.times())},
                                    {"notes", notes},
                                    {"warnings", session.warnings()}};
-  if (shaded.full) report["plan"] = toJson(plan);
+  if (shaded.globalIllumination) report["plan"] = toJson(plan);
   if (shaded.run)
     report["bake"] = bakeReport("render", shaded.loaded, {}, shaded.request, *shaded.run, session);
   return report;
 }
 
-/// Of a picture that OpenGL draws: about `samples` a pixel.
+/// Samples along each axis of a pixel, so that OpenGL draws about `samples` in all.
 int samplesPerAxis(std::uint32_t samples) {
   return std::clamp(static_cast<int>(std::lround(std::sqrt(samples))), 1, 8);
 }
 
 void runRender(const RenderCommand& command, Context& context) {
   Session session(context);
-  const bool full = command.picture.shading == viewer::Shading::Full;
-  if (full && !command.rasterised) {
-    renderFullPicture(session, command.picture, command.picture.full, command.output);
+  const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
+  if (globalIllumination && !command.rasterised) {
+    renderGlobalIlluminationPicture(session, command.picture, command.picture.globalIllumination,
+                                    command.output);
     return;
   }
-  if (command.rasterised && !full)
+  if (command.rasterised && !globalIllumination)
     throw UsageError("--rasterised", "all other shadings than full are",
                      "leave it out or add --shading full");
   ShadedScene shaded = prepareScene(session, command.picture, false, [&] {
     checkOutputFile("-o", command.output, {".exr", ".png"});
   });
-  if (full) shaded.render.samplesPerAxis = samplesPerAxis(command.picture.full.samples);
+  if (globalIllumination)
+    shaded.render.samplesPerAxis = samplesPerAxis(command.picture.globalIllumination.samples);
   session.progress().check();
   Warnings notes;
   std::vector<PlannedPass> plan;
-  if (shaded.full) plan = shaded.full->plan;
+  if (shaded.globalIllumination) plan = shaded.globalIllumination->plan;
   std::vector<PlannedPass> drawn;
   const Picture picture = session.times().measure(
       "render", [&] { return viewer::renderPicture(shaded.inputs(), shaded.render, notes, &drawn); });
@@ -93,10 +95,11 @@ void addRenderCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<RenderCommand>();
   CLI::App* app = program.add_subcommand("render", "Draw a picture of a scene, without a display");
   addPictureOptions(*app, command->picture);
-  FullRequest& full = command->picture.full;
+  GlobalIlluminationPictureRequest& globalIllumination = command->picture.globalIllumination;
   addWholeNumber(
-      *app, "--spp", {1, 64}, [&](std::uint64_t n) { full.samples = static_cast<std::uint32_t>(n); },
-      fmt::format("full shading: samples a pixel (default {})", full.samples));
+      *app, "--spp", {1, 64},
+      [&](std::uint64_t n) { globalIllumination.samples = static_cast<std::uint32_t>(n); },
+      fmt::format("full shading: samples a pixel (default {})", globalIllumination.samples));
   app->add_flag(
       "--rasterised", command->rasterised,
       "full shading as the window draws it, with shadow maps and environment maps: direct light and "

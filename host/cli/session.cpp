@@ -41,7 +41,7 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
                      "leave out --lightmap");
   const Device device = times_.measure("device", [&] { return Device::open(deviceOptions); });
   run.device = device.info();
-  const Charts charts = chartsOf(loaded, request.texels.size);
+  const Charts charts = chartsOf(loaded, request.chartTransfer.size);
   if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
   run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts,
                        &loaded.scene);

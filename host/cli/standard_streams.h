@@ -18,7 +18,7 @@ class StandardOutput {
   /// Whoever reads a pipe sees it at once.
   void write(std::string_view text);
 
-  /// Of the first text that was lost. A reader that has closed its end of a pipe has what it wanted: none.
+  /// Why the first text was lost; none for a reader that closed its end of a pipe, as it has what it wanted.
   std::error_code failure() const;
 
  private:

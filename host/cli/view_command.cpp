@@ -38,7 +38,8 @@ void runView(const ViewCommand& command, Context& context) {
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
   std::optional<viewer::LiveFollower> follower;
-  if (shaded.following) options.follower = &follower.emplace(*shaded.following->light, *shaded.full);
+  if (shaded.following)
+    options.follower = &follower.emplace(*shaded.following->light, *shaded.globalIllumination);
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   session.console().json({{"command", "view"},

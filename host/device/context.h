@@ -32,7 +32,7 @@ class DeviceContext {
   /// Waits for all that has been launched.
   void finish();
 
-  /// For host/device.
+  /// OpenCL's side of it, for host/device alone.
   OpenClContext& opencl() const { return *opencl_; }
 
  private:

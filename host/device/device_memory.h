@@ -28,7 +28,7 @@ class DeviceMemory {
   /// The first `bytes` of another. Does not wait.
   void copy(const DeviceMemory& from, std::size_t bytes);
 
-  /// For host/device.
+  /// OpenCL's side of it, for host/device alone.
   const OpenCl& opencl() const { return *opencl_; }
 
  private:

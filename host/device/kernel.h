@@ -77,7 +77,7 @@ class Kernel {
   /// None: must not be launched.
   Kernel() = default;
 
-  /// As BuiltKernel.
+  /// Builds the kernel, and throws, as BuiltKernel does.
   Kernel(DeviceContext& device, const std::string& file, const BuildOptions& options,
          const std::string& name) {
     const std::array<KernelArgument, sizeof...(Parameters)> arguments{

@@ -39,7 +39,7 @@ StructLayout layoutOf(const char* name, std::size_t offset) {
   return {name, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(offset)};
 }
 
-/// Of rays, scenes, casts and vector occluders.
+/// Layouts of the structures of rays, scenes, casts and vector occluders.
 std::vector<StructLayout> layoutsOfTracing() {
   return {layoutOf<Ray, 32>("Ray", offsetof(Ray, tMax)),
           layoutOf<Hit, 16>("Hit", offsetof(Hit, v)),
@@ -68,7 +68,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<OccluderTerms, 80>("OccluderTerms", offsetof(OccluderTerms, eyeZ))};
 }
 
-/// Of photons, gathering, radiosity and the buffers that scenes lie in.
+/// Layouts of the structures of photons, gathering, radiosity and the buffers that scenes lie in.
 std::vector<StructLayout> layoutsOfLight() {
   return {
       layoutOf<Photon, 32>("Photon", offsetof(Photon, direction)),

@@ -25,7 +25,7 @@ class OpenClContext {
   /// Throws Error(RuntimeFailure) with device, options and build log when it does not build.
   const cl::Program& program(const std::string& file, const BuildOptions& options);
 
-  /// As DeviceContext::addFile().
+  /// Does what DeviceContext::addFile() says.
   void addFile(const std::string& file, const std::string& text) { ownFiles_[file] = text; }
 
   /// Seconds spent building or loading programs so far.

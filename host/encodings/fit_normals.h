@@ -22,7 +22,7 @@ const std::array<FitNormal, fitNormalCount>& fitNormals();
 /// Irradiance, W/m2, [fit normal].
 using FitIrradiance = std::array<glm::dvec3, fitNormalCount>;
 
-/// Of the light that an encoding is given (Encoding::encode): its SH convolved with the clamped cosine.
+/// Irradiance of the light that an encoding is given (Encoding::encode): its SH convolved with a cosine.
 FitIrradiance fitIrradiance(std::span<const float> incident, const glm::mat3& frame);
 
 }  // namespace prelight

@@ -24,7 +24,7 @@ class TexelFiller {
   }
 
  private:
-  /// Of the same group.
+  /// Calls `visit` with each neighbour of the same group.
   template <typename Visitor>
   void forNeighbours(std::size_t texel, const Visitor& visit) const {
     const int column = static_cast<int>(texel) % width_, row = static_cast<int>(texel) / width_;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace device;
 
-/// Of a caster's: the last rays that mirrors and glass pass on are few, and each round of them waits.
+/// A block is so many of a caster's, as the last rays through mirrors and glass are few and each round waits.
 constexpr std::uint32_t blocksAtOnce = 4;
 
 }  // namespace

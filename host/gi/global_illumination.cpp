@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "base/stage_clock.h"
-#include "lightmap/back_charts.h"
-#include "lightmap/light_map_bake.h"
-#include "lightmap/make_light_map_layout.h"
+#include "charts/back_charts.h"
+#include "charts/light_map_bake.h"
+#include "charts/make_light_map_layout.h"
 #include "photon/caustic_casters.h"
 
 namespace prelight {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "charts/light_map_charts.h"
 #include "gi/indirect_light.h"
-#include "lightmap/light_map_charts.h"
 #include "photon/caustic_light.h"
 #include "prelight/light_map.h"
 #include "prelight/plan.h"
@@ -19,7 +19,7 @@ namespace prelight {
 
 // Global illumination in stages: plan, photons, surface, density with final gathering (IndirectLight),
 // caustics (CausticMap). Each takes plain data from those before it. computeGlobalIllumination() runs all of
-// them; light maps (projectors/lightmap), frames that follow what moves (gi/update) and OpenGL's caustics
+// them; light maps (projectors/light_map), frames that follow what moves (gi/update) and OpenGL's caustics
 // call those that they need.
 
 /// Which of the passes "indirect light" and "caustic photons", in this order, a scene's light needs, and why.

@@ -12,7 +12,7 @@ namespace prelight {
 
 namespace {
 
-/// Of half the scene's diagonal.
+/// The widest radius of density estimates, as a share of half the scene's diagonal.
 constexpr double widestShare = 0.25;
 
 std::uint32_t raysPerReceiver(const IndirectRequest& request) {

@@ -32,7 +32,7 @@ constexpr int leastNearestOfAll = 40;
 /// The photons of a request, for sendPhotons().
 PhotonRequest indirectPhotons(const TransportScene& scene, const IndirectRequest& request);
 
-/// Of the receivers of a place, which are several where a place has more rays than a receiver may have.
+/// What a receiver asks for; a place has several where it has more rays than a receiver may have.
 GatherRequest gatherRequest(const IndirectRequest& request);
 
 /// Indirect light at places of the surface: everything but direct light and caustics. A final gathering from

@@ -29,10 +29,10 @@ class InstancedTracer {
   /// Closest hits; `triangle` is the instance's first triangle plus the one of its shape.
   std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
 
-  /// As traceClosest, but a hit carries no more than that there is one (triangle 0).
+  /// Traces as traceClosest, but a hit says no more than that there is one (triangle 0).
   std::vector<device::Hit> traceAny(std::span<const device::Ray> rays);
 
-  /// For rays and hits that are on the device: the first `count`.
+  /// Trace the first `count` of rays that are on the device; the hits stay there.
   void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
   void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count);
 

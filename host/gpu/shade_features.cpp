@@ -6,7 +6,7 @@ namespace prelight {
 
 namespace {
 
-/// As PRELIGHT_SMOOTH_BELOW in kernels/transport/lobe_funcs.cl.
+/// Equals PRELIGHT_SMOOTH_BELOW in kernels/transport/lobe_funcs.cl.
 constexpr float smoothBelow = 0.05f;
 
 /// With a texture of roughness a surface may be either.

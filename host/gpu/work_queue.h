@@ -16,7 +16,7 @@ class WorkQueue {
  public:
   static constexpr std::size_t kinds = PRELIGHT_QUEUE_KINDS;
 
-  /// Of steps of at most `most` items.
+  /// Serves steps of at most `most` items.
   WorkQueue(DeviceContext& device, std::uint32_t most);
 
   /// Lists the items of every kind; returns how many each has. `marks`: [count].

@@ -8,7 +8,7 @@ namespace prelight {
 
 enum class PictureFormat : std::uint8_t { Unknown, Png, Jpeg, WebP, Ktx2, Dds, Bmp, Gif, Tiff, Exr, Hdr };
 
-/// By the first bytes.
+/// The format that the first bytes tell.
 PictureFormat pictureFormat(std::span<const std::uint8_t> bytes);
 
 /// "PNG", for messages; "an unknown format".

@@ -166,7 +166,7 @@ void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::u
   castShadows(readCounters()[PRELIGHT_SHADOW_COUNTER]);
 }
 
-/// Of all virtual lights, one after the other.
+/// Adds the light of all virtual lights, one after the other.
 void PathTracer::addVirtualLights(std::uint32_t count) {
   const DeviceScene& scene = scene_.handle();
   PathStep now = step(count, 0);

@@ -1,6 +1,6 @@
 #include "prelight/render.h"
 
-#include "integrators/full_renderer.h"
+#include "integrators/global_illumination_renderer.h"
 #include "integrators/reference.h"
 #include "library/library_call.h"
 #include "scene/framing.h"
@@ -9,7 +9,7 @@ namespace prelight {
 
 namespace {
 
-constexpr double mostPathSamples = 4294967295.0, mostFullSamples = 64.0;
+constexpr double mostPathSamples = 4294967295.0, mostGatheredSamples = 64.0;
 
 Camera cameraOf(const LoadedScene& scene, const RenderOptions& options) {
   if (options.camera) return *options.camera;
@@ -17,10 +17,11 @@ Camera cameraOf(const LoadedScene& scene, const RenderOptions& options) {
 }
 
 void check(const RenderOptions& options) {
-  const bool full = options.method == RenderMethod::GlobalIllumination;
+  const bool globalIllumination = options.method == RenderMethod::GlobalIllumination;
   requireBetween("RenderOptions::width", options.width, 0.0, RenderOptions::maxSize);
   requireBetween("RenderOptions::height", options.height, 1.0, RenderOptions::maxSize);
-  requireBetween("RenderOptions::samples", options.samples, 1.0, full ? mostFullSamples : mostPathSamples);
+  requireBetween("RenderOptions::samples", options.samples, 1.0,
+                 globalIllumination ? mostGatheredSamples : mostPathSamples);
   requireBetween("RenderOptions::depth", options.depth, 1.0, reference::ReferenceRequest::maxDepth);
 }
 
@@ -49,14 +50,14 @@ Picture tracePaths(const LitScene& lit, const Camera& camera, const RenderOption
 
 Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera,
                    const RenderOptions& options, LibraryCall& call) {
-  FullRequest request;
+  GlobalIlluminationPictureRequest request;
   request.width = options.width;
   request.height = options.height;
   request.samples = options.samples;
   request.depth = options.depth;
   request.seed = request.indirect.seed = options.seed;
-  FullReport report;
-  return renderFull(scene, lit, camera, request, call.device(), call.progress(), report);
+  GlobalIlluminationPictureReport report;
+  return renderGlobalIllumination(scene, lit, camera, request, call.device(), call.progress(), report);
 }
 
 }  // namespace

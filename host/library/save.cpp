@@ -4,7 +4,7 @@
 #include "io/baked_file.h"
 #include "io/finite_results.h"
 #include "prelight/load.h"
-#include "projectors/lightmap/light_map_file.h"
+#include "projectors/light_map/light_map_file.h"
 #include "scene/gltf/glb_output.h"
 
 namespace prelight {

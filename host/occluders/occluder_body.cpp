@@ -47,7 +47,7 @@ void measureShape(const CompiledScene& scene, const OccluderMembers& members,
     bodies[o].radius = std::min(bodies[o].reach, std::sqrt(total[o] / (4.0 * std::numbers::pi)));
 }
 
-/// Of the records of an occluder, each by its form factor.
+/// Means over the records of an occluder, each weighted by its form factor.
 struct Means {
   double weight = 0.0;
   double accessibility = 0.0;

@@ -31,7 +31,7 @@ const glm::dmat4& transformOf(const Scene& scene, const PrimitiveRange& range,
                    [static_cast<std::size_t>(range.instance)];
 }
 
-/// Of its members' motion, which must be one.
+/// Gives every occluder its members' motion, which must be one.
 void setOccluderMotions(const OccluderMembers& members, const std::vector<std::string>& names,
                         OccluderMotions& motions) {
   motions.ofOccluder.assign(names.size(), unknown);

@@ -17,7 +17,7 @@ struct CausticMap {
   CausticFilter filter;
 };
 
-/// Of photons on a surface; `footprint` as in chooseCausticFilter().
+/// Makes the map of photons on a surface; `footprint` as in chooseCausticFilter().
 CausticMap makeCausticMap(std::span<const device::Photon> photons, const DensitySurface& surface,
                           double footprint = 0.0);
 

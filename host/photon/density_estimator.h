@@ -55,7 +55,7 @@ class DensityEstimator {
   /// Options for programs that include kernels/photon/density_funcs.cl.
   static BuildOptions& addOptions(BuildOptions& options, const DensityOptions& density);
 
-  /// For kernels that look maps up themselves; both change with setPhotons().
+  /// What kernels take that look maps up themselves; both change with setPhotons().
   const device::DensityParameters& parameters() const { return values_; }
   const Buffer<device::DensityLine>& lines() const { return lines_; }
 

@@ -73,11 +73,11 @@ class PhotonTracer {
   /// Appends to `hits`. Throws Interrupted between blocks.
   PhotonReport trace(const PhotonRequest& request, PhotonHits& hits, Progress& progress);
 
-  /// As trace(), but hands the hits of each block over and keeps nothing.
+  /// Traces likewise, but hands the hits of each block over and keeps nothing.
   using Sink = std::function<void(const PhotonHits& block)>;
   PhotonReport trace(const PhotonRequest& request, const Sink& sink, Progress& progress);
 
-  /// Of one source, photons that are chosen by their numbers, each as it is among all. Appends to `hits`,
+  /// Traces photons of one source, chosen by their numbers, each as it is among all. Appends to `hits`,
   /// where a path's number is its place in the choice. `sources`: of the scene as it is.
   PhotonReport trace(const PhotonRequest& request, const PhotonSources& sources, std::size_t source,
                      std::span<const std::uint32_t> photons, PhotonHits& hits, Progress& progress);

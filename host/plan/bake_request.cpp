@@ -17,7 +17,8 @@ BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
   request.ao = request.cones = false;
   request.sh = {};
-  request.ch.order = request.haar.size = request.glossy.order = request.volume.size = request.texels.size = 0;
+  request.ch.order = request.haar.size = request.glossy.order = request.volume.size =
+      request.chartTransfer.size = 0;
   request.lightGroups = {};
   request.occluders.wanted = request.radiosity.wanted = false;
   request.lightMap.wanted = request.lightMap.caustics = false;

@@ -44,7 +44,7 @@ SeenWays waysBy(const OccluderValues& values, std::size_t record) {
   return seen;
 }
 
-/// Of structures that hold nothing else.
+/// The numbers of structures that hold nothing else.
 template <typename Sums>
 std::span<const float> numbersOf(const std::vector<Sums>& sums) {
   static_assert(std::is_trivially_copyable_v<Sums> && alignof(Sums) == alignof(float));
@@ -73,7 +73,7 @@ void SeenWays::add(const SeenWays& other, float factor) {
   throughColor += factor * other.throughColor;
 }
 
-/// Of an occluder, which gets one where it has none.
+/// The place of an occluder, which gets one where it has none.
 std::size_t OccluderMeans::Row::placeOf(std::uint32_t group) {
   const auto at = static_cast<std::size_t>(std::find(groups.begin(), groups.end(), group) - groups.begin());
   if (at == groups.size()) {

@@ -50,7 +50,7 @@ struct Planning {
 /// Rays of the hemispheres. With a target instead of a count they are bounded by memory alone.
 std::uint64_t plannedRays(const CompiledScene& scene, const BakeRequest& request);
 
-/// Of a scene's materials, those that pass a test.
+/// How many of a scene's materials pass a test.
 std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&));
 
 /// "3 channels".

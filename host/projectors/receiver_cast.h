@@ -32,7 +32,7 @@ class ReceiverCast {
   /// After run(): light that surfaces receive, with all bounces. Made when it is asked for first.
   const SlotTransfer& transfer(Progress& progress);
 
-  /// That run; 0 where the plan skips them.
+  /// Bounces that run; 0 where the plan skips them.
   int bounces() const { return bounces_; }
 
   std::uint64_t receivers() const { return cast_.receivers(); }

@@ -57,7 +57,7 @@ class SideCast {
   /// Rays texel by texel, parallel to records().
   const TexelRows& texelRows() const { return sums_.texelRows(); }
 
-  /// Of the stored rows, parallel to records(). Only where the projections ask for them.
+  /// Receivers of the stored rows, parallel to records(). Only where the projections ask for them.
   const std::vector<device::Receiver>& storedReceivers() const { return storedReceivers_; }
 
   ErrorEstimate estimateError() const { return sums_.estimateError(); }

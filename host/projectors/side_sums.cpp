@@ -48,7 +48,7 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
   fit_.extendTo(std::move(slots));
 }
 
-// Of all values alike, by what AO says: where that is flat, light is too, nearly always.
+// Stiffens the fit of all values by what AO says: where that is flat, light is too, nearly always.
 void SideSums::stiffen() {
   const std::vector<double> laplacian =
       fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0));

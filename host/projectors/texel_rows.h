@@ -18,7 +18,7 @@ class TexelRows {
   /// Adds a receiver: its rays as texel x 256 + blocked part of 255. At most `capacity` rows are kept.
   void add(std::span<const std::uint32_t> codes, std::size_t capacity);
 
-  /// Of receiver `i`: open, closed, missing, or a row for codes().
+  /// What receiver `i` has: open, closed, missing, or a row for codes().
   std::uint32_t rowOf(std::size_t i) const { return rows_[i]; }
 
   std::span<const std::uint32_t> codes(std::uint32_t row) const {

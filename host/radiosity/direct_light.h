@@ -39,7 +39,7 @@ class DirectLight {
   DirectLight(const CompiledScene& scene, const ElementPoints& points, Tracer& tracer,
               std::uint32_t pointsPerElement);
 
-  /// Of receivers alone: estimate() must not be called.
+  /// Lights receivers alone: estimate() must not be called.
   DirectLight(const CompiledScene& scene, Tracer& tracer);
 
   void setLights(const RadiosityLights& lights);
@@ -50,7 +50,7 @@ class DirectLight {
   /// At receivers anywhere, of which firstSample counts the points of a sequence.
   std::vector<PointIrradiance> at(std::span<const device::Receiver> receivers);
 
-  /// Of punctual lights and the sky alone, with their directions: irradiance, W/m2, and incident radiance in
+  /// Light of punctual lights and the sky alone, with directions: irradiance, W/m2, and incident radiance in
   /// SH of an order, [receiver][channel][value] (basis/incident_values.h).
   std::vector<float> incidentAt(std::span<const device::Receiver> receivers, int order = leastIncidentOrder);
 

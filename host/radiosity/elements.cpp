@@ -31,7 +31,7 @@ double defaultPatchSize(const CompiledScene& scene) {
   double area = 0.0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
     area += 0.5 * glm::length(geometricNormal(scene, t));
-  // Of half a square of that area.
+  // This is the longest edge of half a square of that area.
   return 2.0 * std::sqrt(area / usualElements);
 }
 

@@ -163,7 +163,7 @@ double ExchangeSolver::gaussSeidel() {
   return 1.0;
 }
 
-/// As many relaxations as a launch may take, at most one a row.
+/// Relaxes as many rows as a launch may, each once at most.
 double ExchangeSolver::southwell() {
   const std::uint32_t n = system_.size(), perSide = system_.perSide();
   if (!residualKnown_) measure();

@@ -26,7 +26,7 @@ class ExchangeSystem {
 
   DeviceContext& device() const { return device_; }
 
-  /// Of the kernels that solve it.
+  /// Build options of the kernels that solve it.
   const BuildOptions& options() const { return options_; }
 
   const Buffer<std::uint32_t>& rowStart() const { return rowStart_; }

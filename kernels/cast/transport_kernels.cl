@@ -16,7 +16,7 @@
 #include "project/sh_funcs.cl"
 #endif
 
-// Of channel c: 0 red, 1 green, 2 blue.
+// The sender's albedo in channel c: 0 red, 1 green, 2 blue.
 float senderAlbedo(Sender s, uint c) { return (float)((s.albedo >> (10 * c)) & 1023u) * (1.0f / 1023.0f); }
 
 // A number in [0,1) for a decision about a ray, the same whenever it is asked for.

@@ -14,7 +14,7 @@
 
 #define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
 
-// Of the receiver's own sequence, whatever it is gathered together with.
+// A point of the receiver's own sequence, whatever it is gathered together with.
 float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver* receivers, uint ray, uint depth, uint pair) {
   const uint receiver = ray / p->raysPerReceiver;
   const uint sample = receivers[receiver].firstSample + ray % p->raysPerReceiver;

@@ -13,10 +13,10 @@
 #define PRELIGHT_DENSITY_NEAREST 0
 #endif
 
-// Of the query's radius: how far apart k photons at one place are taken to be.
+// The least radius, as a share of the query's: so far apart k photons at one place are taken to be.
 #define PRELIGHT_LEAST_RADIUS 1e-5f
 
-// Of r2: the rounding of an area, below which a point has missed its triangle.
+// The rounding of an area, as a share of r2: below it a point has missed its triangle.
 #define PRELIGHT_LEAST_AREA 1e-6f
 
 typedef struct DensityMaps {
@@ -135,7 +135,7 @@ float3 gatherPower(const DensityMaps maps, const DensityPlace place, float r2) {
   return (float3)(sumOf(red), sumOf(green), sumOf(blue));
 }
 
-// Of the surface that those photons lie on, m2.
+// The area of the surface from which photons within r of a place are counted, m2.
 float densityArea(const DensityMaps maps, const DensityPlace place, float r) {
   if (place.planar && (r <= place.clearance || holdsDisc(maps.areaTriangles + place.areaTriangle, place.position, r)))
     return PRELIGHT_DISC_SHARE * M_PI_F * r * r;

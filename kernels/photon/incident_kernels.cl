@@ -7,7 +7,7 @@
 // Photons that land more slantingly count as if they did not: their irradiance says little about the radiance.
 #define PRELIGHT_LEAST_PHOTON_COSINE 0.05f
 
-// As gatherPower, by direction: sums [value], W.
+// Sums power as gatherPower does, but by its direction: sums [value], W.
 void gatherIncident(const DensityMaps maps, const DensityPlace place, float3 normal, float r2, float3* sums) {
   const uint leaves = 1u << place.photons.levels;
   uint node = 1u;

@@ -82,7 +82,7 @@ float beyondDisc(const KernelDisc disc, float3 from, float3 to) {
   return disc.perAngle * angleOf(dot(disc.normal, cross(from, to)), dot(from, to));
 }
 
-// Of the edge from a to b, relative to the foot.
+// The share of the edge from a to b in the integral over a polygon; a and b are relative to the foot.
 float edgeIntegral(const KernelDisc disc, float3 a, float3 b) {
   const float3 way = b - a;
   const float length2 = dot(way, way), along = dot(a, way);
@@ -149,7 +149,7 @@ float nodeIntegral(__global const AreaNode* node, float3 p, float r) {
 #endif
 }
 
-// Of the surface that a photon must lie on to be counted from p, on the triangle of normal n; m2.
+// The area of the surface whose photons are counted from p, on a triangle of normal n, m2.
 float kernelArea(__constant const DensityParameters* parameters, const LeafTree tree, __global const AreaNode* nodes,
                  __global const AreaTriangle* triangles, bool planar, float3 p, float3 n, float r) {
   const uint leaves = 1u << tree.levels;

@@ -72,7 +72,7 @@ float farFormFactor(float3 point, float3 normal, const float3 corner[3]) {
   const float3 middle = (corner[0] + corner[1] + corner[2]) * (1.0f / 3.0f);
   float sum = 0.0f;
   for (int k = 0; k < 7; ++k) {
-    // From the middle towards the corners, and away from them.
+    // Points lie from the middle towards the corners, and away from them.
     const float part = k < 3 ? 0.6961404781f : (k < 6 ? -0.4104261923f : 0.0f);
     const float share = k < 3 ? 0.1259391805f : (k < 6 ? 0.1323941527f : 0.225f);
     const float3 way = middle - point + part * (corner[k % 3] - middle);

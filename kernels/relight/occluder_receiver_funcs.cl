@@ -8,7 +8,7 @@
 #include "relight/occluder_light_funcs.cl"
 
 #define LEAST_ALPHA 0.002f
-// Of the weights of the lights whose reflection shadows leave: what lies between vertices must find its light in them.
+// The same in weights of the lights whose reflection shadows leave: what lies between vertices must find its light in them.
 #define LEAST_SHARE_ALPHA 0.02f
 
 STRUCT_NAME(LitReceiver)

@@ -9,7 +9,7 @@
 #define MOST_CAUSTIC_EXPONENT 0.5f    // of the thesis' formula: the integral stays finite
 #define HORIZON_SLACK 0.1f            // between form factor and solid angle at the horizon
 
-// As it is stored; what is absent is zero.
+// A record as it is stored; what is absent is zero.
 STRUCT_NAME(StoredRecord)
 struct StoredRecord {
   vec4 position;

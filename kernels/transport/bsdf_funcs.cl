@@ -8,7 +8,7 @@
 #include "transport/adjoint_funcs.cl"
 #include "transport/microfacet_funcs.cl"
 
-// With a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
+// Added to a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
 #define PRELIGHT_LOBES_APART 64u
 
 // Light that is scattered to a direction, times its cosine, but for what mirrors and glass do.
@@ -37,7 +37,7 @@ PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
   return shading > 0.0f && geometric > 0.0f;
 }
 
-// From wo above the surface to wi, above or, of a translucent one, below, in the frame of the shading normal.
+// Scatters from wo, above the surface, to wi, above or below a translucent one, in the frame of the shading normal.
 PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
   Scattered r;
 #ifdef PRELIGHT_TRANSLUCENT
@@ -107,7 +107,7 @@ PRELIGHT_INLINE bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance
 }
 #endif
 
-// From the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one.
+// Samples the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one.
 PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, bool through,
                                  bool specular, float2 u, BsdfSample* sample) {
   float3 wi;

@@ -102,7 +102,7 @@ PRELIGHT_INLINE float chanceSum(LobeChances c) {
 #endif
 }
 
-// Of those among `lobes`, in proportion to what they scatter of light from a direction of this cosine, roughly.
+// Chances of those among `lobes`, roughly in proportion to what they scatter of light from a direction of this cosine.
 PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float cosine, uint lobes) {
   const float3 layer = schlick(b, cosine);
   LobeChances c = {0.0f, 0.0f, 0.0f};

@@ -14,7 +14,7 @@ typedef struct VirtualSample {
   float falloff;     // part of it that arrives as irradiance on a surface that faces the light
 } VirtualSample;
 
-// Of power that comes from i.wo; what the surface scatters diffusely.
+// The virtual light that a surface becomes as it scatters diffusely the power that comes from i.wo.
 PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
   const float arrives = fmax(i.woLocal.z, 0.0f);
   const float enters = 1.0f - largest(schlick(b, arrives));

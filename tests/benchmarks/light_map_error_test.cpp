@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lightmap/make_light_map_layout.h"
+#include "charts/make_light_map_layout.h"
 #include "support/devices.h"
 
 namespace prelight::benchmarks {

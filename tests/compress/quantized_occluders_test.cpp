@@ -35,46 +35,47 @@ class Quantized : public ::testing::Test {
  protected:
   Quantized() {
     for (const glm::vec3& position : made_.positions) vertices_.emplace_back(position);
-    for (std::size_t i = 0; i < full_.vectors.size(); i += width())
-      full_.vectors[i].w = 1.3f * glm::length(glm::vec3(full_.vectors[i]) - nearestVertex(i / width()));
+    for (std::size_t i = 0; i < globalIllumination_.vectors.size(); i += width())
+      globalIllumination_.vectors[i].w =
+          1.3f * glm::length(glm::vec3(globalIllumination_.vectors[i]) - nearestVertex(i / width()));
   }
 
   glm::vec3 nearestVertex(std::size_t record) const {
     std::size_t v = 0;
-    while (full_.offsets[v + 1] <= record) ++v;
+    while (globalIllumination_.offsets[v + 1] <= record) ++v;
     return made_.positions[v];
   }
-  std::size_t width() const { return full_.stored.size(); }
+  std::size_t width() const { return globalIllumination_.stored.size(); }
   OccluderTransfer throughBytes() const {
-    return dequantizeOccluders(quantizeOccluders(full_, vertices_), vertices_);
+    return dequantizeOccluders(quantizeOccluders(globalIllumination_, vertices_), vertices_);
   }
 
   test::MadeOccluders made_ = test::makeOccluders(300, test::everyOptionalVector(), 5);
-  OccluderTransfer& full_ = made_.transfer;
+  OccluderTransfer& globalIllumination_ = made_.transfer;
   std::vector<glm::dvec3> vertices_;
 };
 
 TEST_F(Quantized, Records_TakeTheirBytes) {
-  const QuantizedOccluders quantized = quantizeOccluders(full_, vertices_);
-  EXPECT_EQ(quantizedBytes(full_.stored), 32u);
+  const QuantizedOccluders quantized = quantizeOccluders(globalIllumination_, vertices_);
+  EXPECT_EQ(quantizedBytes(globalIllumination_.stored), 32u);
   EXPECT_EQ(quantizedBytes({OccluderVector::Position, OccluderVector::Occlusion,
                             OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor}),
             18u);
-  EXPECT_EQ(quantized.bytes.size(), 32 * full_.recordCount());
+  EXPECT_EQ(quantized.bytes.size(), 32 * globalIllumination_.recordCount());
 }
 
 TEST_F(Quantized, Vectors_ComeBackWithinTheirSteps) {
   const OccluderTransfer read = throughBytes();
-  EXPECT_EQ(read.offsets, full_.offsets);
-  EXPECT_EQ(read.occluders, full_.occluders);
-  ASSERT_EQ(read.vectors.size(), full_.vectors.size());
-  const std::size_t occlusion = placeOf(full_, OccluderVector::Occlusion);
-  for (std::size_t r = 0; r < full_.recordCount(); ++r)
+  EXPECT_EQ(read.offsets, globalIllumination_.offsets);
+  EXPECT_EQ(read.occluders, globalIllumination_.occluders);
+  ASSERT_EQ(read.vectors.size(), globalIllumination_.vectors.size());
+  const std::size_t occlusion = placeOf(globalIllumination_, OccluderVector::Occlusion);
+  for (std::size_t r = 0; r < globalIllumination_.recordCount(); ++r)
     for (std::size_t s = 0; s < width(); ++s) {
-      const glm::dvec4 a(full_.vectors[r * width() + s]), b(read.vectors[r * width() + s]);
-      const double formFactor = full_.vectors[r * width() + occlusion].w;
+      const glm::dvec4 a(globalIllumination_.vectors[r * width() + s]), b(read.vectors[r * width() + s]);
+      const double formFactor = globalIllumination_.vectors[r * width() + occlusion].w;
       const double difference = glm::length(glm::dvec3(a) - glm::dvec3(b));
-      switch (full_.stored[s]) {
+      switch (globalIllumination_.stored[s]) {
         case OccluderVector::Position:
           EXPECT_NEAR(b.w, a.w, 1e-3 * a.w);
           EXPECT_LT(difference, 0.02 * a.w);  // sqrt(18) / 255, and a step of length
@@ -100,12 +101,13 @@ TEST_F(Quantized, Vectors_ComeBackWithinTheirSteps) {
 
 TEST_F(Quantized, Error_IsSmallAndThatOfTheLight) {
   const OccluderTransfer read = throughBytes();
-  const OccluderQuantizationError error = quantizationError(full_, read, vertices_, made_.normals);
+  const OccluderQuantizationError error =
+      quantizationError(globalIllumination_, read, vertices_, made_.normals);
   EXPECT_GT(error.formFactor, 0.0);
   EXPECT_LT(error.formFactor, 2e-5);
   EXPECT_GT(error.light, 0.0);
   EXPECT_LT(error.light, 0.02);
-  EXPECT_EQ(quantizationError(full_, full_, vertices_, made_.normals).light, 0.0);
+  EXPECT_EQ(quantizationError(globalIllumination_, globalIllumination_, vertices_, made_.normals).light, 0.0);
 }
 
 // No direction, no form factor, everything in one place.

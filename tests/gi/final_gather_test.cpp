@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lightmap/make_light_map_layout.h"
+#include "charts/make_light_map_layout.h"
 #include "receivers/surface_sampler.h"
 #include "support/devices.h"
 #include "support/materials.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lightmap/make_light_map_layout.h"
-#include "projectors/lightmap/direct_light_part.h"
+#include "charts/make_light_map_layout.h"
+#include "projectors/light_map/direct_light_part.h"
 #include "receivers/texel_receiver.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"

@@ -39,7 +39,7 @@ Bake withMapOfFirst(const CompiledScene& scene) {
   Bake bake;
   bake.ao.assign(scene.vertexCount(), 0.5f);
   bake.bentNormals.assign(scene.vertexCount(), {0, 1, 0});
-  bake.texels = ChartTransfer{2, 3, 1, {someMap(scene, 0, 3, 2)}};
+  bake.chartTransfer = ChartTransfer{2, 3, 1, {someMap(scene, 0, 3, 2)}};
   return bake;
 }
 
@@ -49,12 +49,12 @@ TEST(BakedCharts, WriteRead_GivesThemBack) {
   const Bake bake = withMapOfFirst(scene);
   embedBake(document, scene, bake);
   const std::optional<Bake> copy = readBake(document, scene);
-  ASSERT_TRUE(copy && copy->texels);
-  EXPECT_EQ(copy->texels->order, 2);
-  EXPECT_EQ(copy->texels->channels, 3);
-  EXPECT_EQ(copy->texels->bounces, 1);
-  ASSERT_EQ(copy->texels->maps.size(), 1u);
-  const ChartTransfer::Map &got = copy->texels->maps[0], &expected = bake.texels->maps[0];
+  ASSERT_TRUE(copy && copy->chartTransfer);
+  EXPECT_EQ(copy->chartTransfer->order, 2);
+  EXPECT_EQ(copy->chartTransfer->channels, 3);
+  EXPECT_EQ(copy->chartTransfer->bounces, 1);
+  ASSERT_EQ(copy->chartTransfer->maps.size(), 1u);
+  const ChartTransfer::Map &got = copy->chartTransfer->maps[0], &expected = bake.chartTransfer->maps[0];
   EXPECT_EQ(got.primitive, expected.primitive);
   EXPECT_EQ(got.width, 3);
   EXPECT_EQ(got.height, 2);
@@ -70,15 +70,15 @@ TEST(BakedCharts, Instances_HaveMapsOfTheirOwn) {
   const CompiledScene scene = compiled(document);
   ASSERT_EQ(scene.primitives.size(), 3u);
   Bake bake;
-  bake.texels =
+  bake.chartTransfer =
       ChartTransfer{2, 3, 1, {someMap(scene, 0, 2, 2), someMap(scene, 1, 2, 2), someMap(scene, 2, 2, 2)}};
   embedBake(document, scene, bake);
   const std::optional<Bake> copy = readBake(document, scene);
-  ASSERT_TRUE(copy && copy->texels);
-  ASSERT_EQ(copy->texels->maps.size(), 3u);
+  ASSERT_TRUE(copy && copy->chartTransfer);
+  ASSERT_EQ(copy->chartTransfer->maps.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(copy->texels->maps[i].primitive, i);
-    EXPECT_EQ(copy->texels->maps[i].coefficients, bake.texels->maps[i].coefficients);
+    EXPECT_EQ(copy->chartTransfer->maps[i].primitive, i);
+    EXPECT_EQ(copy->chartTransfer->maps[i].coefficients, bake.chartTransfer->maps[i].coefficients);
   }
 }
 
@@ -119,7 +119,7 @@ TEST(BakedCharts, ValuesThatAreNotFinite_AreRefused) {
   GltfDocument document = twoTriangles();
   const CompiledScene scene = compiled(document);
   Bake bake = withMapOfFirst(scene);
-  bake.texels->maps[0].coefficients[7] = 0.7654321f;
+  bake.chartTransfer->maps[0].coefficients[7] = 0.7654321f;
   embedBake(document, scene, bake);
   test::replaceFloats(document, 0.7654321f, std::numeric_limits<float>::quiet_NaN());
   EXPECT_NE(test::inputErrorOf([&] { readBake(document, scene); }).find("finite"), std::string::npos);

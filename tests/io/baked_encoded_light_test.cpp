@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <functional>
 
+#include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
 #include "images/picture_layers.h"
 #include "io/baked_file.h"
-#include "lightmap/make_light_map_layout.h"
-#include "projectors/lightmap/light_map_file.h"
+#include "projectors/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -5,11 +5,11 @@
 #include <functional>
 #include <limits>
 
+#include "charts/light_map_lookup.h"
+#include "charts/make_light_map_layout.h"
 #include "io/baked_file.h"
-#include "lightmap/light_map_lookup.h"
-#include "lightmap/make_light_map_layout.h"
 #include "prelight/picture.h"
-#include "projectors/lightmap/light_map_file.h"
+#include "projectors/light_map/light_map_file.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"

@@ -6,12 +6,12 @@
 #include <set>
 #include <string>
 
+#include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
 #include "io/bake_writer.h"
 #include "io/baked_file.h"
 #include "io/values/transfer_extension.h"
-#include "lightmap/make_light_map_layout.h"
-#include "projectors/lightmap/light_map_file.h"
+#include "projectors/light_map/light_map_file.h"
 #include "projectors/registry/registry.h"
 #include "scene/gltf/loader.h"
 #include "support/gltf_files.h"
@@ -57,7 +57,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   bake.lightGroups = LightGroupTransfer{{{"lamp", {1, 1, 1}}}, 1, 0, numbers(vertices)};
   bake.occluders = OccluderTransfer{
       {"wall"}, {OccluderVector::Occlusion}, {0, 1, 1, 1}, {0}, {glm::vec4(0, 0.5f, 0, 0.5f)}};
-  bake.texels = ChartTransfer{1, 1, 0, {{0, 1, 1, {{0, 0}, {1, 0}, {0, 1}}, {0.5f}}}};
+  bake.chartTransfer = ChartTransfer{1, 1, 0, {{0, 1, 1, {{0, 0}, {1, 0}, {0, 1}}, {0.5f}}}};
   bake.irradiance.emplace(vertices, glm::vec3(1.0f));
   bake.volume = VolumeTransfer{{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}}, 1, 1, 0, {0.5f}, {}, {1}};
   bake.lightMap.emplace();

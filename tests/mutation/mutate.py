@@ -20,11 +20,11 @@ import suite
 
 # Rooms of tests beside the changed file's own folder that know its code best.
 NEAR = {"host/gpu": ["gpu", "integrators", "photon"], "host/transfer": ["bake", "compress"], "host/plan": ["plan", "bake"],
-        "host/receivers": ["receivers", "fit", "lightmap"], "host/cast": ["cast", "projectors", "bake"],
-        "host/fit": ["fit", "projectors"], "host/projectors": ["projectors", "bake", "lightmap", "io"],
+        "host/receivers": ["receivers", "fit", "charts"], "host/cast": ["cast", "projectors", "bake"],
+        "host/fit": ["fit", "projectors"], "host/projectors": ["projectors", "bake", "charts", "io"],
         "host/integrators": ["integrators"], "host/oracle": ["gpu", "relight"], "kernels/core": ["device", "receivers", "bvh"],
         "kernels/bvh": ["bvh", "gpu"], "kernels/cast": ["cast", "bake"], "kernels/project": ["cast", "projectors"],
-        "kernels/transport": ["transport", "integrators", "photon"], "kernels/gather": ["gi", "lightmap"],
+        "kernels/transport": ["transport", "integrators", "photon"], "kernels/gather": ["gi", "charts"],
         "kernels/integrate": ["integrators"], "kernels/shared": ["device"]}
 
 

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "projectors/lightmap/light_map_plan.h"
+#include "projectors/light_map/light_map_plan.h"
 #include "support/scenes.h"
 
 namespace prelight {
 namespace {
 
-BakeRequest fullRequest() {
+BakeRequest requestOfMany() {
   BakeRequest request;
   request.ao = true;
   request.sh.order = 3;
@@ -24,13 +24,13 @@ std::string reasonOf(const Plan& plan, Pass name) {
 }
 
 TEST(Plan, EveryPass_HasAReason) {
-  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), fullRequest());
+  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), requestOfMany());
   ASSERT_FALSE(plan.passes.empty());
   for (const auto& pass : plan.passes) EXPECT_FALSE(pass.reason.empty()) << nameOf(pass.pass);
 }
 
-TEST(Plan, FullRequest_RunsWhatItAsksFor) {
-  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), fullRequest());
+TEST(Plan, RequestOfManyTechniques_RunsWhatItAsksFor) {
+  const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), requestOfMany());
   for (const Pass pass : {Pass::Cast, Pass::AmbientOcclusion, Pass::ShTransfer, Pass::Bounces})
     EXPECT_TRUE(plan.runs(pass)) << nameOf(pass);
   for (const Pass pass : {Pass::AlphaTest, Pass::AlbedoTextures, Pass::SpecularTransport})
@@ -38,7 +38,7 @@ TEST(Plan, FullRequest_RunsWhatItAsksFor) {
 }
 
 TEST(Plan, NoBounces_NeedsAnyHitsOnlyAndNoRows) {
-  BakeRequest request = fullRequest();
+  BakeRequest request = requestOfMany();
   request.bounces = 0;
   const Plan plan = makePlan(Scene(), test::ground(4, 1.0f), request);
   EXPECT_FALSE(plan.runs(Pass::Bounces));
@@ -48,7 +48,7 @@ TEST(Plan, NoBounces_NeedsAnyHitsOnlyAndNoRows) {
 
 TEST(Plan, BlackScene_SkipsBouncesAndSaysWhy) {
   const Plan plan =
-      makePlan(Scene(), test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, 0.0f), fullRequest());
+      makePlan(Scene(), test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, 0.0f), requestOfMany());
   EXPECT_FALSE(plan.runs(Pass::Bounces));
   EXPECT_NE(reasonOf(plan, Pass::Bounces).find("albedo"), std::string::npos);
 }
@@ -90,13 +90,13 @@ TEST(Plan, NormalMapOfAnyTriangle_AsksForDirectionsOfTheMap) {
 }
 
 TEST(Plan, EmptyScene_RunsNothing) {
-  const Plan plan = makePlan(Scene(), CompiledScene(), fullRequest());
+  const Plan plan = makePlan(Scene(), CompiledScene(), requestOfMany());
   ASSERT_FALSE(plan.passes.empty());
   for (const auto& pass : plan.passes) EXPECT_FALSE(pass.runs) << nameOf(pass.pass);
 }
 
 TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
-  BakeRequest request = fullRequest();
+  BakeRequest request = requestOfMany();
   request.effort.rays = 1 << 18;
   const CompiledScene scene = test::ground(40, 1.0f);
   const std::size_t allowed = 1 << 20;
@@ -130,7 +130,7 @@ TEST(Plan, MemoryOfALightMap_GrowsWithTexelsValuesAndTriangles) {
 TEST(Plan, ShadowSets_AreCountedWithTheirTrees) {
   CompiledScene scene = test::ground(4, 1.0f);
   test::append(scene, test::sphere(8, 0.2f, {0, 1, 0}));
-  BakeRequest request = fullRequest();
+  BakeRequest request = requestOfMany();
   const Plan whole = makePlan(Scene(), scene, request);
   EXPECT_FALSE(whole.runs(Pass::ShadowSets));
   request.shadowSets = {{{"node 0"}, {"node 0"}}};
@@ -177,7 +177,7 @@ TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
   scene.materials.resize(2);
   scene.materials[0].transmission = 1.0f;
   scene.materials[1].roughness = 0.0f;
-  const Plan plan = makePlan(scene, test::ground(4, 1.0f), fullRequest());
+  const Plan plan = makePlan(scene, test::ground(4, 1.0f), requestOfMany());
   EXPECT_NE(reasonOf(plan, Pass::SpecularTransport).find("1 transmissive"), std::string::npos);
 }
 

@@ -7,7 +7,7 @@
 #include "basis/quadrature.h"
 #include "basis/sh.h"
 #include "prelight/error.h"
-#include "projectors/texels/chart_caster.h"
+#include "projectors/chart_transfer/chart_caster.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 
@@ -33,8 +33,8 @@ ChartTransfer castFrom(const CompiledScene& scene, const Charts& charts, std::ui
                        std::uint64_t seed = 0) {
   Tracer tracer(scene, test::sharedDevice());
   Progress progress;
-  ChartReport report;
-  ChartOptions options;
+  ChartTransferReport report;
+  ChartTransferOptions options;
   options.order = order;
   options.rays = rays;
   options.seed = seed;
@@ -132,7 +132,7 @@ TEST(ChartBake, SmoothSurface_AgreesWithTheVertices) {
   scene.materials[1].albedo = {0.2f, 0.5f, 0.9f};
   BakeRequest request;
   request.sh.order = order;
-  request.texels.size = 33;
+  request.chartTransfer.size = 33;
   request.bounces = 2;
   request.effort.rays = 1024;
   Chart chart = chartOfGround(scene, 0, half, 33);
@@ -140,8 +140,8 @@ TEST(ChartBake, SmoothSurface_AgreesWithTheVertices) {
   for (glm::vec2& uv : chart.coords) uv = (uv * 32.0f + 0.5f) / 33.0f;
   const Charts charts{{chart}, {}, {}};
   const test::BakeResult result = test::runBake(scene, request, charts);
-  ASSERT_TRUE(result.bake.texels);
-  const ChartTransfer& texels = *result.bake.texels;
+  ASSERT_TRUE(result.bake.chartTransfer);
+  const ChartTransfer& texels = *result.bake.chartTransfer;
   EXPECT_EQ(texels.channels, 3);
   double squares = 0.0, worst = 0.0, brightest = 0.0;
   for (std::uint32_t v = 0; v < 17 * 17; ++v) {
@@ -204,21 +204,21 @@ TEST(ChartBake, ShadowSets_HoldForTexels) {
   const CompiledScene scene = groundAndBlock();
   BakeRequest request;
   request.sh.order = order;
-  request.texels.size = 10;
+  request.chartTransfer.size = 10;
   request.effort.rays = 64;
   request.shadowSets = {{{"node 0"}, {}}};
   const Charts charts{{chartOfGround(scene, 0, 1.0f, 10)}, {}, {}};
   const test::BakeResult result = test::runBake(scene, request, charts);
   std::vector<double> open(columns);
   sh::openTransfer({0, 1, 0}, order, open);
-  EXPECT_LT(largestDifference(result.bake.texels->maps[0], open), 1e-6);
+  EXPECT_LT(largestDifference(result.bake.chartTransfer->maps[0], open), 1e-6);
 }
 
 TEST(ChartBake, MoreThanTheMemory_IsRefused) {
   const CompiledScene scene = test::ground(2, 1.0f);
   BakeRequest request;
   request.sh.order = order;
-  request.texels.size = 1024;
+  request.chartTransfer.size = 1024;
   request.maxMemory = 1u << 20;
   EXPECT_THROW(test::runBake(scene, request, {{chartOfGround(scene, 0, 1.0f, 1024)}, {}, {}}), UsageError);
   request.sh.order = 0;

@@ -12,7 +12,7 @@
 #include "prelight/error.h"
 #include "projectors/encoded_light/encoding_names.h"
 #include "projectors/encoded_light/surface_frame.h"
-#include "projectors/lightmap/light_map_plan.h"
+#include "projectors/light_map/light_map_plan.h"
 #include "receivers/texel_receiver.h"
 #include "support/devices.h"
 #include "support/materials.h"

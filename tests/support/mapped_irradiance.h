@@ -3,7 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "lightmap/light_map_lookup.h"
+#include "charts/light_map_lookup.h"
 #include "prelight/light_map.h"
 
 namespace prelight {

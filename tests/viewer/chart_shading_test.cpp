@@ -31,14 +31,14 @@ QuadScene mappedQuad(int width, int height, const std::vector<float>& openness) 
   sh::openTransfer({0, 0, 1}, order, open);
   for (const float o : openness)
     for (const double value : open) map.coefficients.push_back(o * static_cast<float>(value));
-  quad.bake.texels = ChartTransfer{order, 1, 0, {map}};
+  quad.bake.chartTransfer = ChartTransfer{order, 1, 0, {map}};
   return quad;
 }
 
 /// The picture's middle of an open quad of the same sky, through vertices.
 glm::vec3 openPixel() {
   QuadScene quad = mappedQuad(1, 1, {1.0f});
-  quad.bake.texels.reset();
+  quad.bake.chartTransfer.reset();
   quad.bakeOpen(order);
   return pixelAt(quad.render(square(viewer::Shading::Sh)));
 }
@@ -82,7 +82,7 @@ TEST(ChartShading, NegativeSeries_AreDarkNotNegative) {
 
 TEST(ChartShading, PrimitiveWithoutAMap_KeepsItsVertices) {
   QuadScene quad = mappedQuad(1, 1, {0.0f});
-  quad.bake.texels->maps.clear();
+  quad.bake.chartTransfer->maps.clear();
   quad.bakeOpen(order);
   expectFactor(pixelAt(quad.render(square(viewer::Shading::Sh))), openPixel(), 1.0f);
 }

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "basis/sh_evaluate.h"
+#include "charts/make_light_map_layout.h"
 #include "encodings/registry/registry.h"
-#include "lightmap/make_light_map_layout.h"
 #include "prelight/error.h"
 #include "projectors/encoded_light/surface_frame.h"
 #include "scene/gltf/normal_maps.h"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <random>
 
-#include "lightmap/light_map_lookup.h"
-#include "lightmap/make_light_map_layout.h"
+#include "charts/light_map_lookup.h"
+#include "charts/make_light_map_layout.h"
 #include "prelight/error.h"
 #include "scene/gltf/normal_maps.h"
 #include "support/scenes.h"

@@ -1,4 +1,4 @@
-// Mirrors and glass in full shading, against rays on the host in rooms of known radiance.
+// Mirrors and glass in global illumination, against rays on the host in rooms of known radiance.
 #include "viewer/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
-#include "lightmap/make_light_map_layout.h"
 #include "support/scenes.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
@@ -32,7 +32,7 @@ constexpr std::array<glm::vec3, 6> walls = {glm::vec3(1, 0, 0), glm::vec3(0, 1, 
 
 struct Ball {
   QuadScene quad;
-  GlobalIllumination full;
+  GlobalIllumination globalIllumination;
 
   /// A ball of `segments` x 2 `segments` quads at `center` that the eye sees from inside the room.
   explicit Ball(const Material& material, const glm::vec3& center, bool room, int segments = 48) {
@@ -48,8 +48,8 @@ struct Ball {
     quad.compile();
     LightMapLayoutRequest request;
     request.texels = 500;
-    full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
-    full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
+    globalIllumination.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
+    globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
   }
 
   static glm::dvec3 eye() { return {0.3, 0.5, 1.9}; }
@@ -71,12 +71,12 @@ struct Ball {
 
   viewer::RenderInputs inputs() const {
     viewer::RenderInputs inputs = quad.inputs();
-    inputs.full = &full;
+    inputs.globalIllumination = &globalIllumination;
     return inputs;
   }
 
   Picture render() const {
-    viewer::RenderOptions options = square(Shading::Full, size);
+    viewer::RenderOptions options = square(Shading::GlobalIllumination, size);
     options.samplesPerAxis = 1;
     options.emitters = false;
     Warnings notes;
@@ -203,7 +203,7 @@ TEST(Surroundings, GlassBallInARoom_ReflectsAndRefractsTwice) {
 TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
   const Ball ball(mirror(), glm::vec3(0.0f), true);
   const viewer::RenderInputs inputs = ball.inputs();
-  viewer::RenderOptions options = square(Shading::Full, 32);
+  viewer::RenderOptions options = square(Shading::GlobalIllumination, 32);
   options.samplesPerAxis = 1;
   const viewer::View view = viewer::makeView(inputs, options);
   const viewer::gl::EglContext context;
@@ -212,7 +212,7 @@ TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
   EXPECT_EQ(renderer.surroundingFacesDrawn(), 6u);
   viewer::renderView(renderer, view, 1);
   EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
-  renderer.updateIndirect(ball.full.indirect.values);
+  renderer.updateIndirect(ball.globalIllumination.indirect.values);
   viewer::renderView(renderer, view, 1);
   EXPECT_EQ(renderer.surroundingFacesDrawn(), 1u);
   renderer.sceneMoved();
@@ -227,13 +227,13 @@ TEST(Surroundings, MoreMirrorsThanMaps_ShowTheSkyAndANoteSaysSo) {
     quad.add(mirror(), 0.1f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.3 * i, 0, 0)));
   quad.lookFrom({0, 0, 3}, {0, 0, 0});
   quad.compile();
-  GlobalIllumination full;
-  full.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, {});
-  full.indirect.values.assign(3 * full.indirect.layout.texelCount(), 0.0f);
+  GlobalIllumination globalIllumination;
+  globalIllumination.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, {});
+  globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
   viewer::RenderInputs inputs = quad.inputs();
-  inputs.full = &full;
+  inputs.globalIllumination = &globalIllumination;
   Warnings notes;
-  viewer::renderPicture(inputs, square(Shading::Full, 16), notes);
+  viewer::renderPicture(inputs, square(Shading::GlobalIllumination, 16), notes);
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.starts_with("2 of the nodes that mirror");
   }));

@@ -65,7 +65,7 @@ Texture makeArray(int side, int layers, ArrayFormat format, const char* what) {
   return texture;
 }
 
-/// Of the array in use.
+/// Sets how the array that is bound is looked up.
 void setArrayFilter(GLint filter) {
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D_ARRAY, name, filter);

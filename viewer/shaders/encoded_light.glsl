@@ -26,7 +26,7 @@ vec3 encodedMapIrradiance(int triangle, bool front, vec3 point, vec3 n, vec3 m) 
   return encodedIrradiance(values, surfaceFrame(n), m);
 }
 
-// Of vertices; the front's.
+// Light of vertices is that of their fronts.
 vec3 encodedVertexIrradiance(int triangle, vec3 point, vec3 n, vec3 m) {
   ivec3 corners = ivec3(texelFetch(triangleCorners, triangle).xyz);
   vec3 weights = max(weightsOfCorners(corners, point), vec3(0.0));

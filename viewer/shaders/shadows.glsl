@@ -7,7 +7,7 @@ uniform samplerBuffer shadowLights;  // [light][5]: axes x, y, z and first view,
                                      // a metre
 uniform samplerBuffer shadowViews;   // [view]: corner in texels, layer, side
 
-// Of a texel: what the edges of triangles move by rounding in the rasteriser, and more.
+// Part of a texel, more than rounding in the rasteriser moves the edges of triangles by.
 const float roundedTexels = 0.1;
 // Of a texel's width, how much nearer a neighbouring facet may be and still belong to the same curved surface.
 const float facetTexels = 0.4;

@@ -12,7 +12,7 @@ vec3 encodedAxis(float v[encodedValueCount], vec3 normal) {
   return largest > 0.0 ? normalize(linear / largest) : normal;
 }
 
-// Of the constant band and the linear one's part along the axis.
+// The zonal term along the axis: stored, or guessed from the constant band and the linear one's part along it.
 vec3 encodedZonal(float v[encodedValueCount], vec3 axis) {
   if (!encodedHallucination) return encodedTerm(v, encodedValueCount / 3 - 1);
   vec3 all = encodedTerm(v, 0);

@@ -14,10 +14,10 @@ namespace prelight {
 
 namespace {
 
-/// Of a moved mirror, or the like, that looks for what sees it.
+/// Rays with which a moved mirror, or the like, looks for what sees it.
 constexpr std::size_t raysOfLooks = 8192;
 
-/// Of the least change that a texel is gathered again for: less is not passed on by mirrors.
+/// Changes below this share of the least one that a texel is gathered again for are not passed on by mirrors.
 constexpr double relayedShare = 0.1;
 
 GatherRequest requestOf(const LiveGatherOptions& options) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/stage_clock.h"
-#include "lightmap/make_light_map_layout.h"
+#include "charts/make_light_map_layout.h"
 
 namespace prelight {
 

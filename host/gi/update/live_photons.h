@@ -47,7 +47,7 @@ class LivePhotons {
   LivePhotons(const LiveScene& scene, TransportScene& transport, const LivePhotonOptions& options,
               Progress& progress);
 
-  /// To be told after the transport scene has followed. What is found to have changed is sent again by the
+  /// Takes note of a change that the transport scene has followed. What has changed is sent again by the
   /// next frames.
   void changed(const SceneChange& change);
 

@@ -28,7 +28,7 @@ std::uint64_t hilbertPlace(std::uint32_t x, std::uint32_t y) {
   return place;
 }
 
-/// As directionBits() of kernels/photon/emit_kernels.cl.
+/// The direction that directionBits() of kernels/photon/emit_kernels.cl chooses for a photon.
 glm::dvec2 directionPoint(const device::PhotonSource& source, std::span<const std::uint32_t> cells,
                           std::uint32_t photon) {
   if (source.cellCount == 0) return sampling::sobol(photon, source.seed);

@@ -36,7 +36,7 @@ void RegionLinks::endPass() {
   for (std::size_t r = 0; r < rays_.size(); ++r) most_[r] = 2.0 * rays_[r];
 }
 
-/// By its own rays or, turned round, by those of the other.
+/// The form factor that a region's own rays tell or, turned round, those of the other.
 double RegionLinks::formFactor(std::uint32_t from, std::uint32_t to) const {
   const auto share = [this](std::uint32_t a, std::uint32_t b) {
     const auto found = hits_[a].find(b);

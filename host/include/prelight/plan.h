@@ -25,7 +25,7 @@ enum class Pass : std::uint8_t {
   CausticVectors,
   SpecularVectors,
   Volume,
-  Texels,
+  ChartTransfer,
   Bounces,
   Radiosity,
   FormFactors,

@@ -4,7 +4,6 @@
 /// with rays, photons and pictures. docs/library.md leads through it.
 
 #include "prelight/bake.h"
-#include "prelight/baking.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/error.h"

@@ -72,9 +72,9 @@ struct VolumeRequest {
   int size = 0;  ///< voxels along the scene's longest side; 0: none
 };
 
-/// SH transfer of texels, with the normals of normal maps; of the order of SH, which it needs.
-struct TexelsRequest {
-  int size = 0;  ///< texels along the largest light map; 0: none
+/// SH transfer at the texels of charts, with the normals of normal maps; of the order of SH, which it needs.
+struct ChartTransferRequest {
+  int size = 0;  ///< texels along the largest chart; 0: none
 };
 
 /// How the radiosity equation is solved (docs/radiosity.md).
@@ -140,7 +140,7 @@ struct BakeRequest {
   LightGroupsRequest lightGroups = {};
   OccluderRequest occluders = {};
   VolumeRequest volume = {};
-  TexelsRequest texels = {};
+  ChartTransferRequest chartTransfer = {};
   RadiosityRequest radiosity = {};
   LightMapRequest lightMap = {};
   EncodedLightRequest encodedLight = {};
@@ -168,7 +168,7 @@ struct BakeRequest {
   static constexpr int maxGlossyOrder = 8;
   static constexpr int maxHaarSize = 128;
   static constexpr int maxVolumeSize = 64;
-  static constexpr int maxTexelSize = 4096;
+  static constexpr int maxChartSize = 4096;
   static constexpr int maxBounces = 16;
   static constexpr std::uint64_t maxRays = 1u << 20;
 };

@@ -60,7 +60,7 @@ struct HaarTransfer {
   std::vector<std::uint32_t> indices;  ///< ascending within a row, below 6 faceSize^2
   std::vector<float> values;           ///< parallel to indices
 
-  /// Of an index in a file: 16 bits wherever they tell the texels of six faces apart.
+  /// Bytes of an index in a file: two wherever they tell the texels of six faces apart.
   std::size_t storedIndexBytes() const { return 6 * faceSize * faceSize <= 0x10000 ? 2 : 4; }
 };
 
@@ -220,7 +220,7 @@ struct CompressedTransfer {
   std::size_t cluster(std::size_t vertex) const { return clusterOf.empty() ? 0 : clusterOf[vertex]; }
   /// Weight of a component of a vertex, whatever its storage.
   double weight(std::size_t vertex, std::size_t component) const;
-  /// Of all arrays together.
+  /// Bytes of all arrays together.
   std::size_t byteCount() const;
 };
 

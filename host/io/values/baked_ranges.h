@@ -14,7 +14,7 @@ namespace prelight {
 /// The ranges of one primitive of one node, an entry an instance, in the instances' order.
 using PrimitiveRanges = std::vector<PrimitiveRange>;
 
-/// By glTF node and primitive.
+/// Groups the ranges by glTF node and primitive.
 inline std::map<std::pair<int, int>, PrimitiveRanges> groupRanges(const CompiledScene& scene) {
   std::map<std::pair<int, int>, PrimitiveRanges> groups;
   for (const PrimitiveRange& range : scene.primitives) groups[{range.node, range.primitive}].push_back(range);

@@ -6,7 +6,7 @@
 
 namespace prelight {
 
-/// Of the glTF extension that holds baked data.
+/// The name of the glTF extension that holds baked data.
 constexpr const char* transferExtensionName = "PRELIGHT_transfer";
 
 /// The PRELIGHT_transfer object of a glTF object, if it has one.

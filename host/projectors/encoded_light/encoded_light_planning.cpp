@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "projectors/encoded_light/encoding_names.h"
-#include "projectors/lightmap/light_map_plan.h"
+#include "projectors/light_map/light_map_plan.h"
 
 namespace prelight {
 

@@ -6,11 +6,11 @@
 
 #include "base/parallel.h"
 #include "basis/incident_values.h"
-#include "lightmap/light_map_bake.h"
-#include "lightmap/vertex_irradiance.h"
+#include "charts/light_map_bake.h"
+#include "charts/vertex_irradiance.h"
 #include "projectors/encoded_light/encoding_names.h"
 #include "projectors/encoded_light/surface_frame.h"
-#include "projectors/lightmap/light_map_plan.h"
+#include "projectors/light_map/light_map_plan.h"
 #include "receivers/texel_receiver.h"
 
 namespace prelight {

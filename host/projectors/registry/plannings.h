@@ -15,7 +15,7 @@ enum class PlanningOrder : std::uint8_t {
   Run,   ///< projectors: what reads of a bake runs after what writes it
 };
 
-/// Of all techniques that a bake can be asked for.
+/// The planning of every technique that a bake can be asked for.
 std::vector<Planning> plannings(PlanningOrder order);
 
 }  // namespace prelight

@@ -7,7 +7,7 @@
 
 namespace prelight {
 
-/// Of the techniques that a request has, in the order in which they run. Throws what their constructors
+/// Projectors of the techniques that a request has, in the order in which they run. Throws what they
 /// throw.
 std::vector<std::unique_ptr<Projector>> makeProjectors(const BakeContext& context);
 

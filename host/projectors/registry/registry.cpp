@@ -7,6 +7,9 @@
 #include "projectors/ch/ch_planning.h"
 #include "projectors/ch/ch_projector.h"
 #include "projectors/ch/ch_technique.h"
+#include "projectors/chart_transfer/chart_transfer_planning.h"
+#include "projectors/chart_transfer/chart_transfer_projector.h"
+#include "projectors/chart_transfer/chart_transfer_technique.h"
 #include "projectors/encoded_light/encoded_light_planning.h"
 #include "projectors/encoded_light/encoded_light_projector.h"
 #include "projectors/encoded_light/encoded_light_technique.h"
@@ -19,9 +22,9 @@
 #include "projectors/light_groups/light_groups_planning.h"
 #include "projectors/light_groups/light_groups_projector.h"
 #include "projectors/light_groups/light_groups_technique.h"
-#include "projectors/lightmap/lightmap_planning.h"
-#include "projectors/lightmap/lightmap_projector.h"
-#include "projectors/lightmap/lightmap_technique.h"
+#include "projectors/light_map/light_map_planning.h"
+#include "projectors/light_map/light_map_projector.h"
+#include "projectors/light_map/light_map_technique.h"
 #include "projectors/occlusion_cones/occlusion_cones_planning.h"
 #include "projectors/occlusion_cones/occlusion_cones_projector.h"
 #include "projectors/occlusion_cones/occlusion_cones_technique.h"
@@ -34,9 +37,6 @@
 #include "projectors/sh/sh_planning.h"
 #include "projectors/sh/sh_projector.h"
 #include "projectors/sh/sh_technique.h"
-#include "projectors/texels/texels_planning.h"
-#include "projectors/texels/texels_projector.h"
-#include "projectors/texels/texels_technique.h"
 #include "projectors/vector_occluders/vector_occluders_planning.h"
 #include "projectors/vector_occluders/vector_occluders_projector.h"
 #include "projectors/vector_occluders/vector_occluders_technique.h"
@@ -69,7 +69,7 @@ constexpr std::array<Row, 15> rows = {{
     {lightGroupsTechnique, lightGroupsPlanning, lightGroupsProjector, {7, 8, 7}, {5, 7, 4}},
     {vectorOccludersTechnique, vectorOccludersPlanning, vectorOccludersProjector, {9, 3, 8}, {6, 8, 1}},
     {volumeTechnique, volumePlanning, volumeProjector, {11, 9, 9}, {7, 4, 5}},
-    {texelsTechnique, texelsPlanning, texelsProjector, {10, 10, 10}, {8, 5, 6}},
+    {chartTransferTechnique, chartTransferPlanning, chartTransferProjector, {10, 10, 10}, {8, 5, 6}},
     {radiosityTechnique, radiosityPlanning, radiosityProjector, {8, 11, 1}, {9, 9, 9}},
     {lightMapTechnique, lightMapPlanning, lightMapProjector, {12, 12, 11}, {10, 10, 10}},
     {occlusionConesTechnique, occlusionConesPlanning, occlusionConesProjector, {13, 13, 13}, {11, 11, 11}},
@@ -95,7 +95,7 @@ constexpr bool placesDiffer() {
 }
 static_assert(placesDiffer());
 
-/// By one of the columns.
+/// The rows in the order that one of the columns gives.
 template <std::size_t columns>
 std::vector<Row> sortedBy(std::array<int, columns> Row::*places, std::size_t column) {
   std::vector<Row> sorted(rows.begin(), rows.end());

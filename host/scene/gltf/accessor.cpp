@@ -28,7 +28,7 @@ float fromNormalized(Stored value) {
   return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Stored>::max()), -1.0f);
 }
 
-/// Of a square matrix; 0 for other types.
+/// Columns of a square matrix; 0 for other types.
 std::size_t columnsOf(const std::string& type) {
   return type.starts_with("MAT") ? static_cast<std::size_t>(type[3] - '0') : 0;
 }

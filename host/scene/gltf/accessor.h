@@ -21,7 +21,7 @@ std::size_t componentCount(const std::string& type);
 /// Bytes of one element, columns of small matrices padded to 4 bytes as glTF demands.
 std::size_t elementBytes(const std::string& type, std::uint64_t componentType);
 
-/// Of those, the padding of a matrix's last column, which the last element of a buffer view may lack.
+/// Padding bytes of a matrix's last column, which the last element of a buffer view may lack.
 std::size_t columnPadding(const std::string& type, std::uint64_t componentType);
 
 /// Reads an accessor of a document: strides, sparse values, normalised integers, and zeros where it has no

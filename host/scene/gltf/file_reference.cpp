@@ -44,7 +44,7 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
 void requireInside(const JsonCursor& uri, const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path home = fs::canonical(folder, error);
-  // Of a relative path that does not exist, weakly_canonical() makes no absolute one.
+  // weakly_canonical() makes no absolute path of a relative one that does not exist.
   const fs::path place = error ? fs::path() : fs::weakly_canonical(fs::absolute(file), error);
   if (error) uri.fail(fmt::format("cannot tell where \"{}\" lies: {}", uri.asString(), error.message()));
   if (!liesBelow(place, home))

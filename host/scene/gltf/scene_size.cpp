@@ -23,7 +23,7 @@ double countOf(const LoadContext& context, const JsonCursor& reference) {
   return static_cast<double>(accessor.at("count").asUnsigned());
 }
 
-/// Of a primitive's triangles; nothing of points and lines, which are not read.
+/// The size of a primitive's triangles; points and lines are not read and count for nothing.
 DrawnSize sizeOfPrimitive(const LoadContext& context, const JsonCursor& primitive) {
   constexpr std::uint64_t list = 4;
   const auto position = primitive.at("attributes").find("POSITION");
@@ -60,7 +60,7 @@ double instancesOf(const LoadContext& context, const JsonCursor& node) {
 }
 
 void checkMemory(const LoadContext& context, const DrawnSize& drawn, double instances) {
-  // Of the compiled scene: positions, normals, coordinates, colours; indices, materials; transforms.
+  // The compiled scene has positions, normals, coordinates, colours; indices, materials; transforms.
   const double bytes = 48.0 * drawn.vertices + 20.0 * drawn.triangles + 256.0 * instances;
   const double memory =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));

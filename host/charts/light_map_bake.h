@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/state_file.h"
+#include "prelight/bake.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/light_map.h"
+#include "prelight/progress.h"
+
+namespace prelight {
+
+/// A share of the light in a light map: direct, caustic, indirect.
+class LightMapPart {
+ public:
+  virtual ~LightMapPart() = default;
+
+  /// Adds to `values`, [texel][channel 3][coefficients], what arrives at places of the surface. `hidden`,
+  /// [texel], becomes 1 where a place lies inside an object, so that nothing that is seen there counts.
+  virtual void add(std::span<const LightMapTexel> texels, int coefficients, std::span<float> values,
+                   std::span<std::uint8_t> hidden) = 0;
+
+  /// Cast so far.
+  virtual std::uint64_t rays() const = 0;
+};
+
+/// A line that tells people what the map is and what it took.
+std::string noteOf(const LightMapLayout& layout, const LightMapReport& report);
+
+/// The values of a light map's texels, block by block; then texels inside objects take after their
+/// neighbours on the chart, and seams are stitched.
+class LightMapBake {
+ public:
+  /// `coefficients`: see LightMap. The scene outlives it.
+  LightMapBake(const CompiledScene& scene, LightMapLayout layout, int coefficients);
+
+  const LightMapLayout& layout() const { return map_.layout; }
+
+  /// Goes on where it was interrupted. Throws Interrupted.
+  void run(std::span<LightMapPart* const> parts, Progress& progress);
+
+  /// What is done, for a bake that will go on later.
+  void save(StateWriter& state) const;
+  void load(StateReader& state);
+
+  /// After run(). Seams are edges below the crease angle, radians.
+  LightMap finish(double creaseAngle, LightMapReport& report) const;
+
+ private:
+  const CompiledScene& scene_;
+  LightMap map_;
+  std::vector<std::uint8_t> hidden_;  ///< [place of layout.texels]
+  std::uint64_t done_ = 0;            ///< texels of layout.texels
+  std::uint64_t rays_ = 0;
+};
+
+/// Leaves the first coefficients of a map's values, as many as are given.
+void keepCoefficients(LightMap& map, int coefficients);
+
+/// Texels of `hidden`, [place of layout.texels], take the mean of their neighbours on the same chart that are
+/// not, ring by ring. A chart that is hidden as a whole stays as it is.
+void fillHidden(std::span<const std::uint8_t> hidden, LightMap& map);
+
+}  // namespace prelight

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gi/global_illumination.h"
+#include "gi/update/live_light.h"
+#include "prelight/device.h"
+#include "prelight/picture.h"
+
+namespace prelight::cli {
+
+class Session;
+struct PictureOptions;
+struct ShadedScene;
+
+/// Light that follows what moves in a window, and what it refers to.
+struct FollowingLight {
+  std::optional<Environment> sky;
+  std::optional<Device> device;
+  std::optional<LiveLight> light;
+};
+
+/// Indirect light and caustics of global illumination, under the picture's lights.
+GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOptions& options,
+                                           const ShadedScene& shaded);
+
+/// The same light, able to follow what moves, a little a frame.
+std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOptions& options,
+                                               const ShadedScene& shaded);
+
+}  // namespace prelight::cli

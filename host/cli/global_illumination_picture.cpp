@@ -1,0 +1,131 @@
+#include "cli/global_illumination_picture.h"
+
+#include <fmt/format.h>
+
+#include <future>
+#include <numbers>
+
+#include "cli/output_file.h"
+#include "cli/report.h"
+#include "io/finite_results.h"
+#include "io/plan_json.h"
+#include "viewer/camera.h"
+
+namespace prelight::cli {
+namespace {
+
+constexpr std::uint64_t mostPhotons = 1'000'000'000;
+constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
+
+nlohmann::ordered_json toJson(const PhotonReport& photons) {
+  return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
+}
+
+nlohmann::ordered_json pictureReport(const PictureOptions& options,
+                                     const GlobalIlluminationPictureRequest& request,
+                                     const GlobalIlluminationPictureReport& made,
+                                     const std::filesystem::path& output, const DeviceInfo& device,
+                                     Session& session) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [name, seconds] : made.stageSeconds) stages[name] = seconds;
+  return {{"command", "render"},
+          {"version", PRELIGHT_VERSION},
+          {"scene", options.scene.string()},
+          {"output", output.string()},
+          {"shading", "full"},
+          {"width", request.width},
+          {"height", request.height},
+          {"spp", request.samples},
+          {"seed", request.seed},
+          {"texels", made.texels},
+          {"photons", toJson(made.photons)},
+          {"causticPhotons", toJson(made.causticPhotons)},
+          {"rays", made.rays},
+          {"seconds", session.times().total()},
+          {"stages", cli::toJson(session.times())},
+          {"fullStages", stages},
+          {"device", cli::toJson(device)},
+          {"plan", toJson(made.plan)},
+          {"warnings", session.warnings()}};
+}
+
+void printSummary(const GlobalIlluminationPictureRequest& request,
+                  const GlobalIlluminationPictureReport& made, const std::filesystem::path& output,
+                  Session& session) {
+  const Console& console = session.console();
+  console.line("photons", fmt::format("{} from lights, {} towards mirrors and glass",
+                                      shortCount(double(made.photons.emitted)),
+                                      shortCount(double(made.causticPhotons.emitted))));
+  console.line("traced", fmt::format("{} rays, {} texels, {} samples a pixel", shortCount(double(made.rays)),
+                                     shortCount(double(made.texels)), request.samples));
+  for (const PlannedPass& pass : made.plan)
+    if (!pass.runs) console.line("skipped", fmt::format("{}: {}", nameOf(pass.pass), pass.reason));
+  if (console.detailsWanted())
+    for (const auto& [name, seconds] : made.stageSeconds)
+      console.line("", fmt::format("{:<12}{:8.3f} s", name, seconds));
+  console.line("wrote", fmt::format("{}: {}x{}, full shading, in {}", output.string(), request.width,
+                                    request.height, shortSeconds(session.times().total())));
+}
+
+}  // namespace
+
+void addGlobalIlluminationOptions(CLI::App& app, GlobalIlluminationPictureRequest& request) {
+  addWholeNumber(
+      app, "--photons", {1, mostPhotons}, [&](std::uint64_t n) { request.indirect.photons = n; },
+      fmt::format("full shading: photons that indirect light is gathered from (default {})",
+                  request.indirect.photons));
+  addWholeNumber(
+      app, "--caustic-photons", {1, mostPhotons}, [&](std::uint64_t n) { request.causticPhotons = n; },
+      "full shading: photons towards mirrors and glass (default: by the picture's size)");
+  addWholeNumber(
+      app, "--map-texels", {1, mostTexels},
+      [&](std::uint64_t n) { request.texels = static_cast<std::uint32_t>(n); },
+      "full shading: texels of the map of indirect light, about (default: by the picture's size)");
+}
+
+void renderGlobalIlluminationPicture(Session& session, const PictureOptions& options,
+                                     const GlobalIlluminationPictureRequest& asked,
+                                     const std::filesystem::path& output) {
+  // Opening a device and laying out the light map are work of one thread.
+  DeviceOptions deviceOptions = session.deviceOptions();
+  options.bake.addTo(deviceOptions);
+  std::future<Device> opening =
+      std::async(std::launch::async, [&deviceOptions] { return Device::open(deviceOptions); });
+  const LoadedScene loaded = session.load(options.scene);
+  requireTriangles(loaded);
+  std::optional<Environment> sky;
+  if (!options.environment.empty())
+    sky = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
+  checkOutputFile("-o", output, {".exr", ".png"});
+  const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
+  GlobalIlluminationPictureRequest request = asked;
+  request.height = options.size.height;
+  request.width = options.size.width.value_or(pictureWidth(camera, options.size.height));
+  request.seed = request.indirect.seed = options.bake.request.seed;
+  std::future<LitSurface> surface = std::async(
+      std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
+  const Device device = session.times().measure("device", [&] { return opening.get(); });
+  std::vector<Light> lights = options.lights.value_or(loaded.scene.lights);
+  if (!sky && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
+    sky = constantEnvironment(glm::vec3(1.0f));
+    session.console().note(
+        "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
+  }
+  const LitScene lit{loaded.compiled, loaded.scene.images, std::move(lights), sky ? &*sky : nullptr,
+                     options.skyRotationDegrees * std::numbers::pi / 180.0};
+  GlobalIlluminationPictureReport made;
+  const Picture picture = session.times().measure("render", [&] {
+    return renderGlobalIllumination(lit, camera, request, std::move(surface), device, session.progress(),
+                                    made);
+  });
+  session.progress().clear();
+  requireFinite(output, picture);
+  {
+    const StopSignals::Writing writing(session.signals());
+    session.times().measure("write", [&] { writePicture(output, picture); });
+  }
+  printSummary(request, made, output, session);
+  session.console().json(pictureReport(options, request, made, output, device.info(), session));
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,147 @@
+#include "integrators/global_illumination_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/stage_clock.h"
+#include "integrators/film.h"
+#include "integrators/path_tracer.h"
+#include "scene/light_sources.h"
+
+namespace prelight {
+
+namespace {
+
+/// Width of what a pixel sees in the middle of the scene, m.
+double pixelFootprint(const CompiledScene& compiled, const Camera& camera, int height) {
+  const glm::dvec3 centre = 0.5 * (glm::dvec3(compiled.boundsMin) + glm::dvec3(compiled.boundsMax));
+  const double distance = glm::length(glm::dvec3(camera.world[3]) - compiled.origin - centre);
+  const double half = camera.perspective ? distance * std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
+  return 2.0 * half / height;
+}
+
+/// Of the surface: emitters that take more of it are near what they light, seldom far.
+constexpr double largeEmitters = 0.02;
+
+double emitterShare(const CompiledScene& scene) {
+  double all = 0.0, emitting = 0.0;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const double area = glm::length(geometricNormal(scene, t));
+    all += area;
+    if (shines(scene.materials[scene.triangleMaterials[t]].emission)) emitting += area;
+  }
+  return all > 0.0 ? emitting / all : 0.0;
+}
+
+PlannedPass planRaysToLargeEmitters(const CompiledScene& compiled) {
+  const bool meetsLights = emitterShare(compiled) > largeEmitters;
+  return {Pass::RaysToLargeEmitters, meetsLights,
+          meetsLights ? "emitters take more than a fiftieth of the surface: diffuse rays look for them, too"
+                      : "emitters take less than a fiftieth of the surface: samples of them suffice"};
+}
+
+GlobalIllumination illuminate(const LitScene& lit, TransportScene& scene, const Camera& camera,
+                              const GlobalIlluminationPictureRequest& request,
+                              std::future<LitSurface> surface, const Device& device, Progress& progress) {
+  GlobalIlluminationRequest light;
+  light.indirect = request.indirect;
+  light.indirect.seed = request.seed;
+  light.causticPhotons = request.photonsOfCaustics();
+  light.footprint = pixelFootprint(lit.scene, camera, request.height);
+  return computeGlobalIllumination(lit, scene, light, std::move(surface), device, progress);
+}
+
+void addTo(GlobalIlluminationPictureReport& report, const GlobalIllumination& light) {
+  report.plan.insert(report.plan.end(), light.plan.begin(), light.plan.end());
+  report.stageSeconds.insert(report.stageSeconds.end(), light.stageSeconds.begin(), light.stageSeconds.end());
+  report.rays += light.rays;
+  report.photons = light.indirectPhotons;
+  report.causticPhotons = light.causticPhotons;
+  report.texels = light.indirect.layout.texels.size();
+}
+
+/// [y][x] W/m2, of a map of one coefficient.
+std::vector<glm::vec3> irradianceOf(const LightMap& map) {
+  std::vector<glm::vec3> irradiance;
+  for (std::size_t i = 0; i < map.values.size(); i += 3)
+    irradiance.emplace_back(map.values[i], map.values[i + 1], map.values[i + 2]);
+  return irradiance;
+}
+
+Picture draw(const CompiledScene& compiled, TransportScene& scene, const Camera& camera,
+             const reference::CachedLight& cached, const GlobalIlluminationPictureRequest& request,
+             Progress& progress, GlobalIlluminationPictureReport& report) {
+  reference::ReferenceRequest paths;
+  paths.depth = request.depth;
+  paths.samples = paths.samplesPerPass = request.samples;
+  paths.seed = request.seed;
+  paths.width = request.width;
+  paths.height = request.height;
+  reference::PathTracer tracer(scene, compiled, camera, paths, &cached);
+  reference::Film film(request.width, request.height);
+  while (film.passes == 0) {
+    progress.report("picture", double(film.blockPixels) / double(film.pixelCount()));
+    progress.check();
+    const auto first = static_cast<std::uint32_t>(film.blockPixels);
+    film.add(tracer.trace(
+        0, first, std::min(tracer.blockPixels(), static_cast<std::uint32_t>(film.pixelCount()) - first)));
+  }
+  report.rays += tracer.rays();
+  return film.picture();
+}
+
+std::uint64_t pixelsOf(const GlobalIlluminationPictureRequest& request) {
+  return static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height);
+}
+
+}  // namespace
+
+std::uint32_t GlobalIlluminationPictureRequest::mapTexels() const {
+  const auto usual = std::clamp<std::uint64_t>(pixelsOf(*this) / 32, 4096, 65536);
+  return texels.value_or(static_cast<std::uint32_t>(usual));
+}
+
+std::uint64_t GlobalIlluminationPictureRequest::photonsOfCaustics() const {
+  return causticPhotons.value_or(std::clamp<std::uint64_t>(pixelsOf(*this), 160'000, 1'000'000));
+}
+
+Picture renderGlobalIllumination(const LitScene& lit, const Camera& camera,
+                                 const GlobalIlluminationPictureRequest& request,
+                                 std::future<LitSurface> surface, const Device& device, Progress& progress,
+                                 GlobalIlluminationPictureReport& report) {
+  StageClock stages(report.stageSeconds);
+  // A picture sends few rays: a better tree takes longer to build than it saves.
+  Tracer tracer(lit.scene, device, BvhLayout::Automatic, BuildQuality::Balanced);
+  TransportScene scene(lit, tracer);
+  stages.mark("scene");
+  const GlobalIllumination light =
+      illuminate(lit, scene, camera, request, std::move(surface), device, progress);
+  addTo(report, light);
+  const PlannedPass toEmitters = planRaysToLargeEmitters(lit.scene);
+  report.plan.insert(report.plan.end() - 1, toEmitters);
+  stages.restart();
+  IrradianceMap indirect(scene.context(), light.indirect.layout);
+  indirect.set(irradianceOf(light.indirect));
+  const std::unique_ptr<CausticLight> caustics = makeCausticLight(light.caustics, light.surface, device);
+  reference::CachedLight cached;
+  cached.indirect = &indirect;
+  cached.meetsLights = toEmitters.runs;
+  cached.caustics = caustics.get();
+  Picture picture = draw(lit.scene, scene, camera, cached, request, progress, report);
+  stages.mark("picture");
+  return picture;
+}
+
+Picture renderGlobalIllumination(const Scene& scene, const LitScene& lit, const Camera& camera,
+                                 const GlobalIlluminationPictureRequest& request, const Device& device,
+                                 Progress& progress, GlobalIlluminationPictureReport& report) {
+  return renderGlobalIllumination(
+      lit, camera, request,
+      std::async(std::launch::async, [&] { return layOutSurface(scene, lit.scene, request.mapTexels()); }),
+      device, progress, report);
+}
+
+}  // namespace prelight

@@ -1,0 +1,151 @@
+#include "projectors/chart_transfer/chart_caster.h"
+
+#include <algorithm>
+
+#include "basis/sh.h"
+#include "fit/texel_fill.h"
+#include "receivers/chart_sampler.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t leastRaysPerReceiver = 16;  // as of vertices (schedule.cpp)
+
+std::uint32_t raysPerReceiver(const ChartTransferOptions& options) {
+  return std::max(leastRaysPerReceiver, options.rays / ChartSampler::positionsPerTexel);
+}
+
+CastOptions castOptions(const ChartTransferOptions& options, const DeviceInfo& device) {
+  CastOptions cast;
+  cast.shOrder = options.order;
+  cast.raysPerReceiver = raysPerReceiver(options);
+  cast.marksInside = true;
+  cast.limits = options.limits;
+  cast.sets = options.sets;
+  cast.setTracers = options.setTracers;
+  if (options.bounces == 0) return cast;
+  cast.storedReceivers = receiversPerBlock(device, cast.raysPerReceiver);
+  cast.bounceColumns = static_cast<std::size_t>(options.order * options.order);
+  return cast;
+}
+
+class ChartCaster {
+ public:
+  ChartCaster(const CompiledScene& scene, const Charts& charts, Tracer& tracer,
+              const ChartTransferOptions& options, Progress& progress, ChartTransferReport& report)
+      : scene_(scene),
+        charts_(charts),
+        options_(options),
+        progress_(progress),
+        report_(report),
+        columns_(static_cast<std::size_t>(options.order * options.order)),
+        caster_(scene, tracer, castOptions(options, tracer.context().info())),
+        receiversPerTexel_(options.rays / caster_.raysPerReceiver()),
+        open_(columns_) {}
+
+  void setSurface(const FitMesh& mesh, const SlotTransfer& surface) {
+    std::vector<float> sent = sentTransfer(mesh, surface, columns_);
+    // A texel may see a back that no vertex has seen; nothing is known of it, and it stays dark.
+    sent.resize(2 * 3 * columns_ * scene_.vertexCount(), 0.0f);
+    caster_.resizeTransfer(sent.size());
+    caster_.setTransfer(sent);
+  }
+
+  ChartTransfer run() {
+    ChartTransfer transfer{options_.order, options_.bounces > 0 ? 3 : 1, options_.bounces, {}};
+    for (std::size_t c = 0; c < charts_.charts.size(); ++c) transfer.maps.push_back(castChart(c));
+    return transfer;
+  }
+
+ private:
+  ChartTransfer::Map castChart(std::size_t index) {
+    const Chart& chart = charts_.charts[index];
+    const ChartSampler sampler(scene_, charts_, index, options_.seed);
+    const auto texels = static_cast<std::size_t>(chart.width) * static_cast<std::size_t>(chart.height);
+    sums_.assign(texels * rowLength(), 0.0f);
+    counts_.assign(texels, 0);
+    const auto perBlock = std::max<std::size_t>(1, caster_.blockSize() / receiversPerTexel_);
+    for (std::size_t first = 0; first < sampler.texels().size(); first += perBlock) {
+      progress_.check();
+      castBlock(sampler, first, std::min(perBlock, sampler.texels().size() - first), chart);
+      progress_.report("texels", (double(index) + double(first) / double(sampler.texels().size())) /
+                                     double(charts_.charts.size()));
+    }
+    report_.texels += sampler.texels().size();
+    return finish(chart);
+  }
+
+  void castBlock(const ChartSampler& sampler, std::size_t first, std::size_t count, const Chart& chart) {
+    receivers_.clear();
+    for (std::size_t place = first; place < first + count; ++place)
+      for (std::uint32_t k = 0; k < receiversPerTexel_; ++k)
+        receivers_.push_back(sampler.receiver(place, k, receiversPerTexel_, caster_.raysPerReceiver()));
+    const std::uint32_t row = 0, firstTriangle = scene_.primitives[chart.primitive].firstTriangle;
+    const std::uint32_t set = options_.sets != nullptr ? options_.sets->setOf(firstTriangle) : 0;
+    caster_.cast(receivers_, values_, {options_.bounces > 0 ? &row : nullptr, set});
+    if (options_.bounces > 0) caster_.gather(0, static_cast<std::uint32_t>(receivers_.size()), reflected_);
+    report_.rays += receivers_.size() * caster_.raysPerReceiver();
+    for (std::size_t r = 0; r < receivers_.size(); ++r)
+      addReceiver(r, sampler.texels()[first + r / receiversPerTexel_]);
+  }
+
+  void addReceiver(std::size_t r, std::uint32_t texel) {
+    if (values_.inside[r] != 0) {
+      ++report_.hidden;
+      return;
+    }
+    const float* values = &values_.values[r * caster_.valueCount()];
+    const float* normal = receivers_[r].normal;
+    sh::openTransfer(glm::dvec3(normal[0], normal[1], normal[2]), options_.order, open_);
+    float* sum = &sums_[texel * rowLength()];
+    ++counts_[texel];
+    for (std::size_t c = 0; c < rowLength() / columns_; ++c)
+      for (std::size_t i = 0; i < columns_; ++i) {
+        // As in projectHits: the kernel's values are relative to the open part of the open hemisphere.
+        const double direct = double(values[4 + i]) + double(values[0]) * open_[i];
+        const float more = options_.bounces > 0 ? reflected_[(r * 3 + c) * columns_ + i] : 0.0f;
+        sum[c * columns_ + i] += static_cast<float>(direct) + more;
+      }
+  }
+
+  ChartTransfer::Map finish(const Chart& chart) {
+    for (std::size_t texel = 0; texel < counts_.size(); ++texel) {
+      for (std::size_t i = 0; counts_[texel] > 0 && i < rowLength(); ++i)
+        sums_[texel * rowLength() + i] /= static_cast<float>(counts_[texel]);
+      counts_[texel] = counts_[texel] > 0 ? 1 : 0;
+    }
+    fillTexels(chart.width, chart.height, rowLength(), counts_, sums_);
+    return {chart.primitive, chart.width, chart.height, chart.coords, std::move(sums_)};
+  }
+
+  std::size_t rowLength() const { return columns_ * (options_.bounces > 0 ? 3 : 1); }
+
+  const CompiledScene& scene_;
+  const Charts& charts_;
+  const ChartTransferOptions& options_;
+  Progress& progress_;
+  ChartTransferReport& report_;
+  std::size_t columns_;
+  Caster caster_;
+  std::uint32_t receiversPerTexel_;
+  std::vector<double> open_;
+  std::vector<device::Receiver> receivers_;
+  CastValues values_;
+  std::vector<float> reflected_;
+  std::vector<float> sums_;           ///< [texel][rowLength]
+  std::vector<std::uint8_t> counts_;  ///< [texel], receivers in the sum
+};
+
+}  // namespace
+
+ChartTransfer makeChartTransfer(const CompiledScene& scene, const Charts& charts, const FitMesh& mesh,
+                                Tracer& tracer, const SlotTransfer& surface,
+                                const ChartTransferOptions& options, Progress& progress,
+                                ChartTransferReport& report) {
+  ChartCaster caster(scene, charts, tracer, options, progress, report);
+  if (options.bounces > 0) caster.setSurface(mesh, surface);
+  return caster.run();
+}
+
+}  // namespace prelight

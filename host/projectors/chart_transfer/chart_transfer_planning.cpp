@@ -1,0 +1,29 @@
+#include "projectors/chart_transfer/chart_transfer_planning.h"
+
+#include <fmt/format.h>
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  const BakeRequest& request = input.request;
+  if (request.chartTransfer.size == 0) return {{Pass::ChartTransfer, false, "not asked for"}};
+  if (request.sh.order == 0)
+    return {{Pass::ChartTransfer, false, "no SH transfer is asked for, whose order they have"}};
+  const std::size_t mapped =
+      countMaterials(input.source, [](const Material& m) { return m.normalTexture.image >= 0; });
+  return {{Pass::ChartTransfer, true,
+           fmt::format("light maps of at most {0} x {0}, order {1}, {2}, with {3}",
+                       request.chartTransfer.size, request.sh.order, plannedChannels(input.bounces),
+                       mapped > 0 ? fmt::format("the normals of {} normal-mapped materials", mapped)
+                                  : "shading normals, as no material has a normal map")}};
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.chartTransfer.size); }
+
+}  // namespace
+
+Planning chartTransferPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+
+}  // namespace prelight

@@ -1,0 +1,176 @@
+#include "projectors/light_map/light_map_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "basis/incident_values.h"
+#include "encodings/encoding.h"
+#include "photon/caustic_casters.h"
+#include "projectors/light_map/direct_light_part.h"
+#include "scene/light_sources.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint64_t bytesPerTexel = 40;     // places, bitmaps
+constexpr std::uint64_t bytesPerValue = 3 * 8;  // of all channels, and of a picture while it is written
+constexpr std::uint64_t bytesPerTriangle = 200;
+/// The smallest texels of sizes by error, of the size that is chosen without: sixteen times as many are the
+/// most.
+constexpr double finestShare = 0.25;
+
+/// m2, fronts and backs.
+double litArea(const CompiledScene& scene) {
+  double sum = 0.0;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
+    const double area = 0.5 * glm::length(geometricNormal(scene, t));
+    for (const bool back : {false, true})
+      if (hasLight(material, back)) sum += area;
+  }
+  return sum;
+}
+
+/// At most, with sizes by error.
+double texelCount(const CompiledScene& scene, const BakeRequest& request) {
+  if (request.lightMap.texelSize <= 0.0)
+    return LightMapLayoutRequest{}.texels / (request.lightMap.error > 0.0 ? finestShare * finestShare : 1.0);
+  return litArea(scene) / (request.lightMap.texelSize * request.lightMap.texelSize);
+}
+
+std::string texelText(const CompiledScene& scene, const BakeRequest& request) {
+  const double texels = texelCount(scene, request);
+  if (request.lightMap.error > 0.0) return fmt::format("{:.0f} texels at most", texels);
+  return request.lightMap.texelSize > 0.0
+             ? fmt::format("texels of {:g} m, about {:.0f}", request.lightMap.texelSize, texels)
+             : fmt::format("about {:.0f} texels, because no size is asked for", texels);
+}
+
+PlannedPass planSizes(const BakeRequest& request) {
+  constexpr Pass name = Pass::TexelSizes;
+  if (!(request.lightMap.error > 0.0))
+    return {name, false, "texels of one size are asked for (LightMapRequest::error)"};
+  return {name, true,
+          fmt::format("for each chart the largest whose interpolation is {:g} % off, told by pilots with a "
+                      "quarter of the rays",
+                      100.0 * request.lightMap.error)};
+}
+
+PlannedPass planDirect(const CompiledScene& scene) {
+  if (!hasLights(scene))
+    return {Pass::DirectLightOfTheMap, false, "the scene has no light and nothing emissive"};
+  const auto emitters =
+      std::count_if(scene.triangleMaterials.begin(), scene.triangleMaterials.end(),
+                    [&](std::uint32_t material) { return shines(scene.materials[material].emission); });
+  return {Pass::DirectLightOfTheMap, true,
+          fmt::format("shadow rays from every texel to {} punctual lights{}", scene.lights.size(),
+                      emitters > 0 ? fmt::format(" and {} emissive triangles", emitters)
+                                   : ", of which one each is exact")};
+}
+
+PlannedPass planSky(const BakeRequest& request) {
+  constexpr Pass name = Pass::SkyLightOfTheMap;
+  if (!request.radiosity.environment) return {name, false, "there is no sky (RadiosityRequest::environment)"};
+  return {name, true, "rays by the cosine and by the sky's radiance from every texel"};
+}
+
+bool isLit(const CompiledScene& scene, const BakeRequest& request) {
+  return hasLights(scene) || request.radiosity.environment != nullptr;
+}
+
+constexpr const char* unlit = "the scene has no light, nothing emissive and no sky";
+
+PlannedPass planIndirect(const CompiledScene& scene, const BakeRequest& request) {
+  constexpr Pass name = Pass::IndirectLightOfTheMap;
+  if (!isLit(scene, request)) return {name, false, unlit};
+  return {name, true, "photons, their density in every texel, and a final gathering from it"};
+}
+
+PlannedPass planCaustics(const CompiledScene& scene, const BakeRequest& request) {
+  constexpr Pass name = Pass::CausticsOfTheMap;
+  if (!request.lightMap.caustics) return {name, false, "not asked for (LightMapRequest::caustics)"};
+  if (!isLit(scene, request)) return {name, false, unlit};
+  if (causticCasters(scene).empty()) return {name, false, "no surface is a mirror, glass or nearly a mirror"};
+  return {name, true, "photons towards mirrors, glass and narrow lobes"};
+}
+
+PlannedPass planDirections(const Scene& source, const CompiledScene& scene) {
+  constexpr Pass name = Pass::DirectionsOfTheMap;
+  std::vector<std::uint8_t> mapped(scene.materials.size(), 0);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const std::uint32_t m = scene.triangleMaterials[t];
+    if (m < source.materials.size() && source.materials[m].normalTexture.image >= 0 &&
+        (hasLight(scene.materials[m], false) || hasLight(scene.materials[m], true)))
+      mapped[m] = 1;
+  }
+  const auto count = std::count(mapped.begin(), mapped.end(), 1);
+  if (count == 0) return {name, false, "no lit surface has a normal map: irradiance is enough"};
+  return {name, true,
+          fmt::format("incident radiance in SH of order 2 beside irradiance, for the normal maps of {} {}",
+                      count, count == 1 ? "material" : "materials")};
+}
+
+/// All passes of a light map, for one reason not run.
+std::vector<PlannedPass> noLightMap(const char* map, const char* parts) {
+  return {{Pass::LightMap, false, map},
+          {Pass::TexelSizes, false, parts},
+          {Pass::DirectLightOfTheMap, false, parts},
+          {Pass::SkyLightOfTheMap, false, parts},
+          {Pass::IndirectLightOfTheMap, false, parts},
+          {Pass::CausticsOfTheMap, false, parts},
+          {Pass::DirectionsOfTheMap, false, parts}};
+}
+
+}  // namespace
+
+LightMapLayoutRequest lightMapRequest(const BakeRequest& request) {
+  LightMapLayoutRequest layout;
+  if (!(request.lightMap.error > 0.0)) layout.texelSize = request.lightMap.texelSize;
+  return layout;
+}
+
+double finestTexel(const BakeRequest& request, const LightMapCharts& charts) {
+  return request.lightMap.texelSize > 0.0 ? request.lightMap.texelSize : finestShare * charts.texelSize;
+}
+
+std::vector<PlannedPass> planLightMap(const Scene& source, const CompiledScene& scene,
+                                      const BakeRequest& request) {
+  if (!request.lightMap) return noLightMap("not asked for", "no light map is asked for");
+  if (!takesLight(scene)) {
+    const char* reason = "no surface reflects diffusely, so none needs light";
+    return noLightMap(reason, reason);
+  }
+  return {{Pass::LightMap, true,
+           texelText(scene, request) + "; charts of surfaces without creases, seams stitched"},
+          planSizes(request),
+          planDirect(scene),
+          planSky(request),
+          planIndirect(scene, request),
+          planCaustics(scene, request),
+          planDirections(source, scene)};
+}
+
+bool takesLight(const CompiledScene& scene) { return litArea(scene) > 0.0; }
+
+std::uint64_t mostTexels(const CompiledScene& scene, const BakeRequest& request) {
+  return static_cast<std::uint64_t>(1.3 * texelCount(scene, request));
+}
+
+int lightMapCoefficients(const Plan& plan) {
+  return plan.runs(Pass::EncodedLight) ? incidentValueCount(incidentOrder) : keptLightMapCoefficients(plan);
+}
+
+int keptLightMapCoefficients(const Plan& plan) {
+  return plan.runs(Pass::DirectionsOfTheMap) ? incidentValueCount(leastIncidentOrder) : 1;
+}
+
+std::uint64_t lightMapBytes(const CompiledScene& scene, const BakeRequest& request, int coefficients) {
+  return mostTexels(scene, request) *
+             (bytesPerTexel + bytesPerValue * static_cast<std::uint64_t>(coefficients)) +
+         scene.triangleCount() * bytesPerTriangle;
+}
+
+}  // namespace prelight

@@ -1,0 +1,29 @@
+#include "projectors/light_map/light_map_planning.h"
+
+#include "projectors/light_map/light_map_plan.h"
+
+namespace prelight {
+
+namespace {
+
+std::vector<PlannedPass> passes(const PlanInput& input) {
+  return planLightMap(input.source, input.scene, input.request);
+}
+
+void addMemory(const PlanInput& input, Plan& plan) {
+  if (plan.runs(Pass::LightMap))
+    plan.hostBytes += lightMapBytes(input.scene, input.request, lightMapCoefficients(plan));
+}
+
+void addToKey(const BakeRequest& request, StateHash& hash) {
+  hash.value(request.lightMap.wanted).value(request.lightMap.texelSize).value(request.lightMap.error);
+  hash.value(request.lightMap.caustics).value(request.lightMap.photons);
+}
+
+}  // namespace
+
+Planning lightMapPlanning() {
+  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+}
+
+}  // namespace prelight

@@ -1,0 +1,60 @@
+#include "projectors/light_map/light_map_projector.h"
+
+#include <optional>
+
+#include "charts/light_map_bake.h"
+#include "charts/vertex_irradiance.h"
+#include "projectors/light_map/light_map_plan.h"
+#include "projectors/light_map/light_map_sizing.h"
+#include "scene/surface_regions.h"
+
+namespace prelight {
+
+namespace {
+
+class LightMapProjector final : public Projector {
+ public:
+  explicit LightMapProjector(const BakeContext& context) : context_(context) {}
+
+  std::string_view stage() const override { return "light map"; }
+
+  void prepare(Progress& progress) override {
+    BakeReport& report = context_.report;
+    map_.emplace(
+        context_.scene,
+        makeLightMapLayout(*context_.source, context_.scene, context_.request, context_.plan, context_.device,
+                           context_.tracer, progress, report.lightMap.emplace(), report.rays),
+        lightMapCoefficients(context_.plan));
+    context_.clock.mark("layout");
+  }
+
+  void run(ReceiverCast* /*cast*/, Bake& bake, Progress& progress) override {
+    const LightMapSources sources(context_.scene, context_.source->images, map_->layout(), context_.request,
+                                  context_.plan, lightMapCoefficients(context_.plan), context_.device,
+                                  context_.tracer, progress);
+    map_->run(sources.parts(), progress);
+    BakeReport& report = context_.report;
+    bake.lightMap = map_->finish(usualCreaseAngle, *report.lightMap);
+    report.rays += report.lightMap->rays;
+    report.notes.push_back(noteOf(bake.lightMap->layout, *report.lightMap));
+    // What was solved by radiosity comes first.
+    if (!bake.irradiance)
+      bake.irradiance = irradianceOfVertices(context_.scene, context_.mesh, *bake.lightMap);
+  }
+
+  void save(StateWriter& state) const override { map_->save(state); }
+  void load(StateReader& state) override { map_->load(state); }
+
+ private:
+  const BakeContext& context_;
+  std::optional<LightMapBake> map_;
+};
+
+}  // namespace
+
+std::unique_ptr<Projector> lightMapProjector(const BakeContext& context) {
+  if (!context.plan.runs(Pass::LightMap) || context.source == nullptr) return nullptr;
+  return std::make_unique<LightMapProjector>(context);
+}
+
+}  // namespace prelight

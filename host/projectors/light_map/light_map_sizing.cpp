@@ -1,0 +1,61 @@
+#include "projectors/light_map/light_map_sizing.h"
+
+#include <algorithm>
+
+#include "charts/make_light_map_layout.h"
+#include "projectors/light_map/light_map_plan.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::uint32_t texelsGatheredFrom = 1u << 14;
+constexpr std::uint64_t shareOfRays = 4;
+
+BakeRequest pilotRequest(const BakeRequest& request, std::uint64_t index) {
+  BakeRequest pilot = request;
+  pilot.effort.rays = std::max<std::uint64_t>(1, request.effort.rays / shareOfRays);
+  pilot.seed = request.seed ^ (0x9e3779b97f4a7c15u * (index + 1));
+  return pilot;
+}
+
+LightMapLayout gatheredFrom(const Scene& source, const CompiledScene& scene) {
+  LightMapLayoutRequest request;
+  request.texels = texelsGatheredFrom;
+  return makeLightMapLayout(source, scene, request);
+}
+
+TexelSizes sizeTexels(const Scene& source, const CompiledScene& scene, const LightMapCharts& charts,
+                      const BakeRequest& request, const Plan& plan, const Device& device, Tracer& tracer,
+                      Progress& progress, std::uint64_t& rays) {
+  const LightMapLayout layout = gatheredFrom(source, scene);
+  std::array<std::optional<LightMapSources>, 2> sources;
+  for (std::size_t i = 0; i < 2; ++i)
+    sources[i].emplace(scene, source.images, layout, pilotRequest(request, i), plan, 1, device, tracer,
+                       progress);
+  const PilotSource light = [&](std::span<const LightMapTexel> texels) {
+    PilotLight pilot;
+    pilot.hidden.assign(texels.size(), 0);
+    for (std::size_t i = 0; i < 2; ++i)
+      pilot.irradiance[i] = sources[i]->irradiance(texels, pilot.hidden, progress);
+    return pilot;
+  };
+  TexelSizes sizes = chooseTexelSizes(scene, charts, {request.lightMap.error, finestTexel(request, charts)},
+                                      light, progress);
+  for (const auto& each : sources) rays += each->rays();
+  return sizes;
+}
+
+}  // namespace
+
+LightMapLayout makeLightMapLayout(const Scene& source, const CompiledScene& scene, const BakeRequest& request,
+                                  const Plan& plan, const Device& device, Tracer& tracer, Progress& progress,
+                                  LightMapReport& report, std::uint64_t& rays) {
+  const LightMapCharts charts = makeLightMapCharts(source, scene, lightMapRequest(request));
+  if (!plan.runs(Pass::TexelSizes)) return layOutLightMap(scene, charts);
+  const TexelSizes sizes = sizeTexels(source, scene, charts, request, plan, device, tracer, progress, rays);
+  report.sizes = reportOf(sizes, charts);
+  return layOutLightMap(scene, charts, sizes.sizes);
+}
+
+}  // namespace prelight

@@ -1,0 +1,46 @@
+#include "projectors/light_map/light_map_sources.h"
+
+#include <algorithm>
+
+#include "projectors/schedule.h"
+
+namespace prelight {
+
+LightMapSources::LightMapSources(const CompiledScene& scene, const std::vector<Image>& images,
+                                 const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
+                                 int coefficients, const Device& device, Tracer& tracer, Progress& progress) {
+  if (plan.runs(Pass::IndirectLightOfTheMap) || plan.runs(Pass::CausticsOfTheMap))
+    light_.emplace(scene, images, layout, request, plan, device, tracer, progress);
+  if (plan.runs(Pass::DirectLightOfTheMap))
+    parts_.push_back(&direct_.emplace(scene, tracer, raysEach(request), request.seed, coefficients));
+  else
+    parts_.push_back(&inside_.emplace(scene, tracer, request.seed));
+  const RadiosityRequest& lights = request.radiosity;
+  if (lights.environment)
+    parts_.push_back(&sky_.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
+                                   request.seed));
+  if (light_) light_->addTo(parts_);
+}
+
+std::vector<float> LightMapSources::irradiance(std::span<const LightMapTexel> places,
+                                               std::span<std::uint8_t> hidden,
+                                               const Progress& progress) const {
+  constexpr std::size_t blockSize = 4096;  // places between two looks at whether to stop
+  std::vector<float> values(3 * places.size(), 0.0f);
+  for (std::size_t first = 0; first < places.size(); first += blockSize) {
+    progress.check();
+    const std::size_t count = std::min(blockSize, places.size() - first);
+    for (LightMapPart* part : parts_)
+      part->add(places.subspan(first, count), 1, std::span(values).subspan(3 * first, 3 * count),
+                hidden.subspan(first, count));
+  }
+  return values;
+}
+
+std::uint64_t LightMapSources::rays() const {
+  std::uint64_t sum = 0;
+  for (const LightMapPart* part : parts_) sum += part->rays();
+  return sum;
+}
+
+}  // namespace prelight

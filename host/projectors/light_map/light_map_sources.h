@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "prelight/compiled_scene.h"
+#include "prelight/plan.h"
+#include "projectors/light_map/direct_light_part.h"
+#include "projectors/light_map/inside_part.h"
+#include "projectors/light_map/light_map_light.h"
+#include "projectors/light_map/sky_light_part.h"
+
+namespace prelight {
+
+/// Every share of the light in a light map that the plan runs.
+class LightMapSources {
+ public:
+  /// Sends photons, where some are needed, for a map of this layout (see LightMapLight). `coefficients`: see
+  /// LightMap. Everything outlives it.
+  LightMapSources(const CompiledScene& scene, const std::vector<Image>& images, const LightMapLayout& layout,
+                  const BakeRequest& request, const Plan& plan, int coefficients, const Device& device,
+                  Tracer& tracer, Progress& progress);
+
+  std::span<LightMapPart* const> parts() const { return parts_; }
+
+  /// Irradiance at places of the surface by sources of one coefficient, W/m2, [place][channel]. `hidden` as
+  /// LightMapPart's. Throws Interrupted between blocks.
+  std::vector<float> irradiance(std::span<const LightMapTexel> places, std::span<std::uint8_t> hidden,
+                                const Progress& progress) const;
+
+  std::uint64_t rays() const;  ///< of all parts so far
+
+ private:
+  std::optional<LightMapLight> light_;
+  std::optional<DirectLightPart> direct_;
+  std::optional<InsidePart> inside_;
+  std::optional<SkyLightPart> sky_;
+  std::vector<LightMapPart*> parts_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,236 @@
+#include "charts/light_map_bake.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "charts/layout_places.h"
+#include "charts/light_map_lookup.h"
+#include "projectors/light_map/direct_light_part.h"
+#include "projectors/light_map/inside_part.h"
+#include "projectors/light_map/sky_light_part.h"
+#include "support/devices.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+using test::layoutOf;
+using test::positionOf;
+
+LightMap bake(const CompiledScene& scene, double texelSize, std::uint32_t rays = 64, std::uint64_t seed = 0) {
+  Tracer tracer(scene, test::sharedDevice());
+  DirectLightPart direct(scene, tracer, rays, seed);
+  LightMapBake made(scene, layoutOf(scene, texelSize), 1);
+  LightMapPart* parts[] = {&direct};
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  return made.finish(usualCreaseAngle, report);
+}
+
+Light pointLight(const glm::dvec3& position, const glm::vec3& intensity) {
+  Light light;
+  light.position = position;
+  light.intensity = intensity;
+  return light;
+}
+
+TEST(LightMapBake, PointLight_FollowsTheInverseSquare) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  scene.lights = {pointLight({0.2, 1.0, -0.3}, {3.0f, 2.0f, 0.0f})};
+  const LightMap map = bake(scene, 0.1);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    const glm::dvec3 way = glm::dvec3(0.2, 1.0, -0.3) - positionOf(scene, texel);
+    const double expected = way.y / std::pow(glm::length(way), 3.0);
+    const float* values = &map.values[3 * std::size_t{texel.texel}];
+    ASSERT_NEAR(values[0], 3.0 * expected, 1e-4);
+    ASSERT_NEAR(values[1], 2.0 * expected, 1e-4);
+    ASSERT_EQ(values[2], 0.0f);
+  }
+}
+
+TEST(LightMapBake, Shadow_IsBlack) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::box(1, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false));
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.direction = {0.0, -1.0, 0.0};
+  sun.intensity = glm::vec3(5.0f);
+  scene.lights = {sun};
+  const LightMap map = bake(scene, 0.05);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    if (texel.face >= 32) continue;  // the box
+    const glm::dvec3 p = positionOf(scene, texel);
+    const double outside = std::max(std::abs(p.x), std::abs(p.z)) - 0.2;
+    if (std::abs(outside) < 1e-3) continue;
+    ASSERT_NEAR(map.values[3 * std::size_t{texel.texel}], outside > 0.0 ? 5.0 : 0.0, 1e-5)
+        << p.x << " " << p.z;
+  }
+}
+
+/// A square of side 2 a, at height h above a point below its centre: E = L F pi with the form factor of two
+/// perpendicular pairs of corners, F = 4 / (2 pi) [...] (Howell C-2, a corner's rectangle four times).
+TEST(LightMapBake, Emitter_FollowsTheFormFactor) {
+  constexpr double a = 0.5, h = 1.0;
+  CompiledScene scene = test::ground(4, 1.0f);
+  CompiledScene lamp = test::ground(1, static_cast<float>(a), static_cast<float>(h));
+  for (glm::uvec3& t : lamp.triangles) std::swap(t.y, t.z);
+  test::append(scene, lamp);
+  scene.materials.push_back(scene.materials[0]);
+  const auto emissive = static_cast<std::uint32_t>(scene.materials.size() - 1);
+  scene.materials[emissive].emission = scene.materials[emissive].emissionFactor = glm::vec3(10.0f);
+  for (std::size_t t = scene.triangleMaterials.size() - 2; t < scene.triangleMaterials.size(); ++t)
+    scene.triangleMaterials[t] = emissive;
+  const LightMap map = bake(scene, 0.1, 1024);
+  const double x = a / h, root = std::sqrt(1.0 + x * x);
+  const double factor = 4.0 / (2.0 * std::numbers::pi) * 2.0 * (x / root * std::atan(x / root));
+  // The mean of the four texels around the centre.
+  double sum = 0.0, count = 0.0;
+  for (const LightMapTexel& texel : map.layout.texels) {
+    const glm::dvec3 p = positionOf(scene, texel);
+    if (texel.face >= 32 || std::hypot(p.x, p.z) > 0.11) continue;
+    sum += map.values[3 * std::size_t{texel.texel}];
+    ++count;
+  }
+  ASSERT_GE(count, 1.0);
+  EXPECT_NEAR(sum / count / (10.0 * std::numbers::pi * factor), 1.0, 0.02);
+}
+
+/// An even sky over a plane and under it: E = pi L, whole above, and under a roof that is everything, none.
+TEST(LightMapBake, EvenSky_GivesPiTimesItsRadiance) {
+  CompiledScene scene = test::ground(2, 1.0f);
+  scene.materials[0].doubleSided = true;
+  const Environment sky = constantEnvironment({0.5f, 1.0f, 2.0f});
+  Tracer tracer(scene, test::sharedDevice());
+  SkyLightPart part(scene, tracer, sky, 0.0, 256, 0);
+  LightMapBake made(scene, layoutOf(scene, 0.2), 1);
+  LightMapPart* parts[] = {&part};
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    const float* values = &map.values[3 * std::size_t{texel.texel}];
+    ASSERT_NEAR(values[0], 0.5 * std::numbers::pi, 0.02);
+    ASSERT_NEAR(values[1], 1.0 * std::numbers::pi, 0.04);
+    ASSERT_NEAR(values[2], 2.0 * std::numbers::pi, 0.08);
+  }
+}
+
+TEST(LightMapBake, BackOfATwoSidedSurface_HasItsOwnLight) {
+  CompiledScene scene = test::ground(2, 1.0f);
+  scene.materials[0].doubleSided = true;
+  scene.lights = {pointLight({0.0, -1.0, 0.0}, glm::vec3(1.0f))};
+  const LightMap map = bake(scene, 0.1);
+  double front = 0.0, back = 0.0;
+  for (const LightMapTexel& texel : map.layout.texels)
+    (texel.face < scene.triangleCount() ? front : back) += map.values[3 * std::size_t{texel.texel}];
+  EXPECT_EQ(front, 0.0);
+  EXPECT_GT(back, 10.0);
+}
+
+/// Texels under a box that stands on the ground see its inside; they must not darken those around.
+TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighbours) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::box(1, {-0.32f, -0.1f, -0.32f}, {0.32f, 0.5f, 0.32f}, false));
+  scene.lights = {pointLight({0.0, 50.0, 0.0}, glm::vec3(2500.0f))};
+  const LightMap map = bake(scene, 0.1);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    if (texel.face >= 32) continue;
+    ASSERT_NEAR(map.values[3 * std::size_t{texel.texel}], 1.0, 0.02);
+  }
+}
+
+/// The same by the light of the sky, without a single lamp: what is under the box is dark and stays out of
+/// it.
+TEST(LightMapBake, TexelsInsideObjects_TakeAfterTheirNeighboursUnderASky) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::box(1, {-0.32f, -0.1f, -0.32f}, {0.32f, 0.001f, 0.32f}, false));
+  const Environment sky = constantEnvironment(glm::vec3(1.0f));
+  Tracer tracer(scene, test::sharedDevice());
+  InsidePart inside(scene, tracer, 0);
+  SkyLightPart light(scene, tracer, sky, 0.0, 256, 0);
+  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  LightMapPart* parts[] = {&inside, &light};
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  EXPECT_GT(report.hidden, 20u);
+  for (const LightMapTexel& texel : map.layout.texels) {
+    if (texel.face >= 32) continue;
+    ASSERT_NEAR(map.values[3 * std::size_t{texel.texel}], std::numbers::pi, 0.1);
+  }
+}
+
+TEST(LightMapBake, SameSeed_GivesTheSame_AnotherSeedAnother) {
+  CompiledScene scene = test::ground(2, 1.0f);
+  CompiledScene lamp = test::ground(1, 0.5f, 1.0f);
+  for (glm::uvec3& t : lamp.triangles) std::swap(t.y, t.z);
+  test::append(scene, lamp);
+  scene.materials.back().emission = scene.materials.back().emissionFactor = glm::vec3(1.0f);
+  test::append(scene, test::box(1, {-0.2f, 0.4f, -0.2f}, {0.2f, 0.5f, 0.2f}, false));
+  const std::vector<float> first = bake(scene, 0.1, 64, 0).values;
+  EXPECT_EQ(first, bake(scene, 0.1, 64, 0).values);
+  EXPECT_NE(first, bake(scene, 0.1, 64, 1).values);
+}
+
+/// A part that has cast rays before it is asked for texels, as photons are.
+class EarlyPart final : public LightMapPart {
+ public:
+  void add(std::span<const LightMapTexel> texels, int, std::span<float>, std::span<std::uint8_t>) override {
+    rays_ += texels.size();
+  }
+  std::uint64_t rays() const override { return rays_; }
+
+ private:
+  std::uint64_t rays_ = 1000;
+};
+
+TEST(LightMapBake, RaysOfPhotons_AreReported) {
+  const CompiledScene scene = test::ground(1, 1.0f);
+  EarlyPart part;
+  LightMapPart* parts[] = {&part};
+  LightMapBake made(scene, layoutOf(scene, 0.1), 1);
+  Progress progress;
+  made.run(parts, progress);
+  LightMapReport report;
+  const LightMap map = made.finish(usualCreaseAngle, report);
+  EXPECT_EQ(report.rays, 1000 + map.layout.texels.size());
+}
+
+class StopAfter : public Progress {
+ public:
+  explicit StopAfter(int polls) : left_(polls) {}
+  bool stopRequested() const override { return left_-- <= 0; }
+
+ private:
+  mutable int left_;
+};
+
+TEST(LightMapBake, Interrupted_GoesOnToTheSame) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  scene.lights = {pointLight({0.0, 1.0, 0.0}, glm::vec3(1.0f))};
+  Tracer tracer(scene, test::sharedDevice());
+  DirectLightPart direct(scene, tracer, 16, 0);
+  LightMapPart* parts[] = {&direct};
+  const LightMapLayout layout = layoutOf(scene, 0.01);
+  LightMapBake first(scene, layout, 1);
+  StopAfter stop(3);
+  EXPECT_THROW(first.run(parts, stop), Interrupted);
+  StateWriter state;
+  first.save(state);
+  const std::vector<std::byte> payload(state.payload().begin(), state.payload().end());
+  StateReader reader("state", payload);
+  LightMapBake second(scene, layout, 1);
+  second.load(reader);
+  Progress progress;
+  second.run(parts, progress);
+  LightMapReport report;
+  EXPECT_EQ(second.finish(usualCreaseAngle, report).values, bake(scene, 0.01, 16).values);
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bake/baker.h"
+#include "bake/make_plan.h"
+#include "charts/make_light_map_layout.h"
+#include "projectors/light_map/light_map_plan.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
+#include "support/devices.h"
+
+// Light maps with all their light, against radiosity, which knows nothing of photons.
+namespace prelight::test {
+namespace {
+
+struct Baked {
+  Scene source;
+  CompiledScene scene;
+  Plan plan;
+  Bake bake;
+};
+
+BakeRequest lightMapOf(double texel) {
+  BakeRequest request;
+  request.lightMap.wanted = true;
+  request.lightMap.texelSize = texel;
+  request.effort.rays = 256;
+  return request;
+}
+
+Baked bakeBuiltin(const std::string& name, const BakeRequest& request) {
+  Baked baked;
+  Warnings warnings;
+  baked.source = loadScene(makeBuiltinScene(name), warnings);
+  baked.scene = compileScene(baked.source, warnings);
+  baked.plan = makePlan(baked.source, baked.scene, request);
+  Progress progress;
+  BakeReport report;
+  baked.bake = bakeScene(baked.scene, request, baked.plan, sharedDevice(), progress, report, nullptr, nullptr,
+                         &baked.source);
+  return baked;
+}
+
+/// Means over the surface of irradiance that is interpolated between vertices.
+double meanIrradiance(const CompiledScene& scene, const std::vector<glm::vec3>& irradiance) {
+  double sum = 0.0, area = 0.0;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    const double a = glm::length(geometricNormal(scene, t));
+    const glm::uvec3& v = scene.triangles[t];
+    sum += a * double(irradiance[v.x].y + irradiance[v.y].y + irradiance[v.z].y) / 3.0;
+    area += a;
+  }
+  return sum / area;
+}
+
+TEST(LightMapLight, VertexIrradiance_AgreesWithRadiosity) {
+  for (const std::string name : {"rooms", "cornell"}) {
+    const Baked map = bakeBuiltin(name, lightMapOf(0.1));
+    BakeRequest request;
+    request.radiosity.wanted = true;
+    const Baked radiosity = bakeBuiltin(name, request);
+    const double expected = meanIrradiance(radiosity.scene, *radiosity.bake.irradiance);
+    EXPECT_NEAR(meanIrradiance(map.scene, *map.bake.irradiance), expected, 0.03 * expected) << name;
+  }
+}
+
+TEST(LightMapLight, SealedRooms_StayDarkBehindTheWall) {
+  const Baked map = bakeBuiltin("rooms-sealed", lightMapOf(0.1));
+  double lit = 0.0, dark = 0.0;
+  for (const LightMapTexel& texel : map.bake.lightMap->layout.texels) {
+    const std::uint32_t t = texel.face % map.scene.triangleCount();
+    const double x = double(map.scene.positions[map.scene.triangles[t].x].x) + map.scene.origin.x;
+    const double e = double(map.bake.lightMap->values[3 * texel.texel]);
+    (x < 0.0 ? lit : dark) = std::max(x < 0.0 ? lit : dark, e);
+  }
+  EXPECT_GT(lit, 0.0);
+  EXPECT_LE(dark, 1e-4 * lit);
+}
+
+TEST(LightMapLight, Caustics_AreThereWhereTheyAreAskedForAndMade) {
+  BakeRequest request = lightMapOf(0.05);
+  const Baked without = bakeBuiltin("caustics", request);
+  EXPECT_FALSE(without.plan.runs(Pass::CausticsOfTheMap));
+  request.lightMap.caustics = true;
+  const Baked with = bakeBuiltin("caustics", request);
+  EXPECT_TRUE(with.plan.runs(Pass::CausticsOfTheMap));
+  EXPECT_FALSE(bakeBuiltin("cornell", request).plan.runs(Pass::CausticsOfTheMap));
+  double more = 0.0;
+  for (std::size_t i = 0; i < with.bake.lightMap->values.size(); ++i)
+    more = std::max(more, double(with.bake.lightMap->values[i] - without.bake.lightMap->values[i]));
+  EXPECT_GT(more, 1.0);
+}
+
+TEST(LightMapLight, Directions_AreKeptWhereThereAreNormalMaps) {
+  const Baked bumps = bakeBuiltin("bumps", lightMapOf(0.2)),
+              cornell = bakeBuiltin("cornell", lightMapOf(0.2));
+  EXPECT_TRUE(bumps.plan.runs(Pass::DirectionsOfTheMap));
+  EXPECT_EQ(bumps.bake.lightMap->coefficients, 5);
+  EXPECT_EQ(bumps.bake.lightMap->values.size(), 15 * bumps.bake.lightMap->layout.texelCount());
+  EXPECT_FALSE(cornell.plan.runs(Pass::DirectionsOfTheMap));
+  EXPECT_EQ(cornell.bake.lightMap->coefficients, 1);
+}
+
+}  // namespace
+}  // namespace prelight::test

@@ -1,0 +1,278 @@
+#include "integrators/global_illumination_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "integrators/cornell_by_mitsuba.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/loader.h"
+#include "support/devices.h"
+#include "support/materials.h"
+#include "support/scenes.h"
+#include "support/shot.h"
+
+namespace prelight::test {
+namespace {
+
+struct IlluminatedShot {
+  Scene source;
+  CompiledScene scene;
+  std::vector<Light> lights;
+  std::optional<Environment> sky;
+  Camera camera;
+  GlobalIlluminationPictureRequest request;
+  GlobalIlluminationPictureReport report;
+
+  Picture render() {
+    const LitScene lit{scene, noImages(), lights, sky ? &*sky : nullptr};
+    Progress progress;
+    report = {};
+    return renderGlobalIllumination(source, lit, camera, request, sharedDevice(), progress, report);
+  }
+};
+
+IlluminatedShot builtinShot(const std::string& name, int size) {
+  IlluminatedShot shot;
+  Warnings warnings;
+  shot.source = loadScene(makeBuiltinScene(name), warnings);
+  shot.scene = compileScene(shot.source, warnings);
+  shot.lights = shot.source.lights;
+  shot.camera = shot.source.cameras.at(0);
+  shot.request.width = shot.request.height = size;
+  return shot;
+}
+
+bool runs(const GlobalIlluminationPictureReport& report, Pass pass) {
+  for (const PlannedPass& p : report.plan)
+    if (p.pass == pass) return p.runs;
+  ADD_FAILURE() << nameOf(pass);
+  return false;
+}
+
+Picture truthOf(const IlluminatedShot& shot, std::uint64_t samples) {
+  Shot reference;
+  reference.scene = shot.scene;
+  reference.lights = shot.lights;
+  reference.sky = shot.sky;
+  reference.camera = shot.camera;
+  reference.request.width = shot.request.width;
+  reference.request.height = shot.request.height;
+  reference.request.samples = samples;
+  return reference.render().picture();
+}
+
+/// All blocks and all colours: none is left out.
+TEST(GlobalIlluminationRenderer, Cornell_IsWhatMitsubaDraws) {
+  IlluminatedShot shot = builtinShot("cornell", cornellPixels);
+  shot.request.samples = 64;
+  const Picture picture = shot.render();
+  constexpr int side = cornellPixels / cornellBlocks;
+  glm::dvec3 sum(0.0), expectedSum(0.0);
+  for (int block = 0; block < cornellBlocks * cornellBlocks; ++block) {
+    const int x = block % cornellBlocks * side, y = block / cornellBlocks * side;
+    glm::dvec3 found(0.0);
+    for (int i = 0; i < side * side; ++i)
+      found += glm::dvec3(
+                   picture.pixels[static_cast<std::size_t>(cornellPixels * (y + i / side) + x + i % side)]) /
+               double(side * side);
+    const glm::dvec3 expected(cornellByMitsuba[static_cast<std::size_t>(block)]);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], expected[c], 0.03 * expected[c] + 1e-3) << block << ' ' << c;
+    sum += found;
+    expectedSum += expected;
+  }
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], expectedSum[c], 0.005 * expectedSum[c]) << c;
+  EXPECT_FALSE(runs(shot.report, Pass::CausticPhotons));
+  EXPECT_FALSE(runs(shot.report, Pass::RaysToLargeEmitters));
+  EXPECT_FALSE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
+  EXPECT_EQ(shot.report.causticPhotons.rays, 0u);
+}
+
+/// A closed room of albedo 1/2 whose walls emit 1 shows 2 everywhere.
+TEST(GlobalIlluminationRenderer, FurnaceRoom_ShowsItsGeometricSeries) {
+  // Emitters whose light on the texels that are gathered from is integrated, and too many for that.
+  for (const int cells : {1, 2}) {
+    IlluminatedShot shot;
+    shot.scene = box(cells, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+    shot.scene.materials[0] = lambert(0.5f);
+    shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+    shot.camera = cameraAt({0.3, 0.2, 0.1}, {-1.0, -0.5, -1.0}, 1.2);
+    shot.request.width = shot.request.height = 16;
+    shot.request.samples = 64;
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    for (const std::uint64_t seed : {0u, 1u, 2u, 3u}) {
+      shot.request.seed = shot.request.indirect.seed = seed;
+      for (const glm::vec3& pixel : shot.render().pixels) {
+        sum += static_cast<double>(pixel.y);
+        squares += std::pow(static_cast<double>(pixel.y) - 2.0, 2.0);
+        count += 1.0;
+      }
+    }
+    EXPECT_NEAR(sum / count, 2.0, 0.002 * 2.0) << cells;
+    EXPECT_LT(std::sqrt(squares / count), 0.01 * 2.0) << cells;
+    EXPECT_TRUE(runs(shot.report, Pass::RaysToLargeEmitters));
+  }
+}
+
+/// A room of albedo 1/2 whose walls emit 1, in it a box that absorbs nothing and lets most of the light
+/// through: 2 everywhere.
+TEST(GlobalIlluminationRenderer, FurnaceRoomWithATranslucentBox_ShowsTheSame) {
+  IlluminatedShot shot;
+  shot.scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+  append(shot.scene, box(2, {-0.7f, -0.7f, -0.7f}, {0.3f, 0.3f, 0.3f}, false));
+  shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
+  shot.scene.materials[0] = lambert(0.5f);
+  shot.scene.materials[0].emissionFactor = shot.scene.materials[0].emission = glm::vec3(1.0f);
+  shot.scene.materials[1] = translucent(1.0f, 0.7f, 1.0f);
+  shot.camera = cameraAt({0.8, 0.7, 0.8}, {-0.2, -0.2, -0.3}, 0.5);
+  shot.request.width = shot.request.height = 8;
+  shot.request.samples = 64;
+  double sum = 0.0;
+  for (const glm::vec3& pixel : shot.render().pixels) sum += static_cast<double>(pixel.y) / 64.0;
+  EXPECT_NEAR(sum, 2.0, 0.02 * 2.0);
+}
+
+/// The floor under the middle of a leaf of 4 x 4 m and 1 m above it, in the sun: 0.8 of the light comes
+/// through, and the floor gets the leaf's form factor of that. Then the leaf itself from below.
+TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
+  IlluminatedShot shot;
+  shot.scene = ground(4, 6.0f);
+  append(shot.scene, ground(2, 2.0f, 1.0f));
+  shot.scene.materials[0] = lambert(0.5f);
+  shot.scene.materials[1] = translucent(0.9f, 1.0f, 0.8f);
+  Light sun;
+  sun.type = LightType::Directional;
+  sun.intensity = glm::vec3(3.0f);
+  sun.direction = {0, -1, 0};
+  shot.lights = shot.scene.lights = {sun};
+  shot.request.width = shot.request.height = 8;
+  const double pi = 3.14159265358979, r = std::sqrt(5.0);
+  const double factor = 4.0 / (2.0 * pi) * 2.0 * (2.0 / r) * std::atan(2.0 / r);
+  const auto meanFrom = [&](const glm::dvec3& eye, const glm::dvec3& target) {
+    shot.camera = cameraAt(eye, target, 0.1);
+    double mean = 0.0;
+    for (const glm::vec3& pixel : shot.render().pixels) mean += double(pixel.x) / 64.0;
+    return mean;
+  };
+  const double floor = 0.5 / pi * 3.0 * 0.8 * factor, leaf = 3.0 * 0.8 / pi;
+  EXPECT_NEAR(meanFrom({0, 0.9, 0}, {0, 0, 0}), floor, 0.03 * floor);
+  EXPECT_NEAR(meanFrom({0, 0.1, 0}, {0, 1, 0}), leaf, 0.01 * leaf);
+  // From above there is what the floor sends up through it alone.
+  EXPECT_LT(meanFrom({0, 2, 0}, {0, 1, 0}), 0.8 * 0.5 * leaf);
+}
+
+/// A spot that shines down on a flat mirror alone, of 0.8, and the floor over it that sees the lamp's image.
+IlluminatedShot mirroredSpot() {
+  IlluminatedShot shot;
+  shot.scene = ground(1, 1.0f);
+  shot.scene.materials[0] = metal(0.8f, 0.0f);
+  CompiledScene ceiling = ground(1, 3.0f, 2.0f);
+  for (glm::uvec3& t : ceiling.triangles) std::swap(t.y, t.z);
+  append(shot.scene, ceiling);
+  shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
+  shot.scene.materials[1] = lambert(0.01f);  // what it sends back to the mirror is next to nothing
+  Light spot;
+  spot.type = LightType::Spot;
+  spot.position = {0.0, 1.0, 0.0};
+  spot.direction = {0.0, -1.0, 0.0};
+  spot.innerConeAngle = 0.7f;
+  spot.outerConeAngle = 0.75f;
+  spot.intensity = glm::vec3(10.0f);
+  shot.lights = {spot};
+  // From just under the ceiling: the lamp throws no shadow and the camera is none.
+  shot.camera = orthographicCamera({0.0, 1.99, 0.0}, {0.0, 2.0, 0.0}, 1.0);
+  shot.request.width = shot.request.height = 32;
+  return shot;
+}
+
+/// A mirror's caustic is the light of the lamp's image: 0.8 I cos / d2, 3 m below the ceiling.
+TEST(GlobalIlluminationRenderer, CausticOfAFlatMirror_IsTheLightOfTheLampsImage) {
+  IlluminatedShot shot = mirroredSpot();
+  shot.request.causticPhotons = 1'000'000;
+  const Picture picture = shot.render();
+  ASSERT_TRUE(runs(shot.report, Pass::CausticPhotons));
+  double sum = 0.0, expectedSum = 0.0;
+  for (int y = 0; y < 32; y += 8)
+    for (int x = 0; x < 32; x += 8) {
+      double found = 0.0, expected = 0.0;
+      for (int i = 0; i < 64; ++i) {
+        const int px = x + i % 8, py = y + i / 8;
+        const double u = (px + 0.5) / 16.0 - 1.0, v = (py + 0.5) / 16.0 - 1.0, squared = u * u + v * v + 9.0;
+        expected += 0.01 / std::numbers::pi * 0.8 * 10.0 * 3.0 / (squared * std::sqrt(squared));
+        found += static_cast<double>(picture.pixels[static_cast<std::size_t>(32 * py + px)].y);
+      }
+      EXPECT_NEAR(found, expected, 0.05 * expected) << x << ' ' << y;
+      sum += found;
+      expectedSum += expected;
+    }
+  EXPECT_NEAR(sum, expectedSum, 0.01 * expectedSum);
+}
+
+/// Pictures of a floor and of a one-sided sheet over it that turns its back to the floor. A spot under the
+/// sheet shines on the floor alone: all the sheet's light has been reflected by the floor.
+IlluminatedShot underASheet() {
+  IlluminatedShot shot;
+  shot.scene = ground(1, 1.5f);
+  append(shot.scene, ground(1, 1.5f, 1.0f));
+  shot.scene.triangleFlat.assign(shot.scene.triangles.size(), 1);
+  shot.scene.materials[0] = shot.scene.materials[1] = lambert(0.7f);
+  Light spot;
+  spot.type = LightType::Spot;
+  spot.position = {0.0, 0.95, 0.0};
+  spot.direction = {0.0, -1.0, 0.0};
+  spot.innerConeAngle = 0.5f;
+  spot.outerConeAngle = 0.6f;
+  spot.intensity = glm::vec3(5.0f);
+  shot.lights = {spot};
+  shot.request.width = shot.request.height = 24;
+  shot.request.samples = 16;
+  return shot;
+}
+
+/// Means of 3 x 3 blocks.
+std::vector<double> blockMeans(const Picture& picture) {
+  std::vector<double> means(9, 0.0);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x)
+      means[static_cast<std::size_t>(y / 8 * 3 + x / 8)] +=
+          static_cast<double>(picture.pixels[static_cast<std::size_t>(24 * y + x)].y) / 64.0;
+  return means;
+}
+
+TEST(GlobalIlluminationRenderer, BackOfAOneSidedSheet_ReflectsAsPathTracingHasIt) {
+  IlluminatedShot shot = underASheet();
+  shot.camera = orthographicCamera({0.0, 0.96, 0.0}, {0.0, 1.0, 0.0}, 1.2);
+  const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 1024));
+  EXPECT_TRUE(runs(shot.report, Pass::BacksOfOneSidedSurfaces));
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.03 * truth[i]) << i;
+}
+
+TEST(GlobalIlluminationRenderer, FloorBeyondTheSpot_GetsWhatTheSheetsBackReflects) {
+  IlluminatedShot shot = underASheet();
+  shot.camera = orthographicCamera({1.05, 0.01, 0.0}, {1.05, 0.0, 0.0}, 0.35);
+  const std::vector<double> found = blockMeans(shot.render()), truth = blockMeans(truthOf(shot, 4096));
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(found[i], truth[i], 0.05 * truth[i]) << i;
+}
+
+TEST(GlobalIlluminationRenderer, SceneWithoutLight_IsBlack) {
+  IlluminatedShot shot = builtinShot("cornell", 8);
+  for (CompiledMaterial& m : shot.scene.materials) m.emission = m.emissionFactor = glm::vec3(0.0f);
+  for (const glm::vec3& pixel : shot.render().pixels) EXPECT_EQ(pixel, glm::vec3(0.0f));
+  EXPECT_FALSE(runs(shot.report, Pass::IndirectLight));
+  EXPECT_EQ(shot.report.photons.emitted, 0u);
+}
+
+TEST(GlobalIlluminationRenderer, SameSeed_GivesTheSamePicture_AnotherSeedAnother) {
+  IlluminatedShot shot = builtinShot("caustics", 16);
+  shot.request.causticPhotons = 20000;
+  const Picture a = shot.render(), b = shot.render();
+  EXPECT_EQ(a.pixels, b.pixels);
+  EXPECT_TRUE(runs(shot.report, Pass::CausticPhotons));
+  shot.request.seed = shot.request.indirect.seed = 1;
+  EXPECT_NE(a.pixels, shot.render().pixels);
+}
+
+}  // namespace
+}  // namespace prelight::test
