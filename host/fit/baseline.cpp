@@ -1,5 +1,7 @@
 #include "fit/baseline.h"
 
+#include <algorithm>
+
 #include "base/parallel.h"
 #include "basis/sh.h"
 
@@ -10,8 +12,11 @@ Baseline::Baseline(const CompiledScene& scene, const FitMesh& mesh, int shOrder,
       columns_(1 + static_cast<std::size_t>(shOrder * shOrder)),
       rows_(mesh.slotCount() * columns_) {
   parallelRanges(mesh.slotCount(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s)
-      evaluate(sign * glm::normalize(glm::dvec3(scene.normals[mesh.vertexOfSlot[s]])), &rows_[s * columns_]);
+    std::vector<double> row(columns_);
+    for (std::size_t s = begin; s < end; ++s) {
+      evaluate(sign * glm::normalize(glm::dvec3(scene.normals[mesh.vertexOfSlot[s]])), row.data());
+      std::transform(row.begin(), row.end(), &rows_[s * columns_], [](double v) { return static_cast<float>(v); });
+    }
   });
 }
 

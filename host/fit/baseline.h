@@ -22,12 +22,12 @@ class Baseline {
   void evaluate(const glm::dvec3& normal, double* row) const;
 
   /// Row of a slot's normal.
-  const double* row(std::size_t slot) const { return &rows_[slot * columns_]; }
+  const float* row(std::size_t slot) const { return &rows_[slot * columns_]; }
 
  private:
   int shOrder_;
   std::size_t columns_;
-  std::vector<double> rows_;  ///< [slot][column]
+  std::vector<float> rows_;  ///< [slot][column]
 };
 
 }  // namespace prelight

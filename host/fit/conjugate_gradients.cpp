@@ -173,8 +173,7 @@ std::size_t solveBlocks(const NormalEquations& equations, std::span<const double
 
 void conjugateGradients(const NormalEquations& equations, std::span<const double> right, std::size_t columns,
                         std::vector<float>& x, const SolveLimits& limits) {
-  std::size_t first = solveBlocks<16>(equations, right, columns, 0, 13, x, limits);
-  first = solveBlocks<8>(equations, right, columns, first, 5, x, limits);
+  std::size_t first = solveBlocks<8>(equations, right, columns, 0, 5, x, limits);
   first = solveBlocks<4>(equations, right, columns, first, 2, x, limits);
   solveBlocks<1>(equations, right, columns, first, 1, x, limits);
 }

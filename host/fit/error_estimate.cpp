@@ -26,17 +26,21 @@ std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>
 /// [slot][group], deviations of AO whose squares sum to its variance.
 using Deviations = std::vector<float>;
 
+constexpr std::size_t slotGrain = 4096;
+
 /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
 SolveLimits roughly(std::size_t threads = hardwareThreads()) { return {1e-2, 32, threads}; }
 
 /// Takes the groups' mean off every slot's values, and scales them.
 Deviations centred(std::vector<float> values, double factor) {
-  for (std::size_t first = 0; first < values.size(); first += errorGroups) {
-    double mean = 0.0;
-    for (std::size_t g = 0; g < errorGroups; ++g) mean += values[first + g] / double(errorGroups);
-    for (std::size_t g = 0; g < errorGroups; ++g)
-      values[first + g] = static_cast<float>(factor * (values[first + g] - mean));
-  }
+  parallelRanges(values.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t first = begin * errorGroups; first < end * errorGroups; first += errorGroups) {
+      double mean = 0.0;
+      for (std::size_t g = 0; g < errorGroups; ++g) mean += values[first + g] / double(errorGroups);
+      for (std::size_t g = 0; g < errorGroups; ++g)
+        values[first + g] = static_cast<float>(factor * (values[first + g] - mean));
+    }
+  });
   return values;
 }
 
@@ -85,19 +89,27 @@ Deviations jackknife(const VertexFit& fit, const std::vector<SampleRecord>& reco
 /// triangle is (a^2 + b^2 + c^2 + ab + bc + ca) / 6.
 double surfaceMeanSquare(const FitMesh& mesh, const std::vector<double>& areas,
                          const Deviations& deviations) {
-  double sum = 0.0, total = 0.0;
-  for (std::size_t t = 0; t < areas.size(); ++t) {
-    const auto& slots = mesh.triangles[t];
-    double squares = 0.0;
-    for (std::size_t g = 0; g < errorGroups; ++g) {
-      const double a = deviations[slots[0] * errorGroups + g], b = deviations[slots[1] * errorGroups + g],
-                   c = deviations[slots[2] * errorGroups + g];
-      squares += (a * a + b * b + c * c + a * b + b * c + c * a) / 6.0;
+  struct Part {
+    double sum = 0.0, area = 0.0;
+  };
+  std::vector<Part> parts((areas.size() + slotGrain - 1) / slotGrain);
+  parallelRanges(areas.size(), slotGrain, [&](std::size_t begin, std::size_t end) {
+    Part& part = parts[begin / slotGrain];
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& slots = mesh.triangles[t];
+      double squares = 0.0;
+      for (std::size_t g = 0; g < errorGroups; ++g) {
+        const double a = deviations[slots[0] * errorGroups + g], b = deviations[slots[1] * errorGroups + g],
+                     c = deviations[slots[2] * errorGroups + g];
+        squares += (a * a + b * b + c * c + a * b + b * c + c * a) / 6.0;
+      }
+      part.sum += areas[t] * squares;
+      part.area += areas[t];
     }
-    sum += areas[t] * squares;
-    total += areas[t];
-  }
-  return total > 0.0 ? sum / total : 0.0;
+  });
+  Part total;
+  for (const Part& part : parts) total = {total.sum + part.sum, total.area + part.area};
+  return total.area > 0.0 ? total.sum / total.area : 0.0;
 }
 
 /// How much smaller the variance of all groups together is than their scatter says. The scatter of m groups,

@@ -176,8 +176,10 @@ void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t s
 // would be missed on average, too. Blocked rays carry light in bounces, so that those are thinned only
 // without.
 void SideCast::thinPlainTriangles() {
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-    sampler_.thinned()[t] = sums_.isPlain(t, storedCapacity_ == 0) ? 1 : 0;
+  parallelRanges(mesh_.triangles.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      sampler_.thinned()[t] = sums_.isPlain(t, storedCapacity_ == 0) ? 1 : 0;
+  });
 }
 
 // A slot's value hangs through the fit on the samples around its neighbours, so those are refined with it.

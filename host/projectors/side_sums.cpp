@@ -67,7 +67,7 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
   baseline_.evaluate(normal, residual_.data());
   const auto& slots = mesh_.triangles[sample.triangle];
   const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
-  const double *r0 = baseline_.row(slots[0]), *r1 = baseline_.row(slots[1]), *r2 = baseline_.row(slots[2]);
+  const float *r0 = baseline_.row(slots[0]), *r1 = baseline_.row(slots[1]), *r2 = baseline_.row(slots[2]);
   residual_[0] = open - 1.0;
   for (std::size_t c = 1; c < residual_.size(); ++c)
     residual_[c] = double(values[3 + c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);

@@ -2,6 +2,7 @@
 #ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
 #define PRELIGHT_BVH_ALPHA_FUNCS_CL
 
+#include "core/inline.h"
 #include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 
@@ -52,7 +53,7 @@ float4 sampleTexture(Surface s, __global const DeviceMaterial* m, float2 uv) {
 }
 
 // Factor, texture and vertex colour of a point of a triangle: linear albedo and alpha.
-float4 surfaceColor(Surface s, uint triangle, float u, float v) {
+PRELIGHT_INLINE float4 surfaceColor(Surface s, uint triangle, float u, float v) {
   const DeviceTriangle t = s.triangles[triangle];
   __global const DeviceMaterial* m = s.materials + t.material;
   const float w = 1.0f - u - v;
