@@ -13,26 +13,12 @@ namespace {
 
 using namespace device;
 
-std::span<const float> floatsOf(const std::vector<glm::vec3>& vectors) {
-  return {&vectors[0].x, 3 * vectors.size()};
-}
-
-/// Fronts as the file means them: emission leaves there.
-std::vector<float> frontNormals(const CompiledScene& scene) {
-  std::vector<float> normals;
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const glm::vec3 n(glm::normalize(geometricNormal(scene, t)));
-    normals.insert(normals.end(), {n.x, n.y, n.z});
-  }
-  return normals;
-}
-
 /// Emitters that a set leaves out are black for its receivers.
 std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSets::Occluders& set) {
   std::vector<GroupEmitter> emitters = lights.emitters;
-  for (GroupEmitter& emitter : emitters)
-    if (!std::binary_search(set.triangles.begin(), set.triangles.end(), emitter.triangle))
-      for (float& factor : emitter.factor) factor = 0.0f;
+  for (std::size_t e = 0; e < emitters.size(); ++e)
+    if (!std::binary_search(set.triangles.begin(), set.triangles.end(), lights.tables.emitters[e]))
+      for (float& factor : emitters[e].factor) factor = 0.0f;
   return emitters;
 }
 
@@ -42,42 +28,48 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
                          DeviceContext& device, std::uint32_t blockSize, int incidentOrder)
     : device_(device),
       valueCount_(static_cast<std::uint32_t>(incidentOrder > 0 ? incidentValueCount(incidentOrder) : 1)),
-      hasEmitters_(!lights.emitters.empty()) {
+      hasEmitters_(!lights.emitters.empty()),
+      lit_(device) {
   PackedArrays<LightGroupLine> pack;
   layout_.groupCount = static_cast<std::uint32_t>(lights.groups.size());
   layout_.rayCount = static_cast<std::uint32_t>(lights.rays.size());
   layout_.rays = pack.add(spanOf(lights.rays));
-  layout_.punctual = pack.add(spanOf(lights.punctual));
-  layout_.factors = pack.add(spanOf(lights.factors));
   layout_.emitterOfTriangle = pack.add(spanOf(lights.emitterOfTriangle));
   layout_.samplesOfGroup = pack.add(spanOf(lights.samplesOfGroup));
-  layout_.positions = pack.add(floatsOf(scene.positions));
-  layout_.normals = pack.add(frontNormals(scene));
+  emittersOfSet_.push_back(pack.add(spanOf(lights.emitters)));
+  if (sets != nullptr)
+    for (const auto& set : sets->sets) emittersOfSet_.push_back(pack.add(emittersOf(lights, set)));
   lines_ = pack.upload(device_);
+  if (hasEmitters_) lit_.setPlainShading(scene);
+  lit_.setLights(lights.tables, 0.0);
   const std::size_t rays = std::size_t{blockSize} * layout_.rayCount;
   rays_ = Buffer<Ray>(device_, rays);
   hits_ = Buffer<Hit>(device_, rays);
   rayValues_ = Buffer<float>(device_, 3 * rays);
   values_ = Buffer<float>(device_, std::size_t{blockSize} * layout_.groupCount * 3 * valueCount_);
-  emitters_.emplace_back(device_, spanOf(lights.emitters));
-  if (sets != nullptr)
-    for (const auto& set : sets->sets) emitters_.emplace_back(device_, spanOf(emittersOf(lights, set)));
   auto options = BuildOptions()
+                     .defineIf(!lights.tables.punctual.empty(), "PRELIGHT_PUNCTUAL")
                      .defineIf(hasEmitters_, "PRELIGHT_EMITTERS")
                      .defineIf(incidentOrder > 0, "PRELIGHT_INCIDENT");
   addIncidentOrder(options, incidentOrder);
   generate_ = {device_, "cast/light_kernels.cl", options, "generateLightRays"};
-  project_ = {device_, "cast/light_kernels.cl", options, "projectLights"};
+  sum_ = {device_, "cast/light_kernels.cl", options, "sumLightRays"};
+  if (hasEmitters_) addHits_ = {device_, "cast/light_kernels.cl", options, "addEmitterHits"};
 }
 
 void LightCaster::cast(const CastBlockBuffers& block, std::uint32_t receivers, Tracer& tracer,
                        std::uint32_t set, std::vector<float>& values) {
   const std::size_t rayCount = std::size_t{receivers} * layout_.rayCount;
-  generate_.launch(rayCount, block.parameters, layout_, lines_, emitters_[set], tracer.scene().layoutBuffer(),
-                   tracer.scene().surface(), block.receivers, rays_, rayValues_);
+  layout_.emitters = emittersOfSet_[set];
+  lit_.shareSurface(tracer.scene());
+  generate_.launch(rayCount, block.parameters, layout_, lines_, lit_.layoutBuffer(), lit_.surface(),
+                   lit_.shading(), lit_.lights(), block.receivers, rays_, rayValues_);
   tracer.traceAny(rays_, hits_, rayCount);
-  project_.launch(receivers, block.parameters, layout_, lines_, emitters_[set], block.receivers, rays_, hits_,
-                  rayValues_, block.rays, block.hits, values_);
+  sum_.launch(receivers, block.parameters, layout_, lines_, block.receivers, rays_, hits_, rayValues_,
+              values_);
+  if (hasEmitters_)
+    addHits_.launch(receivers, block.parameters, layout_, lines_, lit_.layoutBuffer(), lit_.surface(),
+                    lit_.shading(), lit_.lights(), block.receivers, block.rays, block.hits, values_);
   values.resize(std::size_t{receivers} * layout_.groupCount * 3 * valueCount_);
   values_.read(std::span(values));
 }

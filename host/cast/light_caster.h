@@ -37,7 +37,8 @@ class LightCaster {
   std::uint32_t valueCount_;  ///< a group and channel
   bool hasEmitters_;
   Buffer<device::LightGroupLine> lines_;
-  std::vector<Buffer<device::GroupEmitter>> emitters_;  ///< [set]
+  std::vector<std::uint32_t> emittersOfSet_;  ///< [set] their first line
+  DeviceScene lit_;  ///< the lights, and shading where there are emitters; surface: the tracer's
   Buffer<device::Ray> rays_;
   Buffer<device::Hit> hits_;
   Buffer<float> rayValues_;
@@ -47,12 +48,17 @@ class LightCaster {
   using Receivers = Buffer<device::Receiver>;
   using Rays = Buffer<device::Ray>;
   using Hits = Buffer<device::Hit>;
-  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Buffer<device::GroupEmitter>,
-         Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Receivers, Rays, Buffer<float>>
+  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Buffer<device::SceneLayout>,
+         Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>, Buffer<device::LightLine>, Receivers, Rays,
+         Buffer<float>>
       generate_;
-  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Buffer<device::GroupEmitter>,
-         Receivers, Rays, Hits, Buffer<float>, Rays, Hits, Buffer<float>>
-      project_;
+  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Receivers, Rays, Hits,
+         Buffer<float>, Buffer<float>>
+      sum_;
+  Kernel<Parameters, device::LightGroupLayout, Buffer<device::LightGroupLine>, Buffer<device::SceneLayout>,
+         Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>, Buffer<device::LightLine>, Receivers, Rays,
+         Hits, Buffer<float>>
+      addHits_;
 };
 
 }  // namespace prelight

@@ -89,49 +89,29 @@ glm::vec3 over(const glm::vec3& intensity, const glm::vec3& color) {
 
 void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t group, GroupedLights& out) {
   for (const std::size_t i : source.lights) {
-    out.rays.push_back({group, static_cast<std::uint32_t>(out.punctual.size()), 0, 0, 0, 0, {}});
-    out.punctual.push_back(deviceLight(scene.lights[i], scene));
+    std::vector<device::PunctualLight>& lights = out.tables.punctual;
+    out.rays.push_back({group, static_cast<std::uint32_t>(lights.size()), {}, 0, 0, 0});
+    lights.push_back(deviceLight(scene.lights[i], scene));
     const glm::vec3 factor = over(scene.lights[i].intensity, source.color);
-    out.factors.insert(out.factors.end(), {factor.x, factor.y, factor.z});
+    for (int c = 0; c < 3; ++c) lights.back().intensity[c] = factor[c];
   }
 }
 
-void addEmitters(const CompiledScene& scene, const Source& source, std::uint32_t group, std::uint32_t samples,
+void addEmissive(const CompiledScene& scene, const Source& source, std::uint32_t group, std::uint32_t samples,
                  GroupedLights& out) {
   if (source.triangles.empty()) return;
-  std::vector<double> powers, areas;
-  double total = 0.0;
+  std::vector<double> powers;
   for (const std::uint32_t t : source.triangles) {
     const glm::vec3 e = scene.materials[scene.triangleMaterials[t]].emission;
-    areas.push_back(0.5 * glm::length(geometricNormal(scene, t)));
-    powers.push_back(areas.back() * (double(e.x) + e.y + e.z));
-    total += powers.back();
-  }
-  const auto first = static_cast<std::uint32_t>(out.emitters.size());
-  double sum = 0.0;
-  for (std::size_t i = 0; i < source.triangles.size(); ++i) {
-    const std::uint32_t t = source.triangles[i];
-    const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
-    const glm::vec3 factor = over(material.emission, source.color);
-    sum += powers[i];
+    powers.push_back(glm::length(geometricNormal(scene, t)) * (double(e.x) + e.y + e.z));
+    const glm::vec3 factor = over(e, source.color);
     out.emitterOfTriangle[t] = static_cast<std::uint32_t>(out.emitters.size());
-    out.emitters.push_back({t,
-                            group,
-                            static_cast<float>(sum / total),
-                            static_cast<float>(powers[i] / total / areas[i]),
-                            {factor.x, factor.y, factor.z},
-                            material.doubleSided ? 1u : 0u});
+    out.emitters.push_back({group, {factor.x, factor.y, factor.z}});
   }
-  out.emitters.back().bound = 1.0f;
+  const device::EmitterRange range = addEmitters(scene, source.triangles, powers, out.tables);
   out.samplesOfGroup[group] = samples;
   for (std::uint32_t s = 0; s < samples; ++s)
-    out.rays.push_back({group,
-                        PRELIGHT_NO_EMITTER,
-                        first,
-                        static_cast<std::uint32_t>(source.triangles.size()),
-                        s,
-                        samples,
-                        {}});
+    out.rays.push_back({group, PRELIGHT_NO_EMITTER, range, s, samples, 0});
 }
 
 }  // namespace
@@ -155,7 +135,7 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
     const auto index = static_cast<std::uint32_t>(out.groups.size());
     out.groups.push_back({group.name, group.color});
     addPunctual(scene, group, index, out);
-    addEmitters(scene, group, index, samples, out);
+    addEmissive(scene, group, index, samples, out);
   }
   return out;
 }

@@ -3,20 +3,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "gpu/light_tables.h"
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/plan.h"
 #include "shared/light_group_types.h"
-#include "shared/shade_types.h"
 
 namespace prelight {
 
 /// The scene's own lights, dealt to groups, as kernels/cast/light_kernels.cl reads them.
 struct GroupedLights {
   std::vector<LightGroup> groups;
-  std::vector<device::PunctualLight> punctual;
-  std::vector<float> factors;                    ///< [punctual][3], intensity over its group's colour
-  std::vector<device::GroupEmitter> emitters;    ///< those of a group are consecutive
+  LightTables tables;  ///< punctual lights of intensities over their groups' colours; emitters group by group
+  std::vector<device::GroupEmitter> emitters;    ///< [emitter of the tables]
   std::vector<std::uint32_t> emitterOfTriangle;  ///< [triangle], or PRELIGHT_NO_EMITTER
   std::vector<std::uint32_t> samplesOfGroup;     ///< [group], emitter samples a receiver
   std::vector<device::LightRay> rays;            ///< shadow rays of a receiver

@@ -76,12 +76,6 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
     throw UsageError("--compress", "it compresses SH transfer, and none is asked for", "add --sh N");
   if (command.quantizesOccluders && !request.occluders)
     throw UsageError("--vo-compress", "it compresses vector occluders, and none are asked for", "add --vo");
-  if (request.volume.size > 0 && request.sh.order == 0)
-    throw UsageError("--volume", "a volume has the order of the SH transfer, and none is asked for",
-                     "add --sh N");
-  if (request.chartTransfer.size > 0 && request.sh.order == 0)
-    throw UsageError("--texels", "light maps have the order of the SH transfer, and none is asked for",
-                     "add --sh N");
   checkAnimationOptions(command, request);
   if (request.limits.farthest > 0.0 && request.limits.nearest >= request.limits.farthest)
     throw UsageError("--near", fmt::format("{} m is not below --far {} m", request.limits.nearest,

@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "bake/baker.h"
 #include "cli/console.h"
 #include "cli/stop_signals.h"
+#include "library/file_checkpoint.h"
 
 namespace prelight::cli {
 
@@ -18,25 +18,23 @@ class BakeStateFile final : public BakeCheckpoint {
                 StopSignals& signals);
 
   /// What a state must belong to; needed before load() and save().
-  void setKey(StateKey key) { key_ = std::move(key); }
+  void setKey(StateKey key) { file_.setKey(std::move(key)); }
 
   std::optional<StateReader> load() override;
   void save(const std::function<void(StateWriter&)>& write) override;
 
   /// Takes the state away once the output is there.
-  void remove() const;
+  void remove() const { file_.remove(); }
 
   /// What to tell someone who has interrupted the bake.
   std::string message() const;
 
  private:
-  std::filesystem::path path_;
+  FileCheckpoint file_;
   bool resume_;
   const Console& console_;
   StopSignals& signals_;
-  StateKey key_;
   bool saved_ = false;
-  std::string failure_;  ///< of the last attempt
 };
 
 }  // namespace prelight::cli

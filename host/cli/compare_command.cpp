@@ -114,12 +114,40 @@ void compareTexels(const ChartTransfer& first, const ChartTransfer& second, Sess
     session.warn("the light maps differ in order, channels or size and are not compared");
 }
 
+/// Encodings that both have, as `place`.NAME.
+void compareEncoded(const std::string& place, const std::vector<EncodedLight>& first,
+                    const std::vector<EncodedLight>& second, Session& session, Differences& result) {
+  for (const EncodedLight& one : first) {
+    const auto other = std::find_if(second.begin(), second.end(), [&](const EncodedLight& candidate) {
+      return candidate.encoding == one.encoding;
+    });
+    if (other == second.end()) continue;
+    const std::string name = place + "." + one.encoding;
+    if (one.values.size() == other->values.size())
+      result.emplace_back(name, difference(one.values, other->values));
+    else
+      session.warn(fmt::format("the values of {} differ in number and are not compared", name));
+  }
+}
+
 void compareLightMaps(const LightMap& first, const LightMap& second, Session& session, Differences& result) {
-  if (first.layout.width == second.layout.width && first.layout.height == second.layout.height &&
-      first.coefficients == second.coefficients)
+  const bool sameSize =
+      first.layout.width == second.layout.width && first.layout.height == second.layout.height;
+  if (sameSize && first.coefficients == second.coefficients)
     result.emplace_back("lightMap", difference(first.values, second.values));
   else
     session.warn("the light maps differ in size or coefficients and are not compared");
+  if (sameSize) compareEncoded("lightMap", first.encoded, second.encoded, session, result);
+}
+
+void compareLightGroups(const LightGroupTransfer& first, const LightGroupTransfer& second, Session& session,
+                        Differences& result) {
+  const auto sameName = [](const LightGroup& one, const LightGroup& other) { return one.name == other.name; };
+  if (first.channels == second.channels && std::equal(first.groups.begin(), first.groups.end(),
+                                                      second.groups.begin(), second.groups.end(), sameName))
+    result.emplace_back("lightGroups", difference(first.coefficients, second.coefficients));
+  else
+    session.warn("the light groups differ and are not compared");
 }
 
 Differences compareBakes(const CompareCommand& command, Session& session) {
@@ -148,6 +176,9 @@ Differences compareBakes(const CompareCommand& command, Session& session) {
   };
   compareHarmonics("sh", first.sh, second.sh);
   compareHarmonics("ch", first.ch, second.ch);
+  if (first.lightGroups && second.lightGroups)
+    compareLightGroups(*first.lightGroups, *second.lightGroups, session, result);
+  compareEncoded("vertices", first.encodedLight, second.encodedLight, session, result);
   if (first.chartTransfer && second.chartTransfer)
     compareTexels(*first.chartTransfer, *second.chartTransfer, session, result);
   if (first.lightMap && second.lightMap) compareLightMaps(*first.lightMap, *second.lightMap, session, result);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr auto options = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"BakeRequest::lightGroups", "--light-groups"},
+    {"BakeRequest::lightMap", "--lightmap"},
     {"BakeRequest::maxMemory", "--max-memory"},
     {"BakeRequest::radiosity", "--radiosity"},
     {"BakeRequest::shadowSets", "--shadow-set"},

@@ -4,46 +4,28 @@
 #include <optional>
 #include <string>
 
-#include "bake/baker.h"
-#include "bake/make_plan.h"
 #include "cli/bake_state.h"
 #include "cli/console.h"
 #include "cli/context.h"
 #include "cli/stage_times.h"
 #include "cli/terminal_progress.h"
-#include "prelight/compiled_scene.h"
+#include "library/open_scene.h"
+#include "library/run_bake.h"
 #include "prelight/device.h"
-#include "prelight/plan.h"
-#include "prelight/scene.h"
-#include "scene/gltf/gltf_document.h"
 
 namespace prelight::cli {
 
-/// A file taken through the steps that every command shares.
-struct LoadedScene {
-  std::filesystem::path path;
-  GltfDocument document;
-  Scene scene;
-  CompiledScene compiled;
-};
+using LoadedScene = OpenedScene;
 
-/// A bake with all that is known of how it was made.
-struct BakeRun {
-  Plan plan;
-  Bake bake;
-  BakeReport report;
-  DeviceInfo device;
-};
-
-/// The core of a command's run: console, progress, times and warnings, and the pipeline
-/// readGltf -> loadScene -> compileScene -> makePlan -> Device::open -> bakeScene, each stage timed and
-/// interruptible.
+/// The core of a command's run: console, progress, times and warnings, and the pipelines openScene() and
+/// runBake(), each step timed and interruptible.
 class Session {
  public:
   explicit Session(Context& context)
       : context_(context),
         console_(context.options, context.output),
-        progress_(context.options, context.signals) {}
+        progress_(context.options, context.signals),
+        steps_(progress_, times_) {}
 
   const GlobalOptions& options() const { return context_.options; }
   const Console& console() const { return console_; }
@@ -56,8 +38,7 @@ class Session {
   /// Reads and flattens a glTF file and shows what was odd about it.
   LoadedScene load(const std::filesystem::path& path);
 
-  /// Plans and bakes. Throws InputError for a scene without triangles, or for light maps of one that has no
-  /// texture coordinates for them.
+  /// Plans and bakes; throws as runBake().
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,
                BakeStateFile* state = nullptr);
 
@@ -67,12 +48,21 @@ class Session {
   StopSignals& signals() { return context_.signals; }
 
  private:
-  Charts chartsOf(const LoadedScene& loaded, int size);
+  class TimedSteps final : public Steps {
+   public:
+    TimedSteps(Progress& progress, StageTimes& times) : Steps(progress), times_(times) {}
+
+   private:
+    void measure(const char* name, const std::function<void()>& work) override { times_.measure(name, work); }
+
+    StageTimes& times_;
+  };
 
   Context& context_;
   Console console_;
   TerminalProgress progress_;
   StageTimes times_;
+  TimedSteps steps_;
   Warnings warnings_;
   bool warnedOfCache_ = false;
 };

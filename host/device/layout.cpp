@@ -86,10 +86,10 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
       layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
       layoutOf<LightRay, 32>("LightRay", offsetof(LightRay, sampleCount)),
-      layoutOf<GroupEmitter, 32>("GroupEmitter", offsetof(GroupEmitter, twoSided)),
+      layoutOf<GroupEmitter, 16>("GroupEmitter", offsetof(GroupEmitter, factor)),
       layoutOf<LightLayout, 36>("LightLayout", offsetof(LightLayout, skyTurn)),
       layoutOf<ElementPoint, 16>("ElementPoint", offsetof(ElementPoint, back)),
-      layoutOf<RadiosityEmitter, 32>("RadiosityEmitter", offsetof(RadiosityEmitter, radiance)),
+      layoutOf<EmitterRange, 12>("EmitterRange", offsetof(EmitterRange, table)),
       layoutOf<VirtualLight, 80>("VirtualLight", offsetof(VirtualLight, through)),
       layoutOf<SurfacePlace, 12>("SurfacePlace", offsetof(SurfacePlace, clearance)),
       layoutOf<SurfaceLine, 64>("SurfaceLine", offsetof(SurfaceLine, words)),
@@ -109,7 +109,7 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<DirectRays, 16>("DirectRays", offsetof(DirectRays, skySamples)),
       layoutOf<RelaxStep, 16>("RelaxStep", offsetof(RelaxStep, perSide)),
       layoutOf<LightGroupLine, 64>("LightGroupLine", offsetof(LightGroupLine, words)),
-      layoutOf<LightGroupLayout, 36>("LightGroupLayout", offsetof(LightGroupLayout, normals))};
+      layoutOf<LightGroupLayout, 24>("LightGroupLayout", offsetof(LightGroupLayout, emitters))};
 }
 
 }  // namespace

@@ -25,6 +25,17 @@ DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene) : de
   uploadLayout();
 }
 
+void DeviceScene::shareSurface(const DeviceScene& other) {
+  if (surface_.memory() == other.surface_.memory()) return;
+  layout_.triangles = other.layout_.triangles;
+  layout_.materials = other.layout_.materials;
+  layout_.texCoords = other.layout_.texCoords;
+  layout_.colors = other.layout_.colors;
+  layout_.texels = other.layout_.texels;
+  surface_ = other.surface_;
+  uploadLayout();
+}
+
 void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image>& images,
                              bool layerTextures) {
   Layers layers = makeLayers(scene, images);
@@ -32,7 +43,7 @@ void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image
   layout_.vertices = pack.add(interleaveVertices(scene));
   layout_.flat = pack.add(spanOf(scene.triangleFlat));
   layout_.bases = pack.add(makeBaseMaterials(scene));
-  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene));
+  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene, true));
   layout_.layers = pack.add(std::move(layers.materials));
   layout_.layerTexels = pack.add(std::move(layers.texels));
   layout_.layerTexCoords = layerTextures ? pack.add(spanOf(scene.texCoords)) : 0;
@@ -45,7 +56,7 @@ void DeviceScene::setPlainShading(const CompiledScene& scene) {
   layout_.vertices = pack.add(interleaveVertices(scene));
   layout_.flat = pack.add(spanOf(scene.triangleFlat));
   layout_.bases = pack.add(makeBaseMaterials(scene));
-  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene));
+  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene, false));
   shading_ = pack.upload(*device_);
   uploadLayout();
 }

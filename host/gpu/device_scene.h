@@ -21,10 +21,17 @@ class DeviceScene {
   /// What rays and bounces ask of the surface.
   DeviceScene(DeviceContext& device, const CompiledScene& scene);
 
+  /// Without a surface: see shareSurface().
+  explicit DeviceScene(DeviceContext& device) : device_(&device) {}
+
+  /// Takes the surface of another scene.
+  void shareSurface(const DeviceScene& other);
+
   /// Adds what following light asks beyond that. `layerTextures`: ShadeFeatures::layerTextures.
   void setShading(const CompiledScene& scene, const std::vector<Image>& images, bool layerTextures);
 
-  /// The same without textures and without light that comes through diffusely.
+  /// The same without textures, emission being the mean of its own, and without light that comes through
+  /// diffusely.
   void setPlainShading(const CompiledScene& scene);
 
   /// Takes vertices for shading to where the scene has them now.

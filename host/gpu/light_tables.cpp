@@ -40,27 +40,22 @@ std::uint32_t append(std::vector<std::uint32_t>& tables, const std::vector<std::
   return first;
 }
 
-void listEmitters(const CompiledScene& scene, LightTables& result) {
+struct Emitters {
+  std::vector<std::uint32_t> triangles;
+  std::vector<double> powers;
+};
+
+Emitters listEmitters(const CompiledScene& scene) {
+  Emitters emitters;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
     if (!shines(m.emissionFactor)) continue;
     const double area = 0.5 * glm::length(geometricNormal(scene, t));
-    result.emitters.push_back(t);
-    result.emitterPowers.push_back(pi * area * luminance(glm::dvec3(m.emissionFactor)) *
-                                   (m.doubleSided ? 2.0 : 1.0));
+    emitters.triangles.push_back(t);
+    emitters.powers.push_back(pi * area * luminance(glm::dvec3(m.emissionFactor)) *
+                              (m.doubleSided ? 2.0 : 1.0));
   }
-}
-
-void addEmitters(const CompiledScene& scene, LightTables& result) {
-  const std::vector<std::uint32_t> bounds = makeIntervals(result.emitterPowers);
-  result.emitterTable = append(result.tables, bounds);
-  result.emitterDensities.assign(scene.triangleCount(), 0.0f);
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const std::uint32_t t = result.emitters[i];
-    const double area = 0.5 * glm::length(geometricNormal(scene, t));
-    result.emitterDensities[t] =
-        static_cast<float>(std::clamp(intervalProbability(bounds, i) / area, 1e-30, 1e30));
-  }
+  return emitters;
 }
 
 /// Weight of a texel: the mean luminance over it of the sky between texel centres, and its solid angle. Exact
@@ -144,6 +139,24 @@ double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t en
   return (end - bounds[entry]) / wholeRange;
 }
 
+device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+                                 std::span<const double> powers, LightTables& tables) {
+  const std::vector<std::uint32_t> bounds = makeIntervals(powers);
+  const device::EmitterRange range{static_cast<std::uint32_t>(tables.emitters.size()),
+                                   static_cast<std::uint32_t>(triangles.size()),
+                                   append(tables.tables, bounds)};
+  tables.emitters.insert(tables.emitters.end(), triangles.begin(), triangles.end());
+  tables.emitterPowers.insert(tables.emitterPowers.end(), powers.begin(), powers.end());
+  tables.emitterPower = std::accumulate(tables.emitterPowers.begin(), tables.emitterPowers.end(), 0.0);
+  tables.emitterDensities.resize(scene.triangleCount(), 0.0f);
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const double area = 0.5 * glm::length(geometricNormal(scene, triangles[i]));
+    tables.emitterDensities[triangles[i]] =
+        static_cast<float>(std::clamp(intervalProbability(bounds, i) / area, 1e-30, 1e30));
+  }
+  return range;
+}
+
 LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
                             const Environment* sky, bool choosePunctual) {
   LightTables result;
@@ -156,14 +169,14 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   }
   if (choosePunctual) groups = result.punctualPowers;
   result.emitterGroup = static_cast<std::uint32_t>(groups.size());
-  listEmitters(scene, result);
-  result.emitterPower = std::accumulate(result.emitterPowers.begin(), result.emitterPowers.end(), 0.0);
-  if (!result.emitters.empty()) groups.push_back(result.emitterPower);
+  const Emitters emitters = listEmitters(scene);
+  const bool emits = !emitters.triangles.empty();
   const bool skyShines = sky != nullptr && std::any_of(sky->radiance.begin(), sky->radiance.end(),
                                                        [](const auto& r) { return shines(r); });
-  result.groupCount = static_cast<std::uint32_t>(groups.size()) + (skyShines ? 1 : 0);
+  result.groupCount = static_cast<std::uint32_t>(groups.size()) + (emits ? 1 : 0) + (skyShines ? 1 : 0);
   result.tables.resize(result.groupCount);  // filled last: the sky's power comes with its tables
-  if (!result.emitters.empty()) addEmitters(scene, result);
+  if (emits) result.emitterTable = addEmitters(scene, emitters.triangles, emitters.powers, result).table;
+  if (emits) groups.push_back(result.emitterPower);
   if (skyShines) result.skyPower = addSky(*sky, result) * pi * radius * radius;
   if (skyShines) groups.push_back(result.skyPower);
   if (groups.empty()) return result;

@@ -47,6 +47,11 @@ struct LightTables {
 LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
                             const Environment* sky, bool choosePunctual);
 
+/// Adds emitters that one is chosen of in proportion to `powers`, behind those that the tables have. They are
+/// at least one, and none has been added before.
+device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const std::uint32_t> triangles,
+                                 std::span<const double> powers, LightTables& tables);
+
 /// A sky's turn by `rotation`, radians, counter-clockwise about +Y seen from above, as kernels take it.
 float skyTurn(double rotation);
 

@@ -107,13 +107,14 @@ std::vector<DeviceMaterial> makeBaseMaterials(const CompiledScene& scene) {
   return materials;
 }
 
-std::vector<ShadeMaterial> makeShadeMaterials(const CompiledScene& scene) {
+std::vector<ShadeMaterial> makeShadeMaterials(const CompiledScene& scene, bool textured) {
   std::vector<ShadeMaterial> materials;
   for (const CompiledMaterial& m : scene.materials) {
     ShadeMaterial r{};
+    const glm::vec3 emission = textured ? m.emissionFactor : m.emission;
     for (int c = 0; c < 3; ++c) {
       r.absorption[c] = m.absorption[c];
-      r.emission[c] = std::min(m.emissionFactor[c], brightest);
+      r.emission[c] = std::min(emission[c], brightest);
     }
     if (!m.unlit) setSpecular(m, r);
     r.ior = m.ior;

@@ -17,7 +17,8 @@ std::vector<float> interleaveVertices(const CompiledScene& scene);
 /// Materials for surfaceColor() (kernels/bvh/alpha_funcs.cl) that yield base colours without their textures.
 std::vector<device::DeviceMaterial> makeBaseMaterials(const CompiledScene& scene);
 
-std::vector<device::ShadeMaterial> makeShadeMaterials(const CompiledScene& scene);
+/// `textured`: textures multiply the emission; otherwise it is the mean of its own.
+std::vector<device::ShadeMaterial> makeShadeMaterials(const CompiledScene& scene, bool textured);
 
 /// Textures, [material][4]: of base colour, of roughness and metalness, of emission, and of the light that
 /// comes through, whose factors it holds: the colour times the share as `albedo`, the share as `alphaFactor`.

@@ -14,8 +14,7 @@ constexpr const char* kind = "bake";
 
 }  // namespace
 
-FileCheckpoint::FileCheckpoint(std::filesystem::path path, StateKey key)
-    : path_(std::move(path)), key_(std::move(key)) {}
+FileCheckpoint::FileCheckpoint(std::filesystem::path path) : path_(std::move(path)) {}
 
 std::optional<StateReader> FileCheckpoint::load() { return readStateFile(path_, kind, key_); }
 

@@ -7,14 +7,11 @@
 namespace prelight {
 
 LibraryCall::LibraryCall(const Device* device, Progress* progress)
-    : device_(device), progress_(progress != nullptr ? progress : &ignored_) {
-  if (device_ == nullptr) device_ = &opened_.emplace(Device::open({}));
-}
+    : device_(device), progress_(progress != nullptr ? progress : &ignored_) {}
 
-void requireTriangles(const LoadedScene& scene, const char* use) {
-  if (scene.compiled.triangleCount() > 0) return;
-  throw InputError(scene.path.string(), fmt::format("the scene has no triangles; there is nothing {}", use),
-                   "export meshes along with it");
+const Device& LibraryCall::device() {
+  if (device_ == nullptr) device_ = &opened_.emplace(Device::open({}));
+  return *device_;
 }
 
 void requireBetween(const char* field, double value, double least, double most) {

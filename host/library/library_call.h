@@ -18,7 +18,8 @@ class LibraryCall {
   LibraryCall(const LibraryCall&) = delete;
   LibraryCall& operator=(const LibraryCall&) = delete;
 
-  const Device& device() const { return *device_; }
+  /// Opens it when it is asked for first.
+  const Device& device();
   Progress& progress() { return *progress_; }
 
  private:
@@ -27,9 +28,6 @@ class LibraryCall {
   const Device* device_;
   Progress* progress_;
 };
-
-/// Throws InputError for a scene without triangles; `use` says what there is nothing for ("to bake").
-void requireTriangles(const LoadedScene& scene, const char* use);
 
 /// Throws UsageError naming `field` unless the value lies between the two.
 void requireBetween(const char* field, double value, double least, double most);

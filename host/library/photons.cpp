@@ -2,6 +2,7 @@
 
 #include "base/octahedral.h"
 #include "library/library_call.h"
+#include "library/open_scene.h"
 #include "photon/photon_tracer.h"
 
 namespace prelight {
@@ -21,7 +22,7 @@ LandedPhoton landed(const device::Photon& photon, std::uint32_t path, const Comp
 }  // namespace
 
 PhotonResult photons(const LoadedScene& scene, const PhotonOptions& options) {
-  requireTriangles(scene, "for photons to land on");
+  requireTriangles(scene.path, scene.compiled, "for photons to land on");
   requireBetween("PhotonOptions::photons", double(options.photons), 1.0, mostPhotons);
   LibraryCall call(options.device, options.progress);
   TransportScene transport(litScene(scene, options.lights, options.sky, options.skyRotation), call.device());

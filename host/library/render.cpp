@@ -3,6 +3,7 @@
 #include "integrators/global_illumination_renderer.h"
 #include "integrators/reference.h"
 #include "library/library_call.h"
+#include "library/open_scene.h"
 #include "scene/framing.h"
 
 namespace prelight {
@@ -64,7 +65,7 @@ Picture illuminate(const Scene& scene, const LitScene& lit, const Camera& camera
 
 Picture render(const LoadedScene& scene, const RenderOptions& options) {
   check(options);
-  requireTriangles(scene, "to draw");
+  requireTriangles(scene.path, scene.compiled, "to draw");
   const Camera camera = cameraOf(scene, options);
   RenderOptions sized = options;
   if (sized.width == 0) sized.width = pictureWidth(camera, options.height);

@@ -53,7 +53,7 @@ std::vector<std::optional<RayHit>> trace(const LoadedScene& scene, std::span<con
   for (std::size_t i = 0; i < rays.size(); ++i)
     deviceRays.push_back(deviceRay(rays[i], i, scene.compiled.origin));
   if (rays.empty() || scene.compiled.triangleCount() == 0) return found;
-  const LibraryCall call(options.device);
+  LibraryCall call(options.device);
   Tracer tracer(scene.compiled, call.device());
   const std::vector<device::Hit> hits = tracer.traceClosest(deviceRays);
   for (std::size_t i = 0; i < rays.size(); ++i)

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/span_of.h"
-
 namespace prelight {
 
 namespace {
@@ -14,15 +12,6 @@ constexpr std::uint32_t emitterSamples = 8;  ///< a point
 constexpr std::uint32_t skySamples = 16;
 constexpr std::uint32_t raysPerBlock = 1u << 18;
 
-std::vector<RadiosityEmitter> emittersOf(const CompiledScene& scene, const LightTables& tables) {
-  std::vector<RadiosityEmitter> emitters;
-  for (const std::uint32_t t : tables.emitters) {
-    const CompiledMaterial& m = scene.materials[scene.triangleMaterials[t]];
-    emitters.push_back({t, m.doubleSided ? 1u : 0u, {m.emission.x, m.emission.y, m.emission.z}, {0, 0, 0}});
-  }
-  return emitters;
-}
-
 }  // namespace
 
 DirectLight::DirectLight(const CompiledScene& scene, const ElementPoints& points, Tracer& tracer,
@@ -32,33 +21,25 @@ DirectLight::DirectLight(const CompiledScene& scene, const ElementPoints& points
       tracer_(tracer),
       device_(tracer.context()),
       pointsPerElement_(pointsPerElement),
-      lit_(tracer.scene()),
-      positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
+      lit_(tracer.scene()) {}
 
 DirectLight::DirectLight(const CompiledScene& scene, Tracer& tracer)
-    : scene_(scene),
-      tracer_(tracer),
-      device_(tracer.context()),
-      pointsPerElement_(1),
-      lit_(tracer.scene()),
-      positions_(device_, std::span<const float>(&scene.positions[0].x, 3 * scene.positions.size())) {}
+    : scene_(scene), tracer_(tracer), device_(tracer.context()), pointsPerElement_(1), lit_(tracer.scene()) {}
 
 void DirectLight::setLights(const RadiosityLights& lights) {
   const LightTables tables = makeLightTables(scene_, lights.punctual, lights.sky, false);
   lit_.setLights(tables, lights.skyRotation);
-  std::vector<RadiosityEmitter> emitters;
-  if (lights.emitters) emitters = emittersOf(scene_, tables);
-  emitterBuffer_ = Buffer<RadiosityEmitter>(device_, spanOf(emitters));
+  emitters_ = lights.emitters ? tables.emitters.size() : 0;
+  if (emitters_ > 0 && lit_.shading().memory() == nullptr) lit_.setPlainShading(scene_);
   const std::uint32_t before = raysOfPoint();
   counts_.punctual = static_cast<std::uint32_t>(tables.punctual.size());
-  emitters_ = static_cast<std::uint32_t>(emitters.size());
-  counts_.emitterSamples = emitters.empty() ? 0 : emitterSamples;
+  counts_.emitterSamples = emitters_ == 0 ? 0 : emitterSamples;
   counts_.skySamples = tables.sky.empty() ? 0 : skySamples;
   const auto options =
       BuildOptions()
           .defineIf(counts_.punctual > 0, "PRELIGHT_PUNCTUAL")
           .defineIf(counts_.skySamples > 0, "PRELIGHT_SKY")
-          .defineIf(emitters_ > 0, "PRELIGHT_RADIOSITY_EMITTERS")
+          .defineIf(emitters_ > 0, "PRELIGHT_EMITTERS")
           .defineIf(emitters_ > 0 && emitters_ <= mostIntegratedEmitters, "PRELIGHT_FEW_EMITTERS");
   const char* file = "radiosity/direct_kernels.cl";
   aim_ = {device_, file, options, "aimAtLights"};
@@ -129,16 +110,16 @@ void DirectLight::aimBlock(std::span<const Receiver> receivers) {
   receivers_.write(receivers);
   counts_.points = static_cast<std::uint32_t>(receivers.size());
   const std::size_t rayCount = receivers.size() * raysOfPoint();
-  aim_.launch(rayCount, counts_, receivers_, lit_.layoutBuffer(), lit_.surface(), lit_.lights(),
-              emitterBuffer_, positions_, rayBuffer_, values_);
+  aim_.launch(rayCount, counts_, receivers_, lit_.layoutBuffer(), lit_.surface(), lit_.shading(),
+              lit_.lights(), rayBuffer_, values_);
   tracer_.traceAny(rayBuffer_, hits_, rayCount);
   rays_ += rayCount;
 }
 
 void DirectLight::estimateBlock(std::span<const Receiver> receivers, PointIrradiance* values) {
   aimBlock(receivers);
-  sum_.launch(receivers.size(), counts_, emitters_, lit_.layoutBuffer(), lit_.surface(), receivers_, hits_,
-              values_, emitterBuffer_, positions_, irradiance_);
+  sum_.launch(receivers.size(), counts_, lit_.layoutBuffer(), lit_.surface(), lit_.shading(), lit_.lights(),
+              receivers_, hits_, values_, irradiance_);
   irradiance_.read(std::span(values, receivers.size()));
 }
 

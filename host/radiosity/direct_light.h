@@ -72,12 +72,10 @@ class DirectLight {
   DeviceContext& device_;
   std::uint32_t pointsPerElement_;
   device::DirectRays counts_{};  ///< points: of the block at hand
-  std::uint32_t emitters_ = 0;
+  std::size_t emitters_ = 0;
   std::uint64_t rays_ = 0;
   std::uint32_t blockPoints_ = 0;
-  DeviceScene lit_;  ///< the surface with the lights
-  Buffer<device::RadiosityEmitter> emitterBuffer_;
-  Buffer<float> positions_;
+  DeviceScene lit_;  ///< the surface with the lights, and shading where there are emitters
   Buffer<device::Receiver> receivers_;
   Buffer<device::Ray> rayBuffer_;
   Buffer<device::Hit> hits_;
@@ -89,12 +87,12 @@ class DirectLight {
   using Receivers = Buffer<device::Receiver>;
   using Rays = Buffer<device::Ray>;
   using Hits = Buffer<device::Hit>;
-  using Emitters = Buffer<device::RadiosityEmitter>;
   Kernel<device::DirectRays, Receivers, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
-         Buffer<device::LightLine>, Emitters, Buffer<float>, Rays, Buffer<float>>
+         Buffer<device::ShadingLine>, Buffer<device::LightLine>, Rays, Buffer<float>>
       aim_;
-  Kernel<device::DirectRays, std::uint32_t, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
-         Receivers, Hits, Buffer<float>, Emitters, Buffer<float>, Buffer<PointIrradiance>>
+  Kernel<device::DirectRays, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
+         Buffer<device::ShadingLine>, Buffer<device::LightLine>, Receivers, Hits, Buffer<float>,
+         Buffer<PointIrradiance>>
       sum_;
   Kernel<device::DirectRays, Receivers, Rays, Hits, Buffer<float>, Buffer<float>> sumIncident_;
 };

@@ -68,10 +68,10 @@ void probeSecondHalf(__global uint* out) {
   PROBE(37, PhotonGrid, firstCell);
   PROBE(38, DeviceInstance, triangleCount);
   PROBE(39, LightRay, sampleCount);
-  PROBE(40, GroupEmitter, twoSided);
+  PROBE(40, GroupEmitter, factor);
   PROBE(41, LightLayout, skyTurn);
   PROBE(42, ElementPoint, back);
-  PROBE(43, RadiosityEmitter, radiance);
+  PROBE(43, EmitterRange, table);
   PROBE(44, VirtualLight, through);
   PROBE(45, SurfacePlace, clearance);
   PROBE(46, SurfaceLine, words);
@@ -90,7 +90,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(59, DirectRays, skySamples);
   PROBE(60, RelaxStep, perSide);
   PROBE(61, LightGroupLine, words);
-  PROBE(62, LightGroupLayout, normals);
+  PROBE(62, LightGroupLayout, emitters);
 }
 
 // One work-item.

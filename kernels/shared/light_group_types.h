@@ -3,6 +3,7 @@
 #define PRELIGHT_SHARED_LIGHT_GROUP_TYPES_H
 
 #include "shared/compat.h"
+#include "shared/shade_types.h"
 
 PRELIGHT_SHARED_BEGIN
 
@@ -12,12 +13,11 @@ PRELIGHT_SHARED_BEGIN
 /// emitters.
 typedef struct LightRay {
   uint group;
-  uint light;         ///< punctual light; PRELIGHT_NO_EMITTER: emitters
-  uint firstEmitter;  ///< of the group's
-  uint emitterCount;
-  uint sample;       ///< number among the group's emitter samples
-  uint sampleCount;  ///< emitter samples of the group
-  uint pad[2];
+  uint light;             ///< punctual light; PRELIGHT_NO_EMITTER: emitters
+  EmitterRange emitters;  ///< of the group's
+  uint sample;            ///< number among the group's emitter samples
+  uint sampleCount;       ///< emitter samples of the group
+  uint pad;
 } LightRay;
 
 /// 64 bytes of a buffer of arrays, as SurfaceLine.
@@ -30,22 +30,15 @@ typedef struct LightGroupLayout {
   uint rayCount;
   uint groupCount;
   uint rays;               ///< LightRay [ray]
-  uint punctual;           ///< PunctualLight [light]
-  uint factors;            ///< float [light][3], intensity over the group's colour
-  uint emitterOfTriangle;  ///< uint [triangle] GroupEmitter, or PRELIGHT_NO_EMITTER
+  uint emitterOfTriangle;  ///< uint [triangle] in the light tables, or PRELIGHT_NO_EMITTER
   uint samplesOfGroup;     ///< uint [group]
-  uint positions;          ///< float [vertex][3]
-  uint normals;            ///< float [triangle][3] of the fronts, unit
+  uint emitters;           ///< GroupEmitter [emitter of the light tables]
 } LightGroupLayout;
 
-/// An emissive triangle.
+/// What an emissive triangle brings to its group.
 typedef struct GroupEmitter {
-  uint triangle;
   uint group;
-  float bound;      ///< end of its interval in [0,1], ascending within the group; the last is 1
-  float density;    ///< 1/m2 with which a point of it is drawn
   float factor[3];  ///< its radiance over the group's colour
-  uint twoSided;
 } GroupEmitter;
 
 PRELIGHT_SHARED_END

@@ -36,14 +36,6 @@ typedef struct ElementPoint {
   uint back;  ///< 1: it looks along the back
 } ElementPoint;
 
-/// An emissive triangle, in the order of the light tables.
-typedef struct RadiosityEmitter {
-  uint triangle;
-  uint twoSided;
-  float radiance[3];  ///< W/(m2 sr), the mean over its texture
-  uint pad[3];
-} RadiosityEmitter;
-
 PRELIGHT_SHARED_END
 
 #endif

@@ -40,6 +40,13 @@ typedef struct PunctualLight {
   uint pad[3];
 } PunctualLight;
 
+/// Emissive triangles that one is chosen of.
+typedef struct EmitterRange {
+  uint first;  ///< in the list of emitters
+  uint count;
+  uint table;  ///< first entry of their intervals in the tables
+} EmitterRange;
+
 /// Where what lights are chosen by lies in its table (transport/light_table_funcs.cl).
 typedef struct LightLayout {
   uint groupCount;    ///< of lights to choose from: punctual lights, then the emitters as one, then the sky

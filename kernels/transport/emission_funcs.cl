@@ -66,7 +66,7 @@ PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, 
 PRELIGHT_INLINE Emission emitFromSurface(__constant const PhotonParameters* p, Lights l, PathScene s, uint2 choice, float2 u,
                                          float2 place) {
   const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
-  const EmitterPoint at = all ? sampleEmitterPoint(l, &p->scene.lights, s, choice.x, place)
+  const EmitterPoint at = all ? sampleEmitterPoint(l, allEmitters(&p->scene.lights), s, choice.x, place)
                               : pointOnEmitter(l, s, p->source.light, 1.0f, place);
   const bool twoSided = (s.materials[s.surface.triangles[at.triangle].material].flags & PRELIGHT_DOUBLE_SIDED) != 0u;
   const bool front = !twoSided || choice.y < 0x80000000u;

@@ -31,12 +31,19 @@ PRELIGHT_INLINE EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, f
   return e;
 }
 
-// Chosen by power.
-PRELIGHT_INLINE EmitterPoint sampleEmitterPoint(Lights l, __constant const LightLayout* layout, PathScene s, uint bits,
-                                                float2 place) {
+// One of a range of emitters, chosen by power.
+PRELIGHT_INLINE EmitterPoint sampleEmitterPoint(Lights l, EmitterRange range, PathScene s, uint bits, float2 place) {
   float probability, remainder;
-  const uint entry = chooseEntry(l.tables + layout->emitterTable, layout->emitterCount, bits, &probability, &remainder);
+  const uint entry = range.first + chooseEntry(l.tables + range.table, range.count, bits, &probability, &remainder);
   return pointOnEmitter(l, s, entry, probability, place);
+}
+
+// The same by two numbers alone, so that few samples spread evenly over all emitters: what choosing leaves of the first
+// one tells the place.
+PRELIGHT_INLINE EmitterPoint sampleEmitterPointByPair(Lights l, EmitterRange range, PathScene s, uint2 bits) {
+  float probability, remainder;
+  const uint entry = range.first + chooseEntry(l.tables + range.table, range.count, bits.x, &probability, &remainder);
+  return pointOnEmitter(l, s, entry, probability, (float2)(remainder, unitFloat(bits.y)));
 }
 
 // 1/sr for a direction that meets an emitter at a distance under |cosine|.
@@ -44,9 +51,8 @@ PRELIGHT_INLINE float pdfEmitter(Lights l, uint triangle, float distance, float 
   return l.emitterDensities[triangle] * distance * distance / fmax(fabs(cosine), 1e-9f);
 }
 
-PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint bits,
-                                   float2 place, LightSample* a) {
-  const EmitterPoint e = sampleEmitterPoint(l, layout, s, bits, place);
+// The way from a point to that of an emitter, all of the sample but its radiance; front: the side that is seen. False: neither is.
+PRELIGHT_INLINE bool seeEmitter(Lights l, EmitterPoint e, float3 point, LightSample* a, bool* front) {
   const float3 way = e.position - point;
   const float distance = length(way);
   if (!(distance > 1e-9f)) return false;
@@ -54,11 +60,20 @@ PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layou
   a->distance = distance;
   const float cosine = -dot(a->direction, e.normal);
   if (fabs(cosine) < 1e-7f) return false;
-  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, cosine > 0.0f);
   a->pdf = pdfEmitter(l, e.triangle, distance, cosine);
   a->target = offsetOrigin(e.position, e.error, e.normal, -a->direction);
   a->punctual = false;
   a->surface = true;
+  *front = cosine > 0.0f;
+  return true;
+}
+
+PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layout, PathScene s, float3 point, uint bits,
+                                   float2 place, LightSample* a) {
+  const EmitterPoint e = sampleEmitterPoint(l, allEmitters(layout), s, bits, place);
+  bool front;
+  if (!seeEmitter(l, e, point, a, &front)) return false;
+  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, front);
   return true;
 }
 #endif

@@ -25,6 +25,11 @@ typedef struct LightSample {
   bool surface;
 } LightSample;
 
+PRELIGHT_INLINE EmitterRange allEmitters(__constant const LightLayout* layout) {
+  const EmitterRange range = {0u, layout->emitterCount, layout->emitterTable};
+  return range;
+}
+
 // The entry whose interval holds `bits`. Bounds ascend from 0; the last interval ends at 2^32; none is empty.
 // remainder in (0,1): place within the interval.
 PRELIGHT_INLINE uint chooseEntry(__global const uint* bounds, uint count, uint bits, float* probability, float* remainder) {

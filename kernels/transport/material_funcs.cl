@@ -32,10 +32,15 @@ PRELIGHT_INLINE float4 sampleLayer(PathScene s, uint layer, uint triangle, float
   return (float4)(1.0f);
 }
 
+// Light leaves an emissive triangle on this side.
+PRELIGHT_INLINE bool emitsOn(__global const ShadeMaterial* m, bool front) {
+  return front || (m->flags & PRELIGHT_DOUBLE_SIDED) != 0u;
+}
+
 // Radiance that a point of a triangle sends out.
 PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
   __global const ShadeMaterial* m = s.materials + s.surface.triangles[triangle].material;
-  if (!front && (m->flags & PRELIGHT_DOUBLE_SIDED) == 0u) return (float3)(0.0f);
+  if (!emitsOn(m, front)) return (float3)(0.0f);
   return vload3(0, m->emission) * sampleLayer(s, PRELIGHT_LAYER_EMISSION, triangle, u, v).xyz;
 }
 

@@ -42,7 +42,7 @@ TEST(GroupLights, NamedAndOthers_AreDealtInOrder) {
   EXPECT_EQ(lights.groups[0].color, glm::vec3(4, 2, 2));
   EXPECT_EQ(lights.groups[1].name, "Sun");
   EXPECT_EQ(lights.groups[2].name, "glowing floor");
-  EXPECT_EQ(lights.factors[0], 0.25f);  // of Lamp.1's red
+  EXPECT_EQ(lights.tables.punctual[0].intensity[0], 0.25f);  // of Lamp.1's red
   EXPECT_EQ(lights.emitters.size(), 2u);
   EXPECT_EQ(lights.emitters[0].factor[2], 1.0f);  // no blue: it still says where blue would go
 }
@@ -83,32 +83,44 @@ TEST(LightGroupBake, Directional_IsTheCosineOverPi) {
   for (const float t : bake.lightGroups->coefficients) EXPECT_NEAR(t, std::sqrt(0.5) / pi, 1e-5);
 }
 
-// Two faces of light: form factor of a square above a point of a parallel plane (Howell's B-3), four corners.
-TEST(LightGroupBake, SquareEmitterAbovePlane_IsItsFormFactor) {
-  CompiledScene scene = test::ground(24, 0.6f);
+/// Form factor of a square that shines down from y = 0.5, from -0.25 to 0.25 about `x` and z = 0, seen from a
+/// point of the plane below (Howell's B-3, four corners).
+double squareFormFactor(const glm::dvec3& p, double x) {
+  const auto corner = [](double a, double b) {
+    const double c = std::sqrt(1 + a * a), d = std::sqrt(1 + b * b);
+    return (a / c * std::atan(b / c) + b / d * std::atan(a / d)) / (2 * pi);
+  };
+  const double h = 0.5, x0 = (x - 0.25 - p.x) / h, x1 = (x + 0.25 - p.x) / h, z0 = (-0.25 - p.z) / h,
+               z1 = (0.25 - p.z) / h;
+  return corner(x1, z1) - corner(x0, z1) - corner(x1, z0) + corner(x0, z0);
+}
+
+void appendSquare(CompiledScene& scene, float x, const glm::vec3& emission) {
   CompiledScene lamp = test::ground(2, 0.25f);
-  for (auto& p : lamp.positions) p.y = 0.5f;
+  for (auto& p : lamp.positions) p += glm::vec3(x, 0.5f, 0.0f);
   for (auto& t : lamp.triangles) std::swap(t.y, t.z);  // shines downwards
   for (auto& n : lamp.normals) n = -n;
   test::append(scene, lamp);
-  scene.materials[1].emission = {7.0f, 7.0f, 7.0f};
+  scene.materials.back().emission = emission;
+}
+
+TEST(LightGroupBake, SquareEmittersAbovePlane_AreTheirFormFactors) {
+  CompiledScene scene = test::ground(24, 0.6f);
+  appendSquare(scene, -0.3f, {7.0f, 7.0f, 7.0f});
+  appendSquare(scene, 0.3f, {2.0f, 1.0f, 3.0f});
   const Bake bake = test::runBake(scene, groupRequest(0, 1024)).bake;
-  const auto corner = [](double a, double b) {
-    const double x = std::sqrt(1 + a * a), y = std::sqrt(1 + b * b);
-    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * pi);
-  };
-  double worst = 0.0, squares = 0.0;
-  for (std::size_t v = 0; v < 25 * 25; ++v) {
-    const glm::dvec3 p(scene.positions[v]);
-    const double h = 0.5, x0 = (-0.25 - p.x) / h, x1 = (0.25 - p.x) / h, z0 = (-0.25 - p.z) / h,
-                 z1 = (0.25 - p.z) / h;
-    const double expected = corner(x1, z1) - corner(x0, z1) - corner(x1, z0) + corner(x0, z0);
-    const double error = bake.lightGroups->coefficients[v] - expected;
-    worst = std::max(worst, std::abs(error));
-    squares += error * error;
+  ASSERT_EQ(bake.lightGroups->groups.size(), 2u);
+  for (std::size_t group = 0; group < 2; ++group) {
+    double worst = 0.0, squares = 0.0;
+    for (std::size_t v = 0; v < 25 * 25; ++v) {
+      const double expected = squareFormFactor(scene.positions[v], group == 0 ? -0.3 : 0.3);
+      const double error = bake.lightGroups->coefficients[2 * v + group] - expected;
+      worst = std::max(worst, std::abs(error));
+      squares += error * error;
+    }
+    EXPECT_LT(std::sqrt(squares / 625.0), 0.002) << group;
+    EXPECT_LT(worst, 0.012) << group;
   }
-  EXPECT_LT(std::sqrt(squares / 625.0), 0.002);
-  EXPECT_LT(worst, 0.012);
 }
 
 TEST(LightGroupBake, BlockerBetween_CastsItsShadow) {

@@ -176,7 +176,7 @@ TEST_F(CliBench, Stability_EveryBound_Holds) {
   }
   EXPECT_GT(metrics["relative error"], 300u);
   EXPECT_EQ(metrics["values not finite"], metrics["relative error"]);
-  for (const char* part : {"| photons |", "| SH |", "`cast/light_kernels.cl:projectLights`"})
+  for (const char* part : {"| photons |", "| SH |", "`cast/light_kernels.cl:sumLightRays`"})
     EXPECT_THAT(readFile("plots/stability.md"), HasSubstr(part));
   for (const char* name : {"stability", "stability-count", "stability-size"})
     EXPECT_THAT(readFile(std::string("plots/") + name + ".svg"), StartsWith("<svg")) << name;

@@ -125,6 +125,25 @@ TEST_F(CliLightMap, Caustics_BringALightMapWithThem) {
                 {"--photons", "--lightmap"});
 }
 
+TEST_F(CliLightMap, Compare_TellsEncodingsApart) {
+  for (const auto& [name, rays] : {std::pair{"a.glb", "16"}, std::pair{"b.glb", "32"}})
+    bake(name, {"--texel-size", "0.2", "--rays", rays, "--encode", "sh-3,ambient-cube"});
+  bake("c.glb", {"--texel-size", "0.2", "--rays", "16", "--encode", "ambient-cube"});
+  const auto compare = [&](const char* a, const char* b) {
+    return nlohmann::json::parse(prelightDone({"compare", a, b, "--json"}).output);
+  };
+  const nlohmann::json same = compare("a.glb", "a.glb"), other = compare("a.glb", "b.glb");
+  for (const char* part :
+       {"vertices.sh-3", "vertices.ambient-cube", "lightMap.sh-3", "lightMap.ambient-cube"}) {
+    EXPECT_EQ(same.at(part).at("max"), 0.0) << part;
+    EXPECT_GT(same.at(part).at("values"), 0) << part;
+    EXPECT_GT(other.at(part).at("rmse"), 0.0) << part;
+  }
+  const nlohmann::json fewer = compare("a.glb", "c.glb");
+  EXPECT_FALSE(fewer.contains("vertices.sh-3"));
+  EXPECT_EQ(fewer.at("vertices.ambient-cube").at("max"), 0.0);
+}
+
 /// Names of all channels of an .exr stand in its header.
 TEST_F(CliLightMap, Encode_StoresLightAtTexelsAndVertices) {
   bake("out.glb",

@@ -48,6 +48,16 @@ TEST(ConeAperture, Aslant_LetsThroughWhatIsAccessible) {
     }
 }
 
+/// Where the cone touches the horizon the closed form goes over into the search.
+TEST(ConeAperture, AtTheHorizon_IsContinuous) {
+  for (const double cosine : {0.2, 0.5, 0.8, 0.97}) {
+    const double touching = cosine * cosine * cosine;
+    EXPECT_NEAR(coneAperture(touching, cosine), std::sqrt(1.0 - cosine * cosine), 1e-9) << cosine;
+    EXPECT_NEAR(coneAperture(touching * (1.0 + 1e-9), cosine), std::sqrt(1.0 - cosine * cosine), 1e-6)
+        << cosine;
+  }
+}
+
 TEST(ConeAperture, NothingAndAll_AreAClosedConeAndAHalfSpace) {
   EXPECT_NEAR(coneAperture(0.0, 0.7), 1.0, 1e-9);
   EXPECT_NEAR(coneAperture(1.0, 1.0), 0.0, 1e-5);

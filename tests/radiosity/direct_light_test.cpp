@@ -33,6 +33,22 @@ TEST(DirectLight, ThousandsOfEqualLights_AddUp) {
   EXPECT_NEAR(direct.at(places)[0].far.x / expected, 1.0, 2e-5);
 }
 
+// As an element's own emission does, wherever on the lamp the texture is bright.
+TEST(DirectLight, TexturedLamp_CountsWithItsMean) {
+  CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}});  // faces down
+  const auto lightAt = [&](float mean, float factor) {
+    scene.materials[0].emission = glm::vec3(mean);
+    scene.materials[0].emissionFactor = glm::vec3(factor);
+    Tracer tracer(scene, test::sharedDevice());
+    DirectLight direct(scene, tracer);
+    direct.setLights({});
+    const std::array<device::Receiver, 1> places = {lookingUp({0.3f, -1.0f, 0.3f})};
+    return direct.at(places)[0].emitters.x;
+  };
+  EXPECT_GT(lightAt(2.0f, 2.0f), 0.1f);
+  EXPECT_EQ(lightAt(2.0f, 5.0f), lightAt(2.0f, 2.0f));
+}
+
 // Far off, the parts of a triangle's edges cancel in Lambert's formula.
 TEST(DirectLight, SmallLampFarAside_IsTheInverseSquareLaw) {
   for (const float distance : {10.0f, 40.0f, 1e3f, 1e5f}) {

@@ -1,30 +1,42 @@
-// Directional occlusion: what is open above a surface is taken for a cone about the bent normal; needs sky.glsl. `cone`
-// has the unit axis and the cosine of half the angle.
+// Directional occlusion: what is open above a surface is taken for a cone about the bent normal; needs sky.glsl.
+
+struct OpenCone {
+  bool there;
+  vec3 axis;       // unit
+  float cosine;    // of half the angle
+  float softness;  // of its edge, in cosines
+};
+
+OpenCone noCone() { return OpenCone(false, vec3(0.0), 0.0, 1.0); }
+
+// The edge is the softer the less the surface is either open or closed: an open region is no cone. A surface that is all
+// open has no edge but its horizon.
+OpenCone coneAround(vec3 axis, float cosine, float accessibility) {
+  return OpenCone(true, axis, cosine, 0.3 * sqrt(max(accessibility * (1.0 - accessibility), 0.0)) + 1e-4);
+}
 
 // The sky in the cone over pi times the cosine, as if all of the accessible sky were like it. Wide cones: the clamped
 // cosine's zonal coefficients become those of the cosine within the cone, over its own mean. Three bands would ring where a
 // cone is narrow: those take the sky map, as blurred as they are wide.
-vec3 skyInCone(vec4 cone) {
-  float c = min(cone.w, 0.5);
-  vec3 wide = ambientAround(cone.xyz, vec2((1.0 + c + c * c) / (1.0 + c), 1.0 + 3.0 * c * c));
-  float width = max(2.0 * acos(clamp(cone.w, 0.0, 1.0)), 1e-4);
-  vec3 narrow = skyRadiance(cone.xyz, max(log2(width) - skyLevels.x, 0.0));
-  return mix(wide, narrow, smoothstep(0.4, 0.8, cone.w));
+vec3 skyInCone(OpenCone cone) {
+  float c = min(cone.cosine, 0.5);
+  vec3 wide = ambientAround(cone.axis, vec2((1.0 + c + c * c) / (1.0 + c), 1.0 + 3.0 * c * c));
+  float width = max(2.0 * acos(clamp(cone.cosine, 0.0, 1.0)), 1e-4);
+  vec3 narrow = skyRadiance(cone.axis, max(log2(width) - skyLevels.x, 0.0));
+  return mix(wide, narrow, smoothstep(0.4, 0.8, cone.cosine));
 }
 
-// What shadows leave of a lamp. The edge is the softer the less the surface is either open or closed: an open region is
-// no cone. A surface that is all open has no edge but its horizon.
-float lampInCone(vec4 cone, float accessibility, vec3 toLight) {
-  float softness = 0.3 * sqrt(max(accessibility * (1.0 - accessibility), 0.0)) + 1e-4;
-  return smoothstep(cone.w - softness, cone.w + softness, dot(cone.xyz, toLight));
+// What shadows leave of a lamp.
+float lampInCone(OpenCone cone, vec3 toLight) {
+  return smoothstep(cone.cosine - cone.softness, cone.cosine + cone.softness, dot(cone.axis, toLight));
 }
 
 // The share of a reflected lobe that the cone lets through: two caps on the sphere, after Oat and Sander, "Ambient
 // aperture lighting", 2007. Half of the lobe's energy lies within its cap.
-float lobeInCone(vec4 cone, float roughness, vec3 reflected) {
+float lobeInCone(OpenCone cone, float roughness, vec3 reflected) {
   float lobe = min(2.0 * atan(roughness * roughness), 0.5 * pi);
-  float open = acos(clamp(cone.w, 0.0, 1.0));
-  float apart = acos(clamp(dot(cone.xyz, reflected), -1.0, 1.0));
+  float open = acos(clamp(cone.cosine, 0.0, 1.0));
+  float apart = acos(clamp(dot(cone.axis, reflected), -1.0, 1.0));
   float within = abs(open - lobe);
   float whole = min(1.0, (1.0 - cos(open)) / max(1.0 - cos(lobe), 1e-6));
   return whole * (1.0 - smoothstep(0.0, 1.0, (apart - within) / max(open + lobe - within, 1e-4)));

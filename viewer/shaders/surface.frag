@@ -46,11 +46,11 @@ vec3 shadingNormal() {
   return gl_FrontFacing ? n : -n;
 }
 
-// Of the side that has one: axis and aperture.
-bool hasCone() {
-  return rules.x == ambientCone && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12;
+// Of the side that has one; built once a fragment, for all lamps.
+OpenCone openCone() {
+  if (rules.x != ambientCone || !gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return noCone();
+  return coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility);
 }
-vec4 openCone() { return vec4(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0)); }
 
 bool isTransferred(Light light) {
   return rules.z == throughAllLights || (rules.z == throughFarLights && isFar(light));
@@ -58,7 +58,7 @@ bool isTransferred(Light light) {
 
 // Diffuse light of all lights that do not come through the transfer; specular reflections of all, but for those that
 // the transfer reflects.
-vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
+vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
   for (int k = 0; k < counts.x; ++k) {
     bool transferred = isTransferred(lights[k]);
@@ -66,7 +66,7 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight) {
     vec3 toLight;
     vec3 perpendicular = perpendicularIrradiance(lights[k], vPosition, toLight);
     vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
-    if (hasCone()) irradiance *= lampInCone(openCone(), vAccessibility, toLight);
+    if (cone.there) irradiance *= lampInCone(cone, toLight);
     if (!transferred) sum += irradiance * m.albedo / pi;
     if (!transferred && translucency.a > 0.0) sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
     if (specularWeight > 0.0) {
@@ -89,7 +89,7 @@ vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 
-vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
+vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
   if (rules.x == ambientLightMap || rules.x == ambientEncodedMap || rules.x == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 mapped = mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
@@ -110,7 +110,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n) {
     around = normalize(vBentNormal.xyz);
   }
   vec3 open = rules.w != 0 ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
-  vec3 radiance = m.albedo * open * (hasCone() ? skyInCone(openCone()) : ambientAround(around));
+  vec3 radiance = m.albedo * open * (cone.there ? skyInCone(cone) : ambientAround(around));
   // How open the other side is is not known: as open as this one.
   if (translucency.a > 0.0) radiance += m.through * vAccessibility * ambientAround(-around);
   return radiance;
@@ -133,7 +133,9 @@ void main() {
   float glossy = max(m.metallic, m.transmission);
   float specularWeight = rules.y == reflectionOffMetals ? glossy : 1.0;
 
-  vec3 radiance = m.emission * vGlow + shadeAmbient(m, n) + shadeLights(m, n, toEye, specularWeight) + vReflected;
+  OpenCone cone = openCone();
+  vec3 radiance =
+      m.emission * vGlow + shadeAmbient(m, n, cone) + shadeLights(m, n, toEye, specularWeight, cone) + vReflected;
   if (causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
@@ -142,7 +144,7 @@ void main() {
     radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);
   } else {
     vec3 reflected = reflect(-toEye, n);
-    float open = hasCone() ? lobeInCone(openCone(), m.roughness, reflected) : vAccessibility;
+    float open = cone.there ? lobeInCone(cone, m.roughness, reflected) : vAccessibility;
     radiance += reflectance * open * skyRadiance(reflected, levelOfRoughness(m.roughness));
   }
 

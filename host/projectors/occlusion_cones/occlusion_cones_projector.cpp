@@ -1,11 +1,14 @@
 #include "projectors/occlusion_cones/occlusion_cones_projector.h"
 
+#include "base/parallel.h"
 #include "prelight/error.h"
 #include "projectors/occlusion_cones/cone_aperture.h"
 
 namespace prelight {
 
 namespace {
+
+constexpr std::size_t grain = 4096;  // vertices that a thread takes at once
 
 class OcclusionConesProjector final : public Projector {
  public:
@@ -18,12 +21,14 @@ class OcclusionConesProjector final : public Projector {
   std::string_view stage() const override { return "cones"; }
 
   void run(ReceiverCast* /*cast*/, Bake& bake, Progress& /*progress*/) override {
-    bake.apertures.reserve(bake.ao.size());
-    for (std::size_t v = 0; v < bake.ao.size(); ++v) {
-      const glm::dvec3 normal = glm::normalize(glm::dvec3(context_.scene.normals[v]));
-      const double cosine = glm::dot(normal, glm::dvec3(bake.bentNormals[v]));
-      bake.apertures.push_back(static_cast<float>(coneAperture(bake.ao[v], cosine)));
-    }
+    bake.apertures.resize(bake.ao.size());
+    parallelRanges(bake.ao.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const glm::dvec3 normal = glm::normalize(glm::dvec3(context_.scene.normals[v]));
+        const double cosine = glm::dot(normal, glm::dvec3(bake.bentNormals[v]));
+        bake.apertures[v] = static_cast<float>(coneAperture(bake.ao[v], cosine));
+      }
+    });
   }
 
  private:

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "library/steps.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
+#include "scene/gltf/gltf_document.h"
+
+namespace prelight {
+
+/// A file with the scene that it holds.
+struct OpenedScene {
+  std::filesystem::path path;  ///< for messages
+  GltfDocument document;
+  Scene scene;
+  CompiledScene compiled;
+};
+
+/// Takes a file through the steps that everything begins with: read, load, compile. Warnings are appended.
+OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, Warnings& warnings, Steps& steps);
+
+/// Throws InputError for a scene without triangles; `use` says what there is nothing for ("to bake").
+void requireTriangles(const std::filesystem::path& path, const CompiledScene& scene, const char* use);
+
+}  // namespace prelight

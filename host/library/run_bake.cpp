@@ -1,0 +1,54 @@
+#include "library/run_bake.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bake/make_plan.h"
+#include "library/open_scene.h"
+#include "scene/gltf/charts.h"
+
+namespace prelight {
+
+namespace {
+
+Plan planOf(const BakeScene& scene, const BakeRequest& request) {
+  Plan plan = makePlan(scene.scene, scene.compiled, request);
+  if (request.lightMap && !plan.runs(Pass::LightMap))
+    throw InputError(scene.path.string(), "no surface reflects diffusely, so none needs a light map",
+                     "leave out BakeRequest::lightMap");
+  return plan;
+}
+
+Charts chartsOf(const BakeScene& scene, int size, BakeReport& report) {
+  Charts charts = makeCharts(scene.document, scene.scene, scene.compiled, size, report.notes);
+  if (charts.charts.empty())
+    throw InputError(scene.path.string(),
+                     fmt::format("no primitive has texture coordinates for a light map: {}",
+                                 fmt::join(charts.leftOut, "; ")),
+                     "unwrap the meshes into TEXCOORD_1, within 0..1 and without overlaps, or leave out "
+                     "ChartTransferRequest::size");
+  if (!charts.leftOut.empty())
+    report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
+  return charts;
+}
+
+}  // namespace
+
+BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMeans& means) {
+  requireTriangles(scene.path, scene.compiled, "to bake");
+  if (!request.anything()) throw UsageError("BakeRequest", "nothing is asked for", "set one of its parts");
+  BakeRun run;
+  const Device* device = nullptr;
+  Charts charts;
+  means.steps.run("plan", [&] { run.plan = planOf(scene, request); });
+  means.steps.run("device", [&] { device = &means.device(); });
+  run.device = device->info();
+  if (request.chartTransfer.size > 0)
+    means.steps.run("charts", [&] { charts = chartsOf(scene, request.chartTransfer.size, run.report); });
+  BakeCheckpoint* checkpoint = means.checkpoint(bakeKey(scene.compiled, request, run.device));
+  run.bake = bakeScene(scene.compiled, request, run.plan, *device, means.steps.progress(), run.report,
+                       checkpoint, &charts, &scene.scene);
+  return run;
+}
+
+}  // namespace prelight
