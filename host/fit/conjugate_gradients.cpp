@@ -26,24 +26,21 @@ class BlockSolver {
         direction_(x_.size()),
         image_(x_.size()),
         bend_(x_.size()),
-        right_(x_.size()),
         partial_((rows_ + rowGrain - 1) / rowGrain) {}
 
   /// Columns [first, first + count) of right and x, which have `columns` in all.
-  void run(std::span<const double> right, std::vector<float>& x, std::size_t columns, std::size_t first,
+  void run(std::span<const float> right, std::vector<float>& x, std::size_t columns, std::size_t first,
            std::size_t count) {
+    const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
     runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
       forRows(member, [&](std::size_t i) {
-        const std::size_t from = equations_.slots()[i] * columns + first;
-        for (std::size_t c = 0; c < W; ++c) {
-          right_[i * W + c] = c < count ? static_cast<float>(equations_.factor(i) * right[from + c]) : 0.0f;
-          x_[i * W + c] = c < count ? x[from + c] : 0.0f;
-        }
+        for (std::size_t c = 0; c < W; ++c) x_[i * W + c] = c < count ? x[place(i) + c] : 0.0f;
       });
-      solve(member);
-      forRows(member, [&](std::size_t i) {
-        std::copy_n(&x_[i * W], count, &x[equations_.slots()[i] * columns + first]);
+      member.wait();
+      solve(member, [&](std::size_t i, std::size_t c) {
+        return c < count ? static_cast<float>(equations_.factor(i) * right[place(i) + c]) : 0.0f;
       });
+      forRows(member, [&](std::size_t i) { std::copy_n(&x_[i * W], count, &x[place(i)]); });
     });
   }
 
@@ -88,13 +85,14 @@ class BlockSolver {
     });
   }
 
-  /// residual = right - operator x; the sums of its squares over the preconditioner.
-  Sums trueResidual(const TeamMember& member) {
+  /// residual = right(row, column) - operator x; the sums of its squares over the preconditioner.
+  template <typename Right>
+  Sums trueResidual(const TeamMember& member, const Right& right) {
     apply(member, x_);
     return sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
       const float inverse = equations_.inverseDiagonal(i);
       for (std::size_t c = 0; c < W; ++c) {
-        const float r = right_[i * W + c] - image_[i * W + c];
+        const float r = right(i, c) - image_[i * W + c];
         residual_[i * W + c] = r;
         sum[c] += r * r * inverse;
       }
@@ -108,14 +106,15 @@ class BlockSolver {
   }
 
   // The true residual cannot fall much below what single precision tells from 0: a second start is enough.
-  void solve(const TeamMember& member) {
-    Sums rho = trueResidual(member), goal = rho;
+  template <typename Right>
+  void solve(const TeamMember& member, const Right& right) {
+    Sums rho = trueResidual(member, right), goal = rho;
     for (double& sum : goal) sum *= limits_.tolerance * limits_.tolerance;
     int left = limits_.iterations;
     for (int start = 0; start < 2 && left > 0 && !reached(rho, goal); ++start) {
       turn(member, Sums{});
       for (; left > 0 && !reached(rho, goal); --left) rho = step(member, rho);
-      rho = trueResidual(member);
+      rho = trueResidual(member, right);
     }
   }
 
@@ -154,12 +153,12 @@ class BlockSolver {
   const NormalEquations& equations_;
   const SolveLimits& limits_;
   std::size_t rows_;
-  std::vector<float> x_, residual_, direction_, image_, bend_, right_;  ///< [row][column of the block]
+  std::vector<float> x_, residual_, direction_, image_, bend_;  ///< [row][column of the block]
   std::vector<Sums> partial_;                                           ///< [range]
 };
 
 template <std::size_t W>
-std::size_t solveBlocks(const NormalEquations& equations, std::span<const double> right, std::size_t columns,
+std::size_t solveBlocks(const NormalEquations& equations, std::span<const float> right, std::size_t columns,
                         std::size_t first, std::size_t least, std::vector<float>& x,
                         const SolveLimits& limits) {
   if (columns - first < least) return first;
@@ -171,7 +170,7 @@ std::size_t solveBlocks(const NormalEquations& equations, std::span<const double
 
 }  // namespace
 
-void conjugateGradients(const NormalEquations& equations, std::span<const double> right, std::size_t columns,
+void conjugateGradients(const NormalEquations& equations, std::span<const float> right, std::size_t columns,
                         std::vector<float>& x, const SolveLimits& limits) {
   std::size_t first = solveBlocks<8>(equations, right, columns, 0, 5, x, limits);
   first = solveBlocks<4>(equations, right, columns, first, 2, x, limits);

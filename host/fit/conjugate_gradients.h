@@ -20,7 +20,7 @@ struct SolveLimits {
 /// precision. The recursive residual is replaced by the true one at the end, and the iteration begun anew
 /// should they have parted. `x`, [slot][column], holds the first guess and then the solution; slots without
 /// samples are neither read nor written. The result does not depend on the number of threads.
-void conjugateGradients(const NormalEquations& equations, std::span<const double> right, std::size_t columns,
+void conjugateGradients(const NormalEquations& equations, std::span<const float> right, std::size_t columns,
                         std::vector<float>& x, const SolveLimits& limits = {});
 
 }  // namespace prelight

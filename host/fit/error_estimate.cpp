@@ -47,18 +47,39 @@ Deviations centred(std::vector<float> values, double factor) {
 /// What is fitted: AO relative to an open receiver's.
 double valueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
 
+/// Calls use(samples, values) for records that follow one another and of which wanted(record) is true.
+template <typename Wanted, typename Use>
+void forParts(const std::vector<SampleRecord>& records, const Wanted& wanted, const Use& use) {
+  constexpr std::size_t partSize = 4096;
+  std::vector<SurfaceSample> samples;
+  std::vector<double> values;
+  const auto end = [&] {
+    use(samples, values);
+    samples.clear();
+    values.clear();
+  };
+  for (const SampleRecord& record : records) {
+    if (!wanted(record)) continue;
+    samples.push_back(record.sample);
+    values.push_back(valueOf(record));
+    if (samples.size() == partSize) end();
+  }
+  end();
+}
+
 /// How far the residuals of each group alone move the fit to all records, whose values are given. What all groups share is the pull of the
 /// smoothing, not noise.
 Deviations sandwich(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
                     const std::vector<float>& values) {
-  std::vector<double> scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0);
+  std::vector<float> scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0f);
   for (const auto& record : records) {
     const auto& slots = mesh.triangles[record.sample.triangle];
     const auto b = cornerWeights(record.sample);
     const double expected = b[0] * values[slots[0]] + b[1] * values[slots[1]] + b[2] * values[slots[2]];
     const double residual = valueOf(record) - expected;
     for (std::size_t k = 0; k < 3; ++k)
-      scores[slots[k] * errorGroups + record.group] += fit.weightOf(record.sample) * b[k] * residual;
+      scores[slots[k] * errorGroups + record.group] +=
+          static_cast<float>(fit.weightOf(record.sample) * b[k] * residual);
   }
   constexpr double groups = errorGroups;
   return centred(fit.solve(defaultSmoothing, scores, errorGroups, roughly()),
@@ -74,8 +95,9 @@ Deviations jackknife(const VertexFit& fit, const std::vector<SampleRecord>& reco
     VertexFit rest = fit;
     for (std::size_t group = begin; group < end; ++group) {
       if (group > begin) rest = fit;
-      for (const auto& record : records)
-        if (record.group == group) rest.remove(record.sample, std::array{valueOf(record)});
+      forParts(
+          records, [&](const SampleRecord& record) { return record.group == group; },
+          [&](const auto& samples, const auto& gone) { rest.remove(samples, gone); });
       const std::vector<float> without = rest.solveFrom(defaultSmoothing, values, roughly(1));
       for (std::size_t s = 0; s < values.size(); ++s)
         deviations[s * errorGroups + group] = without[s] - values[s];
@@ -144,7 +166,9 @@ ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& empty, const
                               const std::vector<SampleRecord>& records, std::uint64_t receivers,
                               bool independent) {
   VertexFit fit = empty;
-  for (const auto& record : records) fit.add(record.sample, std::array{valueOf(record)});
+  forParts(
+      records, [](const SampleRecord&) { return true; },
+      [&](const auto& samples, const auto& open) { fit.add(samples, open); });
   const std::vector<float> values = fit.solve(defaultSmoothing);
   const Deviations low = sandwich(mesh, fit, records, values),
                    high = jackknife(fit, records, values);

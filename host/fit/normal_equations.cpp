@@ -19,7 +19,7 @@ constexpr std::size_t largestBlock =
 
 /// [slot], what the diagonal would be with samples spread evenly: a sixth of the weight in the triangles
 /// around, the mean of w b^2 over a triangle. 0 where no sample is.
-std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const std::array<double, 6>> mass) {
+std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const TriangleMass> mass) {
   std::vector<double> scale(mesh.slotCount());
   parallelRanges(mesh.slotCount(), rowGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s)
@@ -31,9 +31,11 @@ std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const std::array
 
 }  // namespace
 
-double totalWeight(const std::array<double, 6>& m) { return m[0] + m[1] + m[2] + 2.0 * (m[3] + m[4] + m[5]); }
+double totalWeight(const TriangleMass& m) {
+  return double(m[0]) + m[1] + m[2] + 2.0 * (double(m[3]) + m[4] + m[5]);
+}
 
-NormalEquations::NormalEquations(const FitMesh& mesh, std::span<const std::array<double, 6>> mass,
+NormalEquations::NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass,
                                  double lambda, std::span<const double> stiffness)
     : mesh_(mesh) {
   const std::vector<double> scale = evenDiagonal(mesh, mass);
@@ -65,7 +67,7 @@ void NormalEquations::evenOutComponents(const std::vector<double>& scale) {
     factors_.push_back(counts[mesh_.components[slot]] / sums[mesh_.components[slot]]);
 }
 
-void NormalEquations::assemble(std::span<const std::array<double, 6>> mass) {
+void NormalEquations::assemble(std::span<const TriangleMass> mass) {
   start_.assign(rows() + 1, 0);
   for (std::size_t row = 0; row < rows(); ++row) {
     start_[row + 1] = start_[row];
@@ -82,7 +84,7 @@ void NormalEquations::assemble(std::span<const std::array<double, 6>> mass) {
 
 // The Laplacian weighs neighbours by the surface they share: a tiny triangle beside a large one must not be
 // bent to make the large one smooth.
-void NormalEquations::assembleRow(std::span<const std::array<double, 6>> mass, std::size_t row,
+void NormalEquations::assembleRow(std::span<const TriangleMass> mass, std::size_t row,
                                   std::vector<EdgeSums>& sums) {
   const std::uint32_t slot = slots_[row], firstEdge = mesh_.rowStart[slot];
   sums.assign(mesh_.rowStart[slot + 1] - firstEdge, {});

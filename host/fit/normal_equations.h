@@ -11,9 +11,11 @@
 
 namespace prelight {
 
-/// Sum of the weights of a triangle's samples, from their sums of products of barycentric weights (00 11 22
-/// 01 12 20), which sum to 1.
-double totalWeight(const std::array<double, 6>& mass);
+/// Sums over a triangle's samples of their weight times products of barycentric weights: 00 11 22 01 12 20.
+using TriangleMass = std::array<float, 6>;
+
+/// Sum of the weights of a triangle's samples: barycentric weights sum to 1.
+double totalWeight(const TriangleMass& mass);
 
 /// An unknown of the normal equations with a factor.
 struct SlotWeight {
@@ -30,7 +32,7 @@ class NormalEquations {
 
   /// `mass` of the samples in every triangle; `lambda` is the strength of the smoothing, times `stiffness`,
   /// [slot], > 0; empty: 1.
-  NormalEquations(const FitMesh& mesh, std::span<const std::array<double, 6>> mass, double lambda,
+  NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass, double lambda,
                   std::span<const double> stiffness = {});
 
   std::size_t rows() const { return slots_.size(); }
@@ -82,8 +84,8 @@ class NormalEquations {
 
   void numberRows(const std::vector<double>& scale);
   void evenOutComponents(const std::vector<double>& scale);
-  void assemble(std::span<const std::array<double, 6>> mass);
-  void assembleRow(std::span<const std::array<double, 6>> mass, std::size_t row, std::vector<EdgeSums>& sums);
+  void assemble(std::span<const TriangleMass> mass);
+  void assembleRow(std::span<const TriangleMass> mass, std::size_t row, std::vector<EdgeSums>& sums);
   void smooth(double lambda, const std::vector<double>& scale, std::span<const double> stiffness);
   std::vector<SlotWeight> sampledRow(std::uint32_t row) const;
   std::vector<SlotWeight> meanOfNeighbours(std::uint32_t slot) const;

@@ -6,12 +6,51 @@
 
 namespace prelight {
 
+namespace {
+
+/// Samples of one triangle that follow one another.
+struct Run {
+  std::uint32_t triangle = 0;
+  std::uint32_t count = 0;
+  std::array<double, 6> mass{};
+  std::vector<double> right;  ///< [corner][column]
+};
+
+/// Calls use(run) for every run of the samples, whose values are [sample][column].
+template <typename Value, typename Use>
+void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> values, std::size_t columns,
+             const Use& use) {
+  Run run;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (i == 0 || samples[i].triangle != run.triangle) {
+      if (run.count > 0) use(run);
+      run.triangle = samples[i].triangle;
+      run.count = 0;
+      run.mass = {};
+      run.right.assign(3 * columns, 0.0);
+    }
+    ++run.count;
+    const std::array<double, 3> b = cornerWeights(samples[i]);
+    const double weight = samples[i].weight;
+    const Value* row = values.data() + i * columns;
+    for (std::size_t k = 0; k < 3; ++k) {
+      run.mass[k] += weight * b[k] * b[k];
+      run.mass[3 + k] += weight * b[k] * b[(k + 1) % 3];
+      double* right = &run.right[k * columns];
+      for (std::size_t c = 0; c < columns; ++c) right[c] += weight * b[k] * row[c];
+    }
+  }
+  if (run.count > 0) use(run);
+}
+
+}  // namespace
+
 VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns)
     : mesh_(&mesh),
       columns_(columns),
       counts_(mesh.triangles.size()),
       mass_(mesh.triangles.size()),
-      right_(mesh.slotCount() * columns, 0.0) {}
+      right_(mesh.slotCount() * columns, 0.0f) {}
 
 VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights)
     : mesh_(&mesh),
@@ -19,41 +58,45 @@ VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<doubl
       triangleWeights_(std::move(triangleWeights)),
       counts_(mesh.triangles.size()),
       mass_(mesh.triangles.size()),
-      right_(3 * mesh.triangles.size() * columns, 0.0) {}
+      right_(3 * mesh.triangles.size() * columns, 0.0f) {}
 
-void VertexFit::add(const SurfaceSample& sample, std::span<const double> values) {
-  add(sample, sample.weight, values);
-  ++counts_[sample.triangle];
+std::size_t VertexFit::rowOf(std::size_t triangle, std::size_t corner) const {
+  return triangleWeights_.empty() ? mesh_->triangles[triangle][corner] : 3 * triangle + corner;
+}
+
+void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const double> values) {
+  forRuns(samples, values, columns_, [&](const Run& run) {
+    counts_[run.triangle] += run.count;
+    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += static_cast<float>(run.mass[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t c = 0; c < columns_; ++c)
+        right_[rowOf(run.triangle, k) * columns_ + c] += static_cast<float>(run.right[k * columns_ + c]);
+  });
 }
 
 // A triangle without samples has no mass, not what rounding leaves of it.
-void VertexFit::remove(const SurfaceSample& sample, std::span<const double> values) {
-  add(sample, -sample.weight, values);
-  if (--counts_[sample.triangle] == 0) mass_[sample.triangle] = {};
+void VertexFit::remove(std::span<const SurfaceSample> samples, std::span<const double> values) {
+  forRuns(samples, values, columns_, [&](const Run& run) {
+    counts_[run.triangle] -= run.count;
+    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] -= static_cast<float>(run.mass[k]);
+    if (counts_[run.triangle] == 0) mass_[run.triangle] = {};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t c = 0; c < columns_; ++c)
+        right_[rowOf(run.triangle, k) * columns_ + c] -= static_cast<float>(run.right[k * columns_ + c]);
+  });
 }
 
-void VertexFit::add(const SurfaceSample& sample, double weight, std::span<const double> values) {
-  const std::array<double, 3> b = cornerWeights(sample);
-  auto& mass = mass_[sample.triangle];
-  for (std::size_t k = 0; k < 3; ++k) {
-    mass[k] += weight * b[k] * b[k];
-    mass[3 + k] += weight * b[k] * b[(k + 1) % 3];
-    const std::size_t row =
-        triangleWeights_.empty() ? mesh_->triangles[sample.triangle][k] : 3 * std::size_t{sample.triangle} + k;
-    double* right = &right_[row * columns_];
-    const double share = weight * b[k];
-    for (std::size_t c = 0; c < columns_; ++c) right[c] += share * values[c];
-  }
-}
-
-void VertexFit::addTo(std::span<double> rightSide, const SurfaceSample& sample,
+void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
                       std::span<const float> values) const {
-  const std::array<double, 3> b = cornerWeights(sample);
-  for (std::size_t k = 0; k < 3; ++k) {
-    double* right = &rightSide[mesh_->triangles[sample.triangle][k] * values.size()];
-    const double share = weightOf(sample) * b[k];
-    for (std::size_t c = 0; c < values.size(); ++c) right[c] += share * values[c];
-  }
+  const std::size_t columns = values.size() / samples.size();
+  forRuns(samples, values, columns, [&](const Run& run) {
+    const double scale = scaleOf(run.triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      float* right = &rightSide[mesh_->triangles[run.triangle][k] * columns];
+      for (std::size_t c = 0; c < columns; ++c)
+        right[c] += static_cast<float>(scale * run.right[k * columns + c]);
+    }
+  });
 }
 
 void VertexFit::save(StateWriter& state) const {
@@ -69,7 +112,7 @@ void VertexFit::load(StateReader& state) {
   state.sameSize(right_);
   state.values(stiffness_);
   state.require(stiffness_.empty() || stiffness_.size() == mesh_->slotCount());
-  for (const std::array<double, 6>& mass : mass_) state.requireFinite(mass);
+  for (const TriangleMass& mass : mass_) state.requireFinite(mass);
   state.requireFinite(right_);
   state.requireFinite(stiffness_);
   for (const double stiffness : stiffness_) state.require(stiffness > 0.0);
@@ -82,11 +125,11 @@ double VertexFit::scaleOf(std::size_t triangle) const {
 }
 
 /// Columns [firstColumn, firstColumn + count) of the equations' right side, [slot][count].
-std::vector<double> VertexFit::rightSide(std::size_t firstColumn, std::size_t count) const {
-  std::vector<double> right(mesh_->slotCount() * count, 0.0);
+std::vector<float> VertexFit::rightSide(std::size_t firstColumn, std::size_t count) const {
+  std::vector<float> right(mesh_->slotCount() * count, 0.0f);
   const auto addRow = [&](std::size_t slot, double scale, std::size_t row) {
     for (std::size_t c = 0; c < count; ++c)
-      right[slot * count + c] += scale * right_[row * columns_ + firstColumn + c];
+      right[slot * count + c] += static_cast<float>(scale * right_[row * columns_ + firstColumn + c]);
   };
   if (triangleWeights_.empty())
     for (std::size_t slot = 0; slot < mesh_->slotCount(); ++slot) addRow(slot, 1.0, slot);
@@ -105,7 +148,7 @@ std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) con
   return solve(lambda, rightSide(column, 1), 1);
 }
 
-std::vector<float> VertexFit::solve(double lambda, std::span<const double> rightSide, std::size_t columns,
+std::vector<float> VertexFit::solve(double lambda, std::span<const float> rightSide, std::size_t columns,
                                     const SolveLimits& limits) const {
   return solve(equations(lambda), rightSide, columns, std::vector<float>(rightSide.size(), 0.0f), limits);
 }
@@ -117,7 +160,7 @@ std::vector<float> VertexFit::solveFrom(double lambda, std::vector<float> guess,
              : solve(equations(lambda), rightSide(0, 1), 1, std::move(guess), limits);
 }
 
-std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const double> rightSide,
+std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const float> rightSide,
                                     std::size_t columns, std::vector<float> guess,
                                     const SolveLimits& limits) const {
   conjugateGradients(equations, rightSide, columns, guess, limits);
@@ -127,10 +170,10 @@ std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<
 
 NormalEquations VertexFit::equations(double lambda) const {
   if (triangleWeights_.empty()) return {*mesh_, mass_, lambda, stiffness_};
-  std::vector<std::array<double, 6>> mass = mass_;
+  std::vector<TriangleMass> mass = mass_;
   for (std::size_t t = 0; t < mass.size(); ++t) {
     const double scale = scaleOf(t);
-    for (double& m : mass[t]) m *= scale;
+    for (float& m : mass[t]) m = static_cast<float>(scale * m);
   }
   return {*mesh_, mass, lambda, stiffness_};
 }

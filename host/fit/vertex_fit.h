@@ -27,10 +27,13 @@ class VertexFit {
   /// surface. Keeps its sums a triangle corner, six times as much memory.
   VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights);
 
-  void add(const SurfaceSample& sample, std::span<const double> values);
+  /// Adds samples with their values, [sample][column]. Those of one triangle that follow one another are summed
+  /// up in double precision before they join the sums of all, which are in single.
+  void add(std::span<const SurfaceSample> samples, std::span<const double> values);
+  void add(const SurfaceSample& sample, std::span<const double> values) { add(std::span(&sample, 1), values); }
 
   /// Takes away what add() has added.
-  void remove(const SurfaceSample& sample, std::span<const double> values);
+  void remove(std::span<const SurfaceSample> samples, std::span<const double> values);
 
   std::size_t columns() const { return columns_; }
 
@@ -49,11 +52,13 @@ class VertexFit {
   /// The same of a fit of one column from a guess that is near, [slot].
   std::vector<float> solveFrom(double lambda, std::vector<float> guess, const SolveLimits& limits) const;
 
-  /// Adds what one of this fit's samples has in other columns to a right-hand side, [slot][column].
-  void addTo(std::span<double> rightSide, const SurfaceSample& sample, std::span<const float> values) const;
+  /// Adds what samples of this fit have in other columns, [sample][column], to a right-hand side for solve(),
+  /// [slot][column].
+  void addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
+             std::span<const float> values) const;
 
   /// Solves for another right-hand side [slot][column] with this fit's samples.
-  std::vector<float> solve(double lambda, std::span<const double> rightSide, std::size_t columns,
+  std::vector<float> solve(double lambda, std::span<const float> rightSide, std::size_t columns,
                            const SolveLimits& limits = {}) const;
 
   /// The equations that solve() solves, for those who want rows of their inverse.
@@ -68,10 +73,10 @@ class VertexFit {
   const std::vector<std::uint8_t>& extent() const { return extent_; }
 
  private:
-  void add(const SurfaceSample& sample, double weight, std::span<const double> values);
+  std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
-  std::vector<double> rightSide(std::size_t firstColumn, std::size_t count) const;
-  std::vector<float> solve(const NormalEquations& equations, std::span<const double> rightSide,
+  std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
+  std::vector<float> solve(const NormalEquations& equations, std::span<const float> rightSide,
                            std::size_t columns, std::vector<float> guess, const SolveLimits& limits) const;
 
   const FitMesh* mesh_;  ///< not null
@@ -80,8 +85,8 @@ class VertexFit {
   std::vector<std::uint8_t> extent_;         ///< [slot], or empty: all
   std::vector<double> triangleWeights_;      ///< [triangle], or empty: samples weigh what they say
   std::vector<std::uint32_t> counts_;        ///< [triangle], samples
-  std::vector<std::array<double, 6>> mass_;  ///< [triangle]: sum w b_i b_j of 00 11 22 01 12 20
-  std::vector<double> right_;                ///< [slot][column], or [triangle][corner][column]: sum w b f
+  std::vector<TriangleMass> mass_;           ///< [triangle]
+  std::vector<float> right_;                 ///< [slot][column], or [triangle][corner][column]: sum w b f
 };
 
 /// The strength that served best over the built-in scenes, see docs/accuracy.md.

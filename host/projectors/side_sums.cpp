@@ -30,13 +30,26 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
+  // Growing by doubling would hold two copies of the largest array of a bake.
+  if (side == Side::Front && !schedule.error && !schedule.deadline)
+    records_.reserve(std::min(mostRecords, static_cast<std::size_t>(1.01 * schedule.receiversPerPass *
+                                                                    schedule.passes)));
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
 void SideSums::add(const CastBlock& block) {
+  rows_.clear();
+  bentSamples_.clear();
+  bentRows_.clear();
   for (std::size_t i = 0; i < block.samples.size(); ++i) addReceiver(block, i);
+  fit_.add(block.samples, rows_);
+  if (bentFit_) bentFit_->add(bentSamples_, bentRows_);
+  if (lightFit_) {
+    lightRows_.assign(block.values.lights.begin(), block.values.lights.end());
+    lightFit_->add(block.samples, lightRows_);
+  }
   receivers_ += block.samples.size();
 }
 
@@ -71,11 +84,10 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
   residual_[0] = open - 1.0;
   for (std::size_t c = 1; c < residual_.size(); ++c)
     residual_[c] = double(values[3 + c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
-  fit_.add(sample, residual_);
+  rows_.insert(rows_.end(), residual_.begin(), residual_.end());
   // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
   if (bentFit_)
     addBentNormal(sample, glm::dvec3(values[1], values[2], values[3]) + open * 2.0 / 3.0 * normal);
-  if (lightFit_) addLights(block, i);
   if (block.occluders) occluders_.value().add(sample, receiver, block.values.occluders, i);
   markSlots(sample, open);
   if (records_.size() == mostRecords) return;
@@ -84,13 +96,6 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
     texelRows_.add(std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver,
                                                           schedule_.raysPerReceiver),
                    projections_.texelRows);
-}
-
-void SideSums::addLights(const CastBlock& block, std::size_t i) {
-  const std::size_t columns = lightFit_->columns();
-  lightRow_.assign(block.values.lights.begin() + static_cast<std::ptrdiff_t>(i * columns),
-                   block.values.lights.begin() + static_cast<std::ptrdiff_t>((i + 1) * columns));
-  lightFit_->add(block.samples[i], lightRow_);
 }
 
 // Directions are fitted, not the mean vectors that they come from: otherwise what is bright at one corner of
@@ -107,7 +112,8 @@ void SideSums::addBentNormal(const SurfaceSample& sample, const glm::dvec3& mean
   SurfaceSample weighted = sample;
   weighted.weight *=
       static_cast<float>(length * length / (length * length + bentNormalHalfWeight * bentNormalHalfWeight));
-  bentFit_->add(weighted, std::span(&residual.x, 3));
+  bentSamples_.push_back(weighted);
+  bentRows_.insert(bentRows_.end(), {residual.x, residual.y, residual.z});
 }
 
 void SideSums::markSlots(const SurfaceSample& sample, double open) {

@@ -72,7 +72,6 @@ class SideSums {
   VertexFit emptyFit() const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
-  void addLights(const CastBlock& block, std::size_t i);
   void markSlots(const SurfaceSample& sample, double open);
   void check(const StateReader& state) const;
 
@@ -91,8 +90,10 @@ class SideSums {
   std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
   std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
   std::uint64_t receivers_ = 0;
-  std::vector<double> residual_;
-  std::vector<double> lightRow_;
+  std::vector<double> residual_;            ///< of the receiver at hand
+  std::vector<double> rows_, lightRows_;    ///< of the block at hand, [receiver][column]
+  std::vector<SurfaceSample> bentSamples_;  ///< of the block at hand, those with a direction
+  std::vector<double> bentRows_;            ///< [bent sample][3]
 };
 
 }  // namespace prelight

@@ -13,8 +13,9 @@ std::vector<float> fitStoredRows(const Caster& caster, const SideCast& side, std
   std::optional<VertexFit> part;
   if (side.storedCount() < side.receivers()) part.emplace(side.fitOfStoredRows());
   const VertexFit& fit = part ? *part : side.fit();
-  std::vector<double> right(side.slotCount() * columns, 0.0);
+  std::vector<float> right(side.slotCount() * columns, 0.0f);
   std::vector<std::vector<float>> blocks(BackgroundWork::placesFor(waiting));
+  std::vector<SurfaceSample> samples;
   {
     BackgroundWork adding(waiting);
     for (std::uint32_t first = 0; first < side.storedCount(); first += caster.blockSize()) {
@@ -23,8 +24,9 @@ std::vector<float> fitStoredRows(const Caster& caster, const SideCast& side, std
       std::vector<float>& values = blocks[first / caster.blockSize() % blocks.size()];
       gather(first, count, values);
       adding.add([&, first, count] {
-        for (std::uint32_t i = 0; i < count; ++i)
-          fit.addTo(right, side.records()[first + i].sample, std::span(values).subspan(i * columns, columns));
+        samples.clear();
+        for (std::uint32_t i = 0; i < count; ++i) samples.push_back(side.records()[first + i].sample);
+        fit.addTo(right, samples, values);
       });
     }
     adding.finish();

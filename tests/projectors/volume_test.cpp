@@ -128,12 +128,12 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   // Cells of 5 km: take a grid of our own for what is measured.
   ASSERT_TRUE(bake.volume);
   EXPECT_EQ(bake.volume->grid.size, glm::ivec3(2));
-  SlotTransfer surface{order, 0, {}, {}, {}, {}};
+  SlotTransfer surface{order, 0, {}, {}, {}, 1};
   std::array<double, order * order> open{};
   sh::openTransfer({0, 1, 0}, order, open);
   const FitMesh mesh = makeFitMesh(scene);
   for (std::uint32_t s = 0; s < mesh.slotCount() * 3; ++s)
-    surface.reflected.insert(surface.reflected.end(), open.begin(), open.end());
+    surface.total.insert(surface.total.end(), open.begin(), open.end());
   Tracer tracer(scene, test::sharedDevice());
   VolumeOptions options{order, 1, 4096, 3, {}};
   const VolumeTransfer volume =
