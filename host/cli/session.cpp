@@ -43,8 +43,10 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   run.device = device.info();
   const Charts charts = chartsOf(loaded, request.texels.size);
   if (state != nullptr) state->setKey(bakeKey(loaded.compiled, request, run.device));
-  run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts,
-                       &loaded.scene);
+  times_.measureProcessor("bake", [&] {
+    run.bake = bakeScene(loaded.compiled, request, run.plan, device, progress_, run.report, state, &charts,
+                         &loaded.scene);
+  });
   progress_.clear();
   if (!charts.leftOut.empty())
     run.report.notes.push_back(fmt::format("texels: left out {}", fmt::join(charts.leftOut, "; ")));
