@@ -32,25 +32,54 @@ class Comparison {
         findSurfaceTruth(compiled_, *rays, options.bakeScalingPlaces, options.bakeScalingTruthSide, progress);
   }
 
-  void compare(const FinishedBake& bake) {
-    const bool transfer = carriesTransfer(bake.technique);
-    Warnings warnings;
-    const std::optional<Bake> read = readBake(readGltf(bake.file, warnings), compiled_);
-    if (!read || read->ao.empty() || (transfer && (!read->sh || read->sh->channels != 3)))
-      throw Error(ExitCode::RuntimeFailure, bake.file.string(), "it lacks what was baked");
-    const double error = transfer ? transferError(read->sh->coefficients) : accessibilityError(read->ao);
-    add(bake.name, "error", error, transfer ? "of SH" : "AO");
-    const TimeToError peer = timeToError(curveOf(transfer), error);
-    add(bake.name, "bake", bake.seconds, "s", nameOf(peer.kind), peer.seconds / bake.seconds);
+  /// Bakes of one technique.
+  void compare(const std::vector<FinishedBake>& bakes) {
+    const std::string& technique = bakes.front().technique;
+    const bool transfer = carriesTransfer(technique);
+    std::vector<Measured> own;
+    for (const FinishedBake& bake : bakes)
+      own.push_back({bake.name, bake.seconds, bake.processorSeconds, errorOf(bake.file, transfer)});
+    const std::vector<Measured> peer = measurePeer(transfer);
+    for (const Measured& one : own) {
+      addError(one, transfer);
+      addRow(one.name, "bake", one.seconds, timeToError(curveOf(peer, &Measured::seconds), one.error));
+      addRow(one.name, "bake processor", one.processorSeconds,
+             timeToError(curveOf(peer, &Measured::processorSeconds), one.error));
+    }
+    for (const Measured& one : peer) {
+      addError(one, transfer);
+      add(one.name, "bake", one.seconds, "s");
+      add(one.name, "bake processor", one.processorSeconds, "s");
+      const std::string name =
+          fmt::format("{}/{}/as Embree at {}", scene_, technique, one.name.substr(one.name.rfind('/') + 1));
+      addReverse(name, "bake", timeToError(curveOf(own, &Measured::seconds), one.error), one.seconds);
+      addReverse(name, "bake processor", timeToError(curveOf(own, &Measured::processorSeconds), one.error),
+                 one.processorSeconds);
+    }
   }
 
   std::vector<BenchmarkResult> take() { return std::move(results_); }
 
  private:
-  static std::string nameOf(TimeToError::Kind kind) {
-    if (kind == TimeToError::Kind::AtMost) return fmt::format("{}, better after its fewest rays", peerName);
-    if (kind == TimeToError::Kind::AtLeast) return fmt::format("{}, worse after its most rays", peerName);
-    return fmt::format("{}, to the same error", peerName);
+  struct Measured {
+    std::string name;
+    double seconds = 0.0;
+    double processorSeconds = 0.0;
+    double error = 0.0;
+  };
+
+  static std::vector<Point> curveOf(const std::vector<Measured>& measured, double Measured::*seconds) {
+    std::vector<Point> curve;
+    for (const Measured& one : measured) curve.push_back({one.*seconds, one.error});
+    return curve;
+  }
+
+  double errorOf(const std::filesystem::path& file, bool transfer) const {
+    Warnings warnings;
+    const std::optional<Bake> read = readBake(readGltf(file, warnings), compiled_);
+    if (!read || read->ao.empty() || (transfer && (!read->sh || read->sh->channels != 3)))
+      throw Error(ExitCode::RuntimeFailure, file.string(), "it lacks what was baked");
+    return transfer ? transferError(read->sh->coefficients) : accessibilityError(read->ao);
   }
 
   double transferError(const std::vector<float>& values) const {
@@ -62,33 +91,51 @@ class Comparison {
     return surfaceError(compiled_, truth_.places, truth_.accessibility, values).error;
   }
 
-  /// Errors over seconds, measured when they are asked for first.
-  const std::vector<Point>& curveOf(bool transfer) {
-    std::vector<Point>& curve = transfer ? transferCurve_ : accessibilityCurve_;
-    for (std::size_t i = curve.size(); i < options_.bakeScalingPeerSides.size(); ++i) {
-      const std::uint32_t side = options_.bakeScalingPeerSides[i];
+  /// Ascending in rays.
+  std::vector<Measured> measurePeer(bool transfer) const {
+    std::vector<Measured> measured;
+    for (const std::uint32_t side : options_.bakeScalingPeerSides) {
       const std::uint64_t rays = std::uint64_t{side} * side;
-      if (i > 0 && rays * compiled_.vertexCount() > options_.bakeScalingPeerRays) break;
-      curve.push_back(measurePeer(side, transfer));
-      const std::string name =
-          fmt::format("{}/{} {}/{} rays", scene_, peerName, transfer ? "SH" : "AO", rays);
-      add(name, "error", curve.back().y, transfer ? "of SH" : "AO");
-      add(name, "bake", curve.back().x, "s");
+      if (!measured.empty() && rays * compiled_.vertexCount() > options_.bakeScalingPeerRays) break;
+      measured.push_back(measurePeer(side, transfer));
       progress_.check();
     }
-    return curve;
+    return measured;
   }
 
-  Point measurePeer(std::uint32_t side, bool transfer) const {
-    std::vector<double> seconds;
+  Measured measurePeer(std::uint32_t side, bool transfer) const {
+    const std::uint64_t rays = std::uint64_t{side} * side;
+    const int runs = rays * compiled_.vertexCount() < options_.bakeScalingLongBake ? options_.runs : 1;
+    std::vector<double> seconds, processor;
     double error = 0.0;
-    do {
+    for (int run = 0; run < runs; ++run) {
       const VertexBake bake = bakeAtVertices(compiled_, {side, transfer}, threads_).value();
-      seconds.push_back(bake.seconds);
-      error = transfer ? transferError(bake.transfer) : accessibilityError(bake.ao);
-    } while (static_cast<int>(seconds.size()) < options_.runs &&
-             compiled_.vertexCount() * std::uint64_t{side} * side < options_.bakeScalingLongBake);
-    return {median(seconds), error};
+      seconds.push_back(bake.seconds), processor.push_back(bake.processorSeconds);
+      if (run == 0) error = transfer ? transferError(bake.transfer) : accessibilityError(bake.ao);
+    }
+    return {fmt::format("{}/{} {}/{} rays", scene_, peerName, transfer ? "SH" : "AO", rays), median(seconds),
+            median(processor), error};
+  }
+
+  void addError(const Measured& one, bool transfer) {
+    add(one.name, "error", one.error, transfer ? "of SH" : "AO");
+  }
+
+  /// Prelight's time, and the peer's to the same error.
+  void addRow(const std::string& name, const std::string& metric, double seconds, const TimeToError& peer) {
+    const std::string bound = peer.kind == TimeToError::Kind::AtLeast  ? ", at least"
+                              : peer.kind == TimeToError::Kind::AtMost ? ", at most"
+                                                                       : "";
+    add(name, metric, seconds, "s", fmt::format("{} to the same error{}", peerName, bound),
+        peer.seconds / seconds);
+  }
+
+  /// Prelight's time to the peer's error, and the peer's.
+  void addReverse(const std::string& name, const std::string& metric, const TimeToError& own, double peer) {
+    const std::string bound = own.kind == TimeToError::Kind::AtMost    ? ", at least"
+                              : own.kind == TimeToError::Kind::AtLeast ? ", at most"
+                                                                       : "";
+    add(name, metric, own.seconds, "s", fmt::format("{}{}", peerName, bound), peer / own.seconds);
   }
 
   void add(const std::string& name, const std::string& metric, double value, const std::string& unit,
@@ -102,7 +149,6 @@ class Comparison {
   const Progress& progress_;
   CompiledScene compiled_;
   SurfaceTruth truth_;
-  std::vector<Point> transferCurve_, accessibilityCurve_;
   std::vector<BenchmarkResult> results_;
 };
 
@@ -115,7 +161,13 @@ std::vector<BenchmarkResult> compareWithVertexBaker(const std::string& scene,
   if (embreeVersion().empty() || bakes.empty()) return {};
   const StopOnly stop(progress);
   Comparison comparison(scene, bakes.front().file, threads, options, stop);
-  for (const FinishedBake& bake : bakes) comparison.compare(bake);
+  for (std::size_t first = 0; first < bakes.size();) {
+    std::size_t end = first;
+    while (end < bakes.size() && bakes[end].technique == bakes[first].technique) ++end;
+    comparison.compare({bakes.begin() + static_cast<std::ptrdiff_t>(first),
+                        bakes.begin() + static_cast<std::ptrdiff_t>(end)});
+    first = end;
+  }
   return comparison.take();
 }
 

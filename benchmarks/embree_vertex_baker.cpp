@@ -6,6 +6,7 @@
 
 #include "benchmarks/embree_scene.h"
 #include "benchmarks/measure.h"
+#include "benchmarks/processor_time.h"
 #include "benchmarks/vertex_baker.h"
 #include "benchmarks/worker_pool.h"
 
@@ -184,11 +185,13 @@ class VertexBaker {
 std::optional<VertexBake> bakeAtVertices(const CompiledScene& scene, const VertexBakeRequest& request,
                                          std::size_t threads) {
   VertexBake bake;
+  const double processor = processorSeconds();
   const double seconds = secondsOf([&] {
     VertexBaker baker(scene, request, threads);
     bake = request.transfer ? baker.bakeTransfer() : baker.bakeAo();
   });
   bake.seconds = seconds;
+  bake.processorSeconds = processorSeconds() - processor;
   return bake;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "benchmarks/measure.h"
+#include "benchmarks/processor_time.h"
 #include "cast/caster.h"
 #include "plan/shadow_sets.h"
 #include "projectors/schedule.h"
@@ -21,9 +21,6 @@ using device::CastParameters;
 using device::Hit;
 using device::Ray;
 using device::Receiver;
-
-/// Of this process so far, all threads together.
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 constexpr std::size_t launches = 16;    // that are queued at once, as a tracer with nothing to wait for does
 constexpr double leastReceivers = 4.0;  // of a connected piece of surface, as in a bake

@@ -19,6 +19,7 @@ struct VertexBake {
   std::vector<float> ao;        ///< [vertex], in [0,1]
   std::vector<float> transfer;  ///< [vertex][3][9], as HarmonicTransfer; or empty
   double seconds = 0.0;         ///< with the tree
+  double processorSeconds = 0.0;
 };
 
 /// A plain baker over Embree, as people write one: rays one by one from every vertex, stratified and
