@@ -54,6 +54,7 @@ class BlockTracer {
     if (pending_.empty()) return;
     generate(rays_[counts_.size()]);
     counts_.push_back(pending_.size() * raysPerReceiver_);
+    added_ += counts_.back();
     pending_.clear();
     if (counts_.size() == launches) trace();
   }
@@ -64,7 +65,8 @@ class BlockTracer {
     return cost_;
   }
 
-  std::uint64_t rays() const { return cost_.rays; }
+  /// Traced, or waiting to be.
+  std::uint64_t rays() const { return added_; }
 
  private:
   void generate(Buffer<Ray>& rays) {
@@ -108,6 +110,7 @@ class BlockTracer {
   std::vector<Buffer<Ray>> rays_;
   std::vector<Receiver> pending_;
   std::vector<std::size_t> counts_;  ///< rays of the blocks that wait to be traced
+  std::uint64_t added_ = 0;
   TracingCost cost_;
 };
 

@@ -16,22 +16,24 @@ constexpr std::size_t threads = 2;
 constexpr std::size_t coefficients = 9;
 const double firstOfEvenSky = std::sqrt(4.0 * std::numbers::pi);
 
-/// The inside of a sphere without what is above half its radius: a quarter of its surface. Whatever place of
-/// it sees that quarter of its hemisphere open, weighted by the cosine, as a sphere's surface sees itself
-/// evenly.
-CompiledScene openSphere(float albedo) {
-  constexpr int segments = 48;
+/// The inside of a sphere of radius 1, without what is above a height.
+CompiledScene insideOfSphere(float below, float albedo) {
+  constexpr int segments = 24;
   const CompiledScene whole = test::sphere(segments, 1.0f, glm::vec3(0.0f));
   std::vector<glm::uvec3> kept;
   for (const glm::uvec3& t : whole.triangles) {
     const float middle = (whole.positions[t.x].y + whole.positions[t.y].y + whole.positions[t.z].y) / 3.0f;
-    if (middle < 0.5f) kept.emplace_back(t.x, t.z, t.y);
+    if (middle < below) kept.emplace_back(t.x, t.z, t.y);
   }
   CompiledScene scene = test::sceneOf(whole.positions, kept, albedo);
   for (std::size_t v = 0; v < scene.normals.size(); ++v)
     scene.normals[v] = -glm::normalize(whole.positions[v]);
   return scene;
 }
+
+/// Open above half its radius: a quarter of its surface. Whatever place of it sees that quarter of its
+/// hemisphere open, weighted by the cosine, as a sphere's surface sees itself evenly.
+CompiledScene openSphere(float albedo) { return insideOfSphere(0.5f, albedo); }
 
 /// Accessibility f and, with a bounce of albedo a off what hides the rest, f + a (1 - f) f under an even sky.
 constexpr double openShare = 0.25;
@@ -63,16 +65,11 @@ TEST_F(VertexBaker, OnAnOpenPlane_HasTheClosedForm) {
     EXPECT_NEAR(bake.transfer[i], openTransfer(i % coefficients), 2e-3) << i;
 }
 
-TEST_F(VertexBaker, InAClosedBox_SeesNothing) {
-  const CompiledScene scene = test::box(4, glm::vec3(-1.0f), glm::vec3(1.0f), true);
+TEST_F(VertexBaker, InAClosedSphere_SeesNothing) {
+  const CompiledScene scene = insideOfSphere(2.0f, 0.5f);
   const VertexBake bake = bakeAtVertices(scene, {8, true}, threads).value();
-  for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
-    const glm::vec3 p = glm::abs(scene.positions[v]);
-    if ((p.x == 1.0f) + (p.y == 1.0f) + (p.z == 1.0f) > 1) continue;  // may see past the edge that it lies on
-    EXPECT_EQ(bake.ao[v], 0.0f) << v;
-    for (std::size_t i = 0; i < 3 * coefficients; ++i)
-      EXPECT_EQ(bake.transfer[v * 3 * coefficients + i], 0.0f) << v;
-  }
+  EXPECT_EQ(bake.ao, std::vector<float>(scene.vertexCount(), 0.0f));
+  EXPECT_EQ(bake.transfer, std::vector<float>(bake.transfer.size(), 0.0f));
 }
 
 TEST_F(VertexBaker, InAnOpenSphere_HasItsOpeningAndOneBounce) {
