@@ -195,11 +195,12 @@ SurfaceError surfaceError(const CompiledScene& scene, const std::vector<SurfaceS
 
 TimeToError timeToError(std::span<const Point> curve, double error) {
   using Kind = TimeToError::Kind;
+  constexpr double least = 1e-12;  // errors below what was measured with may come out as 0
   if (error >= curve.front().y) return {curve.front().x, Kind::AtMost};
   for (std::size_t i = 1; i < curve.size(); ++i) {
     if (curve[i].y > error) continue;
     const Point &from = curve[i - 1], &to = curve[i];
-    const double share = std::log(error / from.y) / std::log(to.y / from.y);
+    const double share = std::log(std::max(error, least) / from.y) / std::log(std::max(to.y, least) / from.y);
     return {from.x * std::pow(to.x / from.x, share), Kind::Measured};
   }
   return {curve.back().x, Kind::AtLeast};

@@ -131,6 +131,12 @@ TEST(TimeToError, BetweenPoints_FollowsAPowerLaw) {
   EXPECT_NEAR(between.seconds, 8.0, 1e-9);
 }
 
+TEST(TimeToError, OfNoErrorAtAll_IsWhenItIsReached) {
+  const std::vector<Point> curve = {{1.0, 0.4}, {4.0, 0.0}};
+  EXPECT_NEAR(timeToError(curve, 0.0).seconds, 4.0, 1e-9);
+  EXPECT_EQ(timeToError(std::vector<Point>{{1.0, 0.0}}, 0.0).seconds, 1.0);
+}
+
 TEST(TimeToError, BeyondTheMeasured_IsABound) {
   const std::vector<Point> curve = {{1.0, 0.4}, {4.0, 0.2}};
   EXPECT_EQ(timeToError(curve, 0.5).kind, TimeToError::Kind::AtMost);
