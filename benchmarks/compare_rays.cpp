@@ -119,11 +119,14 @@ class Comparison {
 
 }  // namespace
 
+std::size_t peerThreads(const DeviceInfo& device) {
+  return device.kind == DeviceKind::Cpu ? std::clamp<std::size_t>(device.computeUnits, 1, hardwareThreads())
+                                        : hardwareThreads();
+}
+
 std::vector<PeerTree> makePeerTrees(const CompiledScene& scene, const std::vector<PeerQuality>& qualities,
                                     const DeviceInfo& device) {
-  const std::size_t threads = device.kind == DeviceKind::Cpu
-                                  ? std::clamp<std::size_t>(device.computeUnits, 1, hardwareThreads())
-                                  : hardwareThreads();
+  const std::size_t threads = peerThreads(device);
   std::vector<PeerTree> trees;
   for (const PeerQuality quality : qualities)
     if (std::unique_ptr<RayPeer> peer = makeEmbreePeer(scene, quality, threads))

@@ -16,8 +16,10 @@ struct PeerTree {
   std::unique_ptr<RayPeer> peer;
 };
 
-/// The peer's trees of some qualities over a scene, with as many threads as the device has units, or as the
-/// machine has when the device is no CPU. Empty in a build without the peer.
+/// As many as the device has units, or as the machine has when the device is no CPU.
+std::size_t peerThreads(const DeviceInfo& device);
+
+/// The peer's trees of some qualities over a scene, with peerThreads(). Empty in a build without the peer.
 std::vector<PeerTree> makePeerTrees(const CompiledScene& scene, const std::vector<PeerQuality>& qualities,
                                     const DeviceInfo& device);
 

@@ -2,19 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <limits>
 #include <vector>
 
-#if defined(__SSE2__)
-#include <pmmintrin.h>
-#include <xmmintrin.h>
-#endif
-
+#include "benchmarks/embree_scene.h"
 #include "benchmarks/ray_peer.h"
 #include "benchmarks/worker_pool.h"
-#include "prelight/error.h"
 
 namespace prelight::benchmarks {
 
@@ -24,32 +16,6 @@ using device::Hit;
 using device::Ray;
 
 constexpr std::size_t grain = 1024;  // rays that a thread takes at a time
-
-/// Flushes denormals while it lives, as Embree asks for.
-class DenormalsFlushed {
-#if defined(__SSE2__)
- public:
-  DenormalsFlushed() : before_(_mm_getcsr()) {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  DenormalsFlushed(const DenormalsFlushed&) = delete;
-  DenormalsFlushed& operator=(const DenormalsFlushed&) = delete;
-  ~DenormalsFlushed() { _mm_setcsr(before_); }
-
- private:
-  unsigned before_;
-#endif
-};
-
-struct ReleaseDevice {
-  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct ReleaseScene {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
-using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 
 template <int Width>
 struct Packet;
@@ -155,28 +121,10 @@ TraceRange rangeTracer(const PeerQuery& query) {
   return query.any ? occludeSingly : intersectSingly;
 }
 
-RTCBuildQuality embreeQuality(PeerQuality quality) {
-  if (quality == PeerQuality::Low) return RTC_BUILD_QUALITY_LOW;
-  return quality == PeerQuality::Medium ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH;
-}
-
 class EmbreePeer final : public RayPeer {
  public:
   EmbreePeer(const CompiledScene& scene, PeerQuality quality, std::size_t threads)
-      : pool_(threads), device_(rtcNewDevice(fmt::format("threads={}", threads).c_str())) {
-    const DenormalsFlushed flushed;
-    if (!device_) fail(rtcGetDeviceError(nullptr));
-    rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
-    positions_ = scene.positions;
-    positions_.emplace_back(0.0f);  // Embree reads four floats a vertex
-    scene_.reset(rtcNewScene(device_.get()));
-    rtcSetSceneBuildQuality(scene_.get(), embreeQuality(quality));
-    attachTriangles(scene, quality);
-    const auto start = std::chrono::steady_clock::now();
-    rtcCommitScene(scene_.get());
-    buildSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE) fail(error);
-  }
+      : pool_(threads), scene_(scene, quality, threads) {}
 
   void trace(std::span<const Ray> rays, std::span<Hit> hits, const PeerQuery& query) override {
     const TraceRange traceRange = rangeTracer(query);
@@ -190,39 +138,12 @@ class EmbreePeer final : public RayPeer {
     });
   }
 
-  double buildSeconds() const override { return buildSeconds_; }
-  std::size_t bytes() const override { return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, bytes_)); }
+  double buildSeconds() const override { return scene_.buildSeconds(); }
+  std::size_t bytes() const override { return scene_.bytes(); }
 
  private:
-  static bool countBytes(void* counter, std::ptrdiff_t bytes, bool) {
-    *static_cast<std::atomic<std::ptrdiff_t>*>(counter) += bytes;
-    return true;
-  }
-
-  [[noreturn]] static void fail(RTCError error) {
-    const bool memory = error == RTC_ERROR_OUT_OF_MEMORY;
-    throw Error(memory ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure, "Embree",
-                fmt::format("error {} while its tree was built", static_cast<int>(error)));
-  }
-
-  void attachTriangles(const CompiledScene& scene, PeerQuality quality) {
-    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions_.data(), 0,
-                               sizeof(glm::vec3), scene.positions.size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene.triangles.data(),
-                               0, sizeof(glm::uvec3), scene.triangles.size());
-    rtcSetGeometryBuildQuality(geometry, embreeQuality(quality));
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
-  }
-
   WorkerPool pool_;
-  std::vector<glm::vec3> positions_;
-  std::atomic<std::ptrdiff_t> bytes_{0};
-  double buildSeconds_ = 0.0;
-  DeviceHandle device_;
-  SceneHandle scene_;
+  EmbreeScene scene_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "benchmarks/bake_scaling_plots.h"
 #include "benchmarks/charts.h"
 #include "benchmarks/stability/stability_plots.h"
 #include "benchmarks/transfer_plots.h"
@@ -407,13 +408,17 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 24> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 28> kinds = {{{"cast", "cast", castPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},
                                            {"scaling", "scaling", scalingPlot},
                                            {"scaling", "scaling-build", scalingBuildPlot},
                                            {"bake", "bake", bakePlot},
+                                           {"bake-scaling", "bake-scaling", bakeStagesPlot},
+                                           {"bake-scaling", "bake-scaling-share", bakeSharePlot},
+                                           {"bake-scaling", "bake-scaling-memory", bakeMemoryPlot},
+                                           {"bake-scaling", "bake-scaling-error", bakeErrorPlot},
                                            {"error", "error", errorPlot},
                                            {"reference", "reference", referencePlot},
                                            {"full", "full", globalIlluminationPlot},

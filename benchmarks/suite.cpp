@@ -26,6 +26,8 @@ const std::vector<Entry>& entries() {
        runScalingSuite},
       {{"bake", "seconds of each stage of a bake of AO, of AO and SH, and of both with a bounce"},
        runBakeSuite},
+      {{"bake-scaling", "seconds, memory and share of tracing of whole bakes, from 10 k triangles to 10 M"},
+       runBakeScalingSuite},
       {{"error", "error of AO against time, and the error that a bake reports against the measured one"},
        runErrorSuite},
       {{"reference", "error of the reference renderer against time, and the error that it reports"},
@@ -70,6 +72,14 @@ void quickenTransfer(BenchmarkOptions& options) {
   options.rayRounds = 3;
   options.rayTriangles = {2000};
   options.scalingTriangles = {1000, 2000};
+  options.bakeScalingTriangles = {10000, 100000};
+  options.bakeScalingRays = {16};
+  options.bakeScalingTracedRays = 1u << 18;
+  options.bakeScalingLongBake = 0;
+  options.bakeScalingPeerTriangles = {10000};
+  options.bakeScalingPeerSides = {2, 4};
+  options.bakeScalingPlaces = 64;
+  options.bakeScalingTruthSide = 4;
   options.bakeRays = 16;
   options.errorRays = {16, 32};
   options.errorReferenceRays = 64;
@@ -169,6 +179,17 @@ nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
           {"rayTriangles", options.rayTriangles},
           {"scalingTriangles", options.scalingTriangles},
           {"rayPeer", embreeVersion().empty() ? "none" : embreeVersion()},
+          {"bakeScalingTriangles", options.bakeScalingTriangles},
+          {"bakeScalingRays", options.bakeScalingRays},
+          {"bakeScalingMostRays", options.bakeScalingMostRays},
+          {"bakeScalingTracedRays", options.bakeScalingTracedRays},
+          {"bakeScalingLongBake", options.bakeScalingLongBake},
+          {"bakeScalingPeerTriangles", options.bakeScalingPeerTriangles},
+          {"bakeScalingPeerSides", options.bakeScalingPeerSides},
+          {"bakeScalingPeerRays", options.bakeScalingPeerRays},
+          {"bakeScalingPlaces", options.bakeScalingPlaces},
+          {"bakeScalingTruthSide", options.bakeScalingTruthSide},
+          {"onlyCase", options.onlyCase},
           {"bakeRays", options.bakeRays},
           {"errorRays", options.errorRays},
           {"errorReferenceRays", options.errorReferenceRays},

@@ -122,6 +122,20 @@ struct BenchmarkOptions {
   std::vector<std::string> stabilityScenes = {"shapes", "caustics", "cornell"};
   std::filesystem::path folder = {};  ///< where suites write more than charts; empty: nowhere
 
+  std::vector<std::uint64_t> bakeScalingTriangles = {10000,   100000,  407000,
+                                                     1390000, 4690000, 10000000};  ///< ascending
+  std::vector<std::uint64_t> bakeScalingRays = {16, 64, 256, 1024, 4096};          ///< a vertex, ascending
+  std::uint64_t bakeScalingMostRays = 180000000;   ///< of a bake, unless of 64 a vertex
+  std::uint64_t bakeScalingTracedRays = 1u << 22;  ///< that are enough to time tracing alone
+  std::uint64_t bakeScalingLongBake = 1u << 23;    ///< rays from which on a bake runs once
+  std::vector<std::uint64_t> bakeScalingPeerTriangles = {407000, 1390000};  ///< of which errors are compared
+  std::vector<std::uint32_t> bakeScalingPeerSides = {2, 4, 8, 16, 32};      ///< of squares of rays, ascending
+  std::uint64_t bakeScalingPeerRays = 180000000;                            ///< of the peer at most
+  std::size_t bakeScalingPlaces = 4096;                                     ///< of the surface, of an error
+  std::uint32_t bakeScalingTruthSide = 32;  ///< of a square of paths a place, twice
+  std::string onlyCase = {};                ///< cases whose names contain it, of `bake-scaling`; empty: all
+  std::filesystem::path program = {};       ///< `prelight`, which `bake-scaling` runs
+
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.
   static BenchmarkOptions quick();

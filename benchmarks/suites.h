@@ -31,6 +31,11 @@ std::vector<BenchmarkResult> runScalingSuite(const Device& device, const Benchma
 std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress);
 
+/// Seconds of each stage, processor use and memory of whole bakes of growing scenes by processes of their
+/// own, against their rays traced alone.
+std::vector<BenchmarkResult> runBakeScalingSuite(const Device& device, const BenchmarkOptions& options,
+                                                 Progress& progress);
+
 /// Error and time of AO for growing numbers of rays, and the error that the bake itself reports.
 std::vector<BenchmarkResult> runErrorSuite(const Device& device, const BenchmarkOptions& options,
                                            Progress& progress);

@@ -192,7 +192,9 @@ nlohmann::ordered_json writeOutputs(const BakeCommand& command, const BakeReques
                                     LoadedScene& loaded, Session& session) {
   const StopSignals::Writing writing(session.signals());  // sooner finished than saved, whoever asks to stop
   OutputFiles files;
-  session.times().measure("write", [&] { addOutputs(command, run, quantized, loaded, files); });
+  session.times().measureProcessor("write", [&] {
+    session.times().measure("write", [&] { addOutputs(command, run, quantized, loaded, files); });
+  });
   nlohmann::ordered_json report = bakeReport("bake", loaded, command.output, request, run, session);
   if (!command.report.empty()) {
     const std::string text =

@@ -34,6 +34,7 @@ struct BenchCommand {
   std::filesystem::path json;
   std::filesystem::path plots;
   std::vector<std::filesystem::path> skies;
+  std::string onlyCase;
   std::optional<std::uint64_t> rays;
   std::optional<std::uint64_t> samples;
   std::optional<std::uint64_t> photons;
@@ -120,6 +121,8 @@ void runBench(const BenchCommand& command, Context& context) {
   BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
   options.skies = command.skies;
   options.folder = command.plots;
+  options.onlyCase = command.onlyCase;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
   options.techniqueRays = command.rays.value_or(options.techniqueRays);
   options.techniqueSamples = command.samples.value_or(options.techniqueSamples);
   options.stabilityFlownPhotons = command.photons.value_or(options.stabilityFlownPhotons);
@@ -176,6 +179,10 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
+  app->add_option("--case", command->onlyCase,
+                  "only cases of `bake-scaling` whose names contain this, or the one that is named in full, "
+                  "however long it takes")
+      ->type_name("TEXT");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
       "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024");

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace prelight::cli {
 namespace {
@@ -23,10 +24,22 @@ std::string kindName(DeviceKind kind) {
   return "other";
 }
 
+/// From the kernel's own record where there is one: getrusage() also counts what the program that started
+/// this one held.
 std::uint64_t peakResidentBytes() {
+  std::ifstream status("/proc/self/status");
+  std::uint64_t kib = 0;
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:" && status >> kib) return kib * 1024;
   rusage usage{};
   if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+Json stagesJson(const std::vector<std::pair<std::string, double>>& stages) {
+  Json json = Json::object();
+  for (const auto& [stage, seconds] : stages) json[stage] = json.value(stage, 0.0) + seconds;
+  return json;
 }
 
 double castSeconds(const BakeReport& report) {
@@ -159,11 +172,7 @@ Json toJson(const BakeRequest& request) {
   return json;
 }
 
-Json toJson(const StageTimes& times) {
-  Json json = Json::object();
-  for (const auto& [stage, seconds] : times.stages()) json[stage] = json.value(stage, 0.0) + seconds;
-  return json;
-}
+Json toJson(const StageTimes& times) { return stagesJson(times.stages()); }
 
 Json bakeReport(const std::string& command, const LoadedScene& loaded, const std::filesystem::path& output,
                 const BakeRequest& request, const BakeRun& run, Session& session) {
@@ -184,6 +193,7 @@ Json bakeReport(const std::string& command, const LoadedScene& loaded, const std
                {"estimatedError", {{"aoRms", report.aoErrorRms}, {"aoMax", report.aoErrorMax}}},
                {"seconds", session.times().total()},
                {"stages", toJson(session.times())},
+               {"processorSeconds", stagesJson(session.times().processor())},
                {"memory",
                 {{"hostEstimate", run.plan.hostBytes},
                  {"deviceEstimate", run.plan.deviceBytes},

@@ -28,8 +28,11 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
     if (state != nullptr) state->setKey(key);
     return state;
   };
-  BakeRun run =
-      runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request, {steps_, open, keyed});
+  BakeRun run;
+  times_.measureProcessor("bake", [&] {
+    run =
+        runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request, {steps_, open, keyed});
+  });
   progress_.clear();
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);
   return run;

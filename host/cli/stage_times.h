@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,15 @@ class StageTimes {
   void add(const std::string& stage, double seconds) { stages_.emplace_back(stage, seconds); }
 
   const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
+
+  /// Keeps the processor time that `work` takes, of all threads, under a name of its own.
+  template <typename Work>
+  decltype(auto) measureProcessor(const std::string& name, Work&& work) {
+    const ProcessorEntry entry(*this, name);
+    return std::forward<Work>(work)();
+  }
+
+  const std::vector<std::pair<std::string, double>>& processor() const { return processor_; }
 
   double total() const { return secondsSince(start_); }
 
@@ -43,8 +53,23 @@ class StageTimes {
     Clock::time_point start_ = Clock::now();
   };
 
+  class ProcessorEntry {
+   public:
+    ProcessorEntry(StageTimes& times, std::string name) : times_(times), name_(std::move(name)) {}
+    ~ProcessorEntry() {
+      times_.processor_.emplace_back(name_, static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC);
+    }
+    ProcessorEntry(const ProcessorEntry&) = delete;
+    ProcessorEntry& operator=(const ProcessorEntry&) = delete;
+
+   private:
+    StageTimes& times_;
+    std::string name_;
+    std::clock_t start_ = std::clock();
+  };
+
   Clock::time_point start_ = Clock::now();
-  std::vector<std::pair<std::string, double>> stages_;
+  std::vector<std::pair<std::string, double>> stages_, processor_;
 };
 
 }  // namespace prelight::cli

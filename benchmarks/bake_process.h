@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "prelight/progress.h"
+
+namespace prelight::benchmarks {
+
+/// A bake by a process of its own, so that time and memory are its alone.
+struct BakeProcess {
+  std::filesystem::path program;  ///< `prelight`
+  std::filesystem::path scene;
+  std::filesystem::path output;
+  std::vector<std::string> options;  ///< of `prelight bake`: techniques and effort
+};
+
+/// What the process took.
+struct ProcessCost {
+  bool finished = false;          ///< false: a signal ended it, as where memory was short
+  double seconds = 0.0;           ///< from its start to its end
+  double processorSeconds = 0.0;  ///< of all its threads
+  nlohmann::ordered_json report;  ///< what `--report` wrote; null where it did not finish
+  std::uint64_t outputBytes = 0;
+};
+
+/// Runs it to its end. Where memory is short, the system ends this process first. Throws Interrupted after
+/// having ended it, and Error, with the end of what it printed, when it fails.
+ProcessCost runBakeProcess(const BakeProcess& bake, const Progress& progress);
+
+/// A folder of its own below the system's temporary one, which goes with all that is in it.
+class WorkFolder {
+ public:
+  WorkFolder();
+  ~WorkFolder();
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace prelight::benchmarks
