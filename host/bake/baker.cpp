@@ -122,7 +122,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   StageClock clock(report.stageSeconds);
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   const FitMesh mesh = makeFitMesh(scene, sets.setOfVertices(scene));
-  Tracer tracer(scene, device);
+  Tracer tracer(scene, device, BvhLayout::Automatic, BuildQuality::High,
+                plan.runs(Pass::Instances) ? TreeLevels::Two : TreeLevels::One);
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);

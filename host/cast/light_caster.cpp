@@ -39,8 +39,8 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
 }  // namespace
 
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-                         DeviceContext& device, std::uint32_t blockSize, int incidentOrder)
-    : device_(device),
+                         const Tracer& tracer, std::uint32_t blockSize, int incidentOrder)
+    : device_(tracer.context()),
       valueCount_(static_cast<std::uint32_t>(incidentOrder > 0 ? incidentValueCount(incidentOrder) : 1)),
       hasEmitters_(!lights.emitters.empty()) {
   PackedArrays<LightGroupLine> pack;
@@ -62,7 +62,7 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   emitters_.emplace_back(device_, spanOf(lights.emitters));
   if (sets != nullptr)
     for (const auto& set : sets->sets) emitters_.emplace_back(device_, spanOf(emittersOf(lights, set)));
-  auto options = BuildOptions()
+  auto options = tracer.surfaceOptions()
                      .defineIf(hasEmitters_, "PRELIGHT_EMITTERS")
                      .defineIf(incidentOrder > 0, "PRELIGHT_INCIDENT");
   addIncidentOrder(options, incidentOrder);

@@ -12,15 +12,19 @@ namespace prelight {
 
 using namespace device;
 
-DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene) : device_(&device) {
+DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene,
+                         std::vector<std::uint32_t> instances)
+    : device_(&device), instances_(std::move(instances)), stored_(scene, instances_) {
   SurfaceArrays arrays = makeSurfaceArrays(scene);
   const bool textured = !arrays.texels.empty();
   PackedArrays<SurfaceLine> pack;
-  layout_.triangles = pack.add(std::move(arrays.triangles));
+  layout_.triangles = pack.add(stored_.triangles(scene));
+  layout_.rangeCount = static_cast<std::uint32_t>(stored_.ranges().size());
+  layout_.ranges = pack.add(spanOf(stored_.ranges()));
   layout_.materials = pack.add(std::move(arrays.materials));
   layout_.texels = pack.add(std::move(arrays.texels));
-  layout_.texCoords = textured ? pack.add(spanOf(scene.texCoords)) : 0;
-  layout_.colors = pack.add(spanOf(scene.colors));
+  layout_.texCoords = textured ? pack.add(stored_.ofVertices(spanOf(scene.texCoords))) : 0;
+  if (scene.hasVertexColors()) layout_.colors = pack.add(stored_.ofVertices(spanOf(scene.colors)));
   surface_ = pack.upload(device);
   uploadLayout();
 }
@@ -30,12 +34,12 @@ void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image
   Layers layers = makeLayers(scene, images);
   PackedArrays<ShadingLine> pack;
   layout_.vertices = pack.add(interleaveVertices(scene));
-  layout_.flat = pack.add(spanOf(scene.triangleFlat));
+  layout_.flat = pack.add(stored_.ofTriangles(spanOf(scene.triangleFlat)));
   layout_.bases = pack.add(makeBaseMaterials(scene));
   layout_.shadeMaterials = pack.add(makeShadeMaterials(scene));
   layout_.layers = pack.add(std::move(layers.materials));
   layout_.layerTexels = pack.add(std::move(layers.texels));
-  layout_.layerTexCoords = layerTextures ? pack.add(spanOf(scene.texCoords)) : 0;
+  layout_.layerTexCoords = layerTextures ? pack.add(stored_.ofVertices(spanOf(scene.texCoords))) : 0;
   shading_ = pack.upload(*device_);
   uploadLayout();
 }
@@ -43,7 +47,7 @@ void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image
 void DeviceScene::setPlainShading(const CompiledScene& scene) {
   PackedArrays<ShadingLine> pack;
   layout_.vertices = pack.add(interleaveVertices(scene));
-  layout_.flat = pack.add(spanOf(scene.triangleFlat));
+  layout_.flat = pack.add(stored_.ofTriangles(spanOf(scene.triangleFlat)));
   layout_.bases = pack.add(makeBaseMaterials(scene));
   layout_.shadeMaterials = pack.add(makeShadeMaterials(scene));
   shading_ = pack.upload(*device_);

@@ -42,7 +42,7 @@ float combinedDensity(uint rays, float cosine, uint samples, float density, floa
 }
 
 bool aimAtEmitter(__constant const CastParameters* parameters, LightRay lightRay, LightGroups groups,
-                  __global const GroupEmitter* emitters, __global const DeviceTriangle* triangles, float2 u, float3 point,
+                  __global const GroupEmitter* emitters, Surface surface, float2 u, float3 point,
                   float3 normal, Aim* aim) {
   uint low = lightRay.firstEmitter, high = low + lightRay.emitterCount - 1u;
   while (low < high) {
@@ -55,7 +55,7 @@ bool aimAtEmitter(__constant const CastParameters* parameters, LightRay lightRay
   const GroupEmitter e = emitters[low];
   const float start = low > lightRay.firstEmitter ? emitters[low - 1u].bound : 0.0f;
   const float within = clamp((u.x - start) / fmax(e.bound - start, 1e-30f), 0.0f, 1.0f);
-  const DeviceTriangle t = triangles[e.triangle];
+  const DeviceTriangle t = triangleAt(surface, e.triangle);
   const float3 p = vload3(t.vertex[0], groups.positions), q = vload3(t.vertex[1], groups.positions),
                r = vload3(t.vertex[2], groups.positions);
   const float3 way = pointBetween(p, q, r, sampleTriangle((float2)(within, u.y))) - point;
@@ -94,7 +94,7 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, con
   } else {
     const uint index = r->firstSample / parameters->raysPerReceiver * lightRay.sampleCount + lightRay.sample;
     const float2 u = sampleSobol(index, hashInteger(r->seed ^ hashInteger(lightRay.group + 0x68bc21ebu)));
-    arrives = aimAtEmitter(parameters, lightRay, groups, emitters, surfaceOf(layout, surfaceLines).triangles, u, point, normal, &aim);
+    arrives = aimAtEmitter(parameters, lightRay, groups, emitters, surfaceOf(layout, surfaceLines), u, point, normal, &aim);
   }
   arrives = arrives && dot(aim.way, vload3(0, r->geometricNormal)) > 0.0f;  // the receiver's own surface hides the rest
   rays[i] = shadowRay(r, aim, arrives);

@@ -16,20 +16,20 @@
 #define PRELIGHT_FAR_SIZES 32.0f
 
 #ifdef PRELIGHT_RADIOSITY_EMITTERS
-void loadCorners(uint triangle, __global const DeviceTriangle* triangles, __global const float* positions, float3 corner[3]) {
-  const DeviceTriangle t = triangles[triangle];
+void loadCorners(uint triangle, Surface surface, __global const float* positions, float3 corner[3]) {
+  const DeviceTriangle t = triangleAt(surface, triangle);
   for (int k = 0; k < 3; ++k) corner[k] = vload3(t.vertex[k], positions);
 }
 
 // A point of an emitter by area: an unbiased sample of the irradiance that all emitters would cause.
 bool aimAtEmitter(Lights l, __constant const LightLayout* layout, __global const RadiosityEmitter* emitters,
-                  __global const DeviceTriangle* triangles, __global const float* positions, uint bits, float2 place,
+                  Surface surface, __global const float* positions, uint bits, float2 place,
                   float samples, float3 point, float3 normal, Aim* aim) {
   float probability, remainder;
   const uint entry = chooseEntry(l.tables + layout->emitterTable, layout->emitterCount, bits, &probability, &remainder);
   const RadiosityEmitter e = emitters[entry];
   float3 corner[3];
-  loadCorners(e.triangle, triangles, positions, corner);
+  loadCorners(e.triangle, surface, positions, corner);
   const float3 p = pointBetween(corner[0], corner[1], corner[2], sampleTriangle(place));
   const float3 across = cross(corner[1] - corner[0], corner[2] - corner[0]);  // twice the area long
   const float3 way = p - point;
@@ -89,13 +89,13 @@ bool isFar(float3 point, const float3 corner[3]) {
 }
 
 // Irradiance of all emitters, were nothing in the way.
-float3 openIrradiance(uint count, __global const RadiosityEmitter* emitters, __global const DeviceTriangle* triangles,
+float3 openIrradiance(uint count, __global const RadiosityEmitter* emitters, Surface surface,
                       __global const float* positions, float3 point, float3 normal) {
   float3 sum = (float3)(0.0f);
   for (uint i = 0; i < count; ++i) {
     const RadiosityEmitter e = emitters[i];
     float3 corner[3];
-    loadCorners(e.triangle, triangles, positions, corner);
+    loadCorners(e.triangle, surface, positions, corner);
     const float facing = -dot(corner[0] - point, cross(corner[1] - corner[0], corner[2] - corner[0]));
     if (facing <= 0.0f && e.twoSided == 0u) continue;
     const float factor = isFar(point, corner) ? farFormFactor(point, normal, corner) : triangleFormFactor(point, normal, corner);
@@ -155,7 +155,7 @@ __kernel void aimAtLights(const DirectRays counts, __global const Receiver* rece
     const uint index = r.firstSample * counts.emitterSamples + ray - counts.punctual;
     const uint2 choice = sampleSobolBits(index, hashInteger(r.seed ^ 0x68bc21ebu));
     const uint2 place = samplePaddedBits(index, hashInteger(r.seed ^ 0x02e5be93u));
-    arrives = aimAtEmitter(lights, &layout->lights, emitters, surfaceOf(layout, surfaceLines).triangles, positions, choice.x,
+    arrives = aimAtEmitter(lights, &layout->lights, emitters, surfaceOf(layout, surfaceLines), positions, choice.x,
                            (float2)(unitFloat(place.x), unitFloat(place.y)), (float)counts.emitterSamples, point, normal, &aim);
   }
 #endif
@@ -202,7 +202,7 @@ __kernel void sumLights(const DirectRays counts, uint emitterCount, __constant c
   sum += run;
 #ifdef PRELIGHT_FEW_EMITTERS
   const Receiver r = receivers[point];
-  const float3 exact = openIrradiance(emitterCount, emitters, surfaceOf(layout, surfaceLines).triangles, positions,
+  const float3 exact = openIrradiance(emitterCount, emitters, surfaceOf(layout, surfaceLines), positions,
                                      vload3(0, r.position), vload3(0, r.normal));
   open = all.x + all.y + all.z > 0.0f ? exact * (open / fmax(all, 1e-30f)) : (float3)(0.0f);
 #endif
