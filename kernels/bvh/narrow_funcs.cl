@@ -87,6 +87,27 @@ PreparedRay rayWithin(__global const DeviceInstance* instance, Ray ray) {
 }
 #endif
 
+// Takes the triangles of a leaf, which count from `firstTriangle` on, into account.
+void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, const PreparedRay* r, Hit* best) {
+  const uint first = leaf & PRELIGHT_LEAF_FIRST_MASK;
+  const uint count = (leaf & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
+  for (uint i = first; i < first + count; ++i) {
+    Hit hit;
+    if (!intersectTriangle(bvh.triangles + i, r, best->t, &hit.t, &hit.u, &hit.v)) continue;
+    hit.triangle = bvh.triangles[i].triangle + firstTriangle;
+    // Equal distances go to the lower index, whatever the order of visits.
+    const bool nearer = hit.t < best->t || hit.triangle < best->triangle;
+    if (!nearer || !surfaceIsThere(surface, hit.triangle, hit.u, hit.v)) continue;
+#ifdef PRELIGHT_ANY_HIT
+    const Hit any = {0.0f, 0u, 0.0f, 0.0f};
+    *best = any;
+    return;
+#else
+    *best = hit;
+#endif
+  }
+}
+
 // Nearest hit of a ray with the scene, or with PRELIGHT_ANY_HIT the first found, as triangle 0 without a distance.
 // `surface` decides whether an alpha-masked hit counts.
 Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
@@ -117,22 +138,10 @@ Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
     }
 #endif
     if (current & PRELIGHT_LEAF_BIT) {
-      const uint first = current & PRELIGHT_LEAF_FIRST_MASK;
-      const uint count = (current & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
-      for (uint i = first; i < first + count; ++i) {
-        Hit hit;
-        if (!intersectTriangle(bvh.triangles + i, &r, best.t, &hit.t, &hit.u, &hit.v)) continue;
-        hit.triangle = bvh.triangles[i].triangle + firstTriangle;
-        // Equal distances go to the lower index, whatever the order of visits.
-        const bool nearer = hit.t < best.t || hit.triangle < best.triangle;
-        if (!nearer || !surfaceIsThere(surface, hit.triangle, hit.u, hit.v)) continue;
+      visitTriangles(bvh, surface, current, firstTriangle, &r, &best);
 #ifdef PRELIGHT_ANY_HIT
-        const Hit any = {0.0f, 0u, 0.0f, 0.0f};
-        return any;
-#else
-        best = hit;
+      if (best.triangle != PRELIGHT_NO_TRIANGLE) return best;
 #endif
-      }
     } else {
       __global const NarrowNode* node = bvh.nodes + current;
       float near0, near1;
