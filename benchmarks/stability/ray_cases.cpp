@@ -6,7 +6,6 @@
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "device/launch_once.h"
-#include "gpu/instanced_tracer.h"
 #include "gpu/tracer.h"
 #include "oracle/brute_force.h"
 #include "receivers/sampling.h"
@@ -250,6 +249,21 @@ void runGenerateRays(Trials& trials) {
   }
 }
 
+/// The scene as an instance twice as large as its shape and turned by a right angle, which floats hold
+/// exactly.
+CompiledScene asInstance(CompiledScene scene) {
+  CompiledShape shape{0, scene.triangleCount(), 0, scene.vertexCount(), scene.positions};
+  for (glm::vec3& p : shape.positions) p = 0.5f * glm::vec3(p.y, -p.x, p.z);
+  glm::dmat4 toWorld(0.0);
+  toWorld[0] = {0.0, 2.0, 0.0, 0.0};
+  toWorld[1] = {-2.0, 0.0, 0.0, 0.0};
+  toWorld[2] = {0.0, 0.0, 2.0, 0.0};
+  toWorld[3] = {0.0, 0.0, 0.0, 1.0};
+  scene.shapes = {shape};
+  scene.instances = {{0, 0, 0, toWorld}};
+  return scene;
+}
+
 void runTracing(Trials& trials) {
   traceLayout(BvhLayout::Wide, "wide tree", trials);
   traceLayout(BvhLayout::Narrow, "narrow tree", trials);
@@ -262,17 +276,12 @@ void runTracing(Trials& trials) {
     tracer.separate(soup.scene, moving);
     judgeHits((std::string(s.stress) + ", two trees").c_str(), soup, rays, tracer.traceClosest(rays),
               s.margin, boundOf(s), trials);
-    // An instance twice as large and turned by a right angle, which floats hold exactly.
-    CompiledScene shape = soup.scene;
-    for (glm::vec3& p : shape.positions) p = 0.5f * glm::vec3(p.y, -p.x, p.z);
-    glm::mat4 toWorld(0.0f);
-    toWorld[0] = {0.0f, 2.0f, 0.0f, 0.0f};
-    toWorld[1] = {-2.0f, 0.0f, 0.0f, 0.0f};
-    toWorld[2] = {0.0f, 0.0f, 2.0f, 0.0f};
-    toWorld[3] = {0.0f, 0.0f, 0.0f, 1.0f};
-    InstancedTracer instanced(std::span(&shape, 1), {{0, 0, toWorld}}, trials.device());
-    judgeHits((std::string(s.stress) + ", an instance").c_str(), soup, rays, instanced.traceClosest(rays),
-              s.margin, boundOf(s), trials);
+    const CompiledScene scene = asInstance(soup.scene);
+    for (const BvhLayout layout : {BvhLayout::Wide, BvhLayout::Narrow}) {
+      Tracer instanced(scene, trials.device(), layout, BuildQuality::High, TreeLevels::Two);
+      judgeHits((std::string(s.stress) + ", an instance").c_str(), soup, rays, instanced.traceClosest(rays),
+                s.margin, boundOf(s), trials);
+    }
   }
 }
 

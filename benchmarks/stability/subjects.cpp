@@ -145,7 +145,7 @@ std::vector<Subject> casting() {
        "distance to the triangle's farthest corner",
        "a few roundings of Woop's test; docs/robustness.md has the bounds of t, u and v",
        {"bvh/wide_kernels.cl:traceRays", "bvh/narrow_kernels.cl:traceRays",
-        "bvh/two_level_kernels.cl:traceRays", "bvh/nearer_kernels.cl:keepNearer"},
+        "bvh/nearer_kernels.cl:keepNearer"},
        runTracing},
       {"projection",
        Kernel,

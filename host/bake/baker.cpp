@@ -132,7 +132,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   const ShadowSets sets = makeShadowSets(scene, request.shadowSets);
   std::future<FitMesh> unknowns =
       std::async([&] { return makeFitMesh(scene, sets.setOfVertices(scene)); });  // beside the hierarchy
-  Tracer tracer(scene, device, BvhLayout::Automatic, qualityFor(scene, request));
+  Tracer tracer(scene, device, BvhLayout::Automatic, qualityFor(scene, request),
+                plan.runs(Pass::Instances) ? TreeLevels::Two : TreeLevels::One);
   const FitMesh mesh = unknowns.get();
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;

@@ -7,6 +7,7 @@
 #include "plan/cast_orders.h"
 #include "plan/shadow_sets.h"
 #include "projectors/registry/plannings.h"
+#include "scene/instancing.h"
 #include "scene/light_sources.h"
 
 namespace prelight {
@@ -50,6 +51,10 @@ PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
                              (sets.treeTriangles() * bvhBytesPerTriangle + 999) / 1000)};
 }
 
+PlannedPass planInstances(const Instancing& instancing) {
+  return {Pass::Instances, instancing.used, instancing.reason};
+}
+
 PlannedPass planCast(const BakeRequest& request, bool bounces, const std::vector<Planning>& techniques) {
   if (!request.castsReceivers())
     return {Pass::Cast, false, "no technique that is asked for looks from receivers"};
@@ -90,7 +95,7 @@ PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& te
 }
 
 /// What all bakes take.
-void estimateMemory(const PlanInput& input, Plan& plan) {
+void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& plan) {
   const CompiledScene& scene = input.scene;
   const BakeRequest& request = input.request;
   const bool bounces = input.bounces;
@@ -100,8 +105,9 @@ void estimateMemory(const PlanInput& input, Plan& plan) {
   std::uint64_t texels = 0;
   for (const Image& image : scene.albedoImages) texels += 2 * image.rgba.size();
   plan.transportBytes = bounces ? std::min(rays * senderBytes, request.maxMemory / 2) : 0;
-  plan.deviceBytes = triangles * (bvhBytesPerTriangle + 29) + vertices * 24 + texels + blockBytes +
-                     plan.transportBytes + (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
+  plan.deviceBytes = instancing.storedTriangles * (bvhBytesPerTriangle + 16) + triangles * 13 +
+                     instancing.storedVertices * 24 + texels + blockBytes + plan.transportBytes +
+                     (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
   const std::uint64_t fitColumns = std::max<std::uint64_t>(4 + coefficients, bounces ? 3 * coefficients : 0);
   plan.hostBytes = triangles * (48 + 16 + 120) + vertices * (60 + fitColumns * 8 * 8) +
                    std::min<std::uint64_t>(rays / 64, std::uint64_t{1} << 24) * 24;
@@ -126,7 +132,9 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       if (technique.staticLight == staticLight && technique.passes != nullptr)
         for (const PlannedPass& pass : technique.passes(input)) add(pass);
   };
+  const Instancing instancing = chooseInstancing(compiled);
   add(planCast(request, bounces.runs, techniques));
+  add(planInstances(instancing));
   const ShadowSets sets = anything ? makeShadowSets(compiled, request.shadowSets) : ShadowSets{};
   add(planShadowSets(sets, request));
   addTechniques(false);
@@ -140,7 +148,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planAlbedo(compiled, bounces.runs));
   add(planSpecular(input, techniques));
   if (anything) {
-    estimateMemory(input, plan);
+    estimateMemory(input, instancing, plan);
     for (const Planning& technique : techniques)
       if (technique.addMemory != nullptr) technique.addMemory(input, plan);
   }

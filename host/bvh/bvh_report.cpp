@@ -1,8 +1,10 @@
 #include "bvh/bvh_report.h"
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
+#include "bvh/two_level.h"
 #include "shared/bvh_types.h"
 
 namespace prelight {
@@ -52,6 +54,19 @@ BvhReport reportOf(const BinaryBvh& bvh, std::size_t sceneTriangles, BvhTarget t
   report.duplicates = named / triangles - 1.0;
   report.bytesPerTriangle = bytes / triangles;
   report.seconds = bvh.buildSeconds;
+  return report;
+}
+
+TwoLevelReport reportTwoLevel(const CompiledScene& scene, std::span<const std::uint32_t> instances) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto tree = buildTwoLevel<WideBvh>(scene, divideContents(scene, instances, {}), {});
+  TwoLevelReport report;
+  report.instances = tree.instances.size();
+  report.nodes = tree.bvh.nodes.size();
+  report.leaves = tree.bvh.blocks.size();
+  report.bytes = report.nodes * sizeof(device::WideNode) + report.leaves * sizeof(device::TriangleBlock) +
+                 report.instances * sizeof(device::DeviceInstance);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
 

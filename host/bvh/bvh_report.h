@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "bvh/binary_bvh.h"
 #include "bvh/builder.h"
@@ -22,5 +23,17 @@ struct BvhReport {
 };
 
 BvhReport reportOf(const BinaryBvh& bvh, std::size_t sceneTriangles, BvhTarget target = BvhTarget::Wide);
+
+/// What a tree of two levels is like, in the wide layout.
+struct TwoLevelReport {
+  std::size_t instances = 0;
+  std::size_t nodes = 0;  ///< of all shapes, of what is in none and of the tree over these
+  std::size_t leaves = 0;
+  std::size_t bytes = 0;  ///< nodes, leaves and instances in the device layout
+  double seconds = 0.0;   ///< of the build
+};
+
+/// `instances` into CompiledScene::instances, at least one.
+TwoLevelReport reportTwoLevel(const CompiledScene& scene, std::span<const std::uint32_t> instances);
 
 }  // namespace prelight

@@ -77,7 +77,7 @@ class Optimizer {
   }
 
   double leafCost(double area, std::uint32_t triangles) const {
-    return triangles <= BinaryBvh::maxLeafSize ? area * costs_.ofLeaf(triangles) : never;
+    return triangles <= costs_.mostTriangles ? area * costs_.ofLeaf(triangles) : never;
   }
 
   Costs decideWide(Decisions& decisions, double area, const Costs& left, const Costs& right) const {

@@ -9,13 +9,14 @@ struct TraversalCosts {
   double node = 1.0;
   double leaf = 0.0;
   double triangle = 0.0;
+  std::uint32_t mostTriangles = BinaryBvh::maxLeafSize;  ///< of a leaf
 
   double ofLeaf(std::uint32_t triangles) const { return leaf + triangle * triangles; }
 };
 
 /// Chooses leaves and eight-wide nodes together, by dynamic programming over the binary tree (Ylitie, Karras
 /// and Laine 2017, section 3): of all ways to cut it, the one with the least expected cost of a ray. Subtrees
-/// of at most eight triangles may become leaves, inner nodes that are wide nodes are marked `wideRoot`; the
+/// of few enough triangles may become leaves, inner nodes that are wide nodes are marked `wideRoot`; the
 /// root always is one when it is no leaf. Returns a compact tree, with each triangle once a leaf.
 BinaryBvh collapseToWide(const BinaryBvh& bvh, const TraversalCosts& costs, std::size_t threads);
 

@@ -24,7 +24,7 @@ class Padding {
     scenePad_ = 0x1p-24f * std::max({most.x, most.y, most.z, std::numeric_limits<float>::min()});
   }
 
-  Box apply(const Box& box) const {
+  Box operator()(const Box& box) const {
     const glm::vec3 pad = 0x1p-23f * glm::max(glm::abs(box.lower), glm::abs(box.upper)) + scenePad_;
     return {box.lower - pad, box.upper + pad};
   }
@@ -33,12 +33,90 @@ class Padding {
   float scenePad_;
 };
 
-constexpr std::uint32_t absent = 0xffffffffu;
+/// Turns leaves of a tree over triangles into blocks, and their boxes into those of the layout.
+class BlockLeaves {
+ public:
+  BlockLeaves(const BinaryBvh& bvh, const CompiledScene& scene) : bvh_(bvh), scene_(scene), padding_(scene) {}
 
+  Box box(const Box& box) const { return padding_(box); }
+
+  std::uint32_t reference(const BinaryBvh::Node& leaf) {
+    TriangleBlock block{};
+    for (std::uint32_t lane = 0; lane < PRELIGHT_WIDTH; ++lane) {
+      block.triangle[lane] = lane < leaf.count ? bvh_.triangleOrder[leaf.first + lane] : unused;
+      if (lane >= leaf.count) continue;
+      for (int corner = 0; corner < 3; ++corner)
+        for (int axis = 0; axis < 3; ++axis)
+          block.vertex[corner][axis][lane] =
+              scene_.positions[scene_.triangles[block.triangle[lane]][corner]][axis];
+    }
+    blocks_.push_back(block);
+    return PRELIGHT_LEAF_BIT | static_cast<std::uint32_t>(blocks_.size() - 1);
+  }
+
+  std::vector<TriangleBlock> take() { return std::move(blocks_); }
+
+ private:
+  static constexpr std::uint32_t unused = 0xffffffffu;
+
+  const BinaryBvh& bvh_;
+  const CompiledScene& scene_;
+  Padding padding_;
+  std::vector<TriangleBlock> blocks_;
+};
+
+/// The same for the narrow layout.
+class TriangleLeaves {
+ public:
+  TriangleLeaves(const BinaryBvh& bvh, const CompiledScene& scene)
+      : bvh_(bvh), scene_(scene), padding_(scene) {}
+
+  Box box(const Box& box) const { return padding_(box); }
+
+  std::uint32_t reference(const BinaryBvh::Node& leaf) {
+    const auto first = static_cast<std::uint32_t>(triangles_.size());
+    for (std::uint32_t i = 0; i < leaf.count; ++i) addTriangle(bvh_.triangleOrder[leaf.first + i]);
+    return PRELIGHT_LEAF_BIT | leaf.count << PRELIGHT_LEAF_COUNT_SHIFT | first;
+  }
+
+  std::vector<NarrowTriangle> take() { return std::move(triangles_); }
+
+ private:
+  void addTriangle(std::uint32_t triangle) {
+    NarrowTriangle t{};
+    for (int corner = 0; corner < 3; ++corner)
+      for (int axis = 0; axis < 3; ++axis)
+        t.vertex[corner][axis] = scene_.positions[scene_.triangles[triangle][corner]][axis];
+    t.triangle = triangle;
+    triangles_.push_back(t);
+  }
+
+  const BinaryBvh& bvh_;
+  const CompiledScene& scene_;
+  Padding padding_;
+  std::vector<NarrowTriangle> triangles_;
+};
+
+/// Leaves of one each, that are made already.
+class GivenLeaves {
+ public:
+  GivenLeaves(const BinaryBvh& bvh, std::span<const std::uint32_t> children)
+      : bvh_(bvh), children_(children) {}
+
+  Box box(const Box& box) const { return box; }
+  std::uint32_t reference(const BinaryBvh::Node& leaf) const {
+    return children_[bvh_.triangleOrder[leaf.first]];
+  }
+
+ private:
+  const BinaryBvh& bvh_;
+  std::span<const std::uint32_t> children_;
+};
+
+template <typename Leaves>
 class WideCollapse {
  public:
-  WideCollapse(const BinaryBvh& bvh, const CompiledScene& scene)
-      : bvh_(bvh), scene_(scene), padding_(scene) {}
+  WideCollapse(const BinaryBvh& bvh, Leaves& leaves) : bvh_(bvh), leaves_(leaves) {}
 
   WideBvh run() {
     out_.nodes.emplace_back();
@@ -89,13 +167,13 @@ class WideCollapse {
         continue;
       }
       const auto& node = bvh_.nodes[children.node[i]];
-      const Box box = padding_.apply(node.bounds);
+      const Box box = leaves_.box(node.bounds);
       for (int axis = 0; axis < 3; ++axis) {
         wide.lower[axis][i] = box.lower[axis];
         wide.upper[axis][i] = box.upper[axis];
       }
       if (node.count > 0) {
-        wide.child[i] = PRELIGHT_LEAF_BIT | addBlock(node);
+        wide.child[i] = leaves_.reference(node);
       } else {
         const auto child = static_cast<std::uint32_t>(out_.nodes.size());
         out_.nodes.emplace_back();
@@ -106,31 +184,16 @@ class WideCollapse {
     out_.nodes[slot] = wide;
   }
 
-  std::uint32_t addBlock(const BinaryBvh::Node& leaf) {
-    TriangleBlock block{};
-    for (std::uint32_t lane = 0; lane < PRELIGHT_WIDTH; ++lane) {
-      block.triangle[lane] = lane < leaf.count ? bvh_.triangleOrder[leaf.first + lane] : absent;
-      if (lane >= leaf.count) continue;
-      for (int corner = 0; corner < 3; ++corner)
-        for (int axis = 0; axis < 3; ++axis)
-          block.vertex[corner][axis][lane] =
-              scene_.positions[scene_.triangles[block.triangle[lane]][corner]][axis];
-    }
-    out_.blocks.push_back(block);
-    return static_cast<std::uint32_t>(out_.blocks.size() - 1);
-  }
-
   const BinaryBvh& bvh_;
-  const CompiledScene& scene_;
-  Padding padding_;
+  Leaves& leaves_;
   WideBvh out_;
   std::uint32_t depth_ = 0;
 };
 
+template <typename Leaves>
 class NarrowCollapse {
  public:
-  NarrowCollapse(const BinaryBvh& bvh, const CompiledScene& scene)
-      : bvh_(bvh), scene_(scene), padding_(scene) {}
+  NarrowCollapse(const BinaryBvh& bvh, Leaves& leaves) : bvh_(bvh), leaves_(leaves) {}
 
   NarrowBvh run() {
     const auto& root = bvh_.nodes[0];
@@ -154,7 +217,7 @@ class NarrowCollapse {
 
  private:
   void setChild(NarrowNode& node, int side, std::uint32_t source, std::uint32_t child) const {
-    const Box box = padding_.apply(bvh_.nodes[source].bounds);
+    const Box box = leaves_.box(bvh_.nodes[source].bounds);
     for (int axis = 0; axis < 3; ++axis) {
       node.lower[side][axis] = box.lower[axis];
       node.upper[side][axis] = box.upper[axis];
@@ -164,11 +227,7 @@ class NarrowCollapse {
 
   std::uint32_t reference(std::uint32_t source) {
     const auto& node = bvh_.nodes[source];
-    if (node.count > 0) {
-      const auto first = static_cast<std::uint32_t>(out_.triangles.size());
-      for (std::uint32_t i = 0; i < node.count; ++i) addTriangle(bvh_.triangleOrder[node.first + i]);
-      return PRELIGHT_LEAF_BIT | node.count << PRELIGHT_LEAF_COUNT_SHIFT | first;
-    }
+    if (node.count > 0) return leaves_.reference(node);
     const auto slot = static_cast<std::uint32_t>(out_.nodes.size());
     out_.nodes.emplace_back();
     fillNode(slot, source);
@@ -182,29 +241,35 @@ class NarrowCollapse {
     out_.nodes[slot] = node;
   }
 
-  void addTriangle(std::uint32_t triangle) {
-    NarrowTriangle t{};
-    for (int corner = 0; corner < 3; ++corner)
-      for (int axis = 0; axis < 3; ++axis)
-        t.vertex[corner][axis] = scene_.positions[scene_.triangles[triangle][corner]][axis];
-    t.triangle = triangle;
-    out_.triangles.push_back(t);
-  }
-
   const BinaryBvh& bvh_;
-  const CompiledScene& scene_;
-  Padding padding_;
+  Leaves& leaves_;
   NarrowBvh out_;
 };
 
 }  // namespace
 
 WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene) {
-  return WideCollapse(bvh, scene).run();
+  BlockLeaves leaves(bvh, scene);
+  WideBvh wide = WideCollapse(bvh, leaves).run();
+  wide.blocks = leaves.take();
+  return wide;
 }
 
 NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene) {
-  return NarrowCollapse(bvh, scene).run();
+  TriangleLeaves leaves(bvh, scene);
+  NarrowBvh narrow = NarrowCollapse(bvh, leaves).run();
+  narrow.triangles = leaves.take();
+  return narrow;
+}
+
+WideBvh makeWideTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children) {
+  GivenLeaves leaves(bvh, children);
+  return WideCollapse(bvh, leaves).run();
+}
+
+NarrowBvh makeNarrowTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children) {
+  GivenLeaves leaves(bvh, children);
+  return NarrowCollapse(bvh, leaves).run();
 }
 
 }  // namespace prelight

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bvh/builder.h"
@@ -26,5 +27,10 @@ struct NarrowBvh {
 WideBvh makeWideBvh(const BinaryBvh& bvh, const CompiledScene& scene);
 
 NarrowBvh makeNarrowBvh(const BinaryBvh& bvh, const CompiledScene& scene);
+
+/// Nodes alone, of a tree whose leaves are others' nodes or instances: one each, `children[i]` what a node
+/// has for the i-th of those that the tree was built over. Boxes are taken as they are.
+WideBvh makeWideTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children);
+NarrowBvh makeNarrowTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children);
 
 }  // namespace prelight

@@ -1,134 +1,193 @@
 #include "bvh/two_level.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <string>
+#include <map>
+#include <utility>
 
-#include "bvh/builder.h"
-#include "bvh/layouts.h"
+#include "bvh/collapse.h"
 #include "bvh/top_down.h"
-#include "prelight/error.h"
 
 namespace prelight {
 
 namespace {
 
 using device::DeviceInstance;
-using device::NarrowNode;
 
-/// Bounds of the transformed corners, rounded to nearest: the padding covers that.
-Box worldBox(const Box& box, const glm::dmat4& toWorld) {
-  Box result;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
-                       corner & 4 ? box.upper.z : box.lower.z, 1.0);
-    result.grow(glm::vec3(toWorld * p));
+/// What the two layouts differ in.
+template <typename Bvh>
+struct Layout;
+
+template <>
+struct Layout<WideBvh> {
+  using Node = device::WideNode;
+  static constexpr BvhTarget target = BvhTarget::Wide;
+
+  static auto& leaves(WideBvh& bvh) { return bvh.blocks; }
+  static WideBvh make(const BinaryBvh& bvh, const CompiledScene& scene) { return makeWideBvh(bvh, scene); }
+  static std::uint32_t instance(std::uint32_t index) {
+    return PRELIGHT_LEAF_BIT | PRELIGHT_INSTANCE_BIT | index;
   }
-  return result;
-}
-
-DeviceInstance deviceInstance(const ShapeTrees::Shape& shape, const Instance& instance) {
-  const glm::dmat4 toObject = glm::inverse(glm::dmat4(instance.toWorld));
-  DeviceInstance d{};
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) {
-      const auto value = static_cast<float>(toObject[column][row]);
-      if (!std::isfinite(value))
-        throw Error(ExitCode::RuntimeFailure,
-                    "instance of triangles from " + std::to_string(instance.firstTriangle),
-                    "its matrix has no inverse that single precision holds", "scale it by more than 0");
-      d.toObject[row][column] = value;
-    }
-  d.firstNode = shape.firstNode;
-  d.firstLeaf = shape.firstLeaf;
-  d.firstTriangle = instance.firstTriangle;
-  d.triangleCount = shape.triangleCount;
-  return d;
-}
-
-class TopLayout {
- public:
-  explicit TopLayout(const BinaryBvh& bvh) : bvh_(bvh) {}
-
-  std::vector<NarrowNode> run() {
-    nodes_.emplace_back();
-    const BinaryBvh::Node& root = bvh_.nodes[0];
-    if (root.count > 0) {
-      // A single instance is the first child; the second's box is inverted.
-      setChild(0, 0, 0);
-      for (int axis = 0; axis < 3; ++axis) {
-        nodes_[0].lower[1][axis] = std::numeric_limits<float>::max();
-        nodes_[0].upper[1][axis] = std::numeric_limits<float>::max();
-      }
-      nodes_[0].child[1] = PRELIGHT_LEAF_BIT;
-    } else {
-      setChild(0, 0, root.left);
-      setChild(0, 1, root.right);
-    }
-    return std::move(nodes_);
+  /// Each instance is a child by itself.
+  static WideBvh makeTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children) {
+    return makeWideTop(collapseToWide(bvh, {.leaf = 1.0, .mostTriangles = 1}, 1), children);
   }
-
- private:
-  void setChild(std::size_t slot, int side, std::uint32_t source) {
-    const BinaryBvh::Node& node = bvh_.nodes[source];
-    for (int axis = 0; axis < 3; ++axis) {
-      nodes_[slot].lower[side][axis] = node.bounds.lower[axis];
-      nodes_[slot].upper[side][axis] = node.bounds.upper[axis];
-    }
-    if (node.count > 0) {
-      nodes_[slot].child[side] = PRELIGHT_LEAF_BIT | bvh_.triangleOrder[node.first];
-      return;
-    }
-    const std::size_t child = nodes_.size();
-    nodes_.emplace_back();
-    nodes_[slot].child[side] = static_cast<std::uint32_t>(child);
-    setChild(child, 0, node.left);
-    setChild(child, 1, node.right);
-  }
-
-  const BinaryBvh& bvh_;
-  std::vector<NarrowNode> nodes_;
 };
+
+template <>
+struct Layout<NarrowBvh> {
+  using Node = device::NarrowNode;
+  static constexpr BvhTarget target = BvhTarget::Narrow;
+
+  static auto& leaves(NarrowBvh& bvh) { return bvh.triangles; }
+  static NarrowBvh make(const BinaryBvh& bvh, const CompiledScene& scene) {
+    return makeNarrowBvh(bvh, scene);
+  }
+  static std::uint32_t instance(std::uint32_t index) { return PRELIGHT_LEAF_BIT | index; }
+  static NarrowBvh makeTop(const BinaryBvh& bvh, std::span<const std::uint32_t> children) {
+    return makeNarrowTop(bvh, children);
+  }
+};
+
+/// A shape as a scene by itself.
+CompiledScene sceneOfShape(const CompiledScene& scene, const CompiledShape& shape) {
+  CompiledScene alone;
+  alone.positions = shape.positions;
+  Box bounds;
+  for (const glm::vec3& p : shape.positions) bounds.grow(p);
+  alone.boundsMin = bounds.lower;
+  alone.boundsMax = bounds.upper;
+  for (std::uint32_t t = 0; t < shape.triangleCount; ++t)
+    alone.triangles.push_back(scene.triangles[shape.firstTriangle + t] - shape.firstVertex);
+  return alone;
+}
+
+/// Puts a tree behind what there is. Returns its root.
+template <typename Bvh>
+std::uint32_t append(Bvh& all, Bvh part) {
+  auto& leaves = Layout<Bvh>::leaves(all);
+  auto& added = Layout<Bvh>::leaves(part);
+  const auto root = static_cast<std::uint32_t>(all.nodes.size());
+  const auto firstLeaf = static_cast<std::uint32_t>(leaves.size());
+  for (auto& node : part.nodes)
+    for (std::uint32_t& child : node.child) child += child & PRELIGHT_LEAF_BIT ? firstLeaf : root;
+  all.nodes.insert(all.nodes.end(), part.nodes.begin(), part.nodes.end());
+  leaves.insert(leaves.end(), added.begin(), added.end());
+  return root;
+}
+
+Box boxOf(const CompiledScene& scene, const CompiledInstance& instance) {
+  Box box;
+  for (std::uint32_t v = 0; v < scene.shapes[instance.shape].vertexCount; ++v)
+    box.grow(scene.positions[instance.firstVertex + v]);
+  return box;
+}
+
+/// Boxes of the instances, and of the others behind them.
+std::vector<Box> upperBoxes(const CompiledScene& scene, const UpperLevel& upper) {
+  std::vector<Box> boxes;
+  for (const std::uint32_t i : upper.instances) boxes.push_back(boxOf(scene, scene.instances[i]));
+  if (upper.hasOthers) boxes.push_back(upper.others);
+  const glm::vec3 most = glm::max(glm::abs(scene.boundsMin), glm::abs(scene.boundsMax));
+  const glm::vec3 pad(0x1p-20f * std::max({most.x, most.y, most.z}) + std::numeric_limits<float>::min());
+  for (Box& box : boxes) box = {box.lower - pad, box.upper + pad};
+  return boxes;
+}
 
 }  // namespace
 
-ShapeTrees buildShapeTrees(std::span<const CompiledScene> shapes) {
-  ShapeTrees trees;
-  for (const CompiledScene& scene : shapes) {
-    const BinaryBvh bvh = buildBvh(scene, {.quality = BuildQuality::High, .target = BvhTarget::Narrow});
-    const NarrowBvh layout = makeNarrowBvh(bvh, scene);
-    trees.shapes.push_back({static_cast<std::uint32_t>(trees.nodes.size()),
-                            static_cast<std::uint32_t>(trees.triangles.size()), scene.triangleCount(),
-                            bvh.nodes[0].bounds});
-    trees.nodes.insert(trees.nodes.end(), layout.nodes.begin(), layout.nodes.end());
-    trees.triangles.insert(trees.triangles.end(), layout.triangles.begin(), layout.triangles.end());
-    trees.stackSize = std::max(trees.stackSize, layout.stackSize);
+TreeContents divideContents(const CompiledScene& scene, std::span<const std::uint32_t> instances,
+                            std::span<const std::uint32_t> triangles) {
+  std::vector<std::uint8_t> held(scene.triangleCount(), triangles.empty() ? 1 : 0);
+  for (const std::uint32_t t : triangles) held[t] = 1;
+  TreeContents contents;
+  for (const std::uint32_t i : instances) {
+    const CompiledInstance& instance = scene.instances[i];
+    const auto first = held.begin() + instance.firstTriangle;
+    const auto end = first + scene.shapes[instance.shape].triangleCount;
+    if (!std::all_of(first, end, [](std::uint8_t is) { return is != 0; })) continue;
+    contents.instances.push_back(i);
+    std::fill(first, end, std::uint8_t{0});
   }
-  return trees;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+    if (held[t] != 0) contents.triangles.push_back(t);
+  return contents;
 }
 
-InstanceTree buildInstanceTree(const ShapeTrees& shapes, std::span<const Instance> instances) {
-  InstanceTree tree;
-  std::vector<Box> boxes;
-  Box all;
-  for (const Instance& instance : instances) {
-    if (instance.shape >= shapes.shapes.size())
-      throw Error(
-          ExitCode::RuntimeFailure, "instance " + std::to_string(boxes.size()),
-          "names shape " + std::to_string(instance.shape) + " of " + std::to_string(shapes.shapes.size()));
-    const ShapeTrees::Shape& shape = shapes.shapes[instance.shape];
-    tree.instances.push_back(deviceInstance(shape, instance));
-    boxes.push_back(worldBox(shape.bounds, glm::dmat4(instance.toWorld)));
-    all.grow(boxes.back());
+std::vector<DeviceInstance> instanceRecords(const CompiledScene& scene, const UpperLevel& upper) {
+  std::vector<DeviceInstance> records;
+  for (std::size_t i = 0; i < upper.instances.size(); ++i) {
+    const CompiledInstance& instance = scene.instances[upper.instances[i]];
+    const glm::dmat3 toShape = glm::inverse(glm::dmat3(instance.toWorld));
+    DeviceInstance record{};
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column)
+        record.toShape[row][column] = static_cast<float>(toShape[column][row]);
+      record.centre[row] = static_cast<float>(instance.toWorld[3][row]);
+    }
+    record.root = upper.roots[i];
+    record.firstTriangle = instance.firstTriangle;
+    record.triangleCount = scene.shapes[instance.shape].triangleCount;
+    records.push_back(record);
   }
-  const glm::vec3 most = glm::max(glm::abs(all.lower), glm::abs(all.upper));
-  const glm::vec3 pad(0x1p-20f * std::max({most.x, most.y, most.z}) + std::numeric_limits<float>::min());
-  for (Box& box : boxes) box = {box.lower - pad, box.upper + pad};
-  const BinaryBvh bvh = buildOverBoxes(boxes, {.price = LeafPrice::Triangles, .leafSize = 1});
-  tree.nodes = TopLayout(bvh).run();
-  tree.stackSize = bvh.depth + 2;
+  return records;
+}
+
+template <typename Bvh>
+Bvh buildUpperLevel(const CompiledScene& scene, const UpperLevel& upper) {
+  std::vector<std::uint32_t> children;
+  for (std::uint32_t i = 0; i < upper.instances.size(); ++i) children.push_back(Layout<Bvh>::instance(i));
+  if (upper.hasOthers) children.push_back(upper.othersRoot);
+  const BinaryBvh binary =
+      buildOverBoxes(upperBoxes(scene, upper), {.price = LeafPrice::Triangles, .leafSize = 1});
+  Bvh top = Layout<Bvh>::makeTop(binary, children);
+  top.stackSize += upper.lowerStackSize;
+  return top;
+}
+
+template <typename Bvh>
+TwoLevelBvh<Bvh> buildTwoLevel(const CompiledScene& scene, const TreeContents& contents,
+                               const BvhOptions& options) {
+  TwoLevelBvh<Bvh> tree;
+  UpperLevel& upper = tree.upper;
+  upper.instances = contents.instances;
+  // A node has two children at least.
+  upper.nodeCount = static_cast<std::uint32_t>(contents.instances.size() + 1);
+  tree.bvh.nodes.resize(upper.nodeCount);
+  const auto add = [&](const CompiledScene& from, const BinaryBvh& binary) {
+    Bvh part = Layout<Bvh>::make(binary, from);
+    upper.lowerStackSize = std::max(upper.lowerStackSize, part.stackSize);
+    return append(tree.bvh, std::move(part));
+  };
+  BvhOptions own = options;
+  own.target = Layout<Bvh>::target;
+  own.triangles = {};
+  std::map<std::uint32_t, std::uint32_t> rootOf;
+  for (const std::uint32_t i : contents.instances) {
+    const std::uint32_t shape = scene.instances[i].shape;
+    if (!rootOf.contains(shape)) {
+      const CompiledScene alone = sceneOfShape(scene, scene.shapes[shape]);
+      rootOf[shape] = add(alone, buildBvh(alone, own));
+    }
+    upper.roots.push_back(rootOf[shape]);
+  }
+  if (!contents.triangles.empty()) {
+    own.triangles = contents.triangles;
+    const BinaryBvh binary = buildBvh(scene, own);
+    upper.hasOthers = true;
+    upper.others = binary.nodes[0].bounds;
+    upper.othersRoot = add(scene, binary);
+  }
+  const Bvh top = buildUpperLevel<Bvh>(scene, upper);
+  std::copy(top.nodes.begin(), top.nodes.end(), tree.bvh.nodes.begin());
+  tree.bvh.stackSize = top.stackSize;
+  tree.instances = instanceRecords(scene, upper);
   return tree;
 }
+
+template TwoLevelBvh<WideBvh> buildTwoLevel(const CompiledScene&, const TreeContents&, const BvhOptions&);
+template TwoLevelBvh<NarrowBvh> buildTwoLevel(const CompiledScene&, const TreeContents&, const BvhOptions&);
+template WideBvh buildUpperLevel(const CompiledScene&, const UpperLevel&);
+template NarrowBvh buildUpperLevel(const CompiledScene&, const UpperLevel&);
 
 }  // namespace prelight

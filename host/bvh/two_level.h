@@ -1,52 +1,59 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
 #include "bvh/box.h"
+#include "bvh/builder.h"
+#include "bvh/layouts.h"
 #include "prelight/compiled_scene.h"
-#include "shared/bvh_types.h"
 #include "shared/instance_types.h"
 
 namespace prelight {
 
-/// A shape that stands somewhere. Its triangles are counted from `firstTriangle` on in hits.
-struct Instance {
-  std::uint32_t shape = 0;
-  std::uint32_t firstTriangle = 0;
-  glm::mat4 toWorld{1.0f};  ///< affine and invertible
+/// What a tree holds: instances of shapes, and triangles of the scene that are in none of them.
+struct TreeContents {
+  std::vector<std::uint32_t> instances;  ///< into CompiledScene::instances
+  std::vector<std::uint32_t> triangles;
 };
 
-/// Trees of shapes that instances share, one after the other in common buffers.
-struct ShapeTrees {
-  struct Shape {
-    std::uint32_t firstNode = 0;
-    std::uint32_t firstLeaf = 0;
-    std::uint32_t triangleCount = 0;
-    Box bounds;
-  };
-  std::vector<Shape> shapes;
-  std::vector<device::NarrowNode> nodes;          ///< children count from the shape's first node
-  std::vector<device::NarrowTriangle> triangles;  ///< in the order of leaves; indices within the shape
-  std::uint32_t stackSize = 0;                    ///< entries that a traversal of any shape needs
+/// Divides `triangles`, ascending, or all of the scene's when there are none, into those of `instances` that
+/// lie among them as a whole, and the others.
+TreeContents divideContents(const CompiledScene& scene, std::span<const std::uint32_t> instances,
+                            std::span<const std::uint32_t> triangles);
+
+/// What is needed to make the tree over instances anew when they have moved.
+struct UpperLevel {
+  std::vector<std::uint32_t> instances;  ///< into CompiledScene::instances
+  std::vector<std::uint32_t> roots;      ///< [instance], of its shape's tree
+  bool hasOthers = false;                ///< there are triangles in no instance
+  Box others;                            ///< they are in here
+  std::uint32_t othersRoot = 0;
+  std::uint32_t nodeCount = 0;       ///< what the tree over the instances may take at most
+  std::uint32_t lowerStackSize = 0;  ///< entries that a traversal of the trees below it needs at most
 };
 
-/// The tree over the instances' boxes: what changes when they move.
-struct InstanceTree {
-  std::vector<device::NarrowNode> nodes;  ///< root is node 0; a leaf is PRELIGHT_LEAF_BIT | instance
+/// A tree with instances. The first nodes are the upper level's.
+template <typename Bvh>
+struct TwoLevelBvh {
+  Bvh bvh;
   std::vector<device::DeviceInstance> instances;
-  std::uint32_t stackSize = 0;
+  UpperLevel upper;
 };
 
-/// Each shape must have a triangle.
-ShapeTrees buildShapeTrees(std::span<const CompiledScene> shapes);
+/// The contents must have an instance. Bvh: WideBvh or NarrowBvh.
+template <typename Bvh>
+TwoLevelBvh<Bvh> buildTwoLevel(const CompiledScene& scene, const TreeContents& contents,
+                               const BvhOptions& options);
 
-/// There must be an instance. Its box in the world holds the transformed box of the shape and grows by 2^-20
-/// of the largest coordinate of any instance, for rays that start no farther out: taking them to a shape's
-/// space moves them by less.
-/// Throws Error when an instance names no shape or its matrix has no inverse.
-InstanceTree buildInstanceTree(const ShapeTrees& shapes, std::span<const Instance> instances);
+/// The upper level where the instances are now: its nodes, at most UpperLevel::nodeCount, no leaves, and the
+/// stack of a traversal of the whole. Boxes of instances grow by 2^-20 of the scene's largest coordinate, for
+/// rays that start no farther out: taking them to a shape's space moves them by less.
+template <typename Bvh>
+Bvh buildUpperLevel(const CompiledScene& scene, const UpperLevel& upper);
+
+/// [instance of the upper level], where they are now.
+std::vector<device::DeviceInstance> instanceRecords(const CompiledScene& scene, const UpperLevel& upper);
 
 }  // namespace prelight

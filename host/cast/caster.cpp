@@ -58,7 +58,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
-    lights_.emplace(scene, *options_.lights, options_.sets, device_, blockSize_, options_.incidentOrder);
+    lights_.emplace(scene, *options_.lights, options_.sets, tracer_, blockSize_, options_.incidentOrder);
   if (options_.texelFaceSize > 0) {
     texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
     texels_ = Buffer<std::uint32_t>(device_, rays_.size());

@@ -25,11 +25,11 @@ std::vector<GroupEmitter> emittersOf(const GroupedLights& lights, const ShadowSe
 }  // namespace
 
 LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-                         DeviceContext& device, std::uint32_t blockSize, int incidentOrder)
-    : device_(device),
+                         const Tracer& tracer, std::uint32_t blockSize, int incidentOrder)
+    : device_(tracer.context()),
       valueCount_(static_cast<std::uint32_t>(incidentOrder > 0 ? incidentValueCount(incidentOrder) : 1)),
       hasEmitters_(!lights.emitters.empty()),
-      lit_(device) {
+      lit_(tracer.context()) {
   PackedArrays<LightGroupLine> pack;
   layout_.groupCount = static_cast<std::uint32_t>(lights.groups.size());
   layout_.rayCount = static_cast<std::uint32_t>(lights.rays.size());
@@ -40,6 +40,7 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   if (sets != nullptr)
     for (const auto& set : sets->sets) emittersOfSet_.push_back(pack.add(emittersOf(lights, set)));
   lines_ = pack.upload(device_);
+  lit_.shareSurface(tracer.scene());
   if (hasEmitters_) lit_.setPlainShading(scene);
   lit_.setLights(lights.tables, 0.0);
   const std::size_t rays = std::size_t{blockSize} * layout_.rayCount;
@@ -47,7 +48,7 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   hits_ = Buffer<Hit>(device_, rays);
   rayValues_ = Buffer<float>(device_, 3 * rays);
   values_ = Buffer<float>(device_, std::size_t{blockSize} * layout_.groupCount * 3 * valueCount_);
-  auto options = BuildOptions()
+  auto options = tracer.surfaceOptions()
                      .defineIf(!lights.tables.punctual.empty(), "PRELIGHT_PUNCTUAL")
                      .defineIf(hasEmitters_, "PRELIGHT_EMITTERS")
                      .defineIf(incidentOrder > 0, "PRELIGHT_INCIDENT");

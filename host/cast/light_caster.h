@@ -18,7 +18,7 @@ class LightCaster {
   /// `blockSize` receivers at most are cast at once. Receivers of a set get nothing from emitters that it
   /// leaves out. `incidentOrder`: keep the light by direction, too; 0: do not.
   LightCaster(const CompiledScene& scene, const GroupedLights& lights, const ShadowSets* sets,
-              DeviceContext& device, std::uint32_t blockSize, int incidentOrder);
+              const Tracer& tracer, std::uint32_t blockSize, int incidentOrder);
 
   std::uint32_t groupCount() const { return layout_.groupCount; }
   bool hasEmitters() const { return hasEmitters_; }

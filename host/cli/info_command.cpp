@@ -13,6 +13,7 @@
 #include "cli/session.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
+#include "scene/instancing.h"
 #include "scene/pose.h"
 
 namespace prelight::cli {
@@ -61,6 +62,8 @@ Json contentsJson(const LoadedScene& loaded) {
   Json json = {{"meshes", scene.meshes.size()},
                {"meshNodes", scene.meshNodes.size()},
                {"primitives", compiled.primitives.size()},
+               {"meshesDrawnAgain", compiled.shapes.size()},
+               {"instances", compiled.instances.size()},
                {"vertices", compiled.vertexCount()},
                {"triangles", compiled.triangleCount()},
                {"droppedTriangles", compiled.droppedTriangles},
@@ -100,6 +103,9 @@ void printContents(const Console& console, const LoadedScene& loaded) {
                            scene.images.size()));
   if (loaded.compiled.droppedTriangles > 0)
     console.line("dropped", fmt::format("{} triangles of zero area", loaded.compiled.droppedTriangles));
+  if (!loaded.compiled.shapes.empty())
+    console.line("instances", fmt::format("{} of {} meshes that are drawn more than once",
+                                          loaded.compiled.instances.size(), loaded.compiled.shapes.size()));
   for (const Light& light : scene.lights)
     console.line("light", fmt::format("{} '{}', {:g} {:g} {:g} {}", lightTypeName(light.type), light.name,
                                       light.intensity.x, light.intensity.y, light.intensity.z,
@@ -128,10 +134,6 @@ void printAnimations(const Console& console, const Scene& scene) {
                              movesMeshes(scene, animation) ? "" : ", moves no mesh"));
 }
 
-/// The tree that a bake would trace rays through.
-BvhReport reportTree(Session& session, const CompiledScene& scene) {
-  return session.times().measure("tree", [&] { return reportOf(buildBvh(scene), scene.triangleCount()); });
-}
 
 Json treeJson(const BvhReport& tree) {
   return {{"cost", tree.sahCost},
@@ -152,6 +154,37 @@ std::string treeText(const BvhReport& tree) {
       100.0 * tree.duplicates, tree.seconds);
 }
 
+Json twoLevelJson(const TwoLevelReport& tree) {
+  return {{"instances", tree.instances},
+          {"nodes", tree.nodes},
+          {"leaves", tree.leaves},
+          {"bytes", tree.bytes},
+          {"seconds", tree.seconds}};
+}
+
+std::string twoLevelText(const TwoLevelReport& tree) {
+  return fmt::format("of two levels, {} instances; {} nodes, {} leaves; {:.2f} MB; {:.3f} s", tree.instances,
+                     tree.nodes, tree.leaves, static_cast<double>(tree.bytes) / 1e6, tree.seconds);
+}
+
+/// The tree that a bake would trace rays through, as a line and as JSON.
+struct TreeReport {
+  std::string text;
+  Json json;
+};
+
+TreeReport reportTree(Session& session, const CompiledScene& scene) {
+  return session.times().measure("tree", [&]() -> TreeReport {
+    const Instancing instancing = chooseInstancing(scene);
+    if (instancing.used) {
+      const TwoLevelReport tree = reportTwoLevel(scene, instancing.instances);
+      return {twoLevelText(tree), twoLevelJson(tree)};
+    }
+    const BvhReport tree = reportOf(buildBvh(scene), scene.triangleCount());
+    return {treeText(tree), treeJson(tree)};
+  });
+}
+
 void runInfo(const InfoCommand& command, Context& context) {
   Session session(context);
   const LoadedScene loaded = session.load(command.scene);
@@ -162,12 +195,12 @@ void runInfo(const InfoCommand& command, Context& context) {
       session.times().measure("plan", [&] { return makePlan(loaded.scene, loaded.compiled, request); });
 
   const Console& console = session.console();
-  std::optional<BvhReport> tree;
+  std::optional<TreeReport> tree;
   if (loaded.compiled.triangleCount() > 0 && (console.detailsWanted() || console.jsonWanted()))
     tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
   printAnimations(console, loaded.scene);
-  if (tree) console.line("tree", treeText(*tree));
+  if (tree) console.line("tree", tree->text);
   printBaked(console, bake, loaded.compiled.vertexCount());
   console.line("plan", fmt::format("of bake {}", techniqueText(request)));
   printPlan(console, plan);
@@ -175,7 +208,7 @@ void runInfo(const InfoCommand& command, Context& context) {
                 {"version", PRELIGHT_VERSION},
                 {"scene", command.scene.string()},
                 {"contents", contentsJson(loaded)},
-                {"tree", tree ? treeJson(*tree) : Json(nullptr)},
+                {"tree", tree ? tree->json : Json(nullptr)},
                 {"baked", bake ? bakedJson(*bake, loaded.compiled.vertexCount()) : Json(nullptr)},
                 {"options", toJson(request)},
                 {"plan", toJson(plan)},

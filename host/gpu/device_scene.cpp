@@ -12,22 +12,29 @@ namespace prelight {
 
 using namespace device;
 
-DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene) : device_(&device) {
+DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene,
+                         std::vector<std::uint32_t> instances)
+    : device_(&device), instances_(std::move(instances)), stored_(scene, instances_) {
   SurfaceArrays arrays = makeSurfaceArrays(scene);
   const bool textured = !arrays.texels.empty();
   PackedArrays<SurfaceLine> pack;
-  layout_.triangles = pack.add(std::move(arrays.triangles));
+  layout_.triangles = pack.add(stored_.triangles(scene));
+  layout_.rangeCount = static_cast<std::uint32_t>(stored_.ranges().size());
+  layout_.ranges = pack.add(spanOf(stored_.ranges()));
   layout_.materials = pack.add(std::move(arrays.materials));
   layout_.texels = pack.add(std::move(arrays.texels));
-  layout_.texCoords = textured ? pack.add(spanOf(scene.texCoords)) : 0;
-  layout_.colors = pack.add(spanOf(scene.colors));
+  layout_.texCoords = textured ? pack.add(stored_.ofVertices(spanOf(scene.texCoords))) : 0;
+  if (scene.hasVertexColors()) layout_.colors = pack.add(stored_.ofVertices(spanOf(scene.colors)));
   surface_ = pack.upload(device);
   uploadLayout();
 }
 
 void DeviceScene::shareSurface(const DeviceScene& other) {
   if (surface_.memory() == other.surface_.memory()) return;
+  stored_ = other.stored_;
   layout_.triangles = other.layout_.triangles;
+  layout_.ranges = other.layout_.ranges;
+  layout_.rangeCount = other.layout_.rangeCount;
   layout_.materials = other.layout_.materials;
   layout_.texCoords = other.layout_.texCoords;
   layout_.colors = other.layout_.colors;
@@ -41,12 +48,12 @@ void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image
   Layers layers = makeLayers(scene, images);
   PackedArrays<ShadingLine> pack;
   layout_.vertices = pack.add(interleaveVertices(scene));
-  layout_.flat = pack.add(spanOf(scene.triangleFlat));
+  layout_.flat = pack.add(stored_.ofTriangles(spanOf(scene.triangleFlat)));
   layout_.bases = pack.add(makeBaseMaterials(scene));
   layout_.shadeMaterials = pack.add(makeShadeMaterials(scene, true));
   layout_.layers = pack.add(std::move(layers.materials));
   layout_.layerTexels = pack.add(std::move(layers.texels));
-  layout_.layerTexCoords = layerTextures ? pack.add(spanOf(scene.texCoords)) : 0;
+  layout_.layerTexCoords = layerTextures ? pack.add(stored_.ofVertices(spanOf(scene.texCoords))) : 0;
   shading_ = pack.upload(*device_);
   uploadLayout();
 }
@@ -54,7 +61,7 @@ void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image
 void DeviceScene::setPlainShading(const CompiledScene& scene) {
   PackedArrays<ShadingLine> pack;
   layout_.vertices = pack.add(interleaveVertices(scene));
-  layout_.flat = pack.add(spanOf(scene.triangleFlat));
+  layout_.flat = pack.add(stored_.ofTriangles(spanOf(scene.triangleFlat)));
   layout_.bases = pack.add(makeBaseMaterials(scene));
   layout_.shadeMaterials = pack.add(makeShadeMaterials(scene, false));
   shading_ = pack.upload(*device_);

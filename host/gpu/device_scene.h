@@ -6,6 +6,7 @@
 
 #include "device/buffer.h"
 #include "gpu/light_tables.h"
+#include "gpu/stored_surface.h"
 #include "prelight/compiled_scene.h"
 #include "shared/occluder_types.h"
 #include "shared/scene_layout_types.h"
@@ -18,8 +19,9 @@ namespace prelight {
 /// Copies share the buffers.
 class DeviceScene {
  public:
-  /// What rays and bounces ask of the surface.
-  DeviceScene(DeviceContext& device, const CompiledScene& scene);
+  /// What rays and bounces ask of the surface. Shapes of `instances`, into CompiledScene::instances,
+  /// ascending, are stored once.
+  DeviceScene(DeviceContext& device, const CompiledScene& scene, std::vector<std::uint32_t> instances = {});
 
   /// Without a surface: see shareSurface().
   explicit DeviceScene(DeviceContext& device) : device_(&device) {}
@@ -47,6 +49,10 @@ class DeviceScene {
   /// [vertex], as many as setOccluders() had groups.
   void setOccluderVertices(std::span<const device::OccluderVertex> vertices);
 
+  /// Those whose shapes are stored once; where there are any, programs are built with
+  /// PRELIGHT_SHARED_SURFACE.
+  const std::vector<std::uint32_t>& instances() const { return instances_; }
+
   const device::SceneLayout& layout() const { return layout_; }
   const Buffer<device::SceneLayout>& layoutBuffer() const { return layoutBuffer_; }
   const Buffer<device::SurfaceLine>& surface() const { return surface_; }
@@ -59,6 +65,8 @@ class DeviceScene {
   void uploadLayout();
 
   DeviceContext* device_;
+  std::vector<std::uint32_t> instances_;
+  StoredSurface stored_;
   device::SceneLayout layout_{};
   Buffer<device::SceneLayout> layoutBuffer_;
   Buffer<device::SurfaceLine> surface_;

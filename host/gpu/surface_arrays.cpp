@@ -43,10 +43,6 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
 
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene) {
   SurfaceArrays arrays;
-  arrays.triangles.resize(scene.triangleCount());
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
-    arrays.triangles[t] = {{scene.triangles[t].x, scene.triangles[t].y, scene.triangles[t].z},
-                           scene.triangleMaterials[t]};
   std::vector<std::uint32_t> offsets;
   for (const Image& image : scene.albedoImages) {
     offsets.push_back(static_cast<std::uint32_t>(arrays.texels.size()));

@@ -8,9 +8,8 @@
 
 namespace prelight {
 
-/// What rays and bounces ask of a scene's surface.
+/// What rays and bounces ask of a scene's materials.
 struct SurfaceArrays {
-  std::vector<device::DeviceTriangle> triangles;
   std::vector<device::DeviceMaterial> materials;
   std::vector<glm::u16vec4> texels;  ///< linear RGBA in 1/65535, of all images one after the other
 };

@@ -5,6 +5,7 @@
 #include "base/span_of.h"
 #include "bvh/builder.h"
 #include "bvh/layouts.h"
+#include "scene/instancing.h"
 
 namespace prelight {
 
@@ -22,16 +23,26 @@ std::uint32_t stackBucket(std::uint32_t needed) {
   return size;
 }
 
+Instancing instancingOf(const CompiledScene& scene, TreeLevels levels) {
+  if (levels == TreeLevels::Two) return instanceAll(scene);
+  return levels == TreeLevels::One ? Instancing{} : chooseInstancing(scene);
+}
+
+const std::vector<device::TriangleBlock>& leavesOf(const WideBvh& bvh) { return bvh.blocks; }
+const std::vector<device::NarrowTriangle>& leavesOf(const NarrowBvh& bvh) { return bvh.triangles; }
+
 }  // namespace
 
-Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout, BuildQuality quality)
+Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout, BuildQuality quality,
+               TreeLevels levels)
     : context_(&device.context()),
       layout_(layout != BvhLayout::Automatic          ? layout
               : device.info().kind == DeviceKind::Cpu ? BvhLayout::Wide
                                                       : BvhLayout::Narrow),
       alphaTest_(scene.hasAlphaMask()),
       vertexColors_(scene.hasVertexColors()),
-      scene_(*context_, scene) {
+      scene_(*context_, scene, instancingOf(scene, levels).instances),
+      instances_(*context_, 0) {
   if (layout_ == BvhLayout::Narrow) tree_.emplace<NarrowTree>();
   uploadTree(scene, quality);
 }
@@ -43,7 +54,8 @@ Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const 
       alphaTest_(whole.alphaTest_),
       vertexColors_(whole.vertexColors_),
       treeless_(triangles.empty()),
-      scene_(whole.scene_) {
+      scene_(whole.scene_),
+      instances_(*context_, 0) {
   if (layout_ == BvhLayout::Narrow) tree_.emplace<NarrowTree>();
   if (!treeless_) uploadTree(scene, quality, triangles);
 }
@@ -66,9 +78,7 @@ void Tracer::separate(const CompiledScene& scene, std::span<const std::uint32_t>
 
 void Tracer::follow(const CompiledScene& scene) {
   if (!separated_) return;
-  const std::uint32_t before = stackBucket(separated_->stackSize_);
-  separated_->uploadTree(scene, BuildQuality::Balanced, separatedTriangles_);
-  if (stackBucket(separated_->stackSize_) != before) separated_->dropKernels();
+  separated_->moveTree(scene, separatedTriangles_);
 }
 
 std::vector<Hit> Tracer::traceSeparated(std::span<const Ray> rays) {
@@ -83,33 +93,65 @@ void Tracer::dropKernels() {
 BuildOptions Tracer::traceOptions(Query query) const {
   return surfaceOptions()
       .defineIf(query == Query::Any, "PRELIGHT_ANY_HIT")
+      .defineIf(!upper_.instances.empty(), "PRELIGHT_INSTANCES")
       .define("PRELIGHT_STACK_SIZE", static_cast<int>(stackBucket(stackSize_)));
 }
 
 BuildOptions Tracer::surfaceOptions() const {
   return BuildOptions()
       .defineIf(alphaTest_, "PRELIGHT_ALPHA_TEST")
-      .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS");
+      .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS")
+      .defineIf(!scene_.instances().empty(), "PRELIGHT_SHARED_SURFACE");
 }
 
 void Tracer::uploadTree(const CompiledScene& scene, BuildQuality quality,
                         std::span<const std::uint32_t> triangles) {
+  if (layout_ == BvhLayout::Wide)
+    uploadTree<WideBvh>(scene, quality, triangles, std::get<WideTree>(tree_));
+  else
+    uploadTree<NarrowBvh>(scene, quality, triangles, std::get<NarrowTree>(tree_));
+}
+
+template <typename Bvh, typename Kept>
+void Tracer::uploadTree(const CompiledScene& scene, BuildQuality quality,
+                        std::span<const std::uint32_t> triangles, Kept& kept) {
   const BvhTarget target = layout_ == BvhLayout::Wide ? BvhTarget::Wide : BvhTarget::Narrow;
-  const BinaryBvh tree = buildBvh(scene, {.quality = quality, .target = target, .triangles = triangles});
-  const auto keep = [this](auto& kept, const auto& bvh, const auto& leaves) {
-    kept.nodes = {*context_, spanOf(bvh.nodes)};
-    kept.leaves = {*context_, spanOf(leaves)};
-    nodeBytes_ = bvh.nodes.size() * sizeof(bvh.nodes[0]);
-    triangleBytes_ = leaves.size() * sizeof(leaves[0]);
-    stackSize_ = bvh.stackSize;
-  };
-  if (layout_ == BvhLayout::Wide) {
-    const WideBvh wide = makeWideBvh(tree, scene);
-    keep(std::get<WideTree>(tree_), wide, wide.blocks);
-  } else {
-    const NarrowBvh narrow = makeNarrowBvh(tree, scene);
-    keep(std::get<NarrowTree>(tree_), narrow, narrow.triangles);
-  }
+  const BvhOptions options{.quality = quality, .target = target, .triangles = triangles};
+  TreeContents contents;
+  if (!scene_.instances().empty()) contents = divideContents(scene, scene_.instances(), triangles);
+  TwoLevelBvh<Bvh> tree;
+  if (!contents.instances.empty())
+    tree = buildTwoLevel<Bvh>(scene, contents, options);
+  else if constexpr (std::is_same_v<Bvh, WideBvh>)
+    tree.bvh = makeWideBvh(buildBvh(scene, options), scene);
+  else
+    tree.bvh = makeNarrowBvh(buildBvh(scene, options), scene);
+  kept.nodes = {*context_, spanOf(tree.bvh.nodes)};
+  kept.leaves = {*context_, spanOf(leavesOf(tree.bvh))};
+  instances_ = {*context_, spanOf(tree.instances)};
+  upper_ = std::move(tree.upper);
+  treeBytes_ = kept.nodes.bytes() + kept.leaves.bytes() + (tree.instances.empty() ? 0 : instances_.bytes());
+  stackSize_ = tree.bvh.stackSize;
+}
+
+template <typename Bvh, typename Kept>
+void Tracer::moveInstances(const CompiledScene& scene, Kept& kept) {
+  const Bvh top = buildUpperLevel<Bvh>(scene, upper_);
+  kept.nodes.write(spanOf(top.nodes));
+  instances_.write(spanOf(instanceRecords(scene, upper_)));
+  stackSize_ = top.stackSize;
+}
+
+/// Where all triangles are those of instances, shapes keep their trees.
+void Tracer::moveTree(const CompiledScene& scene, std::span<const std::uint32_t> triangles) {
+  const std::uint32_t before = stackBucket(stackSize_);
+  if (upper_.instances.empty() || upper_.hasOthers)
+    uploadTree(scene, BuildQuality::Balanced, triangles);
+  else if (layout_ == BvhLayout::Wide)
+    moveInstances<WideBvh>(scene, std::get<WideTree>(tree_));
+  else
+    moveInstances<NarrowBvh>(scene, std::get<NarrowTree>(tree_));
+  if (stackBucket(stackSize_) != before) dropKernels();
 }
 
 void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count,
@@ -132,8 +174,8 @@ void Tracer::traceTree(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, 
         if (!kernel)
           kernel = {*context_, wide ? "bvh/wide_kernels.cl" : "bvh/narrow_kernels.cl", traceOptions(query),
                     "traceRays"};
-        kernel.launch(size, tree.nodes, tree.leaves, scene_.layoutBuffer(), scene_.surface(), rays, hits,
-                      static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
+        kernel.launch(size, tree.nodes, tree.leaves, instances_, scene_.layoutBuffer(), scene_.surface(),
+                      rays, hits, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count));
       },
       tree_);
 }

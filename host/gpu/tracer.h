@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bvh/builder.h"
+#include "bvh/two_level.h"
 #include "device/kernel.h"
 #include "gpu/device_scene.h"
 #include "prelight/compiled_scene.h"
@@ -19,13 +20,18 @@ namespace prelight {
 /// Which tree a device traverses. Automatic: wide on CPUs, narrow elsewhere.
 enum class BvhLayout : std::uint8_t { Automatic, Wide, Narrow };
 
+/// One: the scene's triangles are in one tree. Two: shapes that are drawn more than once have a tree each, in
+/// spaces of their own, below one over their instances. Automatic: as chooseInstancing() finds.
+enum class TreeLevels : std::uint8_t { Automatic, One, Two };
+
 /// A scene on the device, ready to be hit by rays: the tree, and what the surface is like where it is hit.
-/// Objects that move have a tree of their own, and rays go through both.
+/// Hits are those of the scene's triangles however the tree is made, with two levels up to the rounding of
+/// taking a ray to a shape's space. Objects that move have a tree of their own, and rays go through both.
 class Tracer {
  public:
   /// Builds the tree and uploads everything. The scene must have a triangle; it is not kept.
   Tracer(const CompiledScene& scene, const Device& device, BvhLayout layout = BvhLayout::Automatic,
-         BuildQuality quality = BuildQuality::High);
+         BuildQuality quality = BuildQuality::High, TreeLevels levels = TreeLevels::Automatic);
 
   /// Another tracer's surface with a tree over a part of its triangles, whose indices stay the scene's; none:
   /// every ray misses. `scene` is the one that `whole` was made of.
@@ -60,10 +66,13 @@ class Tracer {
   /// Options that programs which look at the surface are built with.
   BuildOptions surfaceOptions() const;
 
-  std::size_t bvhBytes() const {
-    return nodeBytes_ + triangleBytes_ + (separated_ ? separated_->bvhBytes() : 0);
-  }
+  /// Of the trees on the device.
+  std::size_t bvhBytes() const { return treeBytes_ + (separated_ ? separated_->bvhBytes() : 0); }
+
   BvhLayout layout() const { return layout_; }
+
+  /// In the tree, of shapes that have a tree of their own.
+  std::size_t instanceCount() const { return upper_.instances.size(); }
   DeviceContext& context() const { return *context_; }
 
  private:
@@ -72,8 +81,9 @@ class Tracer {
   /// A tree and the kernels that take rays through it, each built when first asked for.
   template <typename Node, typename Leaf>
   struct Tree {
-    using Trace = Kernel<Buffer<Node>, Buffer<Leaf>, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>,
-                         Buffer<device::Ray>, Buffer<device::Hit>, std::uint32_t, std::uint32_t>;
+    using Trace = Kernel<Buffer<Node>, Buffer<Leaf>, Buffer<device::DeviceInstance>,
+                         Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Buffer<device::Ray>,
+                         Buffer<device::Hit>, std::uint32_t, std::uint32_t>;
     Buffer<Node> nodes;
     Buffer<Leaf> leaves;
     Trace closest, any;
@@ -83,6 +93,12 @@ class Tracer {
 
   void uploadTree(const CompiledScene& scene, BuildQuality quality,
                   std::span<const std::uint32_t> triangles = {});
+  template <typename Bvh, typename Kept>
+  void uploadTree(const CompiledScene& scene, BuildQuality quality, std::span<const std::uint32_t> triangles,
+                  Kept& kept);
+  template <typename Bvh, typename Kept>
+  void moveInstances(const CompiledScene& scene, Kept& kept);
+  void moveTree(const CompiledScene& scene, std::span<const std::uint32_t> triangles);
   void dropKernels();
   BuildOptions traceOptions(Query query) const;
   void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
@@ -97,9 +113,10 @@ class Tracer {
   bool vertexColors_ = false;
   bool treeless_ = false;
   std::uint32_t stackSize_ = 0;
-  std::size_t nodeBytes_ = 0;
-  std::size_t triangleBytes_ = 0;
+  std::size_t treeBytes_ = 0;
   DeviceScene scene_;
+  UpperLevel upper_;  ///< of a tree with instances
+  Buffer<device::DeviceInstance> instances_;
   std::variant<WideTree, NarrowTree> tree_;
   std::vector<std::uint32_t> separatedTriangles_;
   std::unique_ptr<Tracer> separated_;  ///< the tree over them; none: there are none

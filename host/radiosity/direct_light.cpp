@@ -36,7 +36,7 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   counts_.emitterSamples = emitters_ == 0 ? 0 : emitterSamples;
   counts_.skySamples = tables.sky.empty() ? 0 : skySamples;
   const auto options =
-      BuildOptions()
+      tracer_.surfaceOptions()
           .defineIf(counts_.punctual > 0, "PRELIGHT_PUNCTUAL")
           .defineIf(counts_.skySamples > 0, "PRELIGHT_SKY")
           .defineIf(emitters_ > 0, "PRELIGHT_EMITTERS")

@@ -93,11 +93,12 @@ PRELIGHT_INLINE uint intersectBlock(__global const TriangleBlock* block, const R
 
 #ifdef PRELIGHT_ANY_HIT
 // A hit that is there ends the ray: nothing lies in [0, -1]. A hit only says that there is one: triangle 0.
-PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
+PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint firstTriangle, uint mask, const BlockHits* found,
+                                uint lane, HitGroup* hits) {
   while (mask != 0u) {
     const uint i = lowestLane(mask);
     mask &= mask - 1u;
-    if (surfaceIsThere(surface, block->triangle[i], found->u[i], found->v[i])) {
+    if (surfaceIsThere(surface, block->triangle[i] + firstTriangle, found->u[i], found->v[i])) {
       hits->triangle[lane] = 0u;
       hits->t[lane] = -1.0f;
       return;
@@ -106,11 +107,12 @@ PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* b
 }
 #else
 // Keeps the nearest hit that is there; equal distances go to the lower index, whatever the order of visits.
-PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint mask, const BlockHits* found, uint lane, HitGroup* hits) {
+PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* block, uint firstTriangle, uint mask, const BlockHits* found,
+                                uint lane, HitGroup* hits) {
   while (mask != 0u) {
     const uint i = lowestLane(mask);
     mask &= mask - 1u;
-    const uint triangle = block->triangle[i];
+    const uint triangle = block->triangle[i] + firstTriangle;
     const float t = found->t[i];
     const bool nearer = t < hits->t[lane] || (t == hits->t[lane] && triangle < hits->triangle[lane]);
     if (nearer && surfaceIsThere(surface, triangle, found->u[i], found->v[i])) {
@@ -123,11 +125,12 @@ PRELIGHT_INLINE void acceptHits(Surface surface, __global const TriangleBlock* b
 }
 #endif
 
-// Tests one ray of a group against a block and takes the hits into account.
-PRELIGHT_INLINE void visitBlock(Surface surface, __global const TriangleBlock* block, const RayGroup* g, uint lane, HitGroup* hits) {
+// Tests one ray of a group against a block, whose triangles count from `firstTriangle` on, and takes the hits into account.
+PRELIGHT_INLINE void visitBlock(Surface surface, __global const TriangleBlock* block, uint firstTriangle, const RayGroup* g,
+                                uint lane, HitGroup* hits) {
   BlockHits found;
   const uint mask = intersectBlock(block, g, lane, hits->t[lane], &found);
-  if (mask != 0u) acceptHits(surface, block, mask, &found, lane, hits);
+  if (mask != 0u) acceptHits(surface, block, firstTriangle, mask, &found, lane, hits);
 }
 
 #endif

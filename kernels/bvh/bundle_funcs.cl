@@ -30,6 +30,8 @@ typedef struct Bundle {
   AxisInterval axis[3];
   BundleEntry stack[PRELIGHT_STACK_SIZE];  // nearest on top
   uint depth;
+  Space space;
+  SourceRays world;
 } Bundle;
 
 // True when all rays of a group leave one point.
@@ -178,7 +180,36 @@ void startBundle(Bundle* b, uint rays) {
   const BundleEntry root = {0u, 0u, rays, 0u};
   b->stack[0] = root;
   b->depth = 1;
+  b->space = worldSpace();
 }
+
+#ifdef PRELIGHT_INSTANCES
+void boundDirections(Bundle* b) {
+  for (uint a = 0; a < 3; ++a) b->axis[a] = boundAxis(b->rays.inverse[a]);
+}
+
+// Takes the rays to the space of what is visited next. Entering an instance is a visit, after which its root is next: then
+// true.
+PRELIGHT_INLINE bool changeSpaceOfBundle(Bvh bvh, BundleEntry next, uint mask, Bundle* b) {
+  const bool enters = isInstance(next.child);
+  if (b->depth < b->space.floor) {
+    if (!enters) {
+      b->rays = b->world.prepared;
+      boundDirections(b);
+    }
+    b->space = worldSpace();
+  }
+  if (!enters) return false;
+  __global const DeviceInstance* instance = bvh.instances + instanceOf(next.child);
+  enterWithGroup(instance, &b->world, &b->rays);
+  boundDirections(b);
+  const BundleEntry root = {instance->root, next.entry, mask, 0u};
+  b->stack[b->depth++] = root;
+  b->space = spaceOf(instance, b->depth);
+  prefetchChild(bvh, root.child);
+  return true;
+}
+#endif
 
 // One visit for a bundle. False when there is nothing left to visit.
 PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
@@ -190,10 +221,13 @@ PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
     top = b->stack[--b->depth];
     mask = top.rays & lessOrEqualMask16((float16)(as_float(top.entry)), t * PRELIGHT_BOX_SLACK);
   } while (mask == 0u);
+#ifdef PRELIGHT_INSTANCES
+  if (changeSpaceOfBundle(bvh, top, mask, b)) return true;
+#endif
   if (top.child & PRELIGHT_LEAF_BIT) {
     __global const TriangleBlock* block = bvh.blocks + (top.child & ~PRELIGHT_LEAF_BIT);
     while (mask != 0u) {
-      visitBlock(surface, block, &b->rays, lowestLane(mask), &b->hits);
+      visitBlock(surface, block, b->space.firstTriangle, &b->rays, lowestLane(mask), &b->hits);
       mask &= mask - 1u;
     }
   } else if ((mask & (mask - 1u)) == 0u) {

@@ -27,9 +27,7 @@ typedef struct HitGroup {
 
 float16 safeInverse16(float16 d, float16 least) { return 1.0f / copysign(most16(fabs(d), least), d); }
 
-// Shears and axes as in intersect_funcs.cl, sixteen at once.
-void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
-  float direction[3][PRELIGHT_GROUP];
+void loadGroup(__global const Ray* rays, uint count, RayGroup* g, float direction[3][PRELIGHT_GROUP]) {
   for (uint lane = 0; lane < PRELIGHT_GROUP; ++lane) {
     __global const Ray* r = rays + min(lane, count - 1u);
     for (uint a = 0; a < 3; ++a) {
@@ -39,7 +37,12 @@ void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
     g->tMax[lane] = r->tMax;
     g->source[lane] = r->sourceTriangle;
   }
-  const float16 x = vload16(0, direction[0]), y = vload16(0, direction[1]), z = vload16(0, direction[2]);
+  // An infinite t, from a determinant near 0, is no hit.
+  vstore16(least16(vload16(0, g->tMax), (float16)(MAXFLOAT)), 0, g->tMax);
+}
+
+// Shears and axes as in intersect_funcs.cl, sixteen at once.
+void prepareDirections(float16 x, float16 y, float16 z, RayGroup* g) {
   const int16 xIsLargest = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z));
   const int16 yIsLargest = ~xIsLargest & (fabs(y) > fabs(z));
   const float16 dz = select(select(z, y, yIsLargest), x, xIsLargest);
@@ -61,8 +64,12 @@ void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
   vstore16(select(upper, lower, as_uint16(ix >= 0.0f)), 0, g->entry[0]);
   vstore16(select(upper, lower, as_uint16(iy >= 0.0f)) + PRELIGHT_WIDTH, 0, g->entry[1]);
   vstore16(select(upper, lower, as_uint16(iz >= 0.0f)) + 2u * PRELIGHT_WIDTH, 0, g->entry[2]);
-  // An infinite t, from a determinant near 0, is no hit.
-  vstore16(least16(vload16(0, g->tMax), (float16)(MAXFLOAT)), 0, g->tMax);
+}
+
+void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
+  float direction[3][PRELIGHT_GROUP];
+  loadGroup(rays, count, g, direction);
+  prepareDirections(vload16(0, direction[0]), vload16(0, direction[1]), vload16(0, direction[2]), g);
 }
 
 void clearHits(const RayGroup* g, HitGroup* hits) {

@@ -5,10 +5,12 @@
 #include "bvh/alpha_funcs.cl"
 #include "bvh/intersect_funcs.cl"
 #include "shared/bvh_types.h"
+#include "shared/instance_types.h"
 
 typedef struct Bvh {
   __global const NarrowNode* nodes;
   __global const NarrowTriangle* triangles;
+  __global const DeviceInstance* instances;
 } Bvh;
 
 // True when the ray meets the box in [0, tMax]; *tNear is where. tFar grows by a few ulp (Ize 2013).
@@ -66,6 +68,46 @@ bool intersectTriangle(__global const NarrowTriangle* triangle, const PreparedRa
   return *t >= 0.0f && *t <= tMax;
 }
 
+#ifdef PRELIGHT_INSTANCES
+// A leaf of no triangles is an instance.
+bool isInstance(uint child) { return (child & ~PRELIGHT_LEAF_FIRST_MASK) == PRELIGHT_LEAF_BIT; }
+
+// The ray in an instance's space. Its direction is not normalised again, so distances along it stay the same.
+PreparedRay rayWithin(__global const DeviceInstance* instance, Ray ray) {
+  const float3 o = vload3(0, ray.origin) - vload3(0, instance->centre), d = vload3(0, ray.direction);
+  for (int i = 0; i < 3; ++i) {
+    const float3 row = vload3(0, instance->toShape[i]);
+    ray.origin[i] = dot(row, o);
+    ray.direction[i] = dot(row, d);
+  }
+  // Wraps around to a triangle that the shape has not, when the source is another's.
+  const uint own = ray.sourceTriangle - instance->firstTriangle;
+  ray.sourceTriangle = own < instance->triangleCount ? own : PRELIGHT_NO_TRIANGLE;
+  return prepareRay(ray);
+}
+#endif
+
+// Takes the triangles of a leaf, which count from `firstTriangle` on, into account.
+void visitTriangles(Bvh bvh, Surface surface, uint leaf, uint firstTriangle, const PreparedRay* r, Hit* best) {
+  const uint first = leaf & PRELIGHT_LEAF_FIRST_MASK;
+  const uint count = (leaf & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
+  for (uint i = first; i < first + count; ++i) {
+    Hit hit;
+    if (!intersectTriangle(bvh.triangles + i, r, best->t, &hit.t, &hit.u, &hit.v)) continue;
+    hit.triangle = bvh.triangles[i].triangle + firstTriangle;
+    // Equal distances go to the lower index, whatever the order of visits.
+    const bool nearer = hit.t < best->t || hit.triangle < best->triangle;
+    if (!nearer || !surfaceIsThere(surface, hit.triangle, hit.u, hit.v)) continue;
+#ifdef PRELIGHT_ANY_HIT
+    const Hit any = {0.0f, 0u, 0.0f, 0.0f};
+    *best = any;
+    return;
+#else
+    *best = hit;
+#endif
+  }
+}
+
 // Nearest hit of a ray with the scene, or with PRELIGHT_ANY_HIT the first found, as triangle 0 without a distance.
 // `surface` decides whether an alpha-masked hit counts.
 Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
@@ -76,24 +118,30 @@ Hit traceRay(Bvh bvh, Surface surface, Ray ray) {
   uint stack[PRELIGHT_STACK_SIZE];
   uint depth = 0;
   uint current = 0;
-  for (;;) {
-    if (current & PRELIGHT_LEAF_BIT) {
-      const uint first = current & PRELIGHT_LEAF_FIRST_MASK;
-      const uint count = (current & ~PRELIGHT_LEAF_BIT) >> PRELIGHT_LEAF_COUNT_SHIFT;
-      for (uint i = first; i < first + count; ++i) {
-        Hit hit;
-        if (!intersectTriangle(bvh.triangles + i, &r, best.t, &hit.t, &hit.u, &hit.v)) continue;
-        hit.triangle = bvh.triangles[i].triangle;
-        // Equal distances go to the lower index, whatever the order of visits.
-        const bool nearer = hit.t < best.t || hit.triangle < best.triangle;
-        if (!nearer || !surfaceIsThere(surface, hit.triangle, hit.u, hit.v)) continue;
-#ifdef PRELIGHT_ANY_HIT
-        const Hit any = {0.0f, 0u, 0.0f, 0.0f};
-        return any;
-#else
-        best = hit;
+  uint firstTriangle = 0;  // of the space that the ray is in
+#ifdef PRELIGHT_INSTANCES
+  uint floor = 0;  // where the stack is lower, an instance has been left
 #endif
-      }
+  for (;;) {
+#ifdef PRELIGHT_INSTANCES
+    if (depth < floor) {
+      r = prepareRay(ray);
+      firstTriangle = 0;
+      floor = 0;
+    }
+    if (isInstance(current)) {
+      __global const DeviceInstance* instance = bvh.instances + (current & PRELIGHT_LEAF_FIRST_MASK);
+      r = rayWithin(instance, ray);
+      firstTriangle = instance->firstTriangle;
+      floor = depth;
+      current = instance->root;
+    }
+#endif
+    if (current & PRELIGHT_LEAF_BIT) {
+      visitTriangles(bvh, surface, current, firstTriangle, &r, &best);
+#ifdef PRELIGHT_ANY_HIT
+      if (best.triangle != PRELIGHT_NO_TRIANGLE) return best;
+#endif
     } else {
       __global const NarrowNode* node = bvh.nodes + current;
       float near0, near1;

@@ -1,6 +1,6 @@
 // Tracing of a buffer of rays through the narrow tree.
 // Options: PRELIGHT_ANY_HIT (a hit only says that there is one; else the closest), PRELIGHT_ALPHA_TEST,
-// PRELIGHT_VERTEX_COLORS, PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
+// PRELIGHT_VERTEX_COLORS, PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two levels), PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
 
 #ifndef PRELIGHT_STACK_SIZE
 #define PRELIGHT_STACK_SIZE 256
@@ -10,11 +10,11 @@
 
 // A ray a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount].
 __kernel void traceRays(__global const NarrowNode* nodes, __global const NarrowTriangle* leaves,
-                        __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                        __global const DeviceInstance* instances, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                         __global const Ray* rays, __global Hit* hits, const uint firstRay, const uint rayCount) {
   const size_t i = get_global_id(0);
   if (i >= rayCount) return;
-  const Bvh bvh = {nodes, leaves};
+  const Bvh bvh = {nodes, leaves, instances};
   const Surface surface = surfaceOf(layout, surfaceLines);
   hits[i] = traceRay(bvh, surface, rays[firstRay + i]);
 }

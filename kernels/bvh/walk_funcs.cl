@@ -4,15 +4,19 @@
 #define PRELIGHT_BVH_WALK_FUNCS_CL
 
 #include "bvh/block_funcs.cl"
+#include "bvh/instance_group_funcs.cl"
 
 typedef struct Bvh {
   __global const WideNode* nodes;
   __global const TriangleBlock* blocks;
+  __global const DeviceInstance* instances;
 } Bvh;
 
 // Asks for what a visit of `child` will read.
 void prefetchChild(Bvh bvh, uint child) {
-  if (child & PRELIGHT_LEAF_BIT)
+  if (isInstance(child))
+    prefetchBytes((__global const char*)(bvh.instances + instanceOf(child)), sizeof(DeviceInstance));
+  else if (child & PRELIGHT_LEAF_BIT)
     prefetchBytes((__global const char*)(bvh.blocks + (child & ~PRELIGHT_LEAF_BIT)), sizeof(TriangleBlock));
   else
     prefetchBytes((__global const char*)(bvh.nodes + child), sizeof(WideNode));
@@ -28,6 +32,7 @@ typedef struct Walk {
   WalkEntry stack[PRELIGHT_STACK_SIZE];  // nearest on top
   uint depth;
   uint ray;  // in the batch
+  Space space;
 } Walk;
 
 #define PRELIGHT_NOWHERE 0xffffffffu
@@ -66,14 +71,39 @@ void startWalk(Walk* walk, uint ray) {
   walk->stack[0] = root;
   walk->depth = 1u;
   walk->ray = ray;
+  walk->space = worldSpace();
 }
 
+#ifdef PRELIGHT_INSTANCES
+// Takes the ray to the space of what is visited next. Entering an instance is a visit, after which its root is next: then
+// true.
+PRELIGHT_INLINE bool changeSpace(Bvh bvh, uint next, const SourceRays* world, RayGroup* g, uint lane, Walk* walk) {
+  const bool enters = isInstance(next);
+  if (walk->depth < walk->space.floor) {
+    if (!enters) leaveWithLane(world, lane, g);
+    walk->space = worldSpace();
+  }
+  if (!enters) return false;
+  __global const DeviceInstance* instance = bvh.instances + instanceOf(next);
+  enterWithLane(instance, world, lane, g);
+  const WalkEntry root = {instance->root, 0u};
+  walk->stack[walk->depth++] = root;
+  walk->space = spaceOf(instance, walk->depth);
+  prefetchChild(bvh, root.child);
+  return true;
+}
+#endif
+
 // One visit. False when there is nothing left to visit.
-PRELIGHT_INLINE bool stepWalk(Bvh bvh, Surface surface, const RayGroup* g, uint lane, Walk* walk, HitGroup* hits) {
+PRELIGHT_INLINE bool stepWalk(Bvh bvh, Surface surface, const SourceRays* world, RayGroup* g, uint lane, Walk* walk,
+                              HitGroup* hits) {
   const uint current = popWalk(walk, hits->t[lane]);
   if (current == PRELIGHT_NOWHERE) return false;
+#ifdef PRELIGHT_INSTANCES
+  if (changeSpace(bvh, current, world, g, lane, walk)) return true;
+#endif
   if (current & PRELIGHT_LEAF_BIT) {
-    visitBlock(surface, bvh.blocks + (current & ~PRELIGHT_LEAF_BIT), g, lane, hits);
+    visitBlock(surface, bvh.blocks + (current & ~PRELIGHT_LEAF_BIT), walk->space.firstTriangle, g, lane, hits);
   } else {
     __global const WideNode* node = bvh.nodes + current;
     float8 near8;

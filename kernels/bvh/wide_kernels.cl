@@ -1,6 +1,6 @@
 // Tracing of a buffer of rays through the wide tree.
 // Options: PRELIGHT_ANY_HIT (a hit only says that there is one; else the closest), PRELIGHT_ALPHA_TEST,
-// PRELIGHT_VERTEX_COLORS, PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
+// PRELIGHT_VERTEX_COLORS, PRELIGHT_SHARED_SURFACE, PRELIGHT_INSTANCES (the tree has two levels), PRELIGHT_STACK_SIZE (entries that the tree at hand needs).
 
 #ifndef PRELIGHT_STACK_SIZE
 #define PRELIGHT_STACK_SIZE 256
@@ -26,7 +26,12 @@ void prepareBatch(__global const Ray* rays, uint count, Batch* batch) {
     const uint group = first / PRELIGHT_GROUP;
     const uint n = min(count - first, (uint)PRELIGHT_GROUP);
     Bundle* b = batch->bundles + group;
+#ifdef PRELIGHT_INSTANCES
+    prepareSourceRays(rays + first, n, &b->world);
+    b->rays = b->world.prepared;
+#else
     prepareGroup(rays + first, n, &b->rays);
+#endif
     clearHits(&b->rays, &b->hits);
     if (sharesOrigin(&b->rays)) {
       startBundle(b, (1u << n) - 1u);
@@ -61,7 +66,7 @@ void traceLoose(Bvh bvh, Surface surface, Batch* batch) {
     for (uint i = 0; i < count;) {
       Walk* walk = walks + active[i];
       Bundle* b = batch->bundles + walk->ray / PRELIGHT_GROUP;
-      if (stepWalk(bvh, surface, &b->rays, walk->ray % PRELIGHT_GROUP, walk, &b->hits))
+      if (stepWalk(bvh, surface, &b->world, &b->rays, walk->ray % PRELIGHT_GROUP, walk, &b->hits))
         ++i;
       else if (waiting != 0u)
         startWalk(walk, batch->loose[--waiting]);
@@ -87,12 +92,12 @@ void writeHits(const Batch* batch, uint count, __global Hit* hits) {
 // A batch of rays a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount]. The hint keeps compilers from making vectors of
 // work-items: the rays of one are in vectors already.
 __kernel __attribute__((vec_type_hint(float16))) void traceRays(__global const WideNode* nodes, __global const TriangleBlock* blocks,
-                        __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                        __global const DeviceInstance* instances, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
                         __global const Ray* rays, __global Hit* hits, const uint firstRay, const uint rayCount) {
   const size_t first = get_global_id(0) * PRELIGHT_BATCH;
   if (first >= rayCount) return;
   const uint count = min((uint)(rayCount - first), (uint)PRELIGHT_BATCH);
-  const Bvh bvh = {nodes, blocks};
+  const Bvh bvh = {nodes, blocks, instances};
   const Surface surface = surfaceOf(layout, surfaceLines);
   Batch batch;
   prepareBatch(rays + firstRay + first, count, &batch);

@@ -45,7 +45,7 @@ PRELIGHT_INLINE bool sampleGroup(__constant const CastParameters* parameters, Li
   const EmitterPoint e = sampleEmitterPointByPair(scene.lights, lightRay.emitters, scene.surface, bits);
   bool front;
   if (!seeEmitter(scene.lights, e, vload3(0, r.position), a, &front)) return false;
-  if (!emitsOn(scene.surface.materials + scene.surface.surface.triangles[e.triangle].material, front)) return false;
+  if (!emitsOn(scene.surface.materials + materialAt(scene.surface.surface, e.triangle), front)) return false;
   a->radiance = vload3(0, groups.emitters[groups.emitterOfTriangle[e.triangle]].factor);
   a->pdf = combinedDensity(parameters->raysPerReceiver, dot(a->direction, vload3(0, r.normal)), lightRay.sampleCount, a->pdf);
   return true;
@@ -138,7 +138,7 @@ __kernel void addEmitterHits(__constant const CastParameters* parameters, const 
     const Hit hit = hits[at];
     if (hit.triangle == PRELIGHT_NO_TRIANGLE || groups.emitterOfTriangle[hit.triangle] == PRELIGHT_NO_EMITTER) continue;
     const float3 direction = vload3(0, rays[at].direction);
-    const DeviceTriangle t = scene.surface.surface.triangles[hit.triangle];
+    const DeviceTriangle t = triangleAt(scene.surface.surface, hit.triangle);
     const float leaving = -dot(direction, frontNormal(vertexPosition(scene.surface, t.vertex[0]),
                                                       vertexPosition(scene.surface, t.vertex[1]),
                                                       vertexPosition(scene.surface, t.vertex[2])));

@@ -29,7 +29,7 @@ float pickOf(__global const Receiver* r, uint sample, uint decision) {
 // one of the two stands for both, chosen in proportion to its largest channel and divided by its probability. The mean
 // stays, and as their largest channels add up to at most 1, so does what stands for both. True: the other side.
 bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float3* albedo) {
-  const uint bits = s.materials[s.triangles[triangle].material].transmission;
+  const uint bits = s.materials[materialAt(s, triangle)].transmission;
   if (bits == 0u) return false;
   const float3 through =
       blocked * (1.0f / 1023.0f) *
@@ -72,7 +72,7 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __consta
       const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
       const bool back = (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
       if (back) marks[hit.triangle] = 1;
-      sender.vertex = surface.triangles[hit.triangle].vertex[corner] + (back ? parameters->vertexCount : 0u);
+      sender.vertex = triangleAt(surface, hit.triangle).vertex[corner] + (back ? parameters->vertexCount : 0u);
       sender.albedo = bits;
     }
   }

@@ -126,12 +126,13 @@ __kernel void gatherVolume(__constant const CastParameters* parameters, __consta
     const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
     const float3 color = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
     const float3 albedo = (1.0f - visibilityOf(parameters, hit)) * color;
-    if (!back || backs != 0) addSide(parameters, transfer, surface.triangles[hit.triangle], back, hit, albedo, sum);
+    const DeviceTriangle triangle = triangleAt(surface, hit.triangle);
+    if (!back || backs != 0) addSide(parameters, transfer, triangle, back, hit, albedo, sum);
     // A translucent surface also lets through what arrives on its other side.
-    const uint bits = surface.materials[surface.triangles[hit.triangle].material].transmission;
+    const uint bits = surface.materials[triangle.material].transmission;
     if (bits == 0u || (!back && backs == 0)) continue;
     const float3 through = (float3)((float)(bits & 1023u), (float)(bits >> 10 & 1023u), (float)(bits >> 20 & 1023u));
-    addSide(parameters, transfer, surface.triangles[hit.triangle], !back, hit,
+    addSide(parameters, transfer, triangle, !back, hit,
             (1.0f - visibilityOf(parameters, hit)) * (1.0f / 1023.0f) * through, sum);
   }
   for (uint i = 0; i < width; ++i) values[voxel * width + i] = sum[i] / (float)count;

@@ -23,7 +23,7 @@ __kernel void makeVirtualLights(const uint count, __constant const SceneLayout* 
   if (i >= count) return;
   const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
   const Photon photon = photons[i];
-  const DeviceTriangle t = s.surface.triangles[photon.triangle];
+  const DeviceTriangle t = triangleAt(s.surface, photon.triangle);
   const float3 at = vload3(0, photon.position);
   const float2 place = placeOnTriangle(vertexPosition(s, t.vertex[0]), vertexPosition(s, t.vertex[1]),
                                        vertexPosition(s, t.vertex[2]), at);

@@ -50,7 +50,7 @@ uint listOccluders(Surface surface, OccluderScene occluders, uint rayCount, __gl
   uint count = 0;
   for (uint j = 0; j < rayCount; ++j) {
     if (hits[j].triangle == PRELIGHT_NO_TRIANGLE) continue;
-    const uint group = occluderOf(surface.triangles[hits[j].triangle], hits[j], occluders.groups);
+    const uint group = occluderOf(triangleAt(surface, hits[j].triangle), hits[j], occluders.groups);
     uint k = 0;
     while (k < count && seen[k] != group) ++k;
     if (k == count) seen[count++] = group;
@@ -117,7 +117,7 @@ __kernel void aggregateOccluders(__constant const CastParameters* parameters, __
     const float3 direction = vload3(0, rays[j].direction);
     const float share = (1.0f - visibilityOf(parameters, hit)) / (float)rayCount;
     const float distance = parameters->nearLimit + hit.t;
-    const float4 facing = facingOf(occluders, surface.triangles[hit.triangle], hit, direction, geometricNormals);
+    const float4 facing = facingOf(occluders, triangleAt(surface, hit.triangle), hit, direction, geometricNormals);
     sums->formFactor += share;
     addVector(sums->direction, share * direction);
     addVector(sums->offset, share * distance * direction);

@@ -13,8 +13,8 @@
 #define PRELIGHT_ALWAYS 0.99999994f      // a chance that only total reflection is above
 #define PRELIGHT_LEAST_THROUGHPUT 1e-3f  // what is darker is as good as blocked
 
-bool materialHas(Hit hit, __global const DeviceTriangle* triangles, __global const uint* flags, uint flag) {
-  return hit.triangle != PRELIGHT_NO_TRIANGLE && (flags[triangles[hit.triangle].material] & flag) != 0u;
+bool materialHas(Hit hit, Surface surface, __global const uint* flags, uint flag) {
+  return hit.triangle != PRELIGHT_NO_TRIANGLE && (flags[materialAt(surface, hit.triangle)] & flag) != 0u;
 }
 
 // A ray a work-item. rays, hits [ray] -> ways [ray], and mirrorRays [counter] that find out whether they are open.
@@ -29,7 +29,7 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __consta
   mirrored->share = 0.0f;
   const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
   __global const uint* flags = occludersOf(layout, occluderLines).flags;
-  if (!materialHas(hits[i], s.surface.triangles, flags, PRELIGHT_OCCLUDER_SHINY)) return;
+  if (!materialHas(hits[i], s.surface, flags, PRELIGHT_OCCLUDER_SHINY)) return;
   const Interaction surface = loadInteraction(s, rays[i], hits[i]);
   if (!surface.front && (flags[surface.material] & PRELIGHT_OCCLUDER_TWO_SIDED) == 0u) return;
   const Bsdf bsdf = loadBsdf(s, surface);
@@ -56,7 +56,7 @@ __kernel void listGlass(__constant const CastParameters* parameters, __constant 
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
   ways[PRELIGHT_WAYS * i + PRELIGHT_WAY_THROUGH].share = 0.0f;
-  if (!materialHas(hits[i], surfaceOf(layout, surfaceLines).triangles, occludersOf(layout, occluderLines).flags,
+  if (!materialHas(hits[i], surfaceOf(layout, surfaceLines), occludersOf(layout, occluderLines).flags,
                    PRELIGHT_OCCLUDER_GLASS)) return;
   const uint place = atomic_inc(counter);
   paths[place] = (GlassPath){{1.0f, 1.0f, 1.0f}, (uint)i, PRELIGHT_NO_MEDIUM};
@@ -76,7 +76,7 @@ __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep 
   GlassPath path = paths[step.first + i];
   const Ray ray = rays[step.first + i];
   const float3 throughput = vload3(0, path.throughput);
-  const bool glass = materialHas(hits[i], s.surface.triangles, occludersOf(layout, occluderLines).flags,
+  const bool glass = materialHas(hits[i], s.surface, occludersOf(layout, occluderLines).flags,
                                  PRELIGHT_OCCLUDER_GLASS);
   const bool away = hits[i].triangle == PRELIGHT_NO_TRIANGLE || hits[i].t > step.reach;
   if (!glass && away && path.medium == PRELIGHT_NO_MEDIUM) {

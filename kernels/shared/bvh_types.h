@@ -1,4 +1,5 @@
-// The two layouts of the bounding volume hierarchy. Both come from one binary tree built on the host.
+// The two layouts of the bounding volume hierarchy. Both come from one binary tree built on the host. In a two-level tree
+// the nodes and leaves of all shapes, of what is in no shape and of the tree over these lie in the same buffers.
 #ifndef PRELIGHT_SHARED_BVH_TYPES_H
 #define PRELIGHT_SHARED_BVH_TYPES_H
 
@@ -8,6 +9,9 @@ PRELIGHT_SHARED_BEGIN
 
 /// Child references: bit 31 set is a leaf. An absent child of a wide node has an inverted box, which nothing hits.
 #define PRELIGHT_LEAF_BIT 0x80000000u
+
+/// Set beside the leaf bit of a wide node's child, it is an instance: the other bits are its index.
+#define PRELIGHT_INSTANCE_BIT 0x40000000u
 
 #define PRELIGHT_WIDTH 8
 
@@ -34,7 +38,8 @@ typedef struct TriangleBlock {
 #define PRELIGHT_LEAF_FIRST_MASK 0x07ffffffu
 
 /// Two children with both boxes in the parent (Aila and Laine 2009), for devices that run a ray a lane (GPUs).
-/// A leaf reference is PRELIGHT_LEAF_BIT | count << 27 | index of its first NarrowTriangle; count 1..8.
+/// A leaf reference is PRELIGHT_LEAF_BIT | count << 27 | index of its first NarrowTriangle; count 1..8. A count of 0:
+/// an instance, the rest is its index.
 typedef struct NarrowNode {
   float lower[2][3];
   float upper[2][3];

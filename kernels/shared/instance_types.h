@@ -1,4 +1,4 @@
-// Instances of shapes: the upper level of a two-level tree.
+// Instances of shapes: the leaves of a two-level tree's upper level.
 #ifndef PRELIGHT_SHARED_INSTANCE_TYPES_H
 #define PRELIGHT_SHARED_INSTANCE_TYPES_H
 
@@ -6,13 +6,15 @@
 
 PRELIGHT_SHARED_BEGIN
 
-/// Where a shape stands, and which part of the shared buffers is its own.
+/// Where a shape stands, and where its tree begins. A point p of the scene is toShape (p - centre) in the shape's space:
+/// near the surface the difference is nearly exact, however far from the scene's centre the instance is.
 typedef struct DeviceInstance {
-  float toObject[3][4];  ///< rows of the matrix that takes a point of the world to the shape's space
-  uint firstNode;        ///< of the shape's nodes, which count from 0 again
-  uint firstLeaf;        ///< of the shape's triangles in the order of its leaves
-  uint firstTriangle;    ///< added to the triangle of a hit
+  float toShape[3][3];  ///< rows
+  float centre[3];
+  uint root;           ///< node
+  uint firstTriangle;  ///< added to the triangle of a hit
   uint triangleCount;
+  uint pad;
 } DeviceInstance;
 
 PRELIGHT_SHARED_END

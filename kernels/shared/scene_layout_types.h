@@ -26,18 +26,20 @@ typedef struct OccluderLine {
 /// The first line of each array.
 typedef struct SceneLayout {
   // What rays and bounces ask of the surface, in SurfaceLines.
-  uint triangles;  ///< DeviceTriangle [triangle]
-  uint materials;  ///< DeviceMaterial [material] with the albedo's textures
-  uint texCoords;  ///< float2 [vertex]
-  uint colors;     ///< float4 [vertex]
-  uint texels;     ///< ushort4
+  uint triangles;   ///< DeviceTriangle [stored triangle]
+  uint ranges;      ///< SurfaceRange [range], ascending; none where all of the scene's triangles are stored
+  uint rangeCount;
+  uint materials;   ///< DeviceMaterial [material] with the albedo's textures
+  uint texCoords;   ///< float2 [stored vertex]
+  uint colors;      ///< float4 [stored vertex]
+  uint texels;      ///< ushort4
   // What following light asks beyond that, in ShadingLines.
   uint vertices;        ///< float [vertex][6] position, normal
-  uint flat;            ///< uchar [triangle] 1: no shading normals
+  uint flat;            ///< uchar [stored triangle] 1: no shading normals
   uint bases;           ///< DeviceMaterial [material], base colours without textures
   uint shadeMaterials;  ///< ShadeMaterial [material]
   uint layers;          ///< DeviceMaterial [material][PRELIGHT_LAYERS] textures
-  uint layerTexCoords;  ///< float2 [vertex]
+  uint layerTexCoords;  ///< float2 [stored vertex]
   uint layerTexels;     ///< ushort4
   // Lights, in LightLines.
   uint tables;            ///< uint: lower bounds of intervals

@@ -30,6 +30,15 @@ typedef struct DeviceTriangle {
   uint material;
 } DeviceTriangle;
 
+/// Triangles that follow one another, up to the first of the next range. Drawings of one shape are ranges whose
+/// triangles and vertices are stored once. Shifts are added, and wrap around.
+typedef struct SurfaceRange {
+  uint firstTriangle;  ///< of the scene's
+  uint triangleShift;  ///< from the scene's triangles to those stored
+  uint vertexShift;    ///< from stored vertices to the scene's
+  uint pad;
+} SurfaceRange;
+
 PRELIGHT_SHARED_END
 
 #endif

@@ -68,7 +68,7 @@ PRELIGHT_INLINE Emission emitFromSurface(__constant const PhotonParameters* p, L
   const bool all = p->source.light == PRELIGHT_ALL_EMITTERS;
   const EmitterPoint at = all ? sampleEmitterPoint(l, allEmitters(&p->scene.lights), s, choice.x, place)
                               : pointOnEmitter(l, s, p->source.light, 1.0f, place);
-  const bool twoSided = (s.materials[s.surface.triangles[at.triangle].material].flags & PRELIGHT_DOUBLE_SIDED) != 0u;
+  const bool twoSided = (s.materials[materialAt(s.surface, at.triangle)].flags & PRELIGHT_DOUBLE_SIDED) != 0u;
   const bool front = !twoSided || choice.y < 0x80000000u;
   const float3 normal = at.normal * (front ? 1.0f : -1.0f);
   Emission e;

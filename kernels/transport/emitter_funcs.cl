@@ -21,7 +21,7 @@ PRELIGHT_INLINE EmitterPoint pointOnEmitter(Lights l, PathScene s, uint entry, f
   EmitterPoint e;
   e.triangle = l.emitters[entry];
   e.chance = chance;
-  const DeviceTriangle t = s.surface.triangles[e.triangle];
+  const DeviceTriangle t = triangleAt(s.surface, e.triangle);
   const float3 p = vertexPosition(s, t.vertex[0]), q = vertexPosition(s, t.vertex[1]), r = vertexPosition(s, t.vertex[2]);
   e.at = sampleTriangle(place);
   e.position = pointOnTriangle(p, q, r, e.at.x, e.at.y);

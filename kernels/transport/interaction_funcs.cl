@@ -13,7 +13,7 @@
 typedef struct PathScene {
   Surface surface;  // its materials hold base colours without textures
   __global const float* vertices;  // [vertex][6] position, normal
-  __global const uchar* flat;      // [triangle] 1: no shading normals
+  __global const uchar* flat;      // [stored triangle] 1: no shading normals
   __global const ShadeMaterial* materials;
   __global const DeviceMaterial* layers;    // [material][PRELIGHT_LAYERS] textures: PRELIGHT_LAYER_* of transport/material_funcs.cl
   __global const ushort4* layerTexels;
@@ -44,8 +44,8 @@ PRELIGHT_INLINE float3 frontNormal(float3 a, float3 b, float3 c) {
 
 // Shading normal on the front side; the geometric one where the file has none or it vanishes.
 PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float v, float3 front) {
-  if (s.flat[triangle] != 0) return front;
-  const DeviceTriangle t = s.surface.triangles[triangle];
+  if (s.flat[storedTriangle(s.surface, triangle).index] != 0) return front;
+  const DeviceTriangle t = triangleAt(s.surface, triangle);
   const float3 n = (1.0f - u - v) * vload3(0, s.vertices + 6 * (size_t)t.vertex[0] + 3) +
                    u * vload3(0, s.vertices + 6 * (size_t)t.vertex[1] + 3) +
                    v * vload3(0, s.vertices + 6 * (size_t)t.vertex[2] + 3);
@@ -56,7 +56,7 @@ PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float 
 }
 
 PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
-  const DeviceTriangle t = s.surface.triangles[hit.triangle];
+  const DeviceTriangle t = triangleAt(s.surface, hit.triangle);
   const float3 a = vertexPosition(s, t.vertex[0]), b = vertexPosition(s, t.vertex[1]), c = vertexPosition(s, t.vertex[2]);
   Interaction i;
   i.triangle = hit.triangle;

@@ -14,7 +14,7 @@
 #define PRELIGHT_LAYERS 4u
 
 PRELIGHT_INLINE float2 vertexTexCoord(PathScene s, uint triangle, float u, float v) {
-  const DeviceTriangle t = s.surface.triangles[triangle];
+  const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
   return (1.0f - u - v) * s.surface.texCoords[t.vertex[0]] + u * s.surface.texCoords[t.vertex[1]] +
          v * s.surface.texCoords[t.vertex[2]];
 }
@@ -22,7 +22,7 @@ PRELIGHT_INLINE float2 vertexTexCoord(PathScene s, uint triangle, float u, float
 // Texture `layer` of a material at a point; white where there is none.
 PRELIGHT_INLINE float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
 #ifdef PRELIGHT_LAYER_TEXTURES
-  __global const DeviceMaterial* m = s.layers + PRELIGHT_LAYERS * s.surface.triangles[triangle].material + layer;
+  __global const DeviceMaterial* m = s.layers + PRELIGHT_LAYERS * materialAt(s.surface, triangle) + layer;
   if (m->texelOffset != PRELIGHT_NO_TEXTURE) {
     Surface texels = s.surface;
     texels.texels = s.layerTexels;
@@ -39,7 +39,7 @@ PRELIGHT_INLINE bool emitsOn(__global const ShadeMaterial* m, bool front) {
 
 // Radiance that a point of a triangle sends out.
 PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
-  __global const ShadeMaterial* m = s.materials + s.surface.triangles[triangle].material;
+  __global const ShadeMaterial* m = s.materials + materialAt(s.surface, triangle);
   if (!emitsOn(m, front)) return (float3)(0.0f);
   return vload3(0, m->emission) * sampleLayer(s, PRELIGHT_LAYER_EMISSION, triangle, u, v).xyz;
 }

@@ -63,7 +63,7 @@ PRELIGHT_INLINE float3 openIrradiance(Lights l, EmitterRange range, PathScene s,
   float3 sum = (float3)(0.0f);
   for (uint i = 0u; i < range.count; ++i) {
     const uint triangle = l.emitters[range.first + i];
-    const DeviceTriangle t = s.surface.triangles[triangle];
+    const DeviceTriangle t = triangleAt(s.surface, triangle);
     float3 corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = vertexPosition(s, t.vertex[k]);
     const bool front = -dot(corner[0] - point, cross(corner[1] - corner[0], corner[2] - corner[0])) > 0.0f;

@@ -14,6 +14,7 @@ typedef struct Scene {
 PRELIGHT_INLINE PathScene shadedSurfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
                                           __global const ShadingLine* shading) {
   const Surface untextured = {(__global const DeviceTriangle*)(surface + layout->triangles),
+                              (__global const SurfaceRange*)(surface + layout->ranges), layout->rangeCount,
                               (__global const DeviceMaterial*)(shading + layout->bases),
                               (__global const float2*)(shading + layout->layerTexCoords),
                               (__global const float4*)(surface + layout->colors),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "projectors/light_map/light_map_plan.h"
+#include "support/instanced_scene.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -35,6 +36,40 @@ TEST(Plan, RequestOfManyTechniques_RunsWhatItAsksFor) {
     EXPECT_TRUE(plan.runs(pass)) << nameOf(pass);
   for (const Pass pass : {Pass::AlphaTest, Pass::AlbedoTextures, Pass::SpecularTransport})
     EXPECT_FALSE(plan.runs(pass)) << nameOf(pass);
+}
+
+/// Drawings of one square of so many cells, side by side.
+CompiledScene repeatedGround(int cells, int drawings) {
+  Scene scene;
+  scene.meshes = {test::meshOf(test::ground(cells, 1.0f))};
+  MeshNode node{0, "squares", 0, {}};
+  for (int i = 0; i < drawings; ++i) {
+    glm::dmat4 transform(1.0);
+    transform[3].x = 2.5 * i;
+    node.transforms.push_back(transform);
+  }
+  scene.meshNodes = {node};
+  return test::compiled(scene);
+}
+
+TEST(Plan, MeshDrawnOften_IsStoredOnceAndSaysSo) {
+  const CompiledScene scene = repeatedGround(100, 30);
+  const Plan plan = makePlan(Scene(), scene, requestOfMany());
+  EXPECT_TRUE(plan.runs(Pass::Instances));
+  EXPECT_NE(reasonOf(plan, Pass::Instances).find("20000 of the scene's 600000"), std::string::npos);
+  EXPECT_NE(reasonOf(plan, Pass::Instances).find("30 drawings of 1 meshes"), std::string::npos);
+  CompiledScene alone = scene;
+  alone.shapes.clear();
+  alone.instances.clear();
+  const Plan flat = makePlan(Scene(), alone, requestOfMany());
+  EXPECT_FALSE(flat.runs(Pass::Instances));
+  EXPECT_LT(plan.deviceBytes + 580000u * 100u, flat.deviceBytes + 1u);
+}
+
+TEST(Plan, FewTrianglesSaved_KeepOneTree) {
+  EXPECT_FALSE(makePlan(Scene(), repeatedGround(10, 30), requestOfMany()).runs(Pass::Instances));
+  EXPECT_FALSE(makePlan(Scene(), repeatedGround(1, 30), requestOfMany()).runs(Pass::Instances));
+  EXPECT_FALSE(makePlan(Scene(), repeatedGround(100, 1), requestOfMany()).runs(Pass::Instances));
 }
 
 TEST(Plan, NoBounces_NeedsAnyHitsOnlyAndNoRows) {

@@ -41,6 +41,7 @@ LiveScene::LiveScene(const Scene& scene, CompiledScene compiled)
     : nodes_(scene.nodes),
       primitiveNodes_(nodesOfPrimitives(scene, compiled)),
       compiled_(std::move(compiled)),
+      restInstances_(compiled_.instances),
       restPositions_(compiled_.positions),
       restNormals_(compiled_.normals),
       restLights_(compiled_.lights),
@@ -82,6 +83,7 @@ void LiveScene::moveNode(int node, const RigidMotion& motion) {
     }
     for (std::uint32_t i = 0; i < range.triangleCount; ++i)
       changes_.triangles.push_back(range.firstTriangle + i);
+    moveInstance(range.firstTriangle, motion);
   }
   for (std::size_t i = 0; i < restLights_.size(); ++i) {
     if (hangs[lightNodes_[i]] == 0) continue;
@@ -94,6 +96,20 @@ void LiveScene::moveNode(int node, const RigidMotion& motion) {
   if (!found)
     throw UsageError(fmt::format("node {}", node),
                      "nothing that is drawn or shines hangs on it; expected a node that can be moved");
+}
+
+/// Where a drawing that begins with this triangle is an instance.
+void LiveScene::moveInstance(std::uint32_t firstTriangle, const RigidMotion& motion) {
+  std::vector<CompiledInstance>& all = compiled_.instances;
+  const auto found = std::lower_bound(
+      all.begin(), all.end(), firstTriangle,
+      [](const CompiledInstance& instance, std::uint32_t first) { return instance.firstTriangle < first; });
+  if (found == all.end() || found->firstTriangle != firstTriangle) return;
+  const glm::dmat4& rest = restInstances_[static_cast<std::size_t>(found - all.begin())].toWorld;
+  for (int column = 0; column < 3; ++column)
+    found->toWorld[column] = glm::dvec4(motion.direction(glm::dvec3(rest[column])), 0.0);
+  const glm::dvec3 centre = motion.point(glm::dvec3(rest[3]) + compiled_.origin) - compiled_.origin;
+  found->toWorld[3] = glm::dvec4(centre, 1.0);
 }
 
 void LiveScene::setLight(std::size_t index, const Light& light) {

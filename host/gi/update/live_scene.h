@@ -46,10 +46,12 @@ class LiveScene {
 
  private:
   std::vector<std::uint8_t> hangsOn(int node) const;
+  void moveInstance(std::uint32_t firstTriangle, const RigidMotion& motion);
 
   std::vector<SceneNode> nodes_;
   std::vector<std::size_t> primitiveNodes_;  ///< [primitive], into nodes_
   CompiledScene compiled_;
+  std::vector<CompiledInstance> restInstances_;
   std::vector<glm::vec3> restPositions_, restNormals_;
   std::vector<Light> restLights_;
   std::vector<std::size_t> lightNodes_;    ///< [light], into nodes_, or their number: none

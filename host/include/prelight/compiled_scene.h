@@ -24,6 +24,24 @@ struct PrimitiveRange {
   int mesh = -1;          ///< into Scene::meshes
 };
 
+/// A mesh that is drawn more than once with the same triangles, in a space of its own.
+struct CompiledShape {
+  std::uint32_t firstTriangle = 0;  ///< of the drawing whose triangles stand for those of all
+  std::uint32_t triangleCount = 0;
+  std::uint32_t firstVertex = 0;
+  std::uint32_t vertexCount = 0;
+  std::vector<glm::vec3> positions;  ///< [vertex], relative to the centre of the mesh's bounds
+};
+
+/// One of a shape's drawings. Its triangles and vertices lie in the flat arrays too, as many and in the same
+/// order as the shape's, and only positions and normals differ.
+struct CompiledInstance {
+  std::uint32_t shape = 0;  ///< into CompiledScene::shapes
+  std::uint32_t firstTriangle = 0;
+  std::uint32_t firstVertex = 0;
+  glm::dmat4 toWorld{1.0};  ///< from the shape's space to the scene's
+};
+
 /// An image that is looked up with the texture coordinates of the albedo image.
 struct LayerTexture {
   int image = -1;  ///< into Scene::images; -1: none, or folded into the factor as its mean
@@ -77,6 +95,8 @@ struct CompiledScene {
   std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
   std::vector<Image> albedoImages;          ///< sRGB RGB albedo (metalness applied), linear alpha
   std::vector<PrimitiveRange> primitives;
+  std::vector<CompiledShape> shapes;
+  std::vector<CompiledInstance> instances;  ///< firstTriangle ascends
   std::vector<Light> lights;  ///< punctual, in world space as in Scene
   glm::vec3 boundsMin{0.0f};  ///< relative to origin
   glm::vec3 boundsMax{0.0f};

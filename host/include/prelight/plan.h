@@ -61,10 +61,11 @@ enum class Pass : std::uint8_t {
   ShadowMaps,
   EnvironmentMaps,
   OcclusionCones,
+  Instances,
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 48> passNames = {"cast",
+constexpr std::array<std::string_view, 49> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -111,7 +112,8 @@ constexpr std::array<std::string_view, 48> passNames = {"cast",
                                                         "textures",
                                                         "shadow maps",
                                                         "environment maps",
-                                                        "occlusion cones"};
+                                                        "occlusion cones",
+                                                        "instances"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 

@@ -17,6 +17,9 @@ struct CompiledMaterials {
 
 CompiledMaterials compileMaterials(const Scene& scene, Warnings& warnings);
 
+/// Adds the meshes of a flattened scene that are drawn more than once, and where.
+void findShapes(const Scene& scene, CompiledScene& compiled);
+
 /// sRGB byte to linear [0,1] and back.
 float linearFromSrgb(std::uint8_t value);
 std::uint8_t srgbFromLinear(float value);

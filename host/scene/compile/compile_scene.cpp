@@ -261,6 +261,7 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   reserveArrays(draws, compiled);
   Flattener flattener(materials, compiled);
   for (Draw& draw : draws) flattener.add(draw);
+  findShapes(scene, compiled);
   if (!bounds.empty()) {
     compiled.boundsMin = glm::vec3(bounds.low - compiled.origin);
     compiled.boundsMax = glm::vec3(bounds.high - compiled.origin);

@@ -324,5 +324,68 @@ TEST(Srgb, EveryByte_SurvivesTheRoundTrip) {
   for (int i = 0; i < 256; ++i) EXPECT_EQ(srgbFromLinear(linearFromSrgb(static_cast<std::uint8_t>(i))), i);
 }
 
+/// A triangle's mesh drawn by a node for each transform.
+Scene drawings(const std::vector<glm::dmat4>& transforms) {
+  Scene scene = triangleScene(transforms[0]);
+  for (std::size_t i = 1; i < transforms.size(); ++i)
+    scene.meshNodes.push_back({static_cast<int>(i), "node", 0, {transforms[i]}});
+  return scene;
+}
+
+TEST(CompileScene, MeshDrawnTwice_IsAShapeWhoseInstancesAreWhereItIsDrawn) {
+  glm::dmat4 far = scaling(2.0, 1.0, 0.5);
+  far[3] = glm::dvec4(1e7, 20.0, -30.0, 1.0);
+  const CompiledScene scene = compile(drawings({scaling(3.0, 3.0, 3.0), far}));
+  ASSERT_EQ(scene.shapes.size(), 1u);
+  ASSERT_EQ(scene.instances.size(), 2u);
+  const CompiledShape& shape = scene.shapes[0];
+  EXPECT_EQ(shape.triangleCount, 1u);
+  ASSERT_EQ(shape.positions.size(), 3u);
+  for (const CompiledInstance& instance : scene.instances)
+    for (std::uint32_t v = 0; v < 3; ++v) {
+      const glm::dvec3 there(instance.toWorld * glm::dvec4(glm::dvec3(shape.positions[v]), 1.0));
+      EXPECT_LT(glm::distance(there, glm::dvec3(scene.positions[instance.firstVertex + v])), 1.0);
+      // Between its corners the shape keeps what floats far from the centre have lost.
+      const glm::dvec3 first(instance.toWorld * glm::dvec4(glm::dvec3(shape.positions[0]), 1.0));
+      const glm::dmat4 drawn = &instance == &scene.instances[0] ? scaling(3.0, 3.0, 3.0) : far;
+      const glm::dvec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+      EXPECT_LT(glm::distance(there - first, glm::dmat3(drawn) * corners[v]), 1e-7);
+    }
+}
+
+TEST(CompileScene, DrawingsThatDiffer_AreNoInstances) {
+  const glm::dmat4 plain(1.0);
+  EXPECT_TRUE(compile(drawings({plain})).shapes.empty());
+  // Mirrored corners go round the other way; what is flattened has no way back.
+  EXPECT_TRUE(compile(drawings({plain, scaling(-1.0, 1.0, 1.0)})).shapes.empty());
+  EXPECT_TRUE(compile(drawings({plain, scaling(1.0, 1.0, 0.0)})).shapes.empty());
+  EXPECT_TRUE(compile(drawings({plain, scaling(1.0, 1.0, 1e-4)})).shapes.empty());
+  EXPECT_EQ(compile(drawings({plain, scaling(-1.0, 1.0, 1.0), plain, scaling(-2.0, 1.0, 1.0)})).shapes.size(),
+            2u);
+  // One of its triangles vanishes in one of them.
+  Scene scene = drawings({plain, scaling(1e-3, 1e-3, 1e-3)});
+  Primitive& primitive = scene.meshes[0].primitives[0];
+  primitive.positions.insert(primitive.positions.end(), {{0, 0, 0}, {1e-5f, 0, 0}, {0, 1e-5f, 0}});
+  primitive.triangles.push_back({3, 4, 5});
+  primitive.normals.clear();
+  const CompiledScene compiled = compile(scene);
+  ASSERT_EQ(compiled.triangleCount(), 3u);
+  EXPECT_TRUE(compiled.shapes.empty());
+}
+
+TEST(CompileScene, InstancesOfOneNode_HaveAllPrimitivesOfTheMesh) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  scene.meshes[0].primitives.push_back(scene.meshes[0].primitives[0]);
+  scene.meshes[0].primitives[1].triangles.push_back({0, 2, 1});
+  scene.meshNodes[0].transforms = {glm::dmat4(1.0), scaling(2.0, 2.0, 2.0), scaling(3.0, 1.0, 1.0)};
+  const CompiledScene compiled = compile(scene);
+  ASSERT_EQ(compiled.shapes.size(), 1u);
+  EXPECT_EQ(compiled.shapes[0].triangleCount, 3u);
+  EXPECT_EQ(compiled.shapes[0].vertexCount, 6u);
+  ASSERT_EQ(compiled.instances.size(), 3u);
+  EXPECT_EQ(compiled.instances[2].firstTriangle, 6u);
+  EXPECT_EQ(compiled.instances[2].firstVertex, 12u);
+}
+
 }  // namespace
 }  // namespace prelight

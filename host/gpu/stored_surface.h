@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "prelight/compiled_scene.h"
+#include "shared/scene_types.h"
+
+namespace prelight {
+
+/// Which of a scene's triangles and vertices are stored on the device when shapes are stored once, and how
+/// the scene's are found there.
+class StoredSurface {
+ public:
+  StoredSurface() = default;  ///< of no surface
+
+  /// `instances` into CompiledScene::instances, ascending; none: everything is stored.
+  StoredSurface(const CompiledScene& scene, std::span<const std::uint32_t> instances);
+
+  const std::vector<device::SurfaceRange>& ranges() const { return ranges_; }
+
+  /// [stored triangle] of values [triangle].
+  template <typename T>
+  std::vector<T> ofTriangles(std::span<const T> values) const {
+    return chosen(values, triangles_);
+  }
+
+  /// [stored vertex] of values [vertex].
+  template <typename T>
+  std::vector<T> ofVertices(std::span<const T> values) const {
+    return chosen(values, vertices_);
+  }
+
+  /// With stored vertices.
+  std::vector<device::DeviceTriangle> triangles(const CompiledScene& scene) const;
+
+ private:
+  struct Part {
+    std::uint32_t first = 0, count = 0;
+  };
+
+  template <typename T>
+  static std::vector<T> chosen(std::span<const T> values, const std::vector<Part>& parts) {
+    std::vector<T> all;
+    for (const Part& part : parts) {
+      const auto of = values.subspan(part.first, part.count);
+      all.insert(all.end(), of.begin(), of.end());
+    }
+    return all;
+  }
+
+  void addPart(const Part& triangles, const Part& vertices);
+
+  std::vector<Part> triangles_;  ///< stored one behind the other
+  std::vector<Part> vertices_;   ///< as many parts
+  std::uint32_t storedTriangles_ = 0;
+  std::uint32_t storedVertices_ = 0;
+  std::vector<device::SurfaceRange> ranges_;
+};
+
+}  // namespace prelight
