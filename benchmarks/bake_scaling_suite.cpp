@@ -23,6 +23,8 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr int tracingRounds = 2;
+constexpr std::uint64_t smallScene = 2000;  // triangles, of bakes that are not measured
+constexpr std::uint64_t fewRays = 16;       // a vertex, of those
 
 /// What a bake may hold beside its output, bytes.
 double memoryBound(double triangles) { return 400.0 * triangles + 300e6; }
@@ -121,15 +123,25 @@ class ScalingRun {
     return cases;
   }
 
-  /// The first bake of a technique is for its kernels to be compiled and kept.
-  void bake(MeasuredCase& measured, const std::filesystem::path& file) {
-    BakeProcess process{options_.program, folder_ / "scene.glb", file, measured.some.options()};
+  BakeProcess processOf(const ScalingCase& some, const char* scene, const std::filesystem::path& file) const {
+    BakeProcess process{options_.program, folder_ / scene, file, some.options()};
     process.options.insert(process.options.end(), {"--device", std::to_string(device_.info().index)});
+    return process;
+  }
+
+  /// Has the kernels of a technique compiled and kept.
+  void warm(ScalingCase some, const Progress& stop) {
+    if (std::find(warm_.begin(), warm_.end(), some.technique) != warm_.end()) return;
+    if (warm_.empty()) writeGlb(folder_ / "small.glb", makeBumpyBalls(smallScene));
+    warm_.push_back(some.technique);
+    some.rays = fewRays;
+    runBakeProcess(processOf(some, "small.glb", folder_ / "small-baked.glb"), stop);
+  }
+
+  void bake(MeasuredCase& measured, const std::filesystem::path& file) {
     const StopOnly stop(progress_);
-    if (std::find(warm_.begin(), warm_.end(), measured.some.technique) == warm_.end()) {
-      runBakeProcess(process, stop);
-      warm_.push_back(measured.some.technique);
-    }
+    warm(measured.some, stop);
+    const BakeProcess process = processOf(measured.some, "scene.glb", file);
     ProcessCost cost = runBakeProcess(process, stop);
     if (!cost.finished) return leaveOut(measured);
     const int runs =

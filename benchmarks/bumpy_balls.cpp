@@ -16,7 +16,7 @@ namespace {
 constexpr int rows = 5;
 constexpr double spacing = 1.4;  // metres
 constexpr float radius = 0.55f;
-constexpr double bump = 0.06;
+constexpr double bump = 0.03;         // twice as much would fold the surface
 constexpr double shareOfFloor = 0.1;  // of the triangles
 constexpr float lift = 0.01f;         // of balls, so that none reaches below the floor
 

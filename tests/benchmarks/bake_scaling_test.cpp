@@ -59,6 +59,20 @@ TEST(BumpyBalls, AllOfThem_LieAboveTheFloor) {
     }
 }
 
+TEST(BumpyBalls, AllOfThem_FaceOutwards) {
+  const CompiledScene scene = compiledBalls(100000);
+  for (const PrimitiveRange& range : scene.primitives) {
+    if (range.name == "Floor") continue;
+    glm::dvec3 centre(0.0);
+    for (std::uint32_t v = 0; v < range.vertexCount; ++v)
+      centre += glm::dvec3(scene.positions[range.firstVertex + v]) / double(range.vertexCount);
+    for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+      const glm::dvec3 corner(scene.positions[scene.triangles[t].x]);
+      ASSERT_GT(glm::dot(geometricNormal(scene, t), corner - centre), 0.0) << t;
+    }
+  }
+}
+
 TEST(ScalingCases, OfALargeScene_LeaveOutLongBakes) {
   EXPECT_THAT(
       namesOf(scalingCases("balls 1M", 1000000, optionsOf(20000000, ""))),
