@@ -59,6 +59,7 @@ const std::vector<Entry>& entries() {
 #ifdef PRELIGHT_WITH_VIEWER
       {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
        runTechniquesSuite},
+      {{"window", "milliseconds of a window's frames while the camera or a light moves"}, runWindowSuite},
 #endif
   };
   return list;
@@ -143,7 +144,7 @@ void quickenLight(BenchmarkOptions& options) {
   options.updateScenes = {{"cornell", "Short box"}};
 }
 
-/// Of whole techniques and stability.
+/// Of whole techniques, the window and stability.
 void quickenTechnique(BenchmarkOptions& options) {
   options.techniqueScenes = {"shapes", "crowd under a sky"};
   options.techniqueRays = 8;
@@ -156,6 +157,11 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.techniqueObjects = 2;
   options.techniqueLights = 2;
   options.techniqueSkyRows = 16;
+  options.windowWidth = 64;
+  options.windowHeight = 36;
+  options.windowFrames = 3;
+  options.windowOrder = 2;
+  options.windowRays = 8;
   options.stabilityOrders = {1, 3, 8};
   options.stabilityFaceSizes = {4, 16};
   options.stabilitySkyRows = {16, 64};
@@ -254,7 +260,7 @@ nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
           {"updateScenes", options.updateScenes}};
 }
 
-/// Of whole techniques and stability.
+/// Of whole techniques, the window and stability.
 nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
   return {{"techniqueScenes", options.techniqueScenes},
           {"techniqueRays", options.techniqueRays},
@@ -268,6 +274,11 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"techniqueObjects", options.techniqueObjects},
           {"techniqueLights", options.techniqueLights},
           {"techniqueSkyRows", options.techniqueSkyRows},
+          {"windowWidth", options.windowWidth},
+          {"windowHeight", options.windowHeight},
+          {"windowFrames", options.windowFrames},
+          {"windowOrder", options.windowOrder},
+          {"windowRays", options.windowRays},
           {"stabilityOrders", options.stabilityOrders},
           {"stabilityFaceSizes", options.stabilityFaceSizes},
           {"stabilitySkyRows", options.stabilitySkyRows},

@@ -108,6 +108,11 @@ struct BenchmarkOptions {
   int techniqueFrames = 9;               ///< of each technique, whose times' median counts
   int techniqueObjects = 25;             ///< of the crowd
   int techniqueLights = 20;
+  int windowWidth = 1280;  ///< pixels
+  int windowHeight = 720;
+  int windowFrames = 60;                                                  ///< of each movement
+  int windowOrder = 4;                                                    ///< of SH
+  std::uint64_t windowRays = 256;                                         ///< a vertex
   int techniqueSkyRows = 256;                                             ///< of the sky where none is given
   std::vector<int> stabilityOrders = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};  ///< of bases, ascending
   std::vector<int> stabilityFaceSizes = {4, 8, 16, 32, 64, 128};          ///< of cube maps, powers of two

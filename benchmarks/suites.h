@@ -106,4 +106,9 @@ std::vector<BenchmarkResult> runStabilitySuite(const Device& device, const Bench
 std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const BenchmarkOptions& options,
                                                 Progress& progress);
 
+/// Milliseconds of the frames of a window, drawn without a display, while the camera or a light moves and
+/// when nothing does. Needs OpenGL.
+std::vector<BenchmarkResult> runWindowSuite(const Device& device, const BenchmarkOptions& options,
+                                            Progress& progress);
+
 }  // namespace prelight::benchmarks

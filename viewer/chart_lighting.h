@@ -21,6 +21,7 @@ class ChartLighting : public DrawnTransfer {
                 std::unique_ptr<DrawnTransfer> vertices);
 
   void light(const Illumination& light) override;
+  bool verticesMoved() override { return vertices_->verticesMoved(); }
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 

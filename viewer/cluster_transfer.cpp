@@ -54,28 +54,32 @@ std::vector<float> accessibilityOf(const CompressedTransfer& transfer) {
 
 }  // namespace
 
-ClusterTransfer::ClusterTransfer(const CompressedTransfer& transfer)
+ClusterTransfer::ClusterTransfer(const CompressedTransfer& transfer, const CompiledScene& scene)
     : shared_(withoutVertices(transfer)),
       clusters_(uploadClusters(transfer)),
       weights_(uploadWeights(transfer)),
-      accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))) {}
+      accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
+      pass_(scene) {}
 
 void ClusterTransfer::light(const Illumination& light) {
   const auto far = farCoefficients(light, shared_.order, FarLights::All);
   std::vector<glm::vec4> texels;
   for (const glm::vec3& term : lightOf(shared_, byChannel(far)).terms) texels.emplace_back(term, 0.0f);
   terms_ = gl::makeBufferTexture(texels, "lit clusters");
+  pass_.run({}, [&](const gl::Program& program) {
+    program.set("transferForm", static_cast<int>(TransferForm::Clusters));
+    program.set("transferShape", glm::ivec4(shared_.components, shared_.channels, 0, 0));
+    // OpenGL reads bytes as 0 to 1.
+    program.set("weightScale", shared_.weights == WeightStorage::Byte ? 255.0f : 1.0f);
+    gl::bind(transferUnit, GL_TEXTURE_BUFFER, weights_.texture);
+    gl::bind(transferLightUnit, GL_TEXTURE_BUFFER, terms_.texture);
+    gl::bind(clustersUnit, GL_TEXTURE_BUFFER, clusters_.texture);
+  });
 }
 
-void ClusterTransfer::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::Clusters));
-  program.set("transferShape", glm::ivec4(shared_.components, shared_.channels, 0, 0));
-  // OpenGL reads bytes as 0 to 1.
-  program.set("weightScale", shared_.weights == WeightStorage::Byte ? 255.0f : 1.0f);
-  gl::bind(transferUnit, GL_TEXTURE_BUFFER, weights_.texture);
-  gl::bind(transferLightUnit, GL_TEXTURE_BUFFER, terms_.texture);
-  gl::bind(clustersUnit, GL_TEXTURE_BUFFER, clusters_.texture);
+void ClusterTransfer::bind(const gl::Program&) const {
   accessibility_.attach();
+  pass_.attach();
 }
 
 void ClusterTransfer::describe(const Illumination& light, Warnings& notes) const {

@@ -3,15 +3,17 @@
 #include "prelight/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
+#include "viewer/transfer_pass.h"
 
 namespace prelight::viewer {
 
 /// SH transfer compressed to clusters (PCA, VQ, clustered PCA). What vertices share is lit once a light on
-/// the host (relight/compressed_light.h); the vertex shader sums a vertex's own weights. Lights outside the
+/// the host (relight/compressed_light.h); a vertex shader sums a vertex's own weights. Lights outside the
 /// scene shine as seen from its centre.
 class ClusterTransfer : public DrawnTransfer {
  public:
-  explicit ClusterTransfer(const CompressedTransfer& transfer);
+  /// The scene outlives it.
+  ClusterTransfer(const CompressedTransfer& transfer, const CompiledScene& scene);
 
   void light(const Illumination& light) override;
   void bind(const gl::Program& program) const override;
@@ -23,6 +25,7 @@ class ClusterTransfer : public DrawnTransfer {
   gl::BufferTexture weights_;
   gl::BufferTexture terms_;
   VertexStream accessibility_;
+  TransferPass pass_;
 };
 
 }  // namespace prelight::viewer

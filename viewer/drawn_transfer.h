@@ -27,40 +27,27 @@ enum class Attribute : GLuint {
   Tangent = 13,          ///< vec4 of the file, w +-1; 0 where there is none
 };
 
-/// Texture units of the surface program.
+/// Texture units of the programs of surfaces.
 enum Unit : GLuint {
   baseColorUnit = 0,
   metallicRoughnessUnit = 1,
   emissiveUnit = 2,
   triangleNormalsUnit = 3,
   skyUnit = 4,
-  transferUnit = 5,          ///< shaders/transfer.glsl
-  transferLightUnit = 6,     ///< the same
-  rangesUnit = 7,            ///< the same
-  chBasisUnit = 8,           ///< the same
-  clustersUnit = 9,          ///< the same
-  trianglesUnit = 10,        ///< shaders/triangles.glsl
-  positionsUnit = 11,        ///< the same
-  arrivingUnit = 12,         ///< shaders/glossy.glsl
-  lobesUnit = 13,            ///< the same
-  lightMapsUnit = 14,        ///< shaders/light_map.glsl
-  lightMapCornersUnit = 15,  ///< the same
-  causticsUnit = 16,         ///< shaders/surface.frag
-  shadowMapsUnit = 17,       ///< shaders/shadows.glsl
-  shadowLightsUnit = 18,     ///< the same
-  shadowViewsUnit = 19,      ///< the same
-  surroundingsUnit = 20,     ///< shaders/surroundings.glsl
-  insidesUnit = 21,          ///< the same
-  normalTextureUnit = 22,    ///< shaders/normal_map.glsl
-  encodedVerticesUnit = 23,  ///< shaders/encoded_light.glsl
-};
-
-/// How the vertex shader comes to the transferred radiance; numbers of shaders/transfer.glsl.
-enum class TransferForm : int {
-  None = 0,      ///< there is none
-  Series = 1,    ///< a dot product of stored numbers and a light's
-  Clusters = 2,  ///< means and components of a cluster, lit once a light, and a vertex's weights
-  Radiance = 3,  ///< a vertex attribute, computed once a light
+  trianglesUnit = 5,         ///< shaders/triangles.glsl
+  positionsUnit = 6,         ///< the same
+  arrivingUnit = 7,          ///< shaders/glossy.glsl
+  lobesUnit = 8,             ///< the same
+  lightMapsUnit = 9,         ///< shaders/light_map.glsl
+  lightMapCornersUnit = 10,  ///< the same
+  causticsUnit = 11,         ///< shaders/surface.frag
+  shadowMapsUnit = 12,       ///< shaders/shadows.glsl
+  shadowLightsUnit = 13,     ///< the same
+  shadowViewsUnit = 14,      ///< the same
+  surroundingsUnit = 15,     ///< shaders/surroundings.glsl
+  insidesUnit = 16,          ///< the same
+  normalTextureUnit = 17,    ///< shaders/normal_map.glsl
+  encodedVerticesUnit = 18,  ///< shaders/encoded_light.glsl
 };
 
 /// A value a vertex.
@@ -97,6 +84,9 @@ class DrawnTransfer {
 
   /// Makes a light ready; called before the first picture and whenever the light has changed.
   virtual void light(const Illumination& light) = 0;
+
+  /// The scene's vertices are at other places. True where light() has to be called for it.
+  virtual bool verticesMoved() { return false; }
 
   /// True where what light() makes ready is for one place of the eye.
   virtual bool dependsOnEye(const Illumination&) const { return false; }

@@ -7,8 +7,7 @@ namespace prelight::viewer {
 EncodedVertexLighting::EncodedVertexLighting(const EncodedLight& light)
     : values_(gl::makeBufferTexture(std::span<const float>(light.values), 1, GL_R32F, "encoded light")) {}
 
-void EncodedVertexLighting::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::None));
+void EncodedVertexLighting::bind(const gl::Program&) const {
   gl::bind(encodedVerticesUnit, GL_TEXTURE_BUFFER, values_.texture);
 }
 

@@ -81,7 +81,6 @@ void GlossyLighting::light(const Illumination& light) {
 }
 
 void GlossyLighting::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::Radiance));
   program.set("glossyOrder", transfer_.order);
   program.set("lobeIsBrdf", lobe_ == Lobe::Phong ? 1 : 0);
   gl::bind(lobesUnit, GL_TEXTURE_BUFFER, lobes_.texture);

@@ -87,8 +87,7 @@ void HaarLighting::light(const Illumination& light) {
   radiance_.fill(std::span<const glm::vec3>(radiance));
 }
 
-void HaarLighting::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::Radiance));
+void HaarLighting::bind(const gl::Program&) const {
   accessibility_.attach();
   radiance_.attach();
 }

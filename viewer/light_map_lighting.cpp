@@ -58,7 +58,6 @@ void LightMapLighting::fill(std::span<const float> values) {
 }
 
 void LightMapLighting::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::None));
   program.set("frontFaces", frontFaces_);
   gl::bind(lightMapCornersUnit, GL_TEXTURE_BUFFER, corners_.texture);
   gl::bind(lightMapsUnit, GL_TEXTURE_2D_ARRAY, layers_);

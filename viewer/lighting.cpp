@@ -139,12 +139,17 @@ SkyCoefficients::SkyCoefficients(const Environment& sky, int order)
 std::vector<glm::dvec3> SkyCoefficients::turned(double angle, int order) const {
   std::vector<glm::dvec3> result(sh::coefficientCount(order), glm::dvec3(0.0));
   if (order_ == 0) return result;
-  const int stored = sh::coefficientCount(order_);
-  const auto used = std::min(result.size(), static_cast<std::size_t>(stored));
-  std::vector<double> rotated = coefficients_;
-  if (angle != 0.0) sh::ShRotation(order_, skyTurn(angle)).apply(coefficients_, rotated);
-  for (int c = 0; c < 3; ++c)
-    for (std::size_t i = 0; i < used; ++i) result[i][c] = rotated[static_cast<std::size_t>(c) * stored + i];
+  const auto stored = static_cast<std::ptrdiff_t>(sh::coefficientCount(order_));
+  const int bands = std::min(order, order_);
+  const auto used = static_cast<std::size_t>(sh::coefficientCount(bands));
+  std::vector<double> kept;  // rotations leave every band to itself
+  for (std::ptrdiff_t c = 0; c < 3; ++c)
+    kept.insert(kept.end(), coefficients_.begin() + c * stored,
+                coefficients_.begin() + c * stored + static_cast<std::ptrdiff_t>(used));
+  std::vector<double> rotated = kept;
+  if (angle != 0.0) sh::ShRotation(bands, skyTurn(angle)).apply(kept, rotated);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < used; ++i) result[i][static_cast<glm::length_t>(c)] = rotated[c * used + i];
   return result;
 }
 

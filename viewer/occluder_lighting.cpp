@@ -94,8 +94,7 @@ void OccluderLighting::light(const Illumination& light) {
   pass_.light(allLights(light), shadingOf(light.occluders), light.eye);
 }
 
-void OccluderLighting::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::Radiance));
+void OccluderLighting::bind(const gl::Program&) const {
   accessibility_.attach();
   glBindBuffer(GL_ARRAY_BUFFER, pass_.lit().name());
   attachPart(Attribute::Radiance, 3, offsetof(device::LitVertex, diffuse));

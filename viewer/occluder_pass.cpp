@@ -73,18 +73,6 @@ gl::BufferTexture asTexels(std::span<const T> values, const char* what) {
                                what);
 }
 
-/// Captures what the program in use makes of `count` vertices, `step` at a time.
-void capture(GLuint buffer, std::size_t count, std::size_t step) {
-  glEnable(GL_RASTERIZER_DISCARD);
-  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-  glBeginTransformFeedback(GL_POINTS);
-  for (std::size_t first = 0; first < count; first += step)
-    glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(std::min(step, count - first)));
-  glEndTransformFeedback();
-  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-  glDisable(GL_RASTERIZER_DISCARD);
-}
-
 }  // namespace
 
 OccluderPass::OccluderPass(const OccluderTransfer& transfer, const glm::dvec3& origin,
@@ -102,8 +90,7 @@ OccluderPass::OccluderPass(const OccluderTransfer& transfer, const glm::dvec3& o
       waves_(asTexels(std::span<const glm::vec4>(makeWaveTable()), "waves")),
       prepared_(asTexels(std::span<const glm::vec4>(std::vector<glm::vec4>(
                              upload_.owners.size() * static_cast<std::size_t>(upload_.stride))),
-                         "prepared vector occluders")),
-      nothing_(1, 1) {
+                         "prepared vector occluders")) {
   const std::vector<device::LitVertex> dark(vertices_);
   lit_.fill(GL_TRANSFORM_FEEDBACK_BUFFER, std::span<const device::LitVertex>(dark), GL_DYNAMIC_COPY);
   upload_.records = {};
@@ -123,7 +110,7 @@ void OccluderPass::prepare(const device::OccluderTerms& terms) {
   gl::bind(recordsUnit, GL_TEXTURE_BUFFER, records_.texture);
   gl::bind(ownersUnit, GL_TEXTURE_BUFFER, owners_.texture);
   gl::bind(preparedUnit, GL_TEXTURE_BUFFER, gl::Texture(0));
-  capture(prepared_.buffer.name(), upload_.owners.size(), mostPairs);
+  gl::Capture::run(prepared_.buffer.name(), upload_.owners.size(), mostPairs);
   preparedFor_ = terms;
 }
 
@@ -131,7 +118,7 @@ void OccluderPass::light(std::span<const device::OccluderLight> lights, const Oc
                          const OccluderEye& eye) {
   const device::OccluderTerms terms = upload_.terms(shading, eye, lights.size());
   lights_ = asTexels(lights, "lights of vector occluders");
-  nothing_.bind();
+  capture_.begin();
   glBindVertexArray(noVertices_.name());
   gl::bind(receiversUnit, GL_TEXTURE_BUFFER, receivers_.texture);
   gl::bind(wavesUnit, GL_TEXTURE_BUFFER, waves_.texture);
@@ -142,7 +129,7 @@ void OccluderPass::light(std::span<const device::OccluderLight> lights, const Oc
   gl::bind(preparedUnit, GL_TEXTURE_BUFFER, prepared_.texture);
   gl::bind(lightsUnit, GL_TEXTURE_BUFFER, lights_.texture);
   const std::size_t pairs = (upload_.longestRow + 1) * std::max<std::size_t>(lights.size(), 1);
-  capture(lit_.name(), vertices_, std::max<std::size_t>(mostPairs / pairs, 256));
+  gl::Capture::run(lit_.name(), vertices_, std::max<std::size_t>(mostPairs / pairs, 256));
   glBindVertexArray(0);
   gl::check("lighting vector occluders");
 }

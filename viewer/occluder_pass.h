@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "occluders/occluder_upload.h"
-#include "viewer/gl/framebuffer.h"
+#include "viewer/gl/capture.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
 
@@ -38,7 +38,7 @@ class OccluderPass {
   gl::BufferTexture records_, owners_, offsets_, receivers_, waves_, prepared_, lights_;
   gl::Buffer lit_;
   gl::VertexArray noVertices_;
-  gl::Framebuffer nothing_;  ///< without one OpenGL draws nothing, though none is drawn to
+  gl::Capture capture_;
   std::optional<device::OccluderTerms> preparedFor_;
 };
 

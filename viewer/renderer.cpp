@@ -8,51 +8,20 @@
 #include <utility>
 
 #include "basis/sh.h"
-#include "encodings/encoding.h"
 #include "prelight/error.h"
+#include "viewer/light_block.h"
 #include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
 namespace {
 
-enum Binding : GLuint { frameBinding = 0, lightBinding = 1 };
-
+constexpr float skyDistance = 1e30f;  ///< m, as background.frag has it
+constexpr int draftEmitterSamples = 8;
 constexpr int ambientOrder = 3;
 constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
+constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
 constexpr int turnsInSurroundings =
     4;  ///< of samples of lights: environment maps show them smaller and blurred
-
-void prepare(const gl::Program& program) {
-  program.bindBlock("Frame", frameBinding);
-  program.bindBlock("Lights", lightBinding);
-  program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 24> samplers = {
-      {{"baseColorTexture", baseColorUnit},
-       {"metallicRoughnessTexture", metallicRoughnessUnit},
-       {"emissiveTexture", emissiveUnit},
-       {"triangleNormals", triangleNormalsUnit},
-       {"skyMap", skyUnit},
-       {"transfer", transferUnit},
-       {"transferLight", transferLightUnit},
-       {"transferRanges", rangesUnit},
-       {"chBasis", chBasisUnit},
-       {"clusters", clustersUnit},
-       {"triangleCorners", trianglesUnit},
-       {"cornerPositions", positionsUnit},
-       {"arriving", arrivingUnit},
-       {"lobes", lobesUnit},
-       {"lightMaps", lightMapsUnit},
-       {"lightMapCorners", lightMapCornersUnit},
-       {"caustics", causticsUnit},
-       {"shadowMaps", shadowMapsUnit},
-       {"shadowLights", shadowLightsUnit},
-       {"shadowViews", shadowViewsUnit},
-       {"surroundings", surroundingsUnit},
-       {"insides", insidesUnit},
-       {"normalTexture", normalTextureUnit},
-       {"encodedVertices", encodedVerticesUnit}}};
-  for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
-}
 
 /// Bands that the bake's transfer has at most.
 int largestOrder(const Bake* bake) {
@@ -69,16 +38,6 @@ int largestOrder(const Bake* bake) {
 gl::Texture constantSky(float radiance) {
   const glm::vec3 texel(radiance);
   return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
-}
-
-LightBlock pack(const ShadedLight& light) {
-  return {
-      glm::vec4(light.position, static_cast<float>(light.kind)),
-      glm::vec4(light.direction,
-                light.kind == LightKind::Emitter ? light.area : light.leastDistance * light.leastDistance),
-      glm::vec4(light.intensity, light.range),
-      glm::vec4(light.coneScale, light.coneOffset, light.throughTransfer ? 1.0f : 0.0f,
-                light.twoSided ? 1.0f : 0.0f)};
 }
 
 /// Clip space of a tile from that of its picture.
@@ -131,11 +90,9 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       compiled_(inputs.compiled),
       lobe_(lobe),
       scene_(inputs),
-      emitters_(sampleEmitters(inputs.compiled, emitterSamples)),
       neutralMap_(constantEnvironment(glm::vec3(1.0f))),
       neutralSky_(neutralMap_, 1),
-      surfaceProgram_("surface.vert", "surface.frag"),
-      backgroundProgram_("fullscreen.vert", "background.frag"),
+      programs_(inputs.encoding),
       neutralSkyMap_(constantSky(1.0f)),
       blackSkyMap_(constantSky(0.0f)) {
   if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
@@ -145,18 +102,14 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
     skyMap_ = gl::makeFloatTexture(sky.width, sky.height, sky.radiance);
     skyWidth_ = sky.width;
   }
-  prepare(surfaceProgram_);
-  prepare(backgroundProgram_);
+  sampleLamps();
+  for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
   gl::check("preparing the renderer");
 }
 
 void Renderer::makeCaustics(const Caustics& caustics) {
-  if (placesProgram_ == nullptr) {
-    placesProgram_ = std::make_unique<gl::Program>("surface.vert", "surface_places.frag");
-    prepare(*placesProgram_);
-  }
   caustics_ = std::make_unique<CausticPass>(caustics, compiled_);
 }
 
@@ -165,8 +118,6 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
     globalIllumination_ =
         std::make_unique<GlobalIlluminationLighting>(*inputs_.globalIllumination, compiled_, scene_);
     paceUpdates(paced_);
-    globalIlluminationProgram_ = std::make_unique<gl::Program>("surface.vert", "global_illumination.frag");
-    prepare(*globalIlluminationProgram_);
     surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
     if (caustics_ == nullptr && !inputs_.globalIllumination->photons.empty())
       makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
@@ -174,17 +125,70 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
   return *globalIllumination_;
 }
 
-/// The surface's, with the encoding's own text where one is drawn.
-const gl::Program& Renderer::programOf(const View& view) {
-  if (view.shading == Shading::GlobalIllumination) return *globalIlluminationProgram_;
-  if (!drawsEncoding(view.shading, inputs_)) return surfaceProgram_;
-  if (encodedProgram_ == nullptr) {
-    const std::map<std::string, std::string> text = {
-        {"encoding.glsl", std::string(inputs_.encoding->shader)}};
-    encodedProgram_ = std::make_unique<gl::Program>("surface.vert", "surface.frag", text);
-    prepare(*encodedProgram_);
+/// Drafts have fewer samples, but not fewer than there are triangles to tell apart.
+void Renderer::sampleLamps() {
+  emitters_ = sampleEmitters(compiled_, emitterSamples);
+  const auto triangles = std::count_if(compiled_.triangleMaterials.begin(), compiled_.triangleMaterials.end(),
+                                       [&](std::uint32_t material) {
+                                         const glm::vec3& emission = compiled_.materials[material].emission;
+                                         return std::max({emission.r, emission.g, emission.b}) > 0.0f;
+                                       });
+  const auto fewer = std::clamp<std::ptrdiff_t>(triangles, draftEmitterSamples, emitterSamples);
+  draftEmitters_ = sampleEmitters(compiled_, static_cast<int>(fewer));
+}
+
+/// Those that shaders have to look at: not what the transfer holds where nothing else reflects it.
+std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illumination& light) const {
+  std::vector<ShadedLight> lights = light.lights;
+  if (view.shading == Shading::GlobalIllumination) return lights;
+  if (view.draft && view.emitters) {
+    std::erase_if(lights, [](const ShadedLight& source) { return source.isSample; });
+    lights.insert(lights.end(), draftEmitters_.begin(), draftEmitters_.end());
   }
-  return *encodedProgram_;
+  if (!specialised_) return lights;
+  const DrawingRules rules = rulesFor(view);
+  const bool allReflect = rules.reflection == Reflection::Everywhere ||
+                          (rules.reflection == Reflection::Metals && anySurfaceHas(Feature::Gloss));
+  std::erase_if(lights, [&](const ShadedLight& source) {
+    return !allReflect && (rules.through == Through::AllLights ||
+                           (rules.through == Through::FarLights && source.throughTransfer));
+  });
+  return lights;
+}
+
+bool Renderer::anySurfaceHas(Feature feature) const {
+  return std::any_of(surfaceFeatures_.begin(), surfaceFeatures_.end(),
+                     [&](Features features) { return features.has(feature); });
+}
+
+DrawingRules Renderer::rulesFor(const View& view) const {
+  DrawingRules rules = rulesOf(view.shading, inputs_);
+  if (view.shading == Shading::Vo && view.occluders.allHighlights) rules.reflection = Reflection::Everywhere;
+  return rules;
+}
+
+/// Of what surfaces do not decide.
+ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight> lights) const {
+  ShaderVariant variant;
+  variant.rules = rulesFor(view);
+  variant.interreflection = view.aoCorrection == AoCorrection::Interreflection;
+  if (!specialised_) {
+    variant.features = Features::all();
+    return variant;
+  }
+  Features& features = variant.features;
+  features.add(Feature::VertexColors, compiled_.hasVertexColors());
+  features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
+  features.add(Feature::Caustics, showsCaustics(view));
+  const Environment* sky = inputs_.environment;
+  features.add(Feature::SkyMap, sky != nullptr && (sky->width > 1 || sky->height > 1));
+  for (const ShadedLight& light : lights) {
+    features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
+    features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot);
+    features.add(Feature::SpotLights, light.kind == LightKind::Spot);
+    features.add(Feature::EmitterLights, light.kind == LightKind::Emitter);
+  }
+  return variant;
 }
 
 void Renderer::updateIndirect(std::span<const float> values) {
@@ -214,8 +218,10 @@ bool Renderer::isBehind() const {
 
 void Renderer::sceneMoved() {
   scene_.fillPositions(compiled_);
-  emitters_ = sampleEmitters(compiled_, emitterSamples);
+  sampleLamps();
   if (samples_ != nullptr) samples_->setScene(compiled_);
+  for (Drawn& drawn : drawn_)
+    if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->changed();
@@ -286,9 +292,10 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
   if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
   Illumination seen = light;
   if (drawn.transfer != nullptr && drawn.transfer->dependsOnEye(light)) seen.eye = eyeOf(view);
-  if (drawn.light != seen) {
+  if (drawn.isStale || drawn.light != seen) {
     if (drawn.transfer != nullptr) drawn.transfer->light(seen);
     drawn.light = seen;
+    drawn.isStale = false;
   }
   return drawn.transfer.get();
 }
@@ -324,19 +331,13 @@ void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector
                            int turns) const {
   FrameBlock frame{};
   const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
-  DrawingRules rules = rulesOf(view.shading, inputs_);
-  if (view.shading == Shading::Vo && view.occluders.allHighlights) rules.reflection = Reflection::Everywhere;
   setCamera(view, tile, compiled_, frame);
   setSky(view, sky, skyWidth_, frame);
   const auto single = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return !l.isSample; });
   frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), turns, 0};
-  frame.rules = {static_cast<int>(rules.ambient), static_cast<int>(rules.reflection),
-                 static_cast<int>(rules.through), view.aoCorrection == AoCorrection::Interreflection ? 1 : 0};
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
 
-  std::vector<LightBlock> block(maxLights);
-  std::transform(lights.begin(), lights.end(), block.begin(), pack);
-  lightBlock_.fill(GL_UNIFORM_BUFFER, std::span<const LightBlock>(block), GL_STREAM_DRAW);
+  fillLightBlock(lightBlock_, lights);
   glBindBufferBase(GL_UNIFORM_BUFFER, frameBinding, frameBlock_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, lightBinding, lightBlock_.name());
 }
@@ -351,15 +352,16 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(skyUnit, GL_TEXTURE_2D, sky);
 }
 
-void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
+/// `features`: of the program in use.
+void Renderer::setSurface(const Surface& surface, Features features, const gl::Program& p) const {
   const Material& m = surface.material;
-  const auto bindOrWhite = [&](GLuint unit, TextureHandle texture) {
-    gl::bind(unit, GL_TEXTURE_2D, texture != nullptr ? *texture : scene_.white());
+  const auto bindOrWhite = [&](Feature feature, GLuint unit, TextureHandle texture) {
+    if (features.has(feature)) gl::bind(unit, GL_TEXTURE_2D, texture != nullptr ? *texture : scene_.white());
   };
-  bindOrWhite(baseColorUnit, surface.baseColor);
-  bindOrWhite(metallicRoughnessUnit, surface.metallicRoughness);
-  bindOrWhite(emissiveUnit, surface.emissive);
-  bindOrWhite(normalTextureUnit, surface.normal);
+  bindOrWhite(Feature::BaseColorTexture, baseColorUnit, surface.baseColor);
+  bindOrWhite(Feature::MetallicRoughnessTexture, metallicRoughnessUnit, surface.metallicRoughness);
+  bindOrWhite(Feature::EmissiveTexture, emissiveUnit, surface.emissive);
+  bindOrWhite(Feature::NormalTexture, normalTextureUnit, surface.normal);
   p.set("normalScale", surface.normal != nullptr ? m.normalScale : 0.0f);
   // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
   const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
@@ -383,15 +385,12 @@ void Renderer::setSurface(const Surface& surface, const gl::Program& p) const {
   }
 }
 
-void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
-                           const DrawnTransfer* transfer) const {
-  program.use();
-  glBindVertexArray(scene_.vertexArray().name());
+/// What attributes without an array are read as: a white colour, an open sky.
+void Renderer::setDefaults() const {
   for (const Attribute attribute :
        {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow,
         Attribute::ChartCoord, Attribute::Reflected, Attribute::Highlight})
     glDisableVertexAttribArray(static_cast<GLuint>(attribute));
-  // Attributes without an array read these: a white colour, an open sky.
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 1.0f);
   glVertexAttrib4f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f, 0.0f);
@@ -401,21 +400,52 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const gl::P
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Tangent), 0.0f, 0.0f, 0.0f, 0.0f);
-  program.set("transferForm", static_cast<int>(TransferForm::None));
-  if (transfer != nullptr) transfer->bind(program);
+}
+
+void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look& look) {
+  glBindVertexArray(scene_.vertexArray().name());
+  setDefaults();
+  const gl::Program* used = nullptr;
   for (const Batch* batch : batches) {
-    setSurface(scene_.surfaces()[batch->surface], program);
-    if (surroundings_ != nullptr && &program == globalIlluminationProgram_.get())
-      surroundings_->set(program, *batch);
+    ShaderVariant variant = look.variant;
+    variant.features = variant.features | surfaceFeatures_[batch->surface];
+    const gl::Program& program = programs_.of(look.shader, variant);
+    if (used != &program) {
+      program.use();
+      program.set("causticCorner", look.causticCorner);
+      if (look.transfer != nullptr) look.transfer->bind(program);
+      used = &program;
+    }
+    setSurface(scene_.surfaces()[batch->surface], variant.features, program);
+    if (look.showsSurroundings) surroundings_->set(program, *batch);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     drawTriangles(*batch);
   }
   glBindVertexArray(0);
 }
 
+/// The colour of a sky that is alike everywhere; it is as far away as surroundings.glsl takes skies to be.
+void Renderer::clearToSky(const View& view) const {
+  const Environment* sky = skyOf(view);
+  const glm::vec3 color = sky != nullptr ? sky->radiance.front() : glm::vec3(0.0f);
+  glClearColor(color.r, color.g, color.b, skyDistance);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+/// The sky behind what is opaque, where it is not what the picture was cleared to.
+void Renderer::drawBackground(const ShaderVariant& variant) {
+  glDisable(GL_CULL_FACE);
+  ShaderVariant needed;
+  needed.features.add(Feature::SkyMap, variant.features.has(Feature::SkyMap));
+  if (!needed.features.has(Feature::SkyMap)) return;
+  programs_.background(needed).use();
+  glBindVertexArray(noVertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 /// Filters the caustics of a tile and what lies around it, once a pixel: photons are too few for more.
-void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                            const std::vector<const Batch*>& opaque, const gl::Program& program) {
+glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                                  const std::vector<const Batch*>& opaque) {
   const int samples = target.width() / tile.width;
   const int around = CausticPass::margin;
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
@@ -424,13 +454,14 @@ void Renderer::drawCaustics(const View& view, const Tile& tile, const gl::Frameb
   places.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBatches(opaque, *placesProgram_, nullptr);
+  Look look;
+  look.shader = "surface_places.frag";
+  drawBatches(opaque, look);
   const Camera& camera = view.camera;
   const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
   caustics_->draw(2.0 * halfHeight / view.height, scene_.triangleNormals());
   gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
-  program.use();
-  program.set("causticCorner", glm::ivec4(around, around, 0, samples));
+  return {around, around, 0, samples};
 }
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
@@ -442,14 +473,16 @@ void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& t
 
 void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target,
                          const Illumination& light, const DrawnTransfer* transfer, int leftOutNode) {
-  const gl::Program& program = programOf(view);
+  const bool isFull = view.shading == Shading::GlobalIllumination;
+  const std::vector<ShadedLight> lights = shownLights(view, light);
+  Look look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer, isFull};
   std::vector<const Batch*> opaque;
   std::vector<const Batch*> blended;
   for (const Batch& batch : scene_.batches()) {
     if (leftOutNode >= 0 && batch.node == leftOutNode) continue;
     const Surface& surface = scene_.surfaces()[batch.surface];
-    // Global illumination draws what bodies of glass let through itself.
-    const bool body = view.shading == Shading::GlobalIllumination && surface.isBody();
+    // Full shading draws what bodies of glass let through itself.
+    const bool body = isFull && surface.isBody();
     (surface.isBlended() && !body ? blended : opaque).push_back(&batch);
   }
   const glm::dvec3 eye = glm::dvec3(view.camera.world[3]) - compiled_.origin;
@@ -464,26 +497,24 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
-  if (showsCaustics(view)) drawCaustics(view, tile, target, opaque, program);
-  uploadFrame(view, tile, light.lights, leftOutNode >= 0 ? turnsInSurroundings : target.width() / tile.width);
+  if (showsCaustics(view)) look.causticCorner = drawCaustics(view, tile, target, opaque);
+  const int samples = target.width() / tile.width;
+  const int turns =
+      leftOutNode >= 0 ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
+  uploadFrame(view, tile, lights, turns);
   bindTextures(view);
-  if (view.shading == Shading::GlobalIllumination) surroundings_->bind();
+  if (isFull) surroundings_->bind();
   target.bind();
-  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBatches(opaque, program, transfer);
+  clearToSky(view);
+  drawBatches(opaque, look);
 
-  glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
-  backgroundProgram_.use();
-  glBindVertexArray(noVertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  drawBackground(look.variant);
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
-  program.use();
-  program.set("causticCorner", glm::ivec4(0));  // those filtered lie on what is opaque
-  drawBatches(blended, program, transfer);
+  look.causticCorner = glm::ivec4(0);  // those filtered lie on what is opaque
+  drawBatches(blended, look);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");

@@ -9,11 +9,10 @@
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/gl/framebuffer.h"
-#include "viewer/gl/program.h"
-#include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
 #include "viewer/light_samples.h"
 #include "viewer/render_scene.h"
+#include "viewer/surface_programs.h"
 #include "viewer/surroundings.h"
 #include "viewer/techniques.h"
 
@@ -41,6 +40,7 @@ struct View {
   OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
+  bool draft = false;                   ///< while something moves: fewer samples of large lights
   std::vector<glm::dvec3> nodeShifts;   ///< m, of MovedScene; the renderer knows them by sceneMoved()
 };
 
@@ -74,6 +74,9 @@ class Renderer {
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
   void paceUpdates(bool pace);
 
+  /// False: shaders have code for everything that any scene may have; pictures are the same, if slower.
+  void specialiseShaders(bool specialise) { specialised_ = specialise; }
+
   /// Further pictures of the same view would show more of what has moved.
   bool isBehind() const;
 
@@ -100,29 +103,46 @@ class Renderer {
   bool usesNeutralSky(const View& view) const;
   OccluderEye eyeOf(const View& view) const;
   const Environment* skyOf(const View& view) const;
+  void sampleLamps();
   std::vector<ShadedLight> lightsOf(const View& view);
   Illumination illuminationOf(const View& view);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
-  const gl::Program& programOf(const View& view);
+  std::vector<ShadedLight> shownLights(const View& view, const Illumination& light) const;
+  bool anySurfaceHas(Feature feature) const;
+  DrawingRules rulesFor(const View& view) const;
+  ShaderVariant variantOf(const View& view, std::span<const ShadedLight> lights) const;
   bool showsCaustics(const View& view) const;
   void updateSurroundings(const View& view, const Illumination& light);
   void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
                  const DrawnTransfer* transfer, int leftOutNode);
   void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
                    int turns) const;
-  void drawBatches(const std::vector<const Batch*>& batches, const gl::Program& program,
-                   const DrawnTransfer* transfer) const;
-  void drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                    const std::vector<const Batch*>& opaque, const gl::Program& program);
+
+  /// How batches are drawn.
+  struct Look {
+    const char* shader = "";  ///< of fragments
+    ShaderVariant variant;    ///< without the features of surfaces
+    const DrawnTransfer* transfer = nullptr;
+    bool showsSurroundings = false;
+    glm::ivec4 causticCorner{0};  ///< of surface.frag
+  };
+
+  void drawBatches(const std::vector<const Batch*>& batches, const Look& look);
+  void setDefaults() const;
+  void clearToSky(const View& view) const;
+  void drawBackground(const ShaderVariant& variant);
+  glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                          const std::vector<const Batch*>& opaque);
   void makeCaustics(const Caustics& caustics);
   void bindTextures(const View& view) const;
-  void setSurface(const Surface& surface, const gl::Program& program) const;
+  void setSurface(const Surface& surface, Features features, const gl::Program& program) const;
 
   /// A technique in OpenGL and the light that it was last lit by.
   struct Drawn {
     std::unique_ptr<DrawnTransfer> transfer;
     std::optional<Illumination> light;
+    bool isStale = false;  ///< the scene has moved
   };
 
   RenderInputs inputs_;
@@ -130,21 +150,20 @@ class Renderer {
   Lobe lobe_;
   RenderScene scene_;
   std::array<Drawn, shadingCount> drawn_;
-  std::vector<ShadedLight> emitters_;
+  std::vector<ShadedLight> emitters_, draftEmitters_;
   std::unique_ptr<LightSamples> samples_;
   std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
   bool paced_ = false;
-  std::unique_ptr<gl::Program> globalIlluminationProgram_, encodedProgram_;
   SkyCoefficients sky_;
   Environment neutralMap_;
   SkyCoefficients neutralSky_;
   SkyCoefficients blackSky_;
   int skyWidth_ = 1;
-  gl::Program surfaceProgram_;
-  gl::Program backgroundProgram_;
-  std::unique_ptr<gl::Program> placesProgram_;
+  SurfacePrograms programs_;
+  bool specialised_ = true;
+  std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
   gl::Texture skyMap_;
   gl::Texture neutralSkyMap_;

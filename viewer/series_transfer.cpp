@@ -71,7 +71,7 @@ std::vector<glm::vec4> rangeTexels(const CompressedTransfer& transfer) {
   return texels;
 }
 
-void bindBuffer(Unit unit, const gl::BufferTexture& buffer) {
+void bindBuffer(TransferUnit unit, const gl::BufferTexture& buffer) {
   gl::bind(unit, GL_TEXTURE_BUFFER, buffer.texture);
 }
 
@@ -90,8 +90,8 @@ TransferRows TransferRows::upload(std::span<const T> values, int count, int chan
   return {gl::makeBufferTexture(std::span<const T>(texels), 4, texelFormat<T>(), what), count, channels};
 }
 
-HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis)
-    : order_(transfer.order), naive_(transfer.naive) {
+HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene)
+    : order_(transfer.order), naive_(transfer.naive), pass_(scene) {
   const std::span<const float> values(transfer.coefficients);
   const int count = order_ * order_;
   rows_ = TransferRows::upload(values, count, transfer.channels, "harmonic transfer");
@@ -106,7 +106,8 @@ HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis)
   accessibility_.emplace(Attribute::Accessibility, std::span<const float>(accessibility));
 }
 
-HarmonicSeries::HarmonicSeries(const CompressedTransfer& transfer) : order_(transfer.order) {
+HarmonicSeries::HarmonicSeries(const CompressedTransfer& transfer, const CompiledScene& scene)
+    : order_(transfer.order), pass_(scene) {
   const int count = order_ * order_;
   const bool bytes = transfer.method == CompressionMethod::Band8;
   if (bytes) {
@@ -145,18 +146,21 @@ void HarmonicSeries::light(const Illumination& light) {
       texels[i] = glm::vec4(channels[i], channels[far.size() + i], channels[2 * far.size() + i], window);
   }
   light_ = gl::makeBufferTexture(texels, "light");
+  pass_.run(light.lights, [&](const gl::Program& program) {
+    program.set("transferForm", static_cast<int>(TransferForm::Series));
+    program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, order_, 0));
+    program.set("transferIsCh", ch_ ? 1 : 0);
+    program.set("transferHasRanges", ranges_ ? 1 : 0);
+    bindBuffer(transferUnit, rows_.texels);
+    bindBuffer(transferLightUnit, light_);
+    if (ranges_) bindBuffer(rangesUnit, *ranges_);
+    if (chBasis_) bindBuffer(chBasisUnit, *chBasis_);
+  });
 }
 
-void HarmonicSeries::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::Series));
-  program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, order_, 0));
-  program.set("transferIsCh", ch_ ? 1 : 0);
-  program.set("transferHasRanges", ranges_ ? 1 : 0);
-  bindBuffer(transferUnit, rows_.texels);
-  bindBuffer(transferLightUnit, light_);
-  if (ranges_) bindBuffer(rangesUnit, *ranges_);
-  if (chBasis_) bindBuffer(chBasisUnit, *chBasis_);
+void HarmonicSeries::bind(const gl::Program&) const {
   accessibility_->attach();
+  pass_.attach();
 }
 
 void HarmonicSeries::describe(const Illumination&, Warnings& notes) const {
@@ -166,14 +170,16 @@ void HarmonicSeries::describe(const Illumination&, Warnings& notes) const {
         "picture shows the error of that");
 }
 
-GroupSeries::GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow)
+GroupSeries::GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow,
+                         const CompiledScene& scene)
     : groups_(transfer.groups),
       rows_(TransferRows::upload(std::span<const float>(transfer.coefficients),
                                  static_cast<int>(transfer.groups.size()), transfer.channels,
                                  "light-group transfer")),
       groupOfGlow_(std::move(glow)),
       glow_(groupOfGlow_.size(), glm::vec3(1.0f)),
-      glowStream_(Attribute::Glow, std::span<const glm::vec3>(glow_)) {}
+      glowStream_(Attribute::Glow, std::span<const glm::vec3>(glow_)),
+      pass_(scene) {}
 
 void GroupSeries::light(const Illumination& light) {
   const auto factor = [&](std::size_t group) {
@@ -185,16 +191,19 @@ void GroupSeries::light(const Illumination& light) {
   for (std::size_t v = 0; v < glow_.size(); ++v)
     glow_[v] = groupOfGlow_[v] < 0 ? glm::vec3(1.0f) : factor(static_cast<std::size_t>(groupOfGlow_[v]));
   glowStream_.fill(std::span<const glm::vec3>(glow_));
+  pass_.run({}, [&](const gl::Program& program) {
+    program.set("transferForm", static_cast<int>(TransferForm::Series));
+    program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, 0, 0));
+    program.set("transferIsCh", 0);
+    program.set("transferHasRanges", 0);
+    bindBuffer(transferUnit, rows_.texels);
+    bindBuffer(transferLightUnit, light_);
+  });
 }
 
-void GroupSeries::bind(const gl::Program& program) const {
-  program.set("transferForm", static_cast<int>(TransferForm::Series));
-  program.set("transferShape", glm::ivec4(rows_.count, rows_.channels, 0, 0));
-  program.set("transferIsCh", 0);
-  program.set("transferHasRanges", 0);
-  bindBuffer(transferUnit, rows_.texels);
-  bindBuffer(transferLightUnit, light_);
+void GroupSeries::bind(const gl::Program&) const {
   glowStream_.attach();
+  pass_.attach();
 }
 
 void GroupSeries::describe(const Illumination& light, Warnings& notes) const {

@@ -9,6 +9,7 @@
 #include "prelight/bake.h"
 #include "viewer/drawn_transfer.h"
 #include "viewer/gl/texture.h"
+#include "viewer/transfer_pass.h"
 
 namespace prelight::viewer {
 
@@ -24,8 +25,8 @@ struct TransferRows {
   static TransferRows upload(std::span<const T> values, int count, int channels, const char* what);
 };
 
-/// Transfer in SH or CH, of any order, in floats, halves or bytes with a range a band; the vertex shader sums
-/// the products and decodes what is compressed.
+/// Transfer in SH or CH, of any order, in floats, halves or bytes with a range a band; a vertex shader sums
+/// the products, once a light, and decodes what is compressed.
 ///
 /// A light at a finite distance is evaluated at every vertex. In CH, lights are moments and the transfer is
 /// as it is stored: coefficients, or moments as well when it was baked naively, which shows the error of
@@ -34,11 +35,13 @@ class HarmonicSeries : public DrawnTransfer {
  public:
   enum class Basis { Sh, Ch };
 
-  HarmonicSeries(const HarmonicTransfer& transfer, Basis basis);
+  /// The scene outlives it.
+  HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene);
   /// Half or Band8.
-  explicit HarmonicSeries(const CompressedTransfer& transfer);
+  HarmonicSeries(const CompressedTransfer& transfer, const CompiledScene& scene);
 
   void light(const Illumination& light) override;
+  bool verticesMoved() override { return pass_.verticesMoved(); }
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
@@ -51,13 +54,15 @@ class HarmonicSeries : public DrawnTransfer {
   std::optional<gl::BufferTexture> ranges_;   ///< [band][offset, scale] RGB, of bytes
   std::optional<gl::BufferTexture> chBasis_;  ///< [m][l][k], see shaders/transfer.glsl
   std::optional<VertexStream> accessibility_;
+  TransferPass pass_;
 };
 
 /// Transfer of light groups: the numbers are groups, the light is their colours.
 class GroupSeries : public DrawnTransfer {
  public:
   /// `glow`: [vertex], the group that a vertex's emission belongs to; -1: none.
-  GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow);
+  /// The scene outlives it.
+  GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow, const CompiledScene& scene);
 
   void light(const Illumination& light) override;
   void bind(const gl::Program& program) const override;
@@ -70,6 +75,7 @@ class GroupSeries : public DrawnTransfer {
   std::vector<int> groupOfGlow_;
   std::vector<glm::vec3> glow_;
   VertexStream glowStream_;
+  TransferPass pass_;
 };
 
 /// The group that each vertex's emission belongs to: that of the node's name, as bakes name groups of single

@@ -27,8 +27,7 @@ class AoAttributes : public DrawnTransfer {
         bentNormals_(Attribute::BentNormal, std::span<const glm::vec4>(cones(bake))) {}
 
   void light(const Illumination&) override {}
-  void bind(const gl::Program& program) const override {
-    program.set("transferForm", static_cast<int>(TransferForm::None));
+  void bind(const gl::Program&) const override {
     accessibility_.attach();
     bentNormals_.attach();
   }
@@ -54,10 +53,7 @@ class StaticLight : public DrawnTransfer {
       : radiance_(Attribute::Radiance, std::span<const glm::vec3>(reflected(irradiance))) {}
 
   void light(const Illumination&) override {}
-  void bind(const gl::Program& program) const override {
-    program.set("transferForm", static_cast<int>(TransferForm::Radiance));
-    radiance_.attach();
-  }
+  void bind(const gl::Program&) const override { radiance_.attach(); }
   void describe(const Illumination&, Warnings&) const override {}
 
  private:
@@ -73,11 +69,12 @@ class StaticLight : public DrawnTransfer {
 using Maker = std::unique_ptr<DrawnTransfer> (*)(const RenderInputs&, Lobe);
 
 std::unique_ptr<DrawnTransfer> makeShOfVertices(const RenderInputs& inputs) {
-  if (inputs.bake->sh) return std::make_unique<HarmonicSeries>(*inputs.bake->sh, HarmonicSeries::Basis::Sh);
+  if (inputs.bake->sh)
+    return std::make_unique<HarmonicSeries>(*inputs.bake->sh, HarmonicSeries::Basis::Sh, inputs.compiled);
   const CompressedTransfer& compressed = *inputs.bake->compressedSh;
   if (compressed.method == CompressionMethod::Half || compressed.method == CompressionMethod::Band8)
-    return std::make_unique<HarmonicSeries>(compressed);
-  return std::make_unique<ClusterTransfer>(compressed);
+    return std::make_unique<HarmonicSeries>(compressed, inputs.compiled);
+  return std::make_unique<ClusterTransfer>(compressed, inputs.compiled);
 }
 
 std::unique_ptr<DrawnTransfer> makeSh(const RenderInputs& inputs, Lobe) {
@@ -113,7 +110,7 @@ constexpr std::array<Technique, shadingCount> table = {{
     {throughTransfer, makeSh},
     {throughTransfer,
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
-       return std::make_unique<HarmonicSeries>(*inputs.bake->ch, HarmonicSeries::Basis::Ch);
+       return std::make_unique<HarmonicSeries>(*inputs.bake->ch, HarmonicSeries::Basis::Ch, inputs.compiled);
      }},
     {throughTransfer,
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
@@ -126,7 +123,7 @@ constexpr std::array<Technique, shadingCount> table = {{
     {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        const LightGroupTransfer& transfer = *inputs.bake->lightGroups;
-       return std::make_unique<GroupSeries>(transfer, glowGroups(transfer, inputs.compiled));
+       return std::make_unique<GroupSeries>(transfer, glowGroups(transfer, inputs.compiled), inputs.compiled);
      }},
     {{Ambient::Transferred, Reflection::Metals, Through::AllLights},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 
@@ -34,6 +35,8 @@ struct DrawingRules {
   Ambient ambient = Ambient::Open;
   Reflection reflection = Reflection::Everywhere;
   Through through = Through::None;
+
+  auto operator<=>(const DrawingRules&) const = default;
 };
 
 /// The inputs' encoding is that of light which the bake holds for this shading, so that it draws that.

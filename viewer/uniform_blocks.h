@@ -7,6 +7,9 @@
 /// The uniform blocks of the shaders as C++ (std140: everything is of vec4s).
 namespace prelight::viewer {
 
+/// Where they are bound.
+enum BlockBinding : unsigned { frameBinding = 0, lightBinding = 1 };
+
 /// `Frame` of shaders/frame.glsl.
 struct FrameBlock {
   glm::mat4 clipFromScene;
@@ -19,10 +22,9 @@ struct FrameBlock {
   std::array<glm::vec4, 9> ambient;
   glm::vec4 skyLevels;
   glm::ivec4 counts;
-  glm::ivec4 rules;
 };
 static_assert(std::is_trivially_copyable_v<FrameBlock>);
-static_assert(sizeof(FrameBlock) == 16 * (4 + 4 + 5 + 9 + 3));
+static_assert(sizeof(FrameBlock) == 16 * (4 + 4 + 5 + 9 + 2));
 
 /// One of `Lights` of shaders/lights.glsl.
 struct LightBlock {

@@ -14,9 +14,11 @@
 #include "prelight/picture.h"
 #include "viewer/controls.h"
 #include "viewer/key_help.h"
+#include "viewer/live_picture.h"
 #include "viewer/moved_scene.h"
 #include "viewer/overlay.h"
 #include "viewer/presenter.h"
+#include "viewer/scene_follower.h"
 #include "viewer/view.h"
 
 namespace prelight::viewer {
@@ -24,9 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double slowFrame =
-    0.05;  ///< seconds; slower pictures lose their supersampling while something moves
-constexpr double settleTime = 0.2;  ///< seconds without a change until they get it back
+constexpr double settleTime = 0.2;  ///< seconds without a change until a picture gets all its samples
 
 std::string glfwReason() {
   const char* text = nullptr;
@@ -158,50 +158,6 @@ class EventRouter {
   glm::dvec2 cursor_{0.0};
 };
 
-/// Keeps the scene's picture up to date, drawing only when the view has changed.
-class LivePicture {
- public:
-  LivePicture(Renderer& renderer, int fullSamples) : renderer_(renderer), fullSamples_(fullSamples) {}
-
-  /// Draws the view if it must. `settled`: take the time for the full quality.
-  void update(const Controls& controls, bool settled) {
-    const View& view = controls.view();
-    const int wanted = settled || seconds_ < slowFrame ? fullSamples_ : 1;
-    if (target_ && drawn_ == controls.changes() && samples_ >= wanted) return;
-    if (!target_ || target_->width() != view.width * wanted || target_->height() != view.height * wanted) {
-      target_.emplace(view.width * wanted, view.height * wanted);
-    }
-    const auto start = Clock::now();
-    renderer_.draw(view, {0, 0, view.width, view.height}, *target_);
-    glFinish();
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    // What full quality would take: a picture of fewer samples must not make it look affordable.
-    seconds_ = seconds * (fullSamples_ * fullSamples_) / (wanted * wanted);
-    lastSeconds_ = seconds;
-    samples_ = wanted;
-    drawn_ = controls.changes();
-  }
-
-  /// The next update() draws, whatever the view.
-  void invalidate() { drawn_ = static_cast<std::size_t>(-1); }
-
-  const gl::Framebuffer& target() const { return *target_; }
-  int samples() const { return samples_; }
-  bool isFinal(const Controls& controls) const {
-    return drawn_ == controls.changes() && samples_ == fullSamples_;
-  }
-  double lastSeconds() const { return lastSeconds_; }
-
- private:
-  Renderer& renderer_;
-  int fullSamples_;
-  std::optional<gl::Framebuffer> target_;
-  int samples_ = 0;
-  std::size_t drawn_ = 0;
-  double seconds_ = 0.0;
-  double lastSeconds_ = 0.0;
-};
-
 std::vector<DragNode> dragNodes(const MovedScene& scene) {
   std::vector<DragNode> nodes;
   for (const MovedScene::Node& node : scene.nodes()) nodes.push_back({node.name, node.center});
@@ -215,45 +171,15 @@ std::vector<std::string> groupNames(const ViewerInputs& inputs) {
   return names;
 }
 
-/// What follows the view besides the picture: places of nodes, and light that is computed all the while.
-class Follower {
- public:
-  Follower(Renderer& renderer, MovedScene& scene, LightFollower* light)
-      : renderer_(renderer), scene_(scene), light_(light) {}
-
-  /// True when the picture is out of date for it.
-  bool update(const View& view) {
-    const bool moved = scene_.move(view.nodeShifts);
-    if (moved) renderer_.sceneMoved();
-    if (light_ == nullptr || view.shading != Shading::GlobalIllumination) return moved;
-    const bool lit = light_->update({view.lights, scene_.shifts(), view.skyRotation});
-    if (lit) {
-      renderer_.updateIndirect(light_->indirect());
-      renderer_.updateCaustics(light_->caustics());
-    }
-    return moved || lit;
-  }
-
-  /// Light of the view would change further by itself.
-  bool isBusy(const View& view) const {
-    return light_ != nullptr && view.shading == Shading::GlobalIllumination && !light_->settled();
-  }
-
- private:
-  Renderer& renderer_;
-  MovedScene& scene_;
-  LightFollower* light_;
-};
-
 void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePicture& picture,
-             Follower& follower, Overlay& overlay, int frames) {
+             SceneFollower& follower, Overlay& overlay, int frames) {
   const Presenter presenter;
   auto lastChange = Clock::now(), lastFrame = lastChange;
   std::size_t seen = controls.changes();
   bool followed = false;
   for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
        ++frame) {
-    if (frames > 0 || !picture.isFinal(controls) || followed || follower.isBusy(controls.view()) ||
+    if (frames > 0 || !picture.isFinal(controls.changes()) || followed || follower.isBusy(controls.view()) ||
         frame < 3) {
       glfwPollEvents();
     } else {
@@ -270,7 +196,8 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
     }
     followed = follower.update(controls.view()) || renderer.isBehind();
     if (followed) picture.invalidate();
-    picture.update(controls, std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime);
+    const bool settled = std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime;
+    picture.update(controls.view(), controls.changes(), settled);
     presenter.present(picture.target(), picture.samples(), 0);
     overlay.draw(controls, picture.lastSeconds());
     glfwSwapBuffers(window);
@@ -290,7 +217,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   const ViewerInputs shown = inputs.movedTo(moved.scene());
   Renderer renderer(shown, options.render.lobe);
   renderer.paceUpdates(true);
-  Follower follower(renderer, moved, options.follower);
+  SceneFollower follower(renderer, moved, options.follower);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),

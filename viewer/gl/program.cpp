@@ -2,6 +2,7 @@
 
 #include <regex>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "prelight/error.h"
@@ -105,6 +106,12 @@ void Program::link(const std::string& what) const {
   std::string log(4096, '\0');
   glGetProgramInfoLog(program_.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
   throw Error(ExitCode::RuntimeFailure, what, std::string("does not link:\n  ") + log.c_str());
+}
+
+GLint Program::location(const char* name) const {
+  const auto known = locations_.find(std::string_view(name));
+  if (known != locations_.end()) return known->second;
+  return locations_.emplace(name, glGetUniformLocation(program_.name(), name)).first->second;
 }
 
 void Program::bindBlock(const char* name, GLuint binding) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <string>
@@ -37,11 +38,12 @@ class Program {
   void bindBlock(const char* name, GLuint binding) const;
 
  private:
-  GLint location(const char* name) const { return glGetUniformLocation(program_.name(), name); }
+  GLint location(const char* name) const;
 
   void link(const std::string& what) const;
 
   Object<ProgramTraits> program_;
+  mutable std::map<std::string, GLint, std::less<>> locations_;  ///< of the names that were set
 };
 
 }  // namespace prelight::viewer::gl

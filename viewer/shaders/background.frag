@@ -1,6 +1,7 @@
 #version 410 core
 // The sky behind the scene.
 #include "frame.glsl"
+#include "variant.glsl"
 #include "sky.glsl"
 
 in vec2 viewportPosition;

@@ -2,6 +2,7 @@
 // A surface under all light: lights with the shadows of their maps, indirect light of a light map, caustics; mirrors and
 // glass show their surroundings.
 #include "frame.glsl"
+#include "variant.glsl"
 #include "lights.glsl"
 #include "material.glsl"
 #include "scattering.glsl"
@@ -32,7 +33,7 @@ vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool gl
   float nl = dot(n, toLight);
   float side = dot(geometric, toLight);
   if (largest(irradiance) <= 0.0) return vec3(0.0);
-  if (translucency.a > 0.0 && nl < 0.0 && side < 0.0) {
+  if (hasTranslucency && translucency.a > 0.0 && nl < 0.0 && side < 0.0) {
     return transmittedOfLight(s, max(dot(n, toEye), 0.0), -nl) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
   }
   if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
@@ -43,7 +44,7 @@ vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool gl
 
 vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
   vec3 sum = vec3(0.0);
-  bool reflects = largest(s.metal) + s.layer > 0.0 && s.roughness >= smoothBelow;
+  bool reflects = (hasGloss || hasLayer) && largest(s.metal) + s.layer > 0.0 && s.roughness >= smoothBelow;
   for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, geometric, n, toEye, reflects, 1);
   // Pixels take turns with the samples of large lights (Keller and Heidrich 2001, interleaved sampling): those that a
   // pixel of the picture is the mean of have all of them.
@@ -72,10 +73,10 @@ vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 
 
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
-  if (m.alpha < surfaceFactors.w) discard;
-  float alpha = alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
+  if (hasCutouts && m.alpha < surfaceFactors.w) discard;
+  float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
-  if (unlit != 0) {
+  if (hasUnlit && unlit != 0) {
     outRadiance = vec4(m.base * alpha, distance(eye.xyz, vPosition));
     return;
   }
@@ -91,19 +92,19 @@ void main() {
 
   vec3 indirect = lightMapIrradiance(triangle, gl_FrontFacing, vPosition);
   vec3 irradiance = indirect;
-  if (causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
+  if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   vec3 radiance = m.emission + diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
-  if (translucency.a > 0.0) {
+  if (hasTranslucency && translucency.a > 0.0) {
     radiance += transmittedOfIrradiance(s, nv) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
   }
-  if (showsSurroundings != 0) {
+  if (hasSurroundings && showsSurroundings != 0) {
     radiance += reflectanceOfSurroundings(s, nv) * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
   } else {
     // What lies around is not known but for the mean of its radiance.
     radiance += reflectanceOfSurroundings(s, nv) * indirect / pi;
   }
   vec3 through = vec3(0.0);
-  if (s.glass > 0.0) radiance += shadeGlass(s, m.base, n, toEye, nv, through);
+  if (hasGlass && s.glass > 0.0) radiance += shadeGlass(s, m.base, n, toEye, nv, through);
   outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
   outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);
 }

@@ -1,4 +1,4 @@
-// The lights; mirrored by LightBlock of uniform_blocks.h. Their maths is documented in viewer/lighting.h.
+// The lights; needs variant.glsl. Mirrored by LightBlock of uniform_blocks.h. Their maths is documented in viewer/lighting.h.
 struct Light {
   vec4 positionKind;    // w: LightKind
   vec4 directionArea;   // xyz: way of the light or emitter's normal; w: emitter's area, or squared least distance
@@ -19,7 +19,7 @@ bool isFar(Light light) { return light.cone.z > 0.5; }
 // Irradiance on a surface at `point` that faces the light, and the unit direction to the light.
 vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
   int kind = kindOf(light);
-  if (kind == kindDirectional) {
+  if (hasDirectionalLights && kind == kindDirectional) {
     toLight = -light.directionArea.xyz;
     return light.intensityRange.rgb;
   }
@@ -27,7 +27,7 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
   float distance2 = dot(path, path);
   toLight = path * inversesqrt(max(distance2, 1e-30));
   float cosine = -dot(light.directionArea.xyz, toLight);
-  if (kind == kindEmitter) {
+  if (hasEmitterLights && (!hasPointLights || kind == kindEmitter)) {
     float area = light.directionArea.w;
     float lobe = light.cone.w > 0.5 ? abs(cosine) : max(cosine, 0.0);
     return light.intensityRange.rgb * lobe * area / (distance2 + area / pi);
@@ -38,9 +38,20 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
     float ratio2 = distance2 / (range * range);
     falloff *= clamp(1.0 - ratio2 * ratio2, 0.0, 1.0);
   }
-  if (kind == kindSpot) {
+  if (hasSpotLights && kind == kindSpot) {
     float angular = clamp(cosine * light.cone.x + light.cone.y, 0.0, 1.0);
     falloff *= angular * angular;
   }
   return light.intensityRange.rgb * falloff;
+}
+
+// The same of an emitter, times the cosine to the surface's normal n: without a root and with one division.
+vec3 facingIrradianceOfEmitter(Light light, vec3 point, vec3 n) {
+  vec3 path = light.positionKind.xyz - point;
+  float distance2 = dot(path, path);
+  float cosine = -dot(light.directionArea.xyz, path);
+  float lobe = light.cone.w > 0.5 ? abs(cosine) : max(cosine, 0.0);
+  float area = light.directionArea.w;
+  float scale = lobe * max(dot(n, path), 0.0) * area / max(distance2 * (distance2 + area / pi), 1e-37);
+  return scale * light.intensityRange.rgb;
 }

@@ -1,10 +1,11 @@
-// Normals that a texture bumps.
+// Normals that a texture bumps; needs variant.glsl.
 uniform sampler2D normalTexture;
 uniform float normalScale;  // of the texture's x and y; 0: there is none
 
 // Unit normal of a front around its own, n, at coordinates of the texture; the tangent is the file's or, where that is
 // 0, the way in which u grows on the triangle.
 vec3 mappedNormal(vec3 n, vec3 point, vec2 coord, vec4 tangent) {
+  if (!hasNormalTexture) return n;
   vec3 px = dFdx(point);
   vec3 py = dFdy(point);
   vec2 cx = dFdx(coord);

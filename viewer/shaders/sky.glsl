@@ -1,7 +1,8 @@
-// The sky's radiance; needs frame.glsl.
+// The sky's radiance; needs frame.glsl and variant.glsl.
 uniform sampler2D skyMap;  // equirectangular: centre looks along -Z, u grows towards +X, row 0 is +Y
 
 vec3 skyRadiance(vec3 world, float level) {
+  if (!hasSkyMap) return texelFetch(skyMap, ivec2(0), 0).rgb;
   vec3 w = mat3(skyFromWorld) * world;
   float u = atan(w.x, -w.z) / (2.0 * pi) + 0.5;
   float v = atan(length(w.xz), w.y) / pi;

@@ -7,6 +7,7 @@
 //   light map and of the sky, not of transfer;
 // - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows.
 #include "frame.glsl"
+#include "variant.glsl"
 #include "lights.glsl"
 #include "material.glsl"
 #include "specular.glsl"
@@ -48,31 +49,42 @@ vec3 shadingNormal() {
 
 // Of the side that has one; built once a fragment, for all lamps.
 OpenCone openCone() {
-  if (rules.x != ambientCone || !gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return noCone();
+  if (ambientRule != ambientCone || !gl_FrontFacing || dot(vBentNormal.xyz, vBentNormal.xyz) <= 1e-12) return noCone();
   return coneAround(normalize(vBentNormal.xyz), clamp(vBentNormal.w, 0.0, 1.0), vAccessibility);
 }
 
 bool isTransferred(Light light) {
-  return rules.z == throughAllLights || (rules.z == throughFarLights && isFar(light));
+  return throughRule == throughAllLights || (throughRule == throughFarLights && isFar(light));
 }
 
-// Diffuse light of all lights that do not come through the transfer; specular reflections of all, but for those that
-// the transfer reflects.
+const bool onlyDiffuseEmitters = hasEmitterLights && !hasPointLights && !hasDirectionalLights && !hasGloss &&
+                                 !hasTranslucency && ambientRule == ambientTransferred &&
+                                 reflectionRule == reflectionOffMetals;
+
+// Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
+// transfer reflects.
+vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
+  if (onlyDiffuseEmitters) return facingIrradianceOfEmitter(light, vPosition, n) * m.albedo / pi;
+  vec3 sum = vec3(0.0);
+  bool transferred = isTransferred(light);
+  if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
+  vec3 toLight;
+  vec3 perpendicular = perpendicularIrradiance(light, vPosition, toLight);
+  vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
+  if (cone.there) irradiance *= lampInCone(cone, toLight);
+  if (!transferred) sum += irradiance * m.albedo / pi;
+  if (!transferred && hasTranslucency && translucency.a > 0.0) {
+    sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
+  }
+  if (specularWeight > 0.0) {
+    sum += irradiance * specularWeight * vHighlight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
+  }
+  return sum;
+}
+
 vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < counts.x; ++k) {
-    bool transferred = isTransferred(lights[k]);
-    if (transferred && rules.y == reflectionThroughTransfer) continue;
-    vec3 toLight;
-    vec3 perpendicular = perpendicularIrradiance(lights[k], vPosition, toLight);
-    vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
-    if (cone.there) irradiance *= lampInCone(cone, toLight);
-    if (!transferred) sum += irradiance * m.albedo / pi;
-    if (!transferred && translucency.a > 0.0) sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
-    if (specularWeight > 0.0) {
-      sum += irradiance * specularWeight * vHighlight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
-    }
-  }
+  for (int k = 0; k < counts.x; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
   return sum;
 }
 
@@ -85,42 +97,43 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
 // Baked irradiance of a side where a normal map turns its unit normal n to m.
 vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   int triangle = firstTriangle + gl_PrimitiveID;
-  if (rules.x == ambientEncodedMap) return encodedMapIrradiance(triangle, front, vPosition, n, m);
+  if (ambientRule == ambientEncodedMap) return encodedMapIrradiance(triangle, front, vPosition, n, m);
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 
 vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
-  if (rules.x == ambientLightMap || rules.x == ambientEncodedMap || rules.x == ambientEncodedVertices) {
+  if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 mapped = mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
     // That of vertices is of their fronts; backs show the same.
-    if (rules.x == ambientEncodedVertices) {
+    if (ambientRule == ambientEncodedVertices) {
       return m.albedo / pi * encodedVertexIrradiance(firstTriangle + gl_PrimitiveID, vPosition, side * n, mapped);
     }
     mapped *= side;
     vec3 radiance = m.albedo / pi * bumpedIrradiance(gl_FrontFacing, n, mapped);
-    if (translucency.a > 0.0) radiance += m.through / pi * bumpedIrradiance(!gl_FrontFacing, -n, -mapped);
+    if (hasTranslucency && translucency.a > 0.0) radiance += m.through / pi * bumpedIrradiance(!gl_FrontFacing, -n, -mapped);
     return radiance;
   }
-  if (rules.x == ambientTransferred) {
-    return m.albedo * (vChartCoord.w > 0.5 ? texture(lightMaps, vChartCoord.xyz).rgb : vTransferred);
+  if (ambientRule == ambientTransferred) {
+    if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
+    return m.albedo * vTransferred;
   }
   vec3 around = n;
-  if (rules.x == ambientAccessible && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12) {
+  if (ambientRule == ambientAccessible && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12) {
     around = normalize(vBentNormal.xyz);
   }
-  vec3 open = rules.w != 0 ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
+  vec3 open = interreflection ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
   vec3 radiance = m.albedo * open * (cone.there ? skyInCone(cone) : ambientAround(around));
   // How open the other side is is not known: as open as this one.
-  if (translucency.a > 0.0) radiance += m.through * vAccessibility * ambientAround(-around);
+  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * vAccessibility * ambientAround(-around);
   return radiance;
 }
 
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
-  if (m.alpha < surfaceFactors.w) discard;
-  float alpha = alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
-  if (unlit != 0) {
+  if (hasCutouts && m.alpha < surfaceFactors.w) discard;
+  float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
+  if (hasUnlit && unlit != 0) {
     outRadiance = vec4(m.base * alpha, 1.0);
     outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
     return;
@@ -130,19 +143,19 @@ void main() {
   float nv = max(dot(n, toEye), 0.0);
   // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
   // is diffuse.
-  float glossy = max(m.metallic, m.transmission);
-  float specularWeight = rules.y == reflectionOffMetals ? glossy : 1.0;
+  float glossy = hasGloss ? max(m.metallic, m.transmission) : 0.0;
+  float specularWeight = reflectionRule == reflectionOffMetals ? glossy : 1.0;
 
   OpenCone cone = openCone();
-  vec3 radiance =
-      m.emission * vGlow + shadeAmbient(m, n, cone) + shadeLights(m, n, toEye, specularWeight, cone) + vReflected;
-  if (causticCorner.w != 0) {
+  vec3 radiance = m.emission * vGlow + shadeAmbient(m, n, cone) + shadeLights(m, n, toEye, specularWeight, cone);
+  if (throughRule == throughAllLights) radiance += vReflected;
+  if (hasCaustics && causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
   vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
-  if (rules.y == reflectionThroughTransfer) {
+  if (reflectionRule == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);
-  } else {
+  } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
     float open = cone.there ? lobeInCone(cone, m.roughness, reflected) : vAccessibility;
     radiance += reflectance * open * skyRadiance(reflected, levelOfRoughness(m.roughness));

@@ -1,8 +1,6 @@
 #version 410 core
-// One vertex of the scene, with light through its baked transfer where the shading has one.
+// One vertex of the scene.
 #include "frame.glsl"
-#include "lights.glsl"
-#include "transfer.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -42,7 +40,7 @@ void main() {
   vColor = color;
   vAccessibility = accessibility;
   vBentNormal = bentNormal;
-  vTransferred = transferredLight(gl_VertexID, position, radiance);
+  vTransferred = max(radiance, vec3(0.0));
   vGlow = glow;
   vChartCoord = chartCoord;
   vReflected = reflected;

@@ -1,6 +1,7 @@
 #version 410 core
 // Where the surface of every pixel is; see surface_places.glsl.
 #include "frame.glsl"
+#include "variant.glsl"
 #include "material.glsl"
 
 in vec3 vPosition;
@@ -12,7 +13,7 @@ out vec4 outPlace;
 
 void main() {
   FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
-  if (m.alpha < surfaceFactors.w) discard;
+  if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float number = float(firstTriangle + gl_PrimitiveID + 1);
   outPlace = vec4(vPosition, gl_FrontFacing ? number : -number);
 }

@@ -1,19 +1,19 @@
-// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl and lights.glsl.
+// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl and lights.glsl, whose
+// lights are those that the transfer is evaluated for vertex by vertex.
 uniform int transferForm;         // TransferForm of drawn_transfer.h
 uniform ivec4 transferShape;      // x: numbers a row, y: channels, z: order of SH or CH, 0: neither
 uniform int transferIsCh;
 uniform int transferHasRanges;
 uniform float weightScale;
+uniform int lightCount;
 uniform samplerBuffer transfer;       // series: [vertex][channel][number / 4]; clusters: [vertex][component]
 uniform samplerBuffer transferLight;  // series: [number], w: window of its band; clusters: [cluster][1 + component]
 uniform samplerBuffer transferRanges; // [band][offset, scale]
 uniform samplerBuffer chBasis;        // [m][l][k]
 uniform usamplerBuffer clusters;      // [vertex]
 
-const int formNone = 0;
-const int formSeries = 1;
-const int formClusters = 2;
-const int formRadiance = 3;
+const int formSeries = 0;
+const int formClusters = 1;
 const int maxTransferOrder = 32;
 
 // Number i of a vertex whose first texel is `base`; l is its band.
@@ -81,8 +81,7 @@ vec3 lightThroughSeries(int vertex, vec3 point) {
     sum += texelFetch(transferLight, i).rgb * transferNumber(base, i, l);
   }
   if (transferShape.z == 0) return sum;
-  for (int k = 0; k < counts.x; ++k) {
-    if (!isFar(lights[k]) || kindOf(lights[k]) == kindDirectional) continue;
+  for (int k = 0; k < lightCount; ++k) {
     vec3 toLight;
     vec3 irradiance = perpendicularIrradiance(lights[k], point, toLight);
     sum += irradiance * deltaThroughSeries(base, toLight);
@@ -101,10 +100,7 @@ vec3 lightThroughClusters(int vertex) {
   return sum;
 }
 
-vec3 transferredLight(int vertex, vec3 point, vec3 computed) {
-  vec3 sum = computed;
-  if (transferForm == formNone) return vec3(0.0);
-  if (transferForm == formSeries) sum = lightThroughSeries(vertex, point);
-  if (transferForm == formClusters) sum = lightThroughClusters(vertex);
+vec3 transferredLight(int vertex, vec3 point) {
+  vec3 sum = transferForm == formSeries ? lightThroughSeries(vertex, point) : lightThroughClusters(vertex);
   return max(sum, vec3(0.0));  // a truncated series may dip below zero
 }

@@ -1,0 +1,107 @@
+// Shaders that hold what a scene needs, against those that hold everything.
+#include "viewer/shader_variant.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "viewer/gl/egl_context.h"
+#include "viewer/live_picture.h"
+#include "viewer/picture_checks.h"
+#include "viewer/quad_scene.h"
+#include "viewer/view.h"
+#include "viewer/window_scene.h"
+
+namespace prelight::viewer {
+namespace {
+
+using namespace test;
+
+/// Quads of several materials under lights of several kinds, one of them emissive.
+QuadScene manyMaterials(bool sky) {
+  QuadScene quad = windowScene();
+  Material metal = lambertian(glm::vec3(0.9f, 0.6f, 0.3f));
+  metal.metallic = 1.0f;
+  metal.roughness = 0.4f;
+  quad.add(metal, 0.4f, glm::translate(glm::dmat4(1.0), glm::dvec3(-0.6, -0.6, 0.4)));
+  Material pane = lambertian(glm::vec3(0.3f, 0.8f, 0.4f));
+  pane.alphaMode = AlphaMode::Blend;
+  pane.baseColor.a = 0.5f;
+  quad.add(pane, 0.4f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.5, -0.5, 0.8)));
+  Material lamp = lambertian(glm::vec3(0.0f));
+  lamp.emission = {3, 2, 1};
+  lamp.doubleSided = true;
+  quad.add(lamp, 0.2f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.9, 0.7)));
+  quad.hasEnvironment = sky;
+  quad.compile();
+  quad.bakeOpen(4, 3, 0.7f, 0.8);
+  return quad;
+}
+
+void expectSamePictures(const QuadScene& quad, Shading shading) {
+  const gl::EglContext context;
+  const RenderInputs inputs = quad.inputs();
+  Renderer renderer(inputs);
+  RenderOptions options = square(shading, 65);
+  const View view = makeView(inputs, options);
+  const Picture special = renderView(renderer, view, 2);
+  renderer.specialiseShaders(false);
+  const Picture general = renderView(renderer, view, 2);
+  EXPECT_GT(largest(general), 0.1);
+  EXPECT_LT(largestDifference(special, general), 1e-5 * largest(general)) << shadingName(shading);
+}
+
+TEST(ShaderVariants, OfWhatASceneNeeds_ShowTheSameAsThoseOfEverything) {
+  for (const bool sky : {true, false})
+    for (const Shading shading : {Shading::Phong, Shading::Ao, Shading::Sh})
+      expectSamePictures(manyMaterials(sky), shading);
+}
+
+TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
+  ShaderVariant variant;
+  variant.features.add(Feature::Cutouts);
+  const std::string text = textOf(variant);
+  EXPECT_NE(text.find("const bool hasCutouts = true;"), std::string::npos);
+  EXPECT_NE(text.find("const bool hasEmitterLights = false;"), std::string::npos);
+  std::size_t lines = 0;
+  for (const char c : text) lines += c == '\n' ? 1 : 0;
+  EXPECT_EQ(lines, 4u + featureCount);
+}
+
+TEST(LivePicture, WhileTheViewMoves_HasOneSample_ThenAllOfTheStillPicture) {
+  const gl::EglContext context;
+  const QuadScene quad = windowScene();
+  const RenderInputs inputs = quad.inputs();
+  Renderer renderer(inputs);
+  View view = makeView(inputs, windowOptions());
+  view.shading = Shading::Sh;
+  LivePicture picture(renderer, 2);
+  picture.update(view, 1, false);
+  EXPECT_EQ(picture.samples(), 1);
+  EXPECT_FALSE(picture.isFinal(1));
+  picture.update(view, 1, true);
+  EXPECT_EQ(picture.samples(), 2);
+  EXPECT_TRUE(picture.isFinal(1));
+  EXPECT_FALSE(picture.isFinal(2));
+  const gl::Framebuffer expected(2 * view.width, 2 * view.height);
+  Renderer other(inputs);
+  other.draw(view, {0, 0, view.width, view.height}, expected);
+  EXPECT_EQ(picture.target().read(), expected.read());
+}
+
+TEST(RelitTransfer, LightBesideTheScene_MovedAndBack_ShowsWhatItShowedAtFirst) {
+  const gl::EglContext context;
+  const QuadScene quad = windowScene();
+  const RenderInputs inputs = quad.inputs();
+  Renderer renderer(inputs);
+  View view = makeView(inputs, square(Shading::Sh, 33));
+  view.lights[0].position = {4, 5, 6};  // outside the bounds: through the transfer
+  const Picture first = renderView(renderer, view, 1);
+  View moved = view;
+  moved.lights[0].position = {-6, 5, 4};
+  EXPECT_GT(largestDifference(renderView(renderer, moved, 1), first), 1e-3);
+  EXPECT_EQ(largestDifference(renderView(renderer, view, 1), first), 0.0);
+}
+
+}  // namespace
+}  // namespace prelight::viewer

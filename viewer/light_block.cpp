@@ -1,0 +1,29 @@
+#include "viewer/light_block.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "viewer/uniform_blocks.h"
+
+namespace prelight::viewer {
+namespace {
+
+LightBlock pack(const ShadedLight& light) {
+  return {
+      glm::vec4(light.position, static_cast<float>(light.kind)),
+      glm::vec4(light.direction,
+                light.kind == LightKind::Emitter ? light.area : light.leastDistance * light.leastDistance),
+      glm::vec4(light.intensity, light.range),
+      glm::vec4(light.coneScale, light.coneOffset, light.throughTransfer ? 1.0f : 0.0f,
+                light.twoSided ? 1.0f : 0.0f)};
+}
+
+}  // namespace
+
+void fillLightBlock(const gl::Buffer& block, std::span<const ShadedLight> lights) {
+  std::vector<LightBlock> packed(maxLights);
+  std::transform(lights.begin(), lights.end(), packed.begin(), pack);
+  block.fill(GL_UNIFORM_BUFFER, std::span<const LightBlock>(packed), GL_STREAM_DRAW);
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,75 @@
+#include "viewer/shader_variant.h"
+
+#include <algorithm>
+#include <array>
+
+#include "viewer/render_scene.h"
+
+namespace prelight::viewer {
+namespace {
+
+/// In the order of Feature.
+constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
+                                                         "hasMetallicRoughnessTexture",
+                                                         "hasEmissiveTexture",
+                                                         "hasNormalTexture",
+                                                         "hasEmission",
+                                                         "hasCutouts",
+                                                         "hasBlending",
+                                                         "hasUnlit",
+                                                         "hasTranslucency",
+                                                         "hasGloss",
+                                                         "hasGlass",
+                                                         "hasLayer",
+                                                         "hasSurroundings",
+                                                         "hasVertexColors",
+                                                         "hasCharts",
+                                                         "hasCaustics",
+                                                         "hasSkyMap",
+                                                         "hasDirectionalLights",
+                                                         "hasPointLights",
+                                                         "hasSpotLights",
+                                                         "hasEmitterLights"};
+
+std::string constant(const char* type, const char* name, const std::string& value) {
+  return std::string("const ") + type + " " + name + " = " + value + ";\n";
+}
+
+std::string constant(const char* name, bool value) {
+  return constant("bool", name, value ? "true" : "false");
+}
+
+}  // namespace
+
+std::string textOf(const ShaderVariant& variant) {
+  const DrawingRules& rules = variant.rules;
+  std::string text = constant("int", "ambientRule", std::to_string(static_cast<int>(rules.ambient))) +
+                     constant("int", "reflectionRule", std::to_string(static_cast<int>(rules.reflection))) +
+                     constant("int", "throughRule", std::to_string(static_cast<int>(rules.through))) +
+                     constant("interreflection", variant.interreflection);
+  for (int i = 0; i < featureCount; ++i)
+    text += constant(names[static_cast<std::size_t>(i)], variant.features.has(static_cast<Feature>(i)));
+  return text;
+}
+
+Features featuresOf(const Surface& surface) {
+  const Material& m = surface.material;
+  const bool glass = m.transmission > 0.0f;
+  Features features;
+  features.add(Feature::BaseColorTexture, surface.baseColor != nullptr);
+  features.add(Feature::MetallicRoughnessTexture, surface.metallicRoughness != nullptr);
+  features.add(Feature::EmissiveTexture, surface.emissive != nullptr);
+  features.add(Feature::NormalTexture, surface.normal != nullptr);
+  features.add(Feature::Emission, std::max({m.emission.r, m.emission.g, m.emission.b}) > 0.0f);
+  features.add(Feature::Cutouts, m.alphaMode == AlphaMode::Mask);
+  features.add(Feature::Blending, surface.isBlended());
+  features.add(Feature::Unlit, m.unlit);
+  features.add(Feature::Translucency, surface.translucency.a > 0.0f);
+  features.add(Feature::Gloss, m.metallic > 0.0f || glass);
+  features.add(Feature::Glass, glass);
+  features.add(Feature::Layer, m.specular > 0.0f);
+  features.add(Feature::Surroundings, surface.showsSurroundings);
+  return features;
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "viewer/techniques.h"
+
+namespace prelight::viewer {
+
+struct Surface;
+
+/// What a surface, its light or its picture may have: shaders hold code for what they are told of alone.
+enum class Feature : int {
+  BaseColorTexture,
+  MetallicRoughnessTexture,
+  EmissiveTexture,
+  NormalTexture,
+  Emission,
+  Cutouts,   ///< fragments are left out by their alpha
+  Blending,  ///< what lies behind shows
+  Unlit,
+  Translucency,  ///< light comes through diffusely
+  Gloss,         ///< metal or glass: the sky is reflected
+  Glass,
+  Layer,         ///< a dielectric reflects on top of what is diffuse
+  Surroundings,  ///< what lies around is reflected
+  VertexColors,
+  Charts,  ///< transfer of light maps beside that of vertices
+  Caustics,
+  SkyMap,  ///< a sky that is not alike everywhere
+  DirectionalLights,
+  PointLights,
+  SpotLights,
+  EmitterLights,
+};
+
+constexpr int featureCount = 21;
+
+class Features {
+ public:
+  constexpr Features() = default;
+  constexpr Features(std::initializer_list<Feature> features) {
+    for (const Feature feature : features) add(feature);
+  }
+  static constexpr Features all() {
+    Features features;
+    features.bits_ = (std::uint32_t{1} << featureCount) - 1;
+    return features;
+  }
+
+  constexpr void add(Feature feature, bool present = true) {
+    if (present) bits_ |= std::uint32_t{1} << static_cast<int>(feature);
+  }
+  constexpr bool has(Feature feature) const { return (bits_ >> static_cast<int>(feature) & 1) != 0; }
+  constexpr Features operator|(Features other) const {
+    other.bits_ |= bits_;
+    return other;
+  }
+  constexpr auto operator<=>(const Features&) const = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// What a program for surfaces is compiled for. The pictures of two that both have all that is needed are the
+/// same.
+struct ShaderVariant {
+  DrawingRules rules;
+  bool interreflection = false;  ///< of AO
+  Features features;
+
+  auto operator<=>(const ShaderVariant&) const = default;
+};
+
+/// In place of shaders/variant.glsl.
+std::string textOf(const ShaderVariant& variant);
+
+/// Those of its material.
+Features featuresOf(const Surface& surface);
+
+}  // namespace prelight::viewer
