@@ -9,6 +9,7 @@
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/gl/framebuffer.h"
+#include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
 #include "viewer/light_samples.h"
 #include "viewer/render_scene.h"

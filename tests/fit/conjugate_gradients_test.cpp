@@ -1,0 +1,178 @@
+#include "fit/conjugate_gradients.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "fit/vertex_fit.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+/// Sums of random samples in every triangle for which `sampled` is true.
+template <typename Sampled>
+std::vector<TriangleMass> randomMass(const FitMesh& mesh, const Sampled& sampled) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<TriangleMass> mass(mesh.triangles.size());
+  for (std::size_t t = 0; t < mass.size(); ++t)
+    for (int i = 0; i < 3 && sampled(t); ++i) {
+      const double a = std::sqrt(unit(random)), b = unit(random);
+      const std::array<double, 3> w = {1.0 - a, a * (1.0 - b), a * b};
+      for (std::size_t k = 0; k < 3; ++k) {
+        mass[t][k] += static_cast<float>(w[k] * w[k]);
+        mass[t][3 + k] += static_cast<float>(w[k] * w[(k + 1) % 3]);
+      }
+    }
+  return mass;
+}
+
+/// The same equations written out from their definition: A + lambda L^T S L in double precision, with S the
+/// even diagonal and L a slot's value less the mean of its neighbours' by the weight that they share.
+Eigen::MatrixXd denseEquations(const FitMesh& mesh, const std::vector<TriangleMass>& mass, double lambda) {
+  const Eigen::Index n = mesh.slotCount();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n), shared = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd scale = Eigen::VectorXd::Zero(n);
+  for (std::size_t t = 0; t < mass.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto i = mesh.triangles[t][k], j = mesh.triangles[t][(k + 1) % 3];
+      a(i, i) += mass[t][k];
+      scale[i] += totalWeight(mass[t]) / 6.0;
+      a(i, j) += mass[t][3 + k];
+      a(j, i) += mass[t][3 + k];
+      shared(i, j) += totalWeight(mass[t]);
+      shared(j, i) += totalWeight(mass[t]);
+    }
+  Eigen::MatrixXd laplacian = Eigen::MatrixXd::Identity(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) laplacian.row(i) -= shared.row(i) / shared.row(i).sum();
+  return a + lambda * laplacian.transpose() * scale.asDiagonal() * laplacian;
+}
+
+std::vector<float> randomRight(std::size_t size) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  std::vector<float> right(size);
+  for (float& value : right) value = unit(random);
+  return right;
+}
+
+// 13 columns are solved in blocks of 8, of 4 and of 1.
+TEST(ConjugateGradients, EveryColumn_SolvesTheDenseEquations) {
+  constexpr std::size_t columns = 13;
+  const FitMesh mesh = makeFitMesh(test::sphere(10, 1.0f, {}));
+  const std::vector<TriangleMass> mass = randomMass(mesh, [](std::size_t) { return true; });
+  const std::vector<float> right = randomRight(mesh.slotCount() * columns);
+  std::vector<float> x(right.size(), 0.0f);
+  conjugateGradients(NormalEquations(mesh, mass, 0.1), right, columns, x);
+  const Eigen::MatrixXd dense = denseEquations(mesh, mass, 0.1);
+  for (std::size_t c = 0; c < columns; ++c) {
+    Eigen::VectorXd b(mesh.slotCount());
+    for (std::uint32_t s = 0; s < mesh.slotCount(); ++s) b[s] = right[s * columns + c];
+    const Eigen::VectorXd expected = dense.ldlt().solve(b);
+    for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
+      EXPECT_NEAR(x[s * columns + c], expected[s], 2e-5 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST(ConjugateGradients, AnyNumberOfThreads_GivesTheSameBits) {
+  constexpr std::size_t columns = 9;
+  const FitMesh mesh = makeFitMesh(test::ground(60, 1.0f));
+  const std::vector<TriangleMass> mass = randomMass(mesh, [](std::size_t) { return true; });
+  const NormalEquations equations(mesh, mass, defaultSmoothing);
+  ASSERT_GT(equations.rows(), 3000u) << "several ranges of rows";
+  const std::vector<float> right = randomRight(mesh.slotCount() * columns);
+  std::vector<float> alone(right.size(), 0.0f), together(right.size(), 0.0f);
+  conjugateGradients(equations, right, columns, alone, {.threads = 1});
+  conjugateGradients(equations, right, columns, together, {.threads = 3});
+  EXPECT_EQ(alone, together);
+}
+
+TEST(ConjugateGradients, SlotsWithoutSamples_KeepTheirGuess) {
+  const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
+  const std::vector<TriangleMass> mass =
+      randomMass(mesh, [&](std::size_t t) { return t < mesh.triangles.size() / 2; });
+  const NormalEquations equations(mesh, mass, defaultSmoothing);
+  ASSERT_LT(equations.rows(), mesh.slotCount());
+  std::vector<float> x(mesh.slotCount(), 7.0f);
+  conjugateGradients(equations, randomRight(mesh.slotCount()), 1, x);
+  for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
+    EXPECT_EQ(x[s] == 7.0f, equations.rowOf(s) == NormalEquations::noRow) << s;
+}
+
+// Far from samples there is nothing but what neighbours say.
+TEST(VertexFit, FarFromSamples_ValuesStayWithinThoseAround) {
+  const CompiledScene scene = test::ground(12, 1.0f);
+  const FitMesh mesh = makeFitMesh(scene);
+  VertexFit fit(mesh, 1);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); t += 2)
+    if (t < 40 || t > scene.triangleCount() - 40)
+      fit.add({t, 0.3f, 0.3f, 1.0f}, std::array{t < 40 ? 1.0 : 3.0});
+  float least = 10.0f, most = 0.0f;
+  for (const float x : fit.solve(defaultSmoothing)) {
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  EXPECT_GT(least, 0.9f);
+  EXPECT_LT(most, 3.1f);
+}
+
+TEST(VertexFit, ExtentWithoutASlot_LeavesItAtZero) {
+  const CompiledScene scene = test::ground(8, 1.0f);
+  const FitMesh mesh = makeFitMesh(scene);
+  VertexFit fit(mesh, 1);
+  fit.add({0, 0.3f, 0.3f, 1.0f}, std::array{2.0});
+  EXPECT_NEAR(fit.solve(defaultSmoothing).back(), 2.0, 1e-3);
+  std::vector<std::uint8_t> extent(mesh.slotCount(), 0);
+  fit.extendTo(extent);
+  EXPECT_EQ(fit.solve(defaultSmoothing).back(), 0.0f);
+}
+
+TEST(VertexFit, RemovedSamples_LeaveTheFitOfTheRest) {
+  const CompiledScene scene = test::ground(6, 1.0f);
+  const FitMesh mesh = makeFitMesh(scene);
+  std::vector<SurfaceSample> kept, gone;
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    kept.push_back({t, 0.2f, 0.5f, 1.0f});
+    if (t % 3 == 0) gone.push_back({t, 0.6f, 0.1f, 2.0f});
+  }
+  gone.push_back(kept.back());  // the last triangle has no sample then
+  kept.pop_back();
+  const std::vector<double> ofKept(kept.size(), 0.5), ofGone(gone.size(), 0.9);
+  VertexFit rest(mesh, 1), whole(mesh, 1);
+  rest.add(kept, ofKept);
+  whole.add(kept, ofKept);
+  whole.add(gone, ofGone);
+  whole.remove(gone, ofGone);
+  const std::vector<float> expected = rest.solve(defaultSmoothing), got = whole.solve(defaultSmoothing);
+  for (std::size_t s = 0; s < got.size(); ++s) EXPECT_NEAR(got[s], expected[s], 1e-5);
+}
+
+// A million samples of one size in a triangle are not swallowed by their own sum.
+TEST(VertexFit, ManySamplesOfOneTriangle_AreAllCounted) {
+  const CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  const FitMesh mesh = makeFitMesh(scene);
+  VertexFit fit(mesh, 1);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  double sum = 0.0;
+  std::vector<SurfaceSample> samples;
+  std::vector<double> values;
+  for (int block = 0; block < 500; ++block) {
+    samples.clear();
+    values.clear();
+    for (int i = 0; i < 4096; ++i) {
+      const float a = std::sqrt(unit(random)), b = unit(random);
+      samples.push_back({0, a * (1.0f - b), a * b, 1.0f});
+      values.push_back(block < 250 ? 0.25 : 0.75);
+      sum += 1.0;
+    }
+    fit.add(samples, values);
+  }
+  EXPECT_NEAR(fit.weightOf(samples.front()), 1.0, 1e-6);
+  for (const float x : fit.solve(0.0)) EXPECT_NEAR(x, 0.5, 5.0 / std::sqrt(sum));
+}
+
+}  // namespace
+}  // namespace prelight
