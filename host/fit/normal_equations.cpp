@@ -258,6 +258,7 @@ std::vector<SlotWeight> NormalEquations::sampledRow(std::uint32_t row) const {
   const Eigen::Vector4d c = gram.completeOrthogonalDecomposition().solve(lacking);
   const Eigen::VectorXd inverse = solved.col(4) + solved.leftCols<4>() * c;
   std::vector<SlotWeight> weights;
+  if (!inverse.allFinite()) return weights;
   // Right-hand sides come unscaled.
   for (Eigen::Index i = 0; i < n; ++i)
     weights.push_back({slots_[rows[static_cast<std::size_t>(i)]], factors_[row] * inverse[i]});
