@@ -64,7 +64,7 @@ Json toJson(const Difference& d) {
           {"notFinite", d.notFinite}};
 }
 
-void print(const Console& console, const std::string& label, const Difference& d) {
+void printDifference(const Console& console, const std::string& label, const Difference& d) {
   console.line(label, fmt::format("rmse {:.6g}, relMSE {:.6g}, max {:.6g}, mean {:.6g} and {:.6g}", d.rms,
                                   d.relativeMse, d.max, d.firstMean, d.secondMean));
 }
@@ -172,7 +172,7 @@ void runCompare(const CompareCommand& command, Context& context) {
   for (const auto& [name, d] : differences) {
     if (d.notFinite > 0)
       session.warn(fmt::format("{}: {} values are not finite and were left out", name, d.notFinite));
-    print(session.console(), name, d);
+    printDifference(session.console(), name, d);
     json[name] = toJson(d);
   }
   json["warnings"] = session.warnings();

@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t rowGrain = 1024;
+constexpr std::size_t rowsAtOnce = 1024;
 constexpr double floor = 1e-9;  // of the mean diagonal: what no sample and no neighbour determines is 0
 constexpr std::size_t largestBlock =
     256;  // unknowns of a dense solve; a vertex with more around it stands alone
@@ -68,7 +68,7 @@ void NormalEquations::evenOutComponents() {
 void NormalEquations::apply(const std::vector<double>& x, std::vector<double>& y,
                             std::vector<double>& scratch, std::size_t columns) const {
   laplacian(x, scratch, columns);
-  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       double* out = &y[i * columns];
       const double own = edgeSum_[i] > 0.0 ? lambda_ * scale_[i] : 0.0;
@@ -131,7 +131,7 @@ void NormalEquations::scaleRegularizer() {
 
 void NormalEquations::laplacian(const std::vector<double>& x, std::vector<double>& y,
                                 std::size_t columns) const {
-  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       double* out = &y[i * columns];
       for (std::size_t c = 0; c < columns; ++c) out[c] = edgeSum_[i] > 0.0 ? x[i * columns + c] : 0.0;

@@ -13,10 +13,11 @@ namespace {
 using device::Hit;
 using device::Ray;
 
-constexpr std::size_t raysPerLaunch = std::size_t{1} << 19;  // keeps a launch well below a second on a CPU
+/// Keeps a launch well below a second on a CPU.
+constexpr std::size_t instancedRaysPerLaunch = std::size_t{1} << 19;
 
 /// Few sizes, so that few variants of the kernels are built.
-int stackBucket(std::uint32_t needed) {
+int instancedStackBucket(std::uint32_t needed) {
   int size = 64;
   while (static_cast<std::uint32_t>(size) < needed) size *= 2;
   return size;
@@ -45,7 +46,7 @@ void InstancedTracer::uploadTop() {
   const InstanceTree tree = buildInstanceTree(shapes_, instances_);
   top_ = Buffer<device::NarrowNode>(*context_, tree.nodes);
   records_ = Buffer<device::DeviceInstance>(*context_, tree.instances);
-  if (stackBucket(tree.stackSize) == stackBucket(topStackSize_)) return;
+  if (instancedStackBucket(tree.stackSize) == instancedStackBucket(topStackSize_)) return;
   topStackSize_ = tree.stackSize;
   closest_ = {};
   any_ = {};
@@ -70,8 +71,8 @@ InstancedTracer::Trace& InstancedTracer::kernel(bool any) {
   if (!kernel) {
     const BuildOptions options = BuildOptions()
                                      .defineIf(any, "PRELIGHT_ANY_HIT")
-                                     .define("PRELIGHT_STACK_SIZE", stackBucket(shapes_.stackSize))
-                                     .define("PRELIGHT_TOP_STACK_SIZE", stackBucket(topStackSize_));
+                                     .define("PRELIGHT_STACK_SIZE", instancedStackBucket(shapes_.stackSize))
+                                     .define("PRELIGHT_TOP_STACK_SIZE", instancedStackBucket(topStackSize_));
     kernel = {*context_, "bvh/two_level_kernels.cl", options, "traceRays"};
   }
   return kernel;
@@ -92,7 +93,7 @@ void InstancedTracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::
 
 std::vector<Hit> InstancedTracer::traceFromHost(bool any, std::span<const Ray> rays) {
   std::vector<Hit> all(rays.size());
-  const std::size_t block = std::min(rays.size(), raysPerLaunch);
+  const std::size_t block = std::min(rays.size(), instancedRaysPerLaunch);
   Buffer<Ray> rayBuffer(*context_, block);
   Buffer<Hit> hitBuffer(*context_, block);
   for (std::size_t first = 0; first < rays.size(); first += block) {
