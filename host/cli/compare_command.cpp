@@ -58,7 +58,7 @@ Difference difference(std::span<const float> first, std::span<const float> secon
   return result;
 }
 
-Json toJson(const Difference& d) {
+Json differenceJson(const Difference& d) {
   return {{"rmse", d.rms},           {"relMSE", d.relativeMse}, {"max", d.max},
           {"meanA", d.firstMean},    {"meanB", d.secondMean},   {"values", d.count},
           {"notFinite", d.notFinite}};
@@ -173,7 +173,7 @@ void runCompare(const CompareCommand& command, Context& context) {
     if (d.notFinite > 0)
       session.warn(fmt::format("{}: {} values are not finite and were left out", name, d.notFinite));
     printDifference(session.console(), name, d);
-    json[name] = toJson(d);
+    json[name] = differenceJson(d);
   }
   json["warnings"] = session.warnings();
   session.console().json(json);
