@@ -8,11 +8,12 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr int border = 1;  // texels around a map that repeat its edge, for bilinear look-ups
+constexpr int repeatedBorder = 1;  // texels around a map that repeat its edge, for bilinear look-ups
 
 ChartAtlas atlasOf(const ChartTransfer& transfer) {
   std::vector<glm::ivec2> sizes;
-  for (const auto& map : transfer.maps) sizes.emplace_back(map.width + 2 * border, map.height + 2 * border);
+  for (const auto& map : transfer.maps)
+    sizes.emplace_back(map.width + 2 * repeatedBorder, map.height + 2 * repeatedBorder);
   return packCharts(sizes);
 }
 
@@ -23,7 +24,7 @@ std::vector<glm::vec4> atlasCoords(const ChartTransfer& transfer, const Compiled
   for (std::size_t m = 0; m < transfer.maps.size(); ++m) {
     const auto& map = transfer.maps[m];
     const ChartAtlas::Place& place = atlas.places[m];
-    const glm::vec2 corner(place.x + border, place.y + border), size(map.width, map.height);
+    const glm::vec2 corner(place.x + repeatedBorder, place.y + repeatedBorder), size(map.width, map.height);
     for (std::size_t v = 0; v < map.coords.size(); ++v)
       coords[scene.primitives[map.primitive].firstVertex + v] =
           glm::vec4((corner + map.coords[v] * size) / static_cast<float>(atlas.side), place.layer, 1.0f);
@@ -34,12 +35,12 @@ std::vector<glm::vec4> atlasCoords(const ChartTransfer& transfer, const Compiled
 /// Radiance of a map's texels before albedo, with the border around: [row][column].
 std::vector<glm::vec3> lightThrough(const ChartTransfer& transfer, const ChartTransfer::Map& map,
                                     const std::vector<glm::vec3>& light) {
-  const int width = map.width + 2 * border, height = map.height + 2 * border;
+  const int width = map.width + 2 * repeatedBorder, height = map.height + 2 * repeatedBorder;
   std::vector<glm::vec3> radiance(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto lightRow = [&](int row) {
     for (int column = 0; column < width; ++column) {
-      const int x = std::clamp(column - border, 0, map.width - 1),
-                y = std::clamp(row - border, 0, map.height - 1);
+      const int x = std::clamp(column - repeatedBorder, 0, map.width - 1),
+                y = std::clamp(row - repeatedBorder, 0, map.height - 1);
       const float* from =
           &map.coefficients[static_cast<std::size_t>(y * map.width + x) * transfer.rowLength()];
       glm::vec3 sum(0.0f);
@@ -76,7 +77,7 @@ void ChartLighting::light(const Illumination& light) {
     const ChartTransfer::Map& map = transfer_.maps[m];
     const ChartAtlas::Place& place = atlas_.places[m];
     gl::fillFloatArray(radiance_, {place.x, place.y, place.layer},
-                       {map.width + 2 * border, map.height + 2 * border},
+                       {map.width + 2 * repeatedBorder, map.height + 2 * repeatedBorder},
                        lightThrough(transfer_, map, floats));
   }
 }

@@ -42,7 +42,7 @@ gl::BufferTexture uploadWeights(const CompressedTransfer& transfer) {
 
 /// Mean of the channels, [vertex]: the radiance under a sky of radiance 1, whose only coefficient is the
 /// first.
-std::vector<float> accessibilityOf(const CompressedTransfer& transfer) {
+std::vector<float> clusterAccessibility(const CompressedTransfer& transfer) {
   const auto count = static_cast<std::size_t>(sh::coefficientCount(transfer.order));
   std::vector<double> sky(3 * count, 0.0);
   for (std::size_t c = 0; c < 3; ++c) sky[c * count] = std::sqrt(4.0 * std::numbers::pi);
@@ -58,7 +58,7 @@ ClusterTransfer::ClusterTransfer(const CompressedTransfer& transfer, const Compi
     : shared_(withoutVertices(transfer)),
       clusters_(uploadClusters(transfer)),
       weights_(uploadWeights(transfer)),
-      accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
+      accessibility_(Attribute::Accessibility, std::span<const float>(clusterAccessibility(transfer))),
       pass_(scene) {}
 
 void ClusterTransfer::light(const Illumination& light) {

@@ -12,7 +12,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double steepest = 0.995;            ///< sine of the steepest view up or down
 constexpr double zoomPerStep = 0.9;           ///< distance after a step of the wheel
 constexpr float groupStep = 1.189207115f;     ///< factor a key press: doubles in four

@@ -16,7 +16,7 @@ std::size_t coefficientCount(const GlossyTransfer& transfer) {
 }
 
 /// Mean of the channels, [vertex]: T_0 sqrt(4 pi), and T_0 = sqrt(4 pi) M_00.
-std::vector<float> accessibilityOf(const GlossyTransfer& transfer) {
+std::vector<float> glossyAccessibility(const GlossyTransfer& transfer) {
   const std::size_t matrix = coefficientCount(transfer) * coefficientCount(transfer);
   const auto channels = static_cast<std::size_t>(transfer.channels);
   std::vector<float> result(transfer.matrices.size() / (matrix * channels));
@@ -53,7 +53,7 @@ GlossyLighting::GlossyLighting(const GlossyTransfer& transfer, Lobe lobe, const 
       lobe_(lobe),
       lobes_(gl::makeBufferTexture(std::span<const glm::vec2>(makeLobeTable(lobe, transfer.order).bands), 1,
                                    GL_RG32F, "lobes")),
-      accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
+      accessibility_(Attribute::Accessibility, std::span<const float>(glossyAccessibility(transfer))),
       radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
 
 GlossyLighting::~GlossyLighting() = default;

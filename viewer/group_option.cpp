@@ -8,7 +8,7 @@
 namespace prelight::viewer {
 namespace {
 
-[[noreturn]] void refuse(std::string_view text, const std::string& what) {
+[[noreturn]] void refuseGroup(std::string_view text, const std::string& what) {
   throw UsageError("--group " + std::string(text), what, "for example Lamp=0.5 or Lamp=1,0.8,0.6");
 }
 
@@ -16,8 +16,8 @@ float parseFactor(std::string_view text, std::string_view part) {
   double value = 0.0;
   const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
   if (status != std::errc{} || end != part.data() + part.size() || part.empty())
-    refuse(text, std::string("expected a number, got '").append(part).append("'"));
-  if (!(value >= 0.0 && value <= 1e9)) refuse(text, "a factor is a number from 0 to 1e9");
+    refuseGroup(text, std::string("expected a number, got '").append(part).append("'"));
+  if (!(value >= 0.0 && value <= 1e9)) refuseGroup(text, "a factor is a number from 0 to 1e9");
   return static_cast<float>(value);
 }
 
@@ -26,7 +26,7 @@ float parseFactor(std::string_view text, std::string_view part) {
 GroupFactor parseGroupFactor(std::string_view text) {
   const auto equals = text.rfind('=');
   if (equals == std::string_view::npos || equals == 0)
-    refuse(text, "expected a group's name, = and one factor or three");
+    refuseGroup(text, "expected a group's name, = and one factor or three");
   GroupFactor result{std::string(text.substr(0, equals)), {}};
   std::vector<float> factors;
   std::string_view rest = text.substr(equals + 1);
@@ -37,7 +37,7 @@ GroupFactor parseGroupFactor(std::string_view text) {
     rest.remove_prefix(end + 1);
   }
   if (factors.size() != 1 && factors.size() != 3)
-    refuse(text, "expected one factor or three, got " + std::to_string(factors.size()));
+    refuseGroup(text, "expected one factor or three, got " + std::to_string(factors.size()));
   const std::size_t last = factors.size() - 1;
   result.factor = {factors[0], factors[last / 2], factors[last]};
   return result;

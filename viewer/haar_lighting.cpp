@@ -17,7 +17,7 @@ std::vector<glm::vec3> asFloat(const std::vector<glm::dvec3>& values) {
 
 /// Mean of the channels, [vertex]: the radiance under a sky of radiance 1, of which a face's average is S and
 /// all other coefficients are 0.
-std::vector<float> accessibilityOf(const HaarTransfer& transfer) {
+std::vector<float> haarAccessibility(const HaarTransfer& transfer) {
   haar::SparseLight even;
   const auto faceTexels = static_cast<std::uint32_t>(transfer.faceSize * transfer.faceSize);
   for (std::uint32_t face = 0; face < cubeFaces; ++face) {
@@ -35,7 +35,7 @@ std::vector<float> accessibilityOf(const HaarTransfer& transfer) {
 HaarLighting::HaarLighting(const HaarTransfer& transfer, const Device* device)
     : transfer_(transfer),
       device_(device),
-      accessibility_(Attribute::Accessibility, std::span<const float>(accessibilityOf(transfer))),
+      accessibility_(Attribute::Accessibility, std::span<const float>(haarAccessibility(transfer))),
       radiance_(Attribute::Radiance, std::span<const glm::vec3>()) {}
 
 HaarLighting::~HaarLighting() = default;

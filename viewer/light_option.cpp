@@ -17,7 +17,7 @@ constexpr const char* example =
     "for example point:0,2,0:10,10,10, directional:0,-1,0:3,3,3 or "
     "spot:0,3,0:0,-1,0:20,30:50,50,50";
 
-[[noreturn]] void refuse(std::string_view text, const std::string& what) {
+[[noreturn]] void refuseLight(std::string_view text, const std::string& what) {
   throw UsageError("--light " + std::string(text), what, example);
 }
 
@@ -36,9 +36,9 @@ double parseNumber(std::string_view text, std::string_view part, const std::stri
   double value = 0.0;
   const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
   if (status != std::errc{} || end != part.data() + part.size() || part.empty()) {
-    refuse(text, name + " has '" + std::string(part) + "' where a number is expected");
+    refuseLight(text, name + " has '" + std::string(part) + "' where a number is expected");
   }
-  if (!(std::abs(value) <= largestInput)) refuse(text, name + " has a number beyond 1e15");
+  if (!(std::abs(value) <= largestInput)) refuseLight(text, name + " has a number beyond 1e15");
   return value;
 }
 
@@ -47,7 +47,8 @@ std::array<double, count> parseNumbers(std::string_view text, std::string_view f
                                        const std::string& name) {
   const auto parts = split(field, ',');
   if (parts.size() != count) {
-    refuse(text, name + " takes " + std::to_string(count) + " numbers, got " + std::to_string(parts.size()));
+    refuseLight(text,
+                name + " takes " + std::to_string(count) + " numbers, got " + std::to_string(parts.size()));
   }
   std::array<double, count> values{};
   for (std::size_t i = 0; i < count; ++i) values[i] = parseNumber(text, parts[i], name);
@@ -62,14 +63,14 @@ glm::dvec3 parsePosition(std::string_view text, std::string_view field) {
 glm::dvec3 parseDirection(std::string_view text, std::string_view field) {
   const auto v = parseNumbers<3>(text, field, "the direction");
   const double length = std::hypot(v[0], v[1], v[2]);
-  if (!(length > 0.0)) refuse(text, "the direction has no length");
+  if (!(length > 0.0)) refuseLight(text, "the direction has no length");
   return glm::dvec3(v[0], v[1], v[2]) / length;
 }
 
 glm::vec3 parseColor(std::string_view text, std::string_view field) {
   const auto v = parseNumbers<3>(text, field, "the colour");
   for (const double channel : v) {
-    if (channel < 0.0) refuse(text, "the colour is negative");
+    if (channel < 0.0) refuseLight(text, "the colour is negative");
   }
   return {v[0], v[1], v[2]};
 }
@@ -77,7 +78,7 @@ glm::vec3 parseColor(std::string_view text, std::string_view field) {
 void parseCone(std::string_view text, std::string_view field, Light& light) {
   const auto [inner, outer] = parseNumbers<2>(text, field, "the cone");
   if (!(0.0 <= inner && inner <= outer && outer <= 90.0)) {
-    refuse(text, "the cone's half angles are not 0 <= inner <= outer <= 90 degrees");
+    refuseLight(text, "the cone's half angles are not 0 <= inner <= outer <= 90 degrees");
   }
   light.innerConeAngle = static_cast<float>(inner * std::numbers::pi / 180.0);
   light.outerConeAngle = static_cast<float>(outer * std::numbers::pi / 180.0);
@@ -89,8 +90,8 @@ Light parseLight(std::string_view text) {
   const auto fields = split(text, ':');
   const auto expectFields = [&](std::size_t count) {
     if (fields.size() != count) {
-      refuse(text, std::string(fields[0]) + " takes " + std::to_string(count - 1) +
-                       " fields after its name, got " + std::to_string(fields.size() - 1));
+      refuseLight(text, std::string(fields[0]) + " takes " + std::to_string(count - 1) +
+                            " fields after its name, got " + std::to_string(fields.size() - 1));
     }
   };
   Light light;
@@ -112,8 +113,8 @@ Light parseLight(std::string_view text) {
     parseCone(text, fields[3], light);
     light.intensity = parseColor(text, fields[4]);
   } else {
-    refuse(text,
-           "unknown kind of light '" + std::string(fields[0]) + "', expected point, directional or spot");
+    refuseLight(
+        text, "unknown kind of light '" + std::string(fields[0]) + "', expected point, directional or spot");
   }
   light.name = std::string(fields[0]);
   return light;

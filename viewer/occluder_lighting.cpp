@@ -13,7 +13,7 @@ namespace prelight::viewer {
 namespace {
 
 /// [vertex], what occluders leave of an even sky.
-std::vector<float> accessibilityOf(const OccluderTransfer& transfer) {
+std::vector<float> occluderAccessibility(const OccluderTransfer& transfer) {
   std::vector<float> result;
   const std::size_t place = placeOf(transfer, OccluderVector::Occlusion);
   for (std::size_t v = 0; v + 1 < transfer.offsets.size(); ++v) {
@@ -46,7 +46,7 @@ OccluderLighting::OccluderLighting(const RenderInputs& inputs)
       anyGloss_{anyOf(gloss_[0]), anyOf(gloss_[1])},
       pass_(*inputs.bake->occluders, inputs.compiled.origin, receivers(false)),
       accessibility_(Attribute::Accessibility,
-                     std::span<const float>(accessibilityOf(*inputs.bake->occluders))) {}
+                     std::span<const float>(occluderAccessibility(*inputs.bake->occluders))) {}
 
 std::vector<device::OccluderReceiverPoint> OccluderLighting::receivers(bool allHighlights) const {
   const CompiledScene& scene = inputs_.compiled;

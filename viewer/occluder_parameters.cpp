@@ -38,7 +38,7 @@ using S = OccluderShading;
 using E = OccluderEffects;
 using O = OccluderOptions;
 
-constexpr std::array<OccluderParameter, 10> table = {{
+constexpr std::array<OccluderParameter, 10> parameterTable = {{
     {"--shadow-strength", "shadow strength N_sh", 0.0, 100.0, 0.2, 5.5,
      "how wide occluders shadow in the thesis' formula (N_sh); the thesis shows 0.2 to 5.5",
      getShading<&S::shadowStrength>, setShading<&S::shadowStrength>},
@@ -74,11 +74,11 @@ constexpr std::array<OccluderParameter, 10> table = {{
 
 }  // namespace
 
-std::span<const OccluderParameter> occluderParameters() { return table; }
+std::span<const OccluderParameter> occluderParameters() { return parameterTable; }
 
 OccluderOptions withinRanges(OccluderOptions options) {
   const OccluderOptions defaults;
-  for (const OccluderParameter& parameter : table) {
+  for (const OccluderParameter& parameter : parameterTable) {
     const double value = parameter.get(options);
     parameter.set(options, std::isnan(value) ? parameter.get(defaults)
                                              : std::clamp(value, parameter.least, parameter.most));

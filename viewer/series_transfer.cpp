@@ -27,8 +27,8 @@ std::vector<double> evenSky(int order, const ch::Basis* ch) {
 
 /// Mean of the channels, [vertex]. `value` decodes number i of a row.
 template <typename Value>
-std::vector<float> accessibilityOf(std::size_t vertices, int channels, std::span<const double> sky,
-                                   const Value& value) {
+std::vector<float> seriesAccessibility(std::size_t vertices, int channels, std::span<const double> sky,
+                                       const Value& value) {
   std::vector<float> result(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
     double sum = 0.0;
@@ -101,8 +101,8 @@ HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, co
   }
   const std::size_t vertices = values.size() / (static_cast<std::size_t>(count) * transfer.channels);
   const auto accessibility =
-      accessibilityOf(vertices, transfer.channels, evenSky(order_, ch_ ? &*ch_ : nullptr),
-                      [&](std::size_t at, std::size_t, std::size_t) { return double(values[at]); });
+      seriesAccessibility(vertices, transfer.channels, evenSky(order_, ch_ ? &*ch_ : nullptr),
+                          [&](std::size_t at, std::size_t, std::size_t) { return double(values[at]); });
   accessibility_.emplace(Attribute::Accessibility, std::span<const float>(accessibility));
 }
 
@@ -125,7 +125,7 @@ HarmonicSeries::HarmonicSeries(const CompressedTransfer& transfer, const Compile
     return double(range[0]) + double(range[1]) * transfer.bytes[at];
   };
   const auto accessibility =
-      accessibilityOf(transfer.vertexCount, transfer.channels, evenSky(order_, nullptr), decode);
+      seriesAccessibility(transfer.vertexCount, transfer.channels, evenSky(order_, nullptr), decode);
   accessibility_.emplace(Attribute::Accessibility, std::span<const float>(accessibility));
 }
 

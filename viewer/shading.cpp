@@ -15,7 +15,7 @@ constexpr int defaultGlossyOrder = 4;
 
 constexpr int orDefault(int asked, int otherwise) { return asked > 0 ? asked : otherwise; }
 
-constexpr std::array<ShadingInfo, shadingCount> table = {{
+constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
     {Shading::Phong, "phong", "direct light without shadows", "", [](const Bake&) { return true; },
      [](const BakeRequest&) { return false; }, [](BakeRequest&, const BakeRequest&) {}},
     {Shading::Ao, "ao", "the same with the sky's light occluded", "--ao",
@@ -92,19 +92,19 @@ constexpr std::array<Shading, shadingCount> byPreference = {
 
 }  // namespace
 
-std::span<const ShadingInfo> shadings() { return table; }
+std::span<const ShadingInfo> shadings() { return shadingTable; }
 
-const ShadingInfo& infoOf(Shading shading) { return table[static_cast<std::size_t>(shading)]; }
+const ShadingInfo& infoOf(Shading shading) { return shadingTable[static_cast<std::size_t>(shading)]; }
 
 std::string shadingNames() {
   std::string names;
-  for (const ShadingInfo& info : table) names += (names.empty() ? "" : ", ") + std::string(info.name);
+  for (const ShadingInfo& info : shadingTable) names += (names.empty() ? "" : ", ") + std::string(info.name);
   return names;
 }
 
 Shading parseShading(std::string_view name) {
   std::vector<std::string> names;
-  for (const ShadingInfo& info : table) {
+  for (const ShadingInfo& info : shadingTable) {
     if (info.name == name) return info.shading;
     names.emplace_back(info.name);
   }

@@ -7,7 +7,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr int border = 2;              ///< texels around a cube's side that the filter reaches into
+constexpr int filterBorder = 2;        ///< texels around a cube's side that the filter reaches into
 constexpr int usualSide = 1024;        ///< texels of a view of a light that casts sharp shadows
 constexpr int directionalSide = 2048;  ///< the same of one that sees the whole scene
 constexpr int sampleSide = 256;        ///< of a sample that shines together with many others
@@ -77,7 +77,7 @@ ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledSc
   frame.side = side;
   frame.position = light.position;
   frame.near = nearShare * radius;
-  frame.scale = static_cast<float>(side - 2 * border) / static_cast<float>(side);
+  frame.scale = static_cast<float>(side - 2 * filterBorder) / static_cast<float>(side);
   switch (light.kind) {
     case LightKind::Directional:
       frame.axes = frameAlong(light.direction);

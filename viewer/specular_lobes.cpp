@@ -10,7 +10,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int quadratureNodes = 128;
 
 /// Squared width of GGX as shaders/specular.glsl has it.

@@ -101,7 +101,7 @@ struct Technique {
 constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Metals, Through::FarLights};
 
 /// How each shading is drawn, in the order of Shading.
-constexpr std::array<Technique, shadingCount> table = {{
+constexpr std::array<Technique, shadingCount> techniqueTable = {{
     {{}, [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
     {{Ambient::Accessible, Reflection::Everywhere, Through::None},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
@@ -218,7 +218,7 @@ bool drawsEncoding(Shading shading, const RenderInputs& inputs) {
 }
 
 DrawingRules rulesOf(Shading shading, const RenderInputs& inputs) {
-  DrawingRules rules = table[static_cast<std::size_t>(shading)].rules;
+  DrawingRules rules = techniqueTable[static_cast<std::size_t>(shading)].rules;
   if (drawsEncoding(shading, inputs))
     rules.ambient = shading == Shading::LightMap ? Ambient::EncodedMap : Ambient::EncodedVertices;
   return rules;
@@ -263,7 +263,7 @@ void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const
 
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe) {
   if (drawsEncoding(shading, inputs)) return makeEncoded(shading, inputs);
-  return table[static_cast<std::size_t>(shading)].make(inputs, lobe);
+  return techniqueTable[static_cast<std::size_t>(shading)].make(inputs, lobe);
 }
 
 }  // namespace prelight::viewer

@@ -21,7 +21,7 @@ const Primitive* findPrimitive(const Scene& scene, const std::map<int, const Mes
   return primitive.positions.size() == range.vertexCount ? &primitive : nullptr;
 }
 
-glm::vec2 lookUp(const Primitive& primitive, const TextureRef& use, std::size_t vertex) {
+glm::vec2 lookUpCoords(const Primitive& primitive, const TextureRef& use, std::size_t vertex) {
   const auto& coords = use.texCoord == 1 ? primitive.texCoords1 : primitive.texCoords0;
   return vertex < coords.size() ? glm::vec2(use.transform * glm::vec3(coords[vertex], 1.0f))
                                 : glm::vec2(0.0f);
@@ -45,9 +45,9 @@ TexCoords texCoords(const Scene& scene, const CompiledScene& compiled) {
     const Material& material = scene.materialOf(*primitive);
     for (std::uint32_t i = 0; i < range.vertexCount; ++i) {
       result.baseColorAndMetallicRoughness[range.firstVertex + i] =
-          glm::vec4(lookUp(*primitive, material.baseColorTexture, i),
-                    lookUp(*primitive, material.metallicRoughnessTexture, i));
-      result.emissive[range.firstVertex + i] = lookUp(*primitive, material.emissiveTexture, i);
+          glm::vec4(lookUpCoords(*primitive, material.baseColorTexture, i),
+                    lookUpCoords(*primitive, material.metallicRoughnessTexture, i));
+      result.emissive[range.firstVertex + i] = lookUpCoords(*primitive, material.emissiveTexture, i);
     }
   }
   return result;
@@ -67,7 +67,7 @@ NormalPlaces normalPlaces(const Scene& scene, const CompiledScene& compiled) {
     // A mirroring transform turns the bitangent around, which the cross product would not.
     const float mirror = glm::determinant(world) < 0.0 ? -1.0f : 1.0f;
     for (std::uint32_t i = 0; i < range.vertexCount; ++i) {
-      places.coords[range.firstVertex + i] = lookUp(*primitive, use, i);
+      places.coords[range.firstVertex + i] = lookUpCoords(*primitive, use, i);
       if (i >= primitive->tangents.size()) continue;
       const glm::vec4& tangent = primitive->tangents[i];
       places.tangents[range.firstVertex + i] =

@@ -9,7 +9,7 @@
 namespace prelight::viewer {
 namespace {
 
-glm::vec4 lookUp(const Scene& scene, const TextureRef& texture, const glm::vec2& uv) {
+glm::vec4 lookUpTexel(const Scene& scene, const TextureRef& texture, const glm::vec2& uv) {
   if (texture.image < 0 || static_cast<std::size_t>(texture.image) >= scene.images.size())
     return glm::vec4(1.0f);
   return sampleImage(scene.images[static_cast<std::size_t>(texture.image)], uv, texture.wrapS, texture.wrapT);
@@ -24,9 +24,9 @@ glm::vec3 decodeSrgb(const glm::vec3& v) {
 glm::vec4 glossOf(const Scene& scene, const Material& m, const glm::vec4& coords, const glm::vec4& color,
                   bool all) {
   const glm::vec3 base = glm::vec3(m.baseColor) *
-                         decodeSrgb(lookUp(scene, m.baseColorTexture, {coords.x, coords.y})) *
+                         decodeSrgb(lookUpTexel(scene, m.baseColorTexture, {coords.x, coords.y})) *
                          glm::vec3(color);
-  const glm::vec4 factors = lookUp(scene, m.metallicRoughnessTexture, {coords.z, coords.w});
+  const glm::vec4 factors = lookUpTexel(scene, m.metallicRoughnessTexture, {coords.z, coords.w});
   const float metallic = m.metallic * factors.b, roughness = m.roughness * factors.g;
   const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
   const glm::vec3 dielectric = glm::min(ratio * ratio * m.specularColor, glm::vec3(1.0f)) * m.specular;

@@ -35,12 +35,12 @@ double secondFactor(int l, int m) {
 }
 
 /// The recurrence of the normalised functions divided by sin^m: P(l) = a(l,m) z P(l-1) - c(l,m) P(l-2).
-struct Recurrence {
+struct ChRecurrence {
   std::array<Row, maxOrder> a{};
   std::array<Row, maxOrder> c{};
   std::array<Row, maxOrder> norm{};  ///< [l][m] of sin^m Q, with the wave in phi
 
-  Recurrence() {
+  ChRecurrence() {
     for (int m = 0; m < maxOrder; ++m) fillColumn(m);
   }
 
@@ -67,8 +67,8 @@ struct Recurrence {
   }
 };
 
-const Recurrence& recurrence() {
-  static const Recurrence table;
+const ChRecurrence& chRecurrence() {
+  static const ChRecurrence table;
   return table;
 }
 
@@ -100,13 +100,13 @@ double constant(int l, int m) {
   }
   double derivative = 1.0;  // T_m^(m) = 2^(m-1) m!
   for (int i = 1; i <= k; ++i) derivative *= i == 1 ? 1.0 : 2.0 * i;
-  return recurrence().norm[l][k] / derivative;
+  return chRecurrence().norm[l][k] / derivative;
 }
 
 void evaluate(const glm::dvec3& direction, int order, std::span<double> values) {
   sh::checkOrder(order, "CH");
   assert(values.size() >= static_cast<std::size_t>(order * order));
-  const Recurrence& table = recurrence();
+  const ChRecurrence& table = chRecurrence();
   double real = 1.0;  // of (x + iy)^m
   double imaginary = 0.0;
   for (int m = 0; m < order; ++m) {

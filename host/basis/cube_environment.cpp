@@ -20,8 +20,8 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double twoPi = 2.0 * std::numbers::pi;
+using std::numbers::pi;
+constexpr double twoPi = 2.0 * pi;
 
 /// The sky summed up along its columns from the south pole.
 class ColumnSums {

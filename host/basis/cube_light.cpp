@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t diskCorners = 128;
 
 void checkLight(const glm::vec3& value, const char* what) {

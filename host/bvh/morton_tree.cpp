@@ -89,9 +89,9 @@ void radixSort(std::vector<Coded>& items, std::size_t threads) {
   }
 }
 
-class Builder {
+class MortonBuilder {
  public:
-  Builder(const CompiledScene& scene, std::size_t threads)
+  MortonBuilder(const CompiledScene& scene, std::size_t threads)
       : references_(makeReferences(scene, threads)), threads_(threads) {}
 
   BinaryBvh build() {
@@ -183,7 +183,7 @@ class Builder {
 }  // namespace
 
 BinaryBvh buildMortonTree(const CompiledScene& scene, std::size_t threads) {
-  return Builder(scene, threads).build();
+  return MortonBuilder(scene, threads).build();
 }
 
 }  // namespace prelight

@@ -15,8 +15,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t grain = 1u << 15;         // references that a thread takes at once
-constexpr std::uint32_t minSubtree = 1u << 13;  // smaller ranges are not worth a task
+constexpr std::size_t referencesAtOnce = 1u << 15;  // references that a thread takes at once
+constexpr std::uint32_t minSubtree = 1u << 13;      // smaller ranges are not worth a task
 constexpr int smallBins = 8, leanBins = 16, fineBins = 32;
 constexpr std::uint32_t minSpatial = 32;  // smaller ranges gain nothing by spatial splits, and cost most
 constexpr double minOverlap =
@@ -44,10 +44,10 @@ int longestAxis(const LaneBox& box) {
   return extent.x > extent.y ? (extent.x > extent.z ? 0 : 2) : (extent.y > extent.z ? 1 : 2);
 }
 
-class Builder {
+class TopDownBuilder {
  public:
   /// `scene` may be null when nothing is split spatially.
-  Builder(std::vector<Reference> references, const CompiledScene* scene, const TopDownOptions& options)
+  TopDownBuilder(std::vector<Reference> references, const CompiledScene* scene, const TopDownOptions& options)
       : scene_(scene),
         options_(options),
         references_(std::move(references)),
@@ -182,11 +182,12 @@ class Builder {
       for (const Reference& reference : references) all.grow(reference);
       return all;
     }
-    std::vector<RangeBounds> parts((range.count + grain - 1) / grain);
+    std::vector<RangeBounds> parts((range.count + referencesAtOnce - 1) / referencesAtOnce);
     parallelRanges(
-        range.count, grain,
+        range.count, referencesAtOnce,
         [&](std::size_t begin, std::size_t end) {
-          for (const Reference& r : references.subspan(begin, end - begin)) parts[begin / grain].grow(r);
+          for (const Reference& r : references.subspan(begin, end - begin))
+            parts[begin / referencesAtOnce].grow(r);
         },
         options_.threads);
     for (const RangeBounds& part : parts) all.grow(part);
@@ -237,11 +238,11 @@ class Builder {
       bins.add(grid, references);
       return bins.bestSplit(grid, price_);
     }
-    std::vector<ObjectBins<binCount>> parts((range.count + grain - 1) / grain);
+    std::vector<ObjectBins<binCount>> parts((range.count + referencesAtOnce - 1) / referencesAtOnce);
     parallelRanges(
-        range.count, grain,
+        range.count, referencesAtOnce,
         [&](std::size_t begin, std::size_t end) {
-          parts[begin / grain].add(grid, references.subspan(begin, end - begin));
+          parts[begin / referencesAtOnce].add(grid, references.subspan(begin, end - begin));
         },
         options_.threads);
     for (const ObjectBins<binCount>& part : parts) bins.add(part);
@@ -300,7 +301,7 @@ std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t th
                                       std::span<const std::uint32_t> triangles) {
   std::vector<Reference> references(triangles.empty() ? scene.triangleCount() : triangles.size());
   parallelRanges(
-      references.size(), grain,
+      references.size(), referencesAtOnce,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t t = triangles.empty() ? static_cast<std::uint32_t>(i) : triangles[i];
@@ -314,7 +315,7 @@ std::vector<Reference> makeReferences(const CompiledScene& scene, std::size_t th
 }
 
 BinaryBvh buildTopDown(const CompiledScene& scene, const TopDownOptions& options) {
-  return Builder(makeReferences(scene, options.threads, options.triangles), &scene, options).build();
+  return TopDownBuilder(makeReferences(scene, options.threads, options.triangles), &scene, options).build();
 }
 
 BinaryBvh buildOverBoxes(std::span<const Box> boxes, const TopDownOptions& options) {
@@ -323,7 +324,7 @@ BinaryBvh buildOverBoxes(std::span<const Box> boxes, const TopDownOptions& optio
     references.emplace_back(boxes[i], static_cast<std::uint32_t>(i));
   TopDownOptions withoutSplits = options;
   withoutSplits.splitBudget = 0.0;
-  return Builder(std::move(references), nullptr, withoutSplits).build();
+  return TopDownBuilder(std::move(references), nullptr, withoutSplits).build();
 }
 
 }  // namespace prelight

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
-namespace prelight {
+#include "charts/cross.h"
 
+namespace prelight {
 namespace {
 
 constexpr double leastCells = 1 << 10, cellsPerTriangle = 1 << 8, mostCells = 1 << 20;
 constexpr double edgeWidth = 1e-3;  // of a height: nearer to an edge, neighbours may both hold a point
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> points) {

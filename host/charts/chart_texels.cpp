@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "charts/cross.h"
 #include "receivers/surface_sampler.h"
 
 namespace prelight {
@@ -16,8 +17,6 @@ constexpr double margin = 1.0 / 64.0;
 /// How far from a texel's centre, in its sides, look-ups meet it with a weight worth the name.
 constexpr double reachOfTexel = 0.999;
 constexpr double noDistance = 1e30;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Texel centres that a side of `length` texels spans, its scale, and where it starts.
 struct Span {

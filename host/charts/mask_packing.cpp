@@ -10,8 +10,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t mostCells = std::size_t{1} << 20;  // of the bitmap that places are sought in
-constexpr std::size_t fewMasks = 600;                    // so many are packed several times, to choose
+constexpr std::size_t mostBitmapCells = std::size_t{1} << 20;  // of the bitmap that places are sought in
+constexpr std::size_t fewMasks = 600;                          // so many are packed several times, to choose
 
 /// A mask in 64-bit words, at the granularity of the bitmap.
 struct BitMask {
@@ -143,7 +143,7 @@ std::optional<MaskPacking> packMasks(std::span<const ChartMask> masks, int mostS
   const auto most = static_cast<std::size_t>(mostSide);
   if (widest > mostSide || needed > most * most) return std::nullopt;
   int grain = 1;
-  while (needed / static_cast<std::size_t>(grain * grain) > mostCells) grain *= 2;
+  while (needed / static_cast<std::size_t>(grain * grain) > mostBitmapCells) grain *= 2;
   std::vector<BitMask> bits;
   bits.reserve(masks.size());
   double cells = 0.0;

@@ -38,7 +38,7 @@ struct BakeCommand {
   BakeOptions bake;
 };
 
-void checkOutputs(const BakeCommand& command) {
+void checkBakeOutputs(const BakeCommand& command) {
   checkOutputFile("-o", command.output, {".glb"});
   if (command.bake.request.lightMap) checkOutputFile("-o", lightMapPath(command.output), {".exr"});
   if (!command.report.empty()) checkOutputFile("--report", command.report, {".json"});
@@ -220,7 +220,7 @@ void runBake(const BakeCommand& command, Context& context) {
   Session session(context);
   LoadedScene loaded = session.load(command.scene);
   requireTriangles(loaded);
-  checkOutputs(command);
+  checkBakeOutputs(command);
   BakeRequest request = requestOf(command, session);
   readSky(command, session, request);
   const std::optional<std::size_t> animation = animationOf(session, command, loaded.scene);

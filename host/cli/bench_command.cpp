@@ -1,22 +1,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/suggestion.h"
-#include "cli/commands.h"
-#include "prelight/error.h"
-
-#ifdef PRELIGHT_WITH_BENCHMARKS
-
 #include <algorithm>
 #include <memory>
 
+#include "base/suggestion.h"
 #include "benchmarks/plot.h"
 #include "benchmarks/ray_peer.h"
 #include "benchmarks/stability/stability_suite.h"
 #include "benchmarks/suite.h"
+#include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/session.h"
 #include "cli/values.h"
+#include "prelight/error.h"
 #include "prelight/plan.h"
 
 namespace prelight::cli {
@@ -57,7 +54,7 @@ std::vector<std::string> chosenSuites(const std::string& suite) {
   return {suite};
 }
 
-void checkOutputs(const BenchCommand& command) {
+void checkBenchOutputs(const BenchCommand& command) {
   const std::vector<std::string> known = knownSuites();
   if (std::find(known.begin(), known.end(), command.json) != known.end())
     throw UsageError("--json", fmt::format("got the suite '{}', expected a file", command.json.string()),
@@ -72,7 +69,7 @@ std::string valueText(const BenchmarkResult& result) {
   return fmt::format("{:.4g} {}", result.value, result.unit);
 }
 
-void print(const Console& console, const BenchmarkResult& result) {
+void printResult(const Console& console, const BenchmarkResult& result) {
   const std::string ratio =
       result.ratio ? fmt::format("   {:.2f} x {}", *result.ratio, result.peer) : std::string();
   console.line(result.suite,
@@ -117,7 +114,7 @@ void checkBounds(const std::vector<BenchmarkResult>& results) {
 void runBench(const BenchCommand& command, Context& context) {
   Session session(context);
   const std::vector<std::string> suites = chosenSuites(command.suite);
-  checkOutputs(command);
+  checkBenchOutputs(command);
   BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
   options.skies = command.skies;
   options.folder = command.plots;
@@ -140,7 +137,7 @@ void runBench(const BenchCommand& command, Context& context) {
     const std::vector<BenchmarkResult> measured =
         benchmarks::runSuite(suite, device, options, session.progress());
     session.progress().clear();
-    for (const BenchmarkResult& result : measured) print(session.console(), result);
+    for (const BenchmarkResult& result : measured) printResult(session.console(), result);
     results.insert(results.end(), measured.begin(), measured.end());
   }
   const Json report = reportOf(results, suites, options, device.info());
@@ -208,19 +205,3 @@ void addBenchCommand(CLI::App& program, Context& context) {
 }
 
 }  // namespace prelight::cli
-
-#else  // a build with PRELIGHT_BENCHMARKS=OFF
-
-namespace prelight::cli {
-
-void addBenchCommand(CLI::App& program, Context&) {
-  CLI::App* app = program.add_subcommand("bench", "Not in this build (PRELIGHT_BENCHMARKS=OFF)");
-  app->allow_extras()->fallthrough(false);
-  app->callback([] {
-    throw UsageError("bench", "this build has no benchmarks", "configure it with -DPRELIGHT_BENCHMARKS=ON");
-  });
-}
-
-}  // namespace prelight::cli
-
-#endif

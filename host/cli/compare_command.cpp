@@ -58,13 +58,13 @@ Difference difference(std::span<const float> first, std::span<const float> secon
   return result;
 }
 
-Json toJson(const Difference& d) {
+Json differenceJson(const Difference& d) {
   return {{"rmse", d.rms},           {"relMSE", d.relativeMse}, {"max", d.max},
           {"meanA", d.firstMean},    {"meanB", d.secondMean},   {"values", d.count},
           {"notFinite", d.notFinite}};
 }
 
-void print(const Console& console, const std::string& label, const Difference& d) {
+void printDifference(const Console& console, const std::string& label, const Difference& d) {
   console.line(label, fmt::format("rmse {:.6g}, relMSE {:.6g}, max {:.6g}, mean {:.6g} and {:.6g}", d.rms,
                                   d.relativeMse, d.max, d.firstMean, d.secondMean));
 }
@@ -203,8 +203,8 @@ void runCompare(const CompareCommand& command, Context& context) {
   for (const auto& [name, d] : differences) {
     if (d.notFinite > 0)
       session.warn(fmt::format("{}: {} values are not finite and were left out", name, d.notFinite));
-    print(session.console(), name, d);
-    json[name] = toJson(d);
+    printDifference(session.console(), name, d);
+    json[name] = differenceJson(d);
   }
   json["warnings"] = session.warnings();
   session.console().json(json);

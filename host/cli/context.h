@@ -11,6 +11,7 @@ struct Context {
   StopSignals signals;
   StandardOutput output;
   GlobalOptions options;
+  char* const* arguments = nullptr;  ///< what the program was started with, and a null pointer at the end
 };
 
 }  // namespace prelight::cli

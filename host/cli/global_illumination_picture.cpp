@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t mostPhotons = 1'000'000'000;
 constexpr std::uint64_t mostTexels = std::uint64_t{1} << 24;
 
-nlohmann::ordered_json toJson(const PhotonReport& photons) {
+nlohmann::ordered_json photonJson(const PhotonReport& photons) {
   return {{"emitted", photons.emitted}, {"stored", photons.stored}, {"rays", photons.rays}};
 }
 
@@ -38,8 +38,8 @@ nlohmann::ordered_json pictureReport(const PictureOptions& options,
           {"spp", request.samples},
           {"seed", request.seed},
           {"texels", made.texels},
-          {"photons", toJson(made.photons)},
-          {"causticPhotons", toJson(made.causticPhotons)},
+          {"photons", photonJson(made.photons)},
+          {"causticPhotons", photonJson(made.causticPhotons)},
           {"rays", made.rays},
           {"seconds", session.times().total()},
           {"stages", cli::toJson(session.times())},

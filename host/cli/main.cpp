@@ -193,11 +193,12 @@ int reportLostOutput(int code, const StandardOutput& output) {
   return code == static_cast<int>(ExitCode::Done) ? static_cast<int>(ExitCode::RuntimeFailure) : code;
 }
 
-int runReporting(int argumentCount, const char* const* arguments) {
+int runReporting(int argumentCount, char* const* arguments) {
   openStandardStreams();
   ignoreWriteSignals();
   answerWantOfMemory();
   Context context;
+  context.arguments = arguments;
   int code = 0;
   try {
     code = run(argumentCount, arguments, context);

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const std::string& option, const fs::path& path, const std::string& what,
-                         const std::string& fix) {
+[[noreturn]] void refuseOutput(const std::string& option, const fs::path& path, const std::string& what,
+                               const std::string& fix) {
   throw Error(ExitCode::RuntimeFailure, fmt::format("{} {}", option, path.string()), what, fix);
 }
 
@@ -35,8 +35,8 @@ fs::path folderOf(const fs::path& path) {
 void checkFolder(const std::string& option, const fs::path& path, const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
-    refuse(option, path, fmt::format("the folder {} does not exist", folder.string()),
-           "make it, or name another");
+    refuseOutput(option, path, fmt::format("the folder {} does not exist", folder.string()),
+                 "make it, or name another");
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void checkOutputFile(const std::string& option, const fs::path& path,
     throw UsageError(option, fmt::format("got '{}', expected a file name that ends in {}", path.string(),
                                          fmt::join(extensions, " or ")));
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) refuse(option, path, "is a folder", "name a file");
+  if (fs::is_directory(path, ignored)) refuseOutput(option, path, "is a folder", "name a file");
   checkFolder(option, path, folderOf(path));
   checkWritable(path, fmt::format("{} {}", option, path.string()));
 }
@@ -56,9 +56,10 @@ void checkOutputFile(const std::string& option, const fs::path& path,
 void checkOutputFolder(const std::string& option, const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_directory(path, error))
-    refuse(option, path, "is not a folder", "name a folder");
+    refuseOutput(option, path, "is not a folder", "name a folder");
   if (!fs::exists(path, error) && !fs::create_directory(path, error))
-    refuse(option, path, fmt::format("cannot be made: {}", error.message()), "name a folder that exists");
+    refuseOutput(option, path, fmt::format("cannot be made: {}", error.message()),
+                 "name a folder that exists");
   checkWritable(path / "file", fmt::format("{} {}", option, path.string()));
 }
 

@@ -24,7 +24,7 @@ constexpr int defaultHeight = 720;
 constexpr std::uint64_t maxCameraIndex = 1u << 20;
 constexpr std::uint64_t maxHaarTerms = 6 * 128 * 128;
 constexpr std::uint64_t maxCausticPhotons = 100'000'000;
-constexpr int defaultBounces = 1;
+constexpr int shadingBounces = 1;
 
 void readLight(std::optional<std::vector<Light>>& lights, const std::string& text) {
   if (!lights) lights.emplace();
@@ -61,7 +61,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
-    request.bounces = defaultBounces;
+    request.bounces = shadingBounces;
   }
   return request;
 }

@@ -26,8 +26,8 @@ using reference::Film;
 using reference::ReferenceReport;
 using reference::ReferenceRequest;
 
-constexpr int defaultHeight = 720;
-constexpr std::uint64_t maxCameraIndex = 1u << 20;
+constexpr int referenceHeight = 720;
+constexpr std::uint64_t referenceCameras = 1u << 20;
 
 struct ReferenceCommand {
   std::filesystem::path scene;
@@ -35,7 +35,7 @@ struct ReferenceCommand {
   std::filesystem::path environment;
   double skyRotationDegrees = 0.0;
   std::optional<int> camera;
-  PictureSize size{std::nullopt, defaultHeight};
+  PictureSize size{std::nullopt, referenceHeight};
   std::optional<std::vector<Light>> lights;
   ReferenceRequest request;
   bool resume = false;
@@ -88,7 +88,7 @@ nlohmann::ordered_json referenceReport(const ReferenceCommand& command, const Re
   return report;
 }
 
-void printSummary(const ReferenceCommand& command, const ReferenceRun& run, Session& session) {
+void printReference(const ReferenceCommand& command, const ReferenceRun& run, Session& session) {
   const Console& console = session.console();
   console.line("device", run.device.name);
   const double seconds = run.report.seconds;
@@ -206,7 +206,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
     std::filesystem::remove(state, ignored);
   }
   for (const std::string& note : run.report.notes) session.console().note(note);
-  printSummary(command, run, session);
+  printReference(command, run, session);
   session.console().json(referenceReport(command, run, session));
 }
 
@@ -245,11 +245,11 @@ void addPathOptions(CLI::App& app, ReferenceCommand& command) {
 
 void addViewOptions(CLI::App& app, ReferenceCommand& command) {
   addWholeNumber(
-      app, "--camera", {0, maxCameraIndex}, [&](std::uint64_t n) { command.camera = static_cast<int>(n); },
+      app, "--camera", {0, referenceCameras}, [&](std::uint64_t n) { command.camera = static_cast<int>(n); },
       "camera of the file, counted from 0 (default: the first, or one that frames the scene)");
   addPictureSize(
       app, "--size", [&](PictureSize size) { command.size = size; },
-      fmt::format("pixels; one number is the height (default {})", defaultHeight));
+      fmt::format("pixels; one number is the height (default {})", referenceHeight));
   app.add_option("--env", command.environment, "sky: equirectangular .hdr or .exr")->type_name("MAP");
   addRealNumber(
       app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { command.skyRotationDegrees = degrees; },

@@ -7,6 +7,10 @@ file(RELATIVE_PATH library_from_program /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTAL
 set_target_properties(prelight_cli PROPERTIES INSTALL_RPATH $ORIGIN/${library_from_program})
 set_target_properties(prelight PROPERTIES INSTALL_RPATH $ORIGIN)  # where it is a shared library
 install(TARGETS prelight_cli RUNTIME)
+if(PRELIGHT_BENCHMARKS)
+  set_target_properties(prelight_bench PROPERTIES INSTALL_RPATH $ORIGIN/${library_from_program})
+  install(TARGETS prelight_bench RUNTIME OPTIONAL)
+endif()
 install(TARGETS prelight EXPORT prelight-targets)
 install(TARGETS prelight_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 

@@ -24,9 +24,9 @@ std::vector<std::string_view> partsOf(std::string_view text) {
   return parts;
 }
 
-class Reader {
+class CompressionParser {
  public:
-  explicit Reader(std::string_view text) : text_(text), parts_(partsOf(text)) {}
+  explicit CompressionParser(std::string_view text) : text_(text), parts_(partsOf(text)) {}
 
   CompressionRequest read() {
     CompressionRequest request;
@@ -103,7 +103,7 @@ const char* suffix(WeightStorage weights) {
 
 }  // namespace
 
-CompressionRequest parseCompression(std::string_view text) { return Reader(text).read(); }
+CompressionRequest parseCompression(std::string_view text) { return CompressionParser(text).read(); }
 
 std::string compressionName(const CompressionRequest& request) {
   switch (request.method) {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "base/parallel.h"
 #include "base/octahedral.h"
+#include "base/parallel.h"
 #include "occluders/occluder_light.h"
 #include "occluders/occluder_places.h"
 
@@ -46,9 +46,9 @@ class Writer {
   std::uint8_t* bytes_;
 };
 
-class Reader {
+class OccluderBytes {
  public:
-  explicit Reader(const std::uint8_t* bytes) : bytes_(bytes) {}
+  explicit OccluderBytes(const std::uint8_t* bytes) : bytes_(bytes) {}
   std::uint32_t byte() { return *bytes_++; }
   std::uint32_t word() {
     const std::uint32_t low = byte();
@@ -125,7 +125,7 @@ void writeVector(OccluderVector kind, const glm::dvec4& vector, double formFacto
 }
 
 glm::dvec4 readVector(OccluderVector kind, double formFactor, const glm::dvec3& vertex,
-                      const Distances& distances, Reader& from) {
+                      const Distances& distances, OccluderBytes& from) {
   switch (kind) {
     case OccluderVector::Position: {
       const double distance = distances.at(from.word());
@@ -230,8 +230,8 @@ QuantizedOccluders quantizeOccluders(const OccluderTransfer& transfer, std::span
 
 void dequantizeRecord(const std::vector<OccluderVector>& stored, double leastDistance, double mostDistance,
                       const glm::dvec3& vertex, const std::uint8_t* bytes, glm::vec4* vectors) {
-  const double root = Reader(bytes + occlusionByte(stored)).word() / 65535.0;
-  Reader from(bytes);
+  const double root = OccluderBytes(bytes + occlusionByte(stored)).word() / 65535.0;
+  OccluderBytes from(bytes);
   for (std::size_t s = 0; s < stored.size(); ++s)
     vectors[s] = glm::vec4(readVector(stored[s], root * root, vertex, {leastDistance, mostDistance}, from));
 }

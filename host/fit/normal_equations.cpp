@@ -12,7 +12,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t rowGrain = 1024;
+constexpr std::size_t rowsAtOnce = 1024;
 constexpr double floor = 1e-9;  // of the mean diagonal: what next to no sample determines leans on the rest
 constexpr std::size_t largestBlock =
     256;  // unknowns of a dense solve; a vertex with more around it stands alone
@@ -21,7 +21,7 @@ constexpr std::size_t largestBlock =
 /// around, the mean of w b^2 over a triangle. 0 where no sample is.
 std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const TriangleMass> mass) {
   std::vector<double> scale(mesh.slotCount());
-  parallelRanges(mesh.slotCount(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(mesh.slotCount(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s)
       for (std::uint32_t i = mesh.cornerStart[s]; i < mesh.cornerStart[s + 1]; ++i)
         scale[s] += totalWeight(mass[mesh.corners[i] / 3]) / 6.0;
@@ -76,7 +76,7 @@ void NormalEquations::assemble(std::span<const TriangleMass> mass) {
   }
   edges_.resize(start_.back());
   entries_.resize(rows());
-  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     std::vector<EdgeSums> sums;
     for (std::size_t row = begin; row < end; ++row) assembleRow(mass, row, sums);
   });
@@ -127,13 +127,13 @@ void NormalEquations::smooth(double lambda, const std::vector<double>& scale,
   const auto strength = [&](std::size_t row) {
     return lambda * factors_[row] * scale[slots_[row]] * (stiffness.empty() ? 1.0 : stiffness[slots_[row]]);
   };
-  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       const double sum = entries_[row].edgeSum;
       entries_[row].pull = sum > 0.0 ? static_cast<float>(strength(row) / (sum * sum)) : 0.0f;
     }
   });
-  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       const double sum = entries_[row].edgeSum;
       double diagonal = entries_[row].diagonal + entries_[row].pull * sum * sum;
@@ -146,7 +146,7 @@ void NormalEquations::smooth(double lambda, const std::vector<double>& scale,
 
 std::vector<double> NormalEquations::laplacian(std::span<const float> x) const {
   std::vector<double> bending(mesh_.slotCount(), 0.0);
-  parallelRanges(rows(), rowGrain, [&](std::size_t begin, std::size_t end) {
+  parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
       double sum = 0.0;
       for (std::uint32_t e = start_[row]; e < start_[row + 1]; ++e)

@@ -14,11 +14,11 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t grain = 64;    // vertices that share a row's memory
-constexpr double leavesOnly = -1.0;  // price at which records are a gain: nothing is joined
-constexpr double leastPrice = 1e-9;  // below any error that means something
-constexpr int bisections = 30;       // of the price's logarithm
-constexpr double filled = 0.998;     // of the records allowed, with which a price is good enough
+constexpr std::size_t verticesAtOnce = 64;  // vertices that share a row's memory
+constexpr double leavesOnly = -1.0;         // price at which records are a gain: nothing is joined
+constexpr double leastPrice = 1e-9;         // below any error that means something
+constexpr int bisections = 30;              // of the price's logarithm
+constexpr double filled = 0.998;            // of the records allowed, with which a price is good enough
 
 /// Which vector's w a record's vector is a mean by; nullopt: it is a sum.
 std::optional<OccluderVector> meanBy(OccluderVector vector) {
@@ -205,7 +205,7 @@ class Cutter {
   /// Calls visit(row, vertex, records) for every vertex at a price, from several threads.
   template <class Visit>
   void forEachRow(double price, const Visit& visit) const {
-    parallelRanges(leaves_.vertexCount(), grain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(leaves_.vertexCount(), verticesAtOnce, [&](std::size_t begin, std::size_t end) {
       RowCut row(leaves_);
       for (std::size_t v = begin; v < end; ++v) visit(row, v, row.cut(v, weights_[v], price));
     });

@@ -13,9 +13,9 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t grain = 64;       // vertices a range
-constexpr std::size_t mostPlaces = 64;  // that are compared for one
-constexpr double leastDistance = 0.25;  // in units of the reach, that places are compared by
+constexpr std::size_t verticesARange = 64;
+constexpr std::size_t mostPlaces = 64;          // that are compared for one
+constexpr double leastComparedDistance = 0.25;  // in units of the reach, that places are compared by
 
 std::vector<OccluderView> viewsOf(const CompiledScene& scene) {
   std::vector<OccluderView> views;
@@ -127,7 +127,7 @@ std::uint32_t OccluderMover::sourceOf(const OccluderMotions& motions, const Move
   const glm::dvec3 place = motion.pointBefore(to.position);
   const glm::dvec3 normal = glm::transpose(motion.rotation) * to.normal;
   const double distance =
-      std::max({glm::length(to.position - moved.centre), leastDistance * moved.reach, 1e-300});
+      std::max({glm::length(to.position - moved.centre), leastComparedDistance * moved.reach, 1e-300});
   const double scale = 1.0 / (distance * distance);
   const auto costOf = [&](std::uint32_t v) {
     if (v != vertex && motions.ofVertex[v] == moved.motion) return std::numeric_limits<double>::infinity();
@@ -213,10 +213,11 @@ OccluderTransfer OccluderMover::moved(const OccluderMotions& asked, double least
   assert(asked.ofVertex.size() == views_.size() && asked.ofOccluder.size() == rest_.names.size());
   const OccluderMotions motions = merged(asked);
   const std::vector<MovedClass> classes = classesOf(motions);
-  std::vector<Row> rows((views_.size() + grain - 1) / grain, Row{rest_.stored.size(), {}, {}});
+  std::vector<Row> rows((views_.size() + verticesARange - 1) / verticesARange,
+                        Row{rest_.stored.size(), {}, {}});
   OccluderTransfer out{rest_.names, rest_.stored, std::vector<std::uint32_t>(views_.size() + 1, 0), {}, {}};
-  parallelRanges(views_.size(), grain, [&](std::size_t begin, std::size_t end) {
-    Row& all = rows[begin / grain];
+  parallelRanges(views_.size(), verticesARange, [&](std::size_t begin, std::size_t end) {
+    Row& all = rows[begin / verticesARange];
     std::vector<std::size_t> order;
     for (std::size_t v = begin; v < end; ++v) {
       Row row{all.width, {}, {}};

@@ -15,7 +15,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double mostConcentration = 100.0;
 constexpr double leastConcentration = 0.01;
 constexpr double mostCausticExponent = 0.5;
-constexpr double mostMagnification = 32.0;
+constexpr double mostThesisMagnification = 32.0;
 constexpr double horizonSlack = 0.1;
 constexpr double leastAlpha = 0.002;
 constexpr double leastShareAlpha = 0.02;
@@ -108,7 +108,8 @@ glm::dvec3 thesisFactor(const OccluderRow& row, const OccluderRecord& record, co
   const double exponent = std::min(shading.causticStrength * share, mostCausticExponent);
   const glm::dvec3 way = meanOf(record.caustic).direction;
   if (row.hasCaustic && exponent > 0.0 && way != glm::dvec3(0.0)) {
-    const double sine2 = std::max(acuteSine2(way, toLight), 1.0 / (mostMagnification * mostMagnification));
+    const double sine2 =
+        std::max(acuteSine2(way, toLight), 1.0 / (mostThesisMagnification * mostThesisMagnification));
     const double mean = exponent / (1.0 - exponent);
     magnified += std::min(1.0, share / mean) * (std::pow(sine2, -exponent) - 1.0);
   }

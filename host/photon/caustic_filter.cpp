@@ -15,13 +15,13 @@ using device::PhotonBlock;
 
 constexpr double coveredPhotons = 0.9;
 constexpr int leastNearest = 12;
-constexpr int mostNearest = 200;
+constexpr int mostFiltered = 200;
 
 /// k of the least error on the caustic of a mirrored cylinder (docs/photons.md): where bias, which grows with
 /// k over their number, and noise, 1 over k, balance.
 int nearestFor(std::size_t photonCount) {
   const double best = 0.67 * std::pow(static_cast<double>(photonCount), 0.43);
-  return std::clamp(static_cast<int>(std::lround(best)), leastNearest, mostNearest);
+  return std::clamp(static_cast<int>(std::lround(best)), leastNearest, mostFiltered);
 }
 
 /// Area that a leaf's photons take: of the two widest sides of its box.

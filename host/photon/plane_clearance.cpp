@@ -11,7 +11,7 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t mostDistances = std::size_t{1} << 23;  // a region: some 20 ms
-constexpr double rounding = 1e-6;                            // of a clearance
+constexpr double clearanceRounding = 1e-6;                   // of a clearance
 
 struct Segment {
   glm::dvec3 from, to;
@@ -51,7 +51,7 @@ float clearanceOf(const CompiledScene& scene, std::uint32_t triangle, std::span<
   double least = std::numeric_limits<double>::max();
   for (const Segment& segment : rim) least = std::min(least, distance(centre, segment));
   const double radius = std::max({glm::length(a - centre), glm::length(b - centre), glm::length(c - centre)});
-  return static_cast<float>(std::max(0.0, (1.0 - rounding) * least - radius));
+  return static_cast<float>(std::max(0.0, (1.0 - clearanceRounding) * least - radius));
 }
 
 }  // namespace

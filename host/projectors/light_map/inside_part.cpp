@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t raysPerTexel = 16;
 
-CastOptions castOptions() {
+CastOptions insideCastOptions() {
   CastOptions options;
   options.raysPerReceiver = raysPerTexel;
   options.marksInside = true;
@@ -22,7 +22,7 @@ CastOptions castOptions() {
 
 InsidePart::InsidePart(const CompiledScene& scene, Tracer& tracer, std::uint64_t seed)
     : scene_(scene),
-      caster_(scene, tracer, castOptions()),
+      caster_(scene, tracer, insideCastOptions()),
       seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
                                   sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 0x1d5e7u))) {
 }

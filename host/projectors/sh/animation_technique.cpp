@@ -15,21 +15,21 @@ using Json = Technique::Json;
 
 constexpr std::uint64_t maxKeys = 1024;
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeMomentsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.animation) return;
   entry["keys"] = Json::array();
   for (const HarmonicTransfer& key : output.bake.animation->keys)
     entry["keys"].push_back({{"sh", harmonicToJson(output.document, key, ranges)}});
 }
 
-void writeRoot(const BakedOutput& output, Json& root) {
+void writeMomentsRoot(const BakedOutput& output, Json& root) {
   const auto& animation = output.bake.animation;
   if (animation) root["animation"] = {{"index", animation->animation}, {"times", animation->times}};
 }
 
-class Reader final : public TechniqueReader {
+class MomentsReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit MomentsReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find("keys");
@@ -78,7 +78,7 @@ class Reader final : public TechniqueReader {
   std::vector<std::optional<HarmonicTransfer>> keys_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeMoments(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.animation) return;
   const AnimatedTransfer& transfer = *bake.animation;
   std::size_t bytes = 0;
@@ -99,10 +99,10 @@ Technique animationTechnique() {
   return {.name = "animation",
           .members = {"keys"},
           .accessors = {"coefficients"},
-          .writeEntry = writeEntry,
-          .writeRoot = writeRoot,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .writeEntry = writeMomentsEntry,
+          .writeRoot = writeMomentsRoot,
+          .makeReader = makeTechniqueReader<MomentsReader>,
+          .summarize = summarizeMoments};
 }
 
 }  // namespace prelight

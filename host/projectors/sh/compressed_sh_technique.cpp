@@ -17,7 +17,7 @@ using Json = Technique::Json;
 
 constexpr std::uint64_t maxClusters = 1u << 16, maxComponents = 3 * 32 * 32;
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeCompressedEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.compressedSh) return;
   const CompressedTransfer& transfer = *output.bake.compressedSh;
   const auto components = static_cast<std::size_t>(transfer.components);
@@ -34,7 +34,7 @@ void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& 
   entry["shCompressed"] = std::move(json);
 }
 
-void writeRoot(const BakedOutput& output, Json& root) {
+void writeCompressedRoot(const BakedOutput& output, Json& root) {
   if (!output.bake.compressedSh) return;
   const CompressedTransfer& transfer = *output.bake.compressedSh;
   Json json = {{"method", methodName(transfer.method)},
@@ -64,9 +64,9 @@ std::size_t indexOfName(const JsonCursor& json, const std::array<std::string_vie
   return static_cast<std::size_t>(at - names.begin());
 }
 
-class Reader final : public TechniqueReader {
+class CompressedReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit CompressedReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find("shCompressed");
@@ -131,7 +131,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t vertices, std::vector<BakedSummary>& found) {
+void summarizeCompressed(const Bake& bake, std::size_t vertices, std::vector<BakedSummary>& found) {
   if (!bake.compressedSh) return;
   const CompressedTransfer& transfer = *bake.compressedSh;
   const std::string method = compressionName({.method = transfer.method,
@@ -159,10 +159,10 @@ Technique compressedShTechnique() {
   return {.name = "compressed_sh",
           .members = {"shCompressed"},
           .accessors = {"halves", "bytes", "clusters", "weights", "ranges", "means", "basis", "weightRanges"},
-          .writeEntry = writeEntry,
-          .writeRoot = writeRoot,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .writeEntry = writeCompressedEntry,
+          .writeRoot = writeCompressedRoot,
+          .makeReader = makeTechniqueReader<CompressedReader>,
+          .summarize = summarizeCompressed};
 }
 
 }  // namespace prelight

@@ -55,7 +55,7 @@ SceneNode loadNode(const LoadContext& context, int index, int parent) {
   return node;
 }
 
-bool isFinite(const glm::dmat4& matrix) {
+bool hasFiniteEntries(const glm::dmat4& matrix) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
       if (!std::isfinite(matrix[column][row])) return false;
@@ -119,7 +119,7 @@ std::vector<glm::dmat4> restTransforms(const LoadContext& context, const std::ve
   for (const SceneNode& node : nodes) {
     const glm::dmat4 local = localTransform(node);
     world.push_back(node.parent < 0 ? local : world[static_cast<std::size_t>(node.parent)] * local);
-    if (!isFinite(world.back())) {
+    if (!hasFiniteEntries(world.back())) {
       throw InputError(context.where(fmt::format("/nodes/{}", node.node)),
                        "the transform to world space is not finite", "check the scales of its ancestors");
     }
