@@ -10,7 +10,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t rowGrain = 1024;
+constexpr std::size_t rowRange = 1024;
 constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
 
 /// Conjugate gradients for W columns, so that the inner loops have a fixed length.
@@ -26,7 +26,7 @@ class BlockSolver {
         direction_(x_.size()),
         image_(x_.size()),
         bend_(x_.size()),
-        partial_((rows_ + rowGrain - 1) / rowGrain) {}
+        partial_((rows_ + rowRange - 1) / rowRange) {}
 
   /// Columns [first, first + count) of right and x, which have `columns` in all.
   void run(std::span<const float> right, std::vector<float>& x, std::size_t columns, std::size_t first,
@@ -53,7 +53,7 @@ class BlockSolver {
 
   template <typename Work>
   void forRows(const TeamMember& member, const Work& work) const {
-    member.ranges(rows_, rowGrain, [&](std::size_t begin, std::size_t end) {
+    member.ranges(rows_, rowRange, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) work(r);
     });
   }
@@ -62,8 +62,8 @@ class BlockSolver {
   /// that no number of threads changes.
   template <typename Add>
   Sums sumOver(const TeamMember& member, const Add& add) {
-    member.ranges(rows_, rowGrain, [&](std::size_t begin, std::size_t end) {
-      Sums& total = partial_[begin / rowGrain];
+    member.ranges(rows_, rowRange, [&](std::size_t begin, std::size_t end) {
+      Sums& total = partial_[begin / rowRange];
       total.fill(0.0);
       for (std::size_t run = begin; run < end; run += sumRun) {
         std::array<float, W> few{};

@@ -12,9 +12,6 @@ namespace {
 constexpr std::size_t waitingBlocks = 1;
 constexpr double leastReceivers = 4.0;  // of a component, in the first round
 
-/// In [0,1], but for rounding.
-bool isShare(float value) { return value >= -1e-3f && value <= 1.001f; }
-
 /// What is made of the rays of one side.
 Projections projectionsOf(Projections projections, Side side) {
   if (side == Side::Front) return projections;

@@ -13,10 +13,9 @@ namespace {
 constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, before fewer are cast there
 constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
 
-/// In [0,1], but for rounding.
-bool isShare(float value) { return value >= -1e-3f && value <= 1.001f; }
-
 }  // namespace
+
+bool isShare(float value) { return value >= -1e-3f && value <= 1.001f; }
 
 SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
                    const Projections& projections, Side side, const std::vector<double>& areas)

@@ -26,6 +26,9 @@ struct CastBlock {
   bool occluders = false;                   ///< whether the values tell occluders apart
 };
 
+/// In [0,1], but for rounding.
+bool isShare(float value);
+
 /// What the receivers of one side of the surface saw, summed up for the fits of the vertices.
 class SideSums {
  public:
