@@ -57,6 +57,26 @@ TEST(ShaderVariants, OfWhatASceneNeeds_ShowTheSameAsThoseOfEverything) {
       expectSamePictures(manyMaterials(sky), shading);
 }
 
+// What a lamp brings comes through the transfer, but for its reflection in metal: shaders of other surfaces must not
+// add it again.
+TEST(ShaderVariants, OfLightGroupsBesideMetal_ShowTheSameAsThoseOfEverything) {
+  QuadScene quad;
+  quad.add(lambertian(glm::vec3(0.8f)), 1.0f);
+  Material metal = lambertian(glm::vec3(0.9f, 0.6f, 0.3f));
+  metal.metallic = 1.0f;
+  metal.roughness = 0.4f;
+  quad.add(metal, 0.4f, glm::translate(glm::dmat4(1.0), glm::dvec3(-0.6, -0.6, 0.4)));
+  Material lamp = lambertian(glm::vec3(0.0f));
+  lamp.emission = {3, 2, 1};
+  lamp.doubleSided = true;
+  quad.add(lamp, 0.2f, glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.9, 0.7)));
+  quad.lookFrom({0, 0, 3}, {0, 0, 0});
+  quad.compile();
+  quad.bake.lightGroups =
+      LightGroupTransfer{{{"lamp", {1, 1, 1}}}, 1, 0, std::vector<float>(quad.compiled.vertexCount(), 0.3f)};
+  expectSamePictures(quad, Shading::Lights);
+}
+
 TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
   ShaderVariant variant;
   variant.features.add(Feature::Cutouts);

@@ -59,7 +59,7 @@ bool isTransferred(Light light) {
 
 const bool onlyDiffuseEmitters = hasEmitterLights && !hasPointLights && !hasDirectionalLights && !hasGloss &&
                                  !hasTranslucency && ambientRule == ambientTransferred &&
-                                 reflectionRule == reflectionOffMetals;
+                                 reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
 
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects.
