@@ -28,10 +28,10 @@ double disagreement(const std::vector<Hit>& a, const std::vector<Hit>& b, bool a
 }
 
 /// The measurement of one case: Prelight first, then the peer ray by ray, a tree each, then packets.
-class RayComparison {
+class Comparison {
  public:
-  RayComparison(const RayCase& rays, Tracer& tracer, const std::vector<PeerTree>& trees,
-                const RayComparison& how)
+  Comparison(const RayCase& rays, Tracer& tracer, const std::vector<PeerTree>& trees,
+             const RayComparison& how)
       : case_(rays), tracer_(tracer), trees_(trees), blocks_(tracer.context(), rays.rays) {
     perPart_ = std::min(launchesPerPart, blocks_.launchCount());
     parts_ = std::min<std::size_t>((blocks_.launchCount() + perPart_ - 1) / perPart_,
@@ -137,7 +137,7 @@ std::vector<PeerTree> makePeerTrees(const CompiledScene& scene, const std::vecto
 void compareRays(const std::string& suite, const RayCase& rays, const CompiledScene& scene, Tracer& tracer,
                  const std::vector<PeerTree>& trees, const RayComparison& how, const Progress& progress,
                  std::vector<BenchmarkResult>& results) {
-  RayComparison comparison(rays, tracer, trees, how);
+  Comparison comparison(rays, tracer, trees, how);
   comparison.run(how.rounds, progress);
   comparison.report(suite, results);
   if (trees.empty()) return;

@@ -42,11 +42,11 @@ TimedPicture renderAll(const BenchmarkScene& scene, int size, std::uint32_t samp
   request.seed = request.indirect.seed = seed;
   request.width = request.height = size;
   StopOnly quiet(progress);
-  GlobalIlluminationPictureReport reportGlobalIllumination;
+  GlobalIlluminationPictureReport report;
   TimedPicture trial;
   trial.seconds = secondsOf([&] {
-    trial.picture = renderGlobalIllumination(scene.scene, lit, scene.scene.cameras.at(0), request, device,
-                                             quiet, reportGlobalIllumination);
+    trial.picture =
+        renderGlobalIllumination(scene.scene, lit, scene.scene.cameras.at(0), request, device, quiet, report);
   });
   return trial;
 }
@@ -61,8 +61,8 @@ struct Measured {
   }
 };
 
-void reportGlobalIllumination(const std::string& scene, std::uint32_t samples, const Measured& gathered,
-                              const Measured& peer, std::vector<BenchmarkResult>& results) {
+void report(const std::string& scene, std::uint32_t samples, const Measured& gathered, const Measured& peer,
+            std::vector<BenchmarkResult>& results) {
   const std::string name = fmt::format("{}/{} samples", scene, samples);
   const double error = median(gathered.errors), seconds = median(gathered.seconds);
   results.push_back({"full", name, "relMSE of 99 %", error, "relative", {}, {}});
@@ -73,9 +73,8 @@ void reportGlobalIllumination(const std::string& scene, std::uint32_t samples, c
 }
 
 /// Ways take turns, run by run, so that all meet the same disturbances.
-void measureGlobalIllumination(const BenchmarkScene& scene, const Device& device,
-                               const BenchmarkOptions& options, StepCounter& steps, const Progress& progress,
-                               std::vector<BenchmarkResult>& results) {
+void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                  StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
   const int size = 2 * options.referenceSize;
   const Picture truth = pathTrace(scene, size, options.referenceLongRun, truthSeed, device, progress).picture;
   renderAll(scene, size, sampleCounts[0], 0, device, progress);  // warms up
@@ -91,7 +90,7 @@ void measureGlobalIllumination(const BenchmarkScene& scene, const Device& device
     steps.advance();
   }
   for (std::size_t i = 0; i < gathered.size(); ++i)
-    reportGlobalIllumination(scene.name, sampleCounts[i], gathered[i], peer, results);
+    report(scene.name, sampleCounts[i], gathered[i], peer, results);
 }
 
 }  // namespace
@@ -102,7 +101,7 @@ std::vector<BenchmarkResult> runGlobalIlluminationSuite(const Device& device, co
   StepCounter steps(progress, "bench full", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
   for (const char* name : scenes)
-    measureGlobalIllumination(loadBuiltinScene(name), device, options, steps, progress, results);
+    measureScene(loadBuiltinScene(name), device, options, steps, progress, results);
   return results;
 }
 

@@ -63,8 +63,7 @@ struct QualityPoint {
   double mean(double sum) const { return sum / static_cast<double>(seconds.size()); }
 };
 
-void reportReference(const std::string& scene, const QualityPoint& point,
-                     std::vector<BenchmarkResult>& results) {
+void report(const std::string& scene, const QualityPoint& point, std::vector<BenchmarkResult>& results) {
   const std::string name = fmt::format("{}/{} samples", scene, point.samples);
   results.push_back({"reference", name, "time", median(point.seconds), "s", {}, {}});
   results.push_back({"reference", name, "relMSE", point.mean(point.relativeSquares), "relative", {}, {}});
@@ -81,8 +80,8 @@ void reportReference(const std::string& scene, const QualityPoint& point,
 }
 
 /// Numbers of samples take turns, run by run, so that all meet the same disturbances.
-void measureReference(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                      StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
+void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                  StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
   const int size = options.referenceSize;
   const TimedPicture truth = pathTrace(scene, size, options.referenceLongRun, longRunSeed, device, progress);
   const std::string name = fmt::format("{}/long run of {} samples", scene.name, options.referenceLongRun);
@@ -98,7 +97,7 @@ void measureReference(const BenchmarkScene& scene, const Device& device, const B
       point.add(pathTrace(scene, size, point.samples, seed, device, progress), truth.picture);
     steps.advance();
   }
-  for (const QualityPoint& point : points) reportReference(scene.name, point, results);
+  for (const QualityPoint& point : points) report(scene.name, point, results);
 }
 
 }  // namespace
@@ -109,7 +108,7 @@ std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const Bench
   StepCounter steps(progress, "bench reference", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
   for (const char* name : scenes)
-    measureReference(loadBuiltinScene(name), device, options, steps, progress, results);
+    measureScene(loadBuiltinScene(name), device, options, steps, progress, results);
   return results;
 }
 
