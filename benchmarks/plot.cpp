@@ -402,13 +402,25 @@ std::string updatePlot(const Results& results, const std::string& subtitle) {
 
 }  // namespace
 
+std::string windowPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"A frame of the window", subtitle, "ms, the median of all", {}, {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "median frame") continue;
+    const auto [scene, movement] = splitCase(result.case_);
+    groupNamed(chart.groups, scene)
+        .bars.push_back({movement, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} ms", result.value)});
+  }
+  return drawBarChart(chart);
+}
+
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
   struct Kind {
     const char* suite;
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 28> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 29> kinds = {{{"cast", "cast", castPlot},
+                                           {"window", "window", windowPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},

@@ -13,6 +13,16 @@ namespace {
 constexpr std::size_t rowRange = 1024;
 constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
 
+/// A power of two that brings the largest of a column's values to about 1, so that no square leaves the range of
+/// single precision. `values` are those of all columns from this one on.
+float scaleOf(std::span<const float> values, std::size_t columns) {
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < values.size(); i += columns) largest = std::max(largest, std::abs(values[i]));
+  int exponent = 0;
+  if (largest > 0.0f && std::isfinite(largest)) std::frexp(largest, &exponent);
+  return std::ldexp(1.0f, std::clamp(-exponent, -100, 100));
+}
+
 /// Conjugate gradients for W columns, so that the inner loops have a fixed length.
 template <std::size_t W>
 class BlockSolver {
@@ -32,18 +42,21 @@ class BlockSolver {
   void run(std::span<const float> right, std::vector<float>& x, std::size_t columns, std::size_t first,
            std::size_t count) {
     const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
+    std::array<float, W> scale;
+    scale.fill(1.0f);
+    for (std::size_t c = 0; c < count; ++c) scale[c] = scaleOf(right.subspan(first + c), columns);
     runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
       forRows(member, [&](std::size_t i) {
-        for (std::size_t c = 0; c < W; ++c) x_[i * W + c] = c < count ? x[place(i) + c] : 0.0f;
+        for (std::size_t c = 0; c < W; ++c) x_[i * W + c] = c < count ? scale[c] * x[place(i) + c] : 0.0f;
       });
       member.wait();
       solve(member, [&](std::size_t i, std::size_t c) {
-        return c < count ? static_cast<float>(equations_.factor(i) * right[place(i) + c]) : 0.0f;
+        return c < count ? static_cast<float>(equations_.factor(i) * scale[c] * right[place(i) + c]) : 0.0f;
       });
       // Sums beyond what single precision holds have no solution: 0 is as good as any, and harms nobody.
       forRows(member, [&](std::size_t i) {
         for (std::size_t c = 0; c < count; ++c)
-          x[place(i) + c] = std::isfinite(x_[i * W + c]) ? x_[i * W + c] : 0.0f;
+          x[place(i) + c] = std::isfinite(x_[i * W + c]) ? x_[i * W + c] / scale[c] : 0.0f;
       });
     });
   }

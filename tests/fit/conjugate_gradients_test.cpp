@@ -89,6 +89,21 @@ TEST(ConjugateGradients, AnyNumberOfThreads_GivesTheSameBits) {
   EXPECT_EQ(alone, together);
 }
 
+// Squares of such values have no place in single precision.
+TEST(ConjugateGradients, TinyAndHugeRightSides_AreSolvedAlike) {
+  const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
+  const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
+  const std::vector<float> right = randomRight(mesh.slotCount());
+  std::vector<float> expected(right.size(), 0.0f);
+  conjugateGradients(equations, right, 1, expected);
+  for (const float factor : {0x1p-90f, 0x1p90f}) {
+    std::vector<float> scaled = right, x(right.size(), 0.0f);
+    for (float& value : scaled) value *= factor;
+    conjugateGradients(equations, scaled, 1, x);
+    for (std::size_t s = 0; s < x.size(); ++s) EXPECT_EQ(x[s], factor * expected[s]);
+  }
+}
+
 TEST(ConjugateGradients, SlotsWithoutSamples_KeepTheirGuess) {
   const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
   const std::vector<TriangleMass> mass =
