@@ -65,24 +65,23 @@ std::size_t VertexFit::rowOf(std::size_t triangle, std::size_t corner) const {
 }
 
 void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const double> values) {
-  forRuns(samples, values, columns_, [&](const Run& run) {
-    counts_[run.triangle] += run.count;
-    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += static_cast<float>(run.mass[k]);
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t c = 0; c < columns_; ++c)
-        right_[rowOf(run.triangle, k) * columns_ + c] += static_cast<float>(run.right[k * columns_ + c]);
-  });
+  accumulate(samples, values, 1);
+}
+
+void VertexFit::remove(std::span<const SurfaceSample> samples, std::span<const double> values) {
+  accumulate(samples, values, -1);
 }
 
 // A triangle without samples has no mass, not what rounding leaves of it.
-void VertexFit::remove(std::span<const SurfaceSample> samples, std::span<const double> values) {
+void VertexFit::accumulate(std::span<const SurfaceSample> samples, std::span<const double> values, int sign) {
+  const auto signedSum = [&](double sum) { return static_cast<float>(sign * sum); };
   forRuns(samples, values, columns_, [&](const Run& run) {
-    counts_[run.triangle] -= run.count;
-    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] -= static_cast<float>(run.mass[k]);
+    counts_[run.triangle] += sign > 0 ? run.count : 0u - run.count;
+    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += signedSum(run.mass[k]);
     if (counts_[run.triangle] == 0) mass_[run.triangle] = {};
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t c = 0; c < columns_; ++c)
-        right_[rowOf(run.triangle, k) * columns_ + c] -= static_cast<float>(run.right[k * columns_ + c]);
+        right_[rowOf(run.triangle, k) * columns_ + c] += signedSum(run.right[k * columns_ + c]);
   });
 }
 

@@ -73,6 +73,7 @@ class VertexFit {
   const std::vector<std::uint8_t>& extent() const { return extent_; }
 
  private:
+  void accumulate(std::span<const SurfaceSample> samples, std::span<const double> values, int sign);
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
