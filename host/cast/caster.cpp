@@ -52,8 +52,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       receivers_(device_, blockSize_),
       rays_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
       hits_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
-      values_(device_,
-              std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, 3 * options.bounceColumns)) {
+      values_(device_, std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, PRELIGHT_PART_VALUES)) {
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
   generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
@@ -190,12 +189,15 @@ void Caster::resizeTransfer(std::size_t values) {
   if (transfer_.size() != values) transfer_ = Buffer<float>(device_, values);
 }
 
-void Caster::setTransfer(std::span<const float> transfer, std::size_t first) { transfer_.write(transfer, first); }
+void Caster::setTransfer(std::span<const float> transfer, std::size_t first) {
+  transfer_.write(transfer, first);
+}
 
-void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
+void Caster::gather(std::uint32_t first, std::uint32_t count, const TransferPart& part,
+                    std::vector<float>& values) {
   setParameters(count, first);
-  gather_.launch(count, parameters_, senders_, transfer_, values_);
-  values.resize(std::size_t{count} * 3 * options_.bounceColumns);
+  gather_.launch(count, parameters_, part.firstValue, part.firstPlace, senders_, transfer_, values_);
+  values.resize(std::size_t{count} * PRELIGHT_PART_VALUES);
   values_.read(std::span(values));
 }
 

@@ -149,19 +149,24 @@ std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) con
 
 std::vector<float> VertexFit::solve(double lambda, std::span<const float> rightSide, std::size_t columns,
                                     const SolveLimits& limits) const {
-  return solve(equations(lambda), rightSide, columns, std::vector<float>(rightSide.size(), 0.0f), limits);
+  return solve(equations(lambda), rightSide, columns, limits);
+}
+
+std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const float> rightSide,
+                                    std::size_t columns, const SolveLimits& limits) const {
+  return solveFrom(equations, rightSide, columns, std::vector<float>(rightSide.size(), 0.0f), limits);
 }
 
 std::vector<float> VertexFit::solveFrom(double lambda, std::vector<float> guess,
                                         const SolveLimits& limits) const {
   return triangleWeights_.empty()
-             ? solve(equations(lambda), right_, 1, std::move(guess), limits)
-             : solve(equations(lambda), rightSide(0, 1), 1, std::move(guess), limits);
+             ? solveFrom(equations(lambda), right_, 1, std::move(guess), limits)
+             : solveFrom(equations(lambda), rightSide(0, 1), 1, std::move(guess), limits);
 }
 
-std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const float> rightSide,
-                                    std::size_t columns, std::vector<float> guess,
-                                    const SolveLimits& limits) const {
+std::vector<float> VertexFit::solveFrom(const NormalEquations& equations, std::span<const float> rightSide,
+                                        std::size_t columns, std::vector<float> guess,
+                                        const SolveLimits& limits) const {
   conjugateGradients(equations, rightSide, columns, guess, limits);
   extendFit(*mesh_, equations, extent_, columns, guess);
   return guess;

@@ -27,10 +27,12 @@ class VertexFit {
   /// surface. Keeps its sums a triangle corner, six times as much memory.
   VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<double> triangleWeights);
 
-  /// Adds samples with their values, [sample][column]. Those of one triangle that follow one another are summed
-  /// up in double precision before they join the sums of all, which are in single.
+  /// Adds samples with their values, [sample][column]. Those of one triangle that follow one another are
+  /// summed up in double precision before they join the sums of all, which are in single.
   void add(std::span<const SurfaceSample> samples, std::span<const double> values);
-  void add(const SurfaceSample& sample, std::span<const double> values) { add(std::span(&sample, 1), values); }
+  void add(const SurfaceSample& sample, std::span<const double> values) {
+    add(std::span(&sample, 1), values);
+  }
 
   /// Takes away what add() has added.
   void remove(std::span<const SurfaceSample> samples, std::span<const double> values);
@@ -61,8 +63,13 @@ class VertexFit {
   std::vector<float> solve(double lambda, std::span<const float> rightSide, std::size_t columns,
                            const SolveLimits& limits = {}) const;
 
-  /// The equations that solve() solves, for those who want rows of their inverse.
+  /// The equations that solve() solves, for those who want rows of their inverse or solve them more than
+  /// once.
   NormalEquations equations(double lambda) const;
+
+  /// Solves equations() for a right-hand side, [slot][column].
+  std::vector<float> solve(const NormalEquations& equations, std::span<const float> rightSide,
+                           std::size_t columns, const SolveLimits& limits = {}) const;
 
   /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
   void stiffen(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
@@ -77,17 +84,18 @@ class VertexFit {
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
-  std::vector<float> solve(const NormalEquations& equations, std::span<const float> rightSide,
-                           std::size_t columns, std::vector<float> guess, const SolveLimits& limits) const;
+  std::vector<float> solveFrom(const NormalEquations& equations, std::span<const float> rightSide,
+                               std::size_t columns, std::vector<float> guess,
+                               const SolveLimits& limits) const;
 
   const FitMesh* mesh_;  ///< not null
   std::size_t columns_;
-  std::vector<double> stiffness_;            ///< [slot], or empty: 1
-  std::vector<std::uint8_t> extent_;         ///< [slot], or empty: all
-  std::vector<double> triangleWeights_;      ///< [triangle], or empty: samples weigh what they say
-  std::vector<std::uint32_t> counts_;        ///< [triangle], samples
-  std::vector<TriangleMass> mass_;           ///< [triangle]
-  std::vector<float> right_;                 ///< [slot][column], or [triangle][corner][column]: sum w b f
+  std::vector<double> stiffness_;        ///< [slot], or empty: 1
+  std::vector<std::uint8_t> extent_;     ///< [slot], or empty: all
+  std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
+  std::vector<std::uint32_t> counts_;    ///< [triangle], samples
+  std::vector<TriangleMass> mass_;       ///< [triangle]
+  std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f
 };
 
 /// The strength that served best over the built-in scenes, see docs/accuracy.md.

@@ -78,6 +78,7 @@ std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
 ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
     : context_(context),
       bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
+      keepsReflected_(needs.reflected),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
       capacity_(storedCapacity(context, schedule_.raysPerReceiver)),
       caster_(context.scene, context.tracer, castOptions(context, needs, schedule_, capacity_)),
@@ -98,8 +99,9 @@ void ReceiverCast::run(Progress& progress) {
 
 const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
   if (!transfer_) {
-    transfer_ = makeTransfer(context_.mesh, caster_, cast_, fitted_, transferOrder(context_.request),
-                             bounces_, progress, context_.report.notes);
+    const TransferRequest request{transferOrder(context_.request), bounces_, keepsReflected_};
+    transfer_ =
+        makeTransfer(context_.mesh, caster_, cast_, fitted_, request, progress, context_.report.notes);
     context_.clock.mark("bounce");
   }
   return *transfer_;

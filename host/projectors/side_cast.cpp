@@ -62,7 +62,8 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
 // True when the schedule is fulfilled.
 bool SideCast::endRound() {
   if (schedule_.error) {
-    if (dropAccurateTriangles() == 0 || round_ == schedule_.maxDoublings || records().size() == SideSums::mostRecords)
+    if (dropAccurateTriangles() == 0 || round_ == schedule_.maxDoublings ||
+        records().size() == SideSums::mostRecords)
       return true;
     if (round_ > 0) receiversPerPass_ *= 2.0;  // every round doubles what its triangles have had
   } else if (!schedule_.deadline) {
@@ -110,7 +111,8 @@ void SideCast::estimateAccessibility() {
   const std::vector<float> blocked = fit().solveColumn(defaultSmoothing, 0);
   accessibility_.resize(scene_.vertexCount());
   for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v)
-    accessibility_[v] = static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
+    accessibility_[v] =
+        static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
   caster_.setAccessibility(scene_, accessibility_);
 }
 

@@ -23,7 +23,8 @@ class SideCast {
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }
 
-  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is called.
+  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is
+  /// called.
   void limitTo(std::span<const std::uint8_t> triangles) { sums_.limitTo(triangles); }
 
   /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill. After

@@ -31,8 +31,8 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       residual_(baseline_.columns()) {
   // Growing by doubling would hold two copies of the largest array of a bake.
   if (side == Side::Front && !schedule.error && !schedule.deadline)
-    records_.reserve(std::min(mostRecords, static_cast<std::size_t>(1.01 * schedule.receiversPerPass *
-                                                                    schedule.passes)));
+    records_.reserve(
+        std::min(mostRecords, static_cast<std::size_t>(1.01 * schedule.receiversPerPass * schedule.passes)));
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.occluders) occluders_.emplace(mesh);
@@ -92,9 +92,9 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
   if (records_.size() == mostRecords) return;
   records_.push_back({sample, values[0], block.group});
   if (projections_.texelRows > 0)
-    texelRows_.add(std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver,
-                                                          schedule_.raysPerReceiver),
-                   projections_.texelRows);
+    texelRows_.add(
+        std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver, schedule_.raysPerReceiver),
+        projections_.texelRows);
 }
 
 // Directions are fitted, not the mean vectors that they come from: otherwise what is bright at one corner of

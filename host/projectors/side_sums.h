@@ -40,7 +40,8 @@ class SideSums {
   /// Adds a block of receivers; the result depends on the order of blocks.
   void add(const CastBlock& block);
 
-  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is called.
+  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is
+  /// called.
   void limitTo(std::span<const std::uint8_t> triangles);
 
   /// Ends the sums of a round: smooths where what bends is noise. Until the next round begins.
