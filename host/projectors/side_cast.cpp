@@ -9,7 +9,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t waitingBlocks = 1;
+constexpr std::size_t waitingBlocks = 1;  // before they are cast, and before they are added
 constexpr double leastReceivers = 4.0;  // of a component, in the first round
 
 /// What is made of the rays of one side.
@@ -31,8 +31,9 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       projections_(projectionsOf(projections, side)),
       sampler_(scene, schedule.seed, side, schedule.replicates),
       sums_(scene, mesh, schedule, projections_, side, sampler_.areas()),
-      blocks_(BackgroundWork::placesFor(waitingBlocks)),
-      adding_(waitingBlocks) {
+      blocks_(BackgroundWork::placesFor(waitingBlocks) + BackgroundWork::placesFor(waitingBlocks) - 1),
+      adding_(waitingBlocks),
+      casting_(waitingBlocks) {
   sampler_.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
 }
 
@@ -98,7 +99,7 @@ void SideCast::castPass(Progress& progress) {
                   if (pendingReceivers_.size() == caster_.blockSize()) flushAndReport();
                 });
   flushAndReport();
-  adding_.finish();
+  finishBlocks();
   inPass_ = false;
   ++pass_;
   if (projections_.occluders && std::has_single_bit(pass_)) estimateAccessibility();
@@ -134,6 +135,11 @@ void SideCast::sortPendingBySet() {
   }
 }
 
+void SideCast::finishBlocks() const {
+  casting_.finish();
+  adding_.finish();
+}
+
 // A block is whole again at the end, whichever sets its receivers are of: an interrupted pass goes on there.
 void SideCast::flush() {
   if (projections_.sets != nullptr && !projections_.sets->empty()) sortPendingBySet();
@@ -141,15 +147,15 @@ void SideCast::flush() {
     const std::uint32_t set = setOf(pendingSamples_[first]);
     std::size_t end = first + 1;
     while (end < pendingSamples_.size() && setOf(pendingSamples_[end]) == set) ++end;
-    castBlock(first, static_cast<std::uint32_t>(end - first), set);
+    handOver(first, end - first, set);
     first = end;
   }
   pendingSamples_.clear();
   pendingReceivers_.clear();
 }
 
-// The device casts while the host adds up what the block before saw.
-void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t set) {
+// While the device casts a block, the host places the receivers of the next and adds up what the one before saw.
+void SideCast::handOver(std::size_t first, std::size_t count, std::uint32_t set) {
   CastBlock& block = blocks_[nextBlock_++ % blocks_.size()];
   const auto samples = std::span(pendingSamples_).subspan(first, count);
   const auto receivers = std::span(pendingReceivers_).subspan(first, count);
@@ -157,6 +163,11 @@ void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t s
   block.receivers.assign(receivers.begin(), receivers.end());
   block.group = pass_ % errorGroups;
   block.occluders = !accessibility_.empty();
+  casting_.add([this, &block, set] { castBlock(block, set); });
+}
+
+void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
+  const auto count = static_cast<std::uint32_t>(block.receivers.size());
   const std::uint32_t row = storedFirst_ + storedCount_;
   // Bounces read the records of stored rows, so a row is kept only where its record is.
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
@@ -164,7 +175,7 @@ void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t s
   caster_.cast(block.receivers, block.values, {stores ? &row : nullptr, set, block.occluders});
   if (stores) storedCount_ += count;
   if (stores && projections_.receivers)
-    storedReceivers_.insert(storedReceivers_.end(), receivers.begin(), receivers.end());
+    storedReceivers_.insert(storedReceivers_.end(), block.receivers.begin(), block.receivers.end());
   adding_.add([this, &block] { sums_.add(block); });
   receivers_ += count;
   doneInPass_ += count;
@@ -203,7 +214,7 @@ std::size_t SideCast::dropAccurateTriangles() {
 }
 
 void SideCast::save(StateWriter& state) const {
-  adding_.finish();
+  finishBlocks();
   sums_.save(state);
   state.values(accessibility_);
   state.values(storedReceivers_);

@@ -70,9 +70,14 @@ class SideCast {
   const std::vector<SampleRecord>& records() const { return sums_.records(); }
   std::uint32_t storedFirst() const { return storedFirst_; }
   std::uint32_t storedCount() const { return storedCount_; }
-  std::uint64_t receivers() const { return receivers_; }
+
+  /// That have been cast from. Waits for the blocks on their way.
+  std::uint64_t receivers() const {
+    finishBlocks();
+    return receivers_;
+  }
   std::size_t slotCount() const { return mesh_.slotCount(); }
-  std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }  ///< of the hemispheres
+  std::uint64_t rays() const { return receivers() * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:
   void checkSchedule(const StateReader& state) const;
@@ -83,7 +88,9 @@ class SideCast {
   void estimateAccessibility();
   void flush();
   void sortPendingBySet();
-  void castBlock(std::size_t first, std::uint32_t count, std::uint32_t set);
+  void handOver(std::size_t first, std::size_t count, std::uint32_t set);
+  void castBlock(CastBlock& block, std::uint32_t set);
+  void finishBlocks() const;
   std::uint32_t setOf(const SurfaceSample& sample) const;
   void thinPlainTriangles();
   std::size_t dropAccurateTriangles();
@@ -111,9 +118,10 @@ class SideCast {
   bool inPass_ = false;
   SurfaceSampler::Position passStart_;  ///< where the sequences stood when the pass at hand began
   std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
-  std::vector<CastBlock> blocks_;       ///< used in turns: one is cast while others are added
+  std::vector<CastBlock> blocks_;       ///< used in turns
   std::size_t nextBlock_ = 0;
-  mutable BackgroundWork adding_;  ///< of blocks to the sums; last: it ends before what it uses
+  mutable BackgroundWork adding_;   ///< of blocks to the sums; after what it uses, so that it ends before
+  mutable BackgroundWork casting_;  ///< of blocks that it hands to adding_
 };
 
 }  // namespace prelight
