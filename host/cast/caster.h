@@ -8,6 +8,7 @@
 #include "base/state_file.h"
 #include "cast/light_caster.h"
 #include "cast/occluder_caster.h"
+#include "cast/sender_rows.h"
 #include "gpu/tracer.h"
 #include "prelight/request.h"
 #include "shared/cast_types.h"
@@ -29,7 +30,8 @@ std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerR
 struct CastOptions {
   int shOrder = 0;                        ///< 0: no SH
   std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256
-  std::uint32_t storedReceivers = 0;      ///< rows of senders to keep room for; 0: no bounces follow
+  std::uint32_t storedReceivers = 0;      ///< rows of senders that may be kept; 0: no bounces follow
+  std::uint32_t rowsInMemory = 0;         ///< of them; further ones lie in a file
   std::size_t bounceColumns = 0;          ///< values a channel that bounces carry
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
@@ -129,7 +131,7 @@ class Caster {
   void markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside);
   void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
   void project(std::uint32_t receivers);
-  void store(std::uint32_t receivers);
+  void store(std::uint32_t receivers, std::uint32_t firstRow);
 
   Tracer& tracer_;
   DeviceContext& device_;
@@ -145,7 +147,7 @@ class Caster {
   Buffer<device::Hit> hits_;
   Buffer<float> values_;
   Buffer<float> geometricNormals_;
-  Buffer<device::Sender> senders_;
+  std::optional<SenderRows> senders_;  ///< where rows may be kept
   Buffer<std::uint8_t> marks_;
   Buffer<std::uint8_t> twoSided_;
   Buffer<std::uint8_t> inside_;

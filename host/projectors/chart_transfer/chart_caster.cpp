@@ -26,7 +26,7 @@ CastOptions castOptions(const ChartTransferOptions& options, const DeviceInfo& d
   cast.sets = options.sets;
   cast.setTracers = options.setTracers;
   if (options.bounces == 0) return cast;
-  cast.storedReceivers = receiversPerBlock(device, cast.raysPerReceiver);
+  cast.storedReceivers = cast.rowsInMemory = receiversPerBlock(device, cast.raysPerReceiver);
   cast.bounceColumns = static_cast<std::size_t>(options.order * options.order);
   return cast;
 }
