@@ -34,9 +34,6 @@ class VertexFit {
     add(std::span(&sample, 1), values);
   }
 
-  /// Takes away what add() has added.
-  void remove(std::span<const SurfaceSample> samples, std::span<const double> values);
-
   std::size_t columns() const { return columns_; }
 
   void save(StateWriter& state) const;
@@ -51,9 +48,6 @@ class VertexFit {
   /// [slot], of one column alone.
   std::vector<float> solveColumn(double lambda, std::size_t column) const;
 
-  /// The same of a fit of one column from a guess that is near, [slot].
-  std::vector<float> solveFrom(double lambda, std::vector<float> guess, const SolveLimits& limits) const;
-
   /// Adds what samples of this fit have in other columns, [sample][column], to a right-hand side for solve(),
   /// [slot][column].
   void addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
@@ -67,7 +61,10 @@ class VertexFit {
   /// once.
   NormalEquations equations(double lambda) const;
 
-  /// Solves equations() for a right-hand side, [slot][column].
+  /// Solves equations() for this fit's columns, [slot][column]; for one of them, [slot]; for another
+  /// right-hand side, [slot][column].
+  std::vector<float> solve(const NormalEquations& equations) const;
+  std::vector<float> solveColumn(const NormalEquations& equations, std::size_t column) const;
   std::vector<float> solve(const NormalEquations& equations, std::span<const float> rightSide,
                            std::size_t columns, const SolveLimits& limits = {}) const;
 
@@ -80,20 +77,15 @@ class VertexFit {
   const std::vector<std::uint8_t>& extent() const { return extent_; }
 
  private:
-  void accumulate(std::span<const SurfaceSample> samples, std::span<const double> values, int sign);
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
-  std::vector<float> solveFrom(const NormalEquations& equations, std::span<const float> rightSide,
-                               std::size_t columns, std::vector<float> guess,
-                               const SolveLimits& limits) const;
 
   const FitMesh* mesh_;  ///< not null
   std::size_t columns_;
   std::vector<double> stiffness_;        ///< [slot], or empty: 1
   std::vector<std::uint8_t> extent_;     ///< [slot], or empty: all
   std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
-  std::vector<std::uint32_t> counts_;    ///< [triangle], samples
   std::vector<TriangleMass> mass_;       ///< [triangle]
   std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f
 };

@@ -10,7 +10,7 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t waitingBlocks = 1;  // before they are cast, and before they are added
-constexpr double leastReceivers = 4.0;  // of a component, in the first round
+constexpr double leastReceivers = 4.0;    // of a component, in the first round
 
 /// What is made of the rays of one side.
 Projections projectionsOf(Projections projections, Side side) {
@@ -154,7 +154,8 @@ void SideCast::flush() {
   pendingReceivers_.clear();
 }
 
-// While the device casts a block, the host places the receivers of the next and adds up what the one before saw.
+// While the device casts a block, the host places the receivers of the next and adds up what the one before
+// saw.
 void SideCast::handOver(std::size_t first, std::size_t count, std::uint32_t set) {
   CastBlock& block = blocks_[nextBlock_++ % blocks_.size()];
   const auto samples = std::span(pendingSamples_).subspan(first, count);
@@ -194,7 +195,7 @@ void SideCast::thinPlainTriangles() {
 
 // A slot's value hangs through the fit on the samples around its neighbours, so those are refined with it.
 std::size_t SideCast::dropAccurateTriangles() {
-  const ErrorEstimate estimate = estimateError();
+  const ErrorEstimate estimate = sums_.estimateError();
   std::vector<std::uint8_t> wanted(mesh_.slotCount(), 0);
   for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) wanted[s] = estimate.slots[s] > *schedule_.error;
   for (int ring = 0; ring < 2; ++ring) {

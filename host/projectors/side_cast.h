@@ -40,8 +40,8 @@ class SideCast {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
-  /// Fitted values relative to the baseline, [slot][column].
-  std::vector<float> solve() const { return fit().solve(defaultSmoothing); }
+  /// The fitted values, and how far off their AO is.
+  FittedSide solve() const { return sums_.solve(); }
 
   /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
   std::vector<float> solveBentNormal() const { return sums_.bentFit().solve(defaultSmoothing); }
@@ -60,8 +60,6 @@ class SideCast {
 
   /// Receivers of the stored rows, parallel to records(). Only where the projections ask for them.
   const std::vector<device::Receiver>& storedReceivers() const { return storedReceivers_; }
-
-  ErrorEstimate estimateError() const { return sums_.estimateError(); }
 
   /// A fit of the stored rows' places, without values.
   VertexFit fitOfStoredRows() const { return sums_.fitOf(storedCount_); }

@@ -78,7 +78,7 @@ class TransferBounces {
         slots_(mesh.slotCount()),
         bounce_(mesh, caster, cast) {
     if (cast.back() != nullptr) {
-      backFitted_ = cast.back()->solve();
+      backFitted_ = cast.back()->fit().solve(defaultSmoothing);
       backs_.emplace(*cast.back(), backFitted_, transfer);
       covered_ = slotsWithBack(cast, mesh);
     }
