@@ -13,7 +13,7 @@ std::vector<PlannedPass> passes(const PlanInput& input) { return planRadiosity(i
 void addMemory(const PlanInput& input, Plan& plan) {
   if (!plan.runs(Pass::Radiosity)) return;
   const std::uint64_t bytes =
-      std::min(input.request.maxMemory, radiosityScale(input.scene, input.request).bytes());
+      std::min(input.request.memory(), radiosityScale(input.scene, input.request).bytes());
   plan.hostBytes += bytes;
   plan.deviceBytes += bytes / 3;
 }
