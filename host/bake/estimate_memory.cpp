@@ -42,25 +42,36 @@ std::uint64_t surfaceBytes(const Sizes& n) {
 
 /// SideSums of the front and, with bounces, the back, with all records.
 std::uint64_t sumBytes(const Sizes& n, bool bentNormal) {
-  const std::uint64_t side = 24 * n.triangles + (8 * (1 + n.coefficients) + 9) * n.vertices;
+  const std::uint64_t baseline = 4 * (1 + n.coefficients) * n.vertices;
+  const std::uint64_t side = 24 * n.triangles + (4 * (1 + n.coefficients) + 9) * n.vertices;
   const std::uint64_t bent = bentNormal ? 24 * n.triangles + 12 * n.vertices : 0;
   const double records = double(n.receivers) * (n.bounces ? 1.0 + shareOfBacks : 1.0);
-  return side * (n.bounces ? 2 : 1) + bent + sizeof(SampleRecord) * static_cast<std::uint64_t>(records);
+  return baseline + side * (n.bounces ? 2 : 1) + bent +
+         sizeof(SampleRecord) * static_cast<std::uint64_t>(records);
 }
 
 /// What is in memory besides while the fit is solved or light bounces, whichever is more.
 std::uint64_t solvingBytes(const Sizes& n) {
   const std::uint64_t equations = 108 * n.vertices, solver = 5 * 32 * n.vertices, part = 32 * n.vertices;
   const std::uint64_t fitted = 4 * (1 + n.coefficients) * n.vertices;
-  const std::uint64_t fit = equations + solver + 7 * part + fitted;
+  const std::uint64_t fit = equations + solver + 6 * part + fitted;
   if (!n.bounces) return fit;
   return std::max(fit, 2 * equations + solver + 4 * part + 2 * fitted + 12 * n.coefficients * n.vertices);
+}
+
+std::uint64_t treeBytes(const Instancing& instancing) {
+  return instancing.storedTriangles * treeBytesPerTriangle;
+}
+
+/// Whether the trees are kept after the cast, for rays of techniques.
+bool keepsTrees(const BakeRequest& request) {
+  return request.volume.size > 0 || request.chartTransfer.size > 0 || request.lightMap || request.radiosity;
 }
 
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
   std::uint64_t texels = 0;
   for (const Image& image : input.scene.albedoImages) texels += 2 * image.rgba.size();
-  return instancing.storedTriangles * (treeBytesPerTriangle + 16) + input.scene.triangleCount() * 13 +
+  return treeBytes(instancing) + instancing.storedTriangles * 16 + input.scene.triangleCount() * 13 +
          instancing.storedVertices * 24 + texels;
 }
 
@@ -71,7 +82,9 @@ void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& 
   plan.hostBytes += programBytes + sceneBytes(n) + (input.source.images.empty() ? 0 : imageReaderBytes);
   plan.deviceBytes += deviceSceneBytes(input, instancing);
   if (!input.request.castsReceivers()) return;
-  plan.hostBytes += surfaceBytes(n) + sumBytes(n, input.request.ao) + solvingBytes(n);
+  const std::uint64_t reused = keepsTrees(input.request) ? 0 : treeBytes(instancing);
+  plan.hostBytes +=
+      surfaceBytes(n) + sumBytes(n, input.request.ao) + solvingBytes(n) - std::min(solvingBytes(n), reused);
   plan.deviceBytes += blockBytes;
   if (!n.bounces) return;
   plan.deviceBytes += 2 * 4 * PRELIGHT_PART_VALUES * n.vertices;

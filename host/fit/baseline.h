@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "prelight/compiled_scene.h"
@@ -13,21 +14,26 @@ namespace prelight {
 /// open fraction, then order^2 of SH transfer.
 class Baseline {
  public:
-  /// `sign` -1 gives the values of the vertices' backs.
-  Baseline(const CompiledScene& scene, const FitMesh& mesh, int shOrder, double sign);
+  Baseline(const CompiledScene& scene, const FitMesh& mesh, int shOrder);
+
+  /// The values of the vertices' backs, in the same memory: odd bands change their sign.
+  Baseline ofBacks() const;
 
   std::size_t columns() const { return columns_; }
 
   /// Row of a unit normal.
   void evaluate(const glm::dvec3& normal, double* row) const;
 
-  /// Row of a slot's normal.
-  const float* row(std::size_t slot) const { return &rows_[slot * columns_]; }
+  /// Value of a slot's normal.
+  float value(std::size_t slot, std::size_t column) const {
+    return signs_[column] * (*rows_)[slot * columns_ + column];
+  }
 
  private:
   int shOrder_;
   std::size_t columns_;
-  std::vector<float> rows_;  ///< [slot][column]
+  std::vector<float> signs_;                  ///< [column]
+  std::shared_ptr<std::vector<float>> rows_;  ///< [slot][column], of the fronts
 };
 
 }  // namespace prelight

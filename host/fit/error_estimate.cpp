@@ -145,11 +145,13 @@ class GroupSolver {
     const double start = total(energy);
     bool last = false;
     for (int step = 1;; ++step) {
-      const Deviations image = imageOf(direction, ofAll);
-      const GroupSums length = ratios(energy, dots(direction, image));
-      combine(moved, filled(1.0), length, direction);
+      {
+        const Deviations image = imageOf(direction, ofAll);
+        const GroupSums length = ratios(energy, dots(direction, image));
+        combine(moved, filled(1.0), length, direction);
+        combine(scores, filled(1.0), negative(length), image);
+      }
       if (last || step == mostSteps) return moved;
-      combine(scores, filled(1.0), negative(length), image);
       const Deviations rest = solve(scores);
       const GroupSums left = dots(scores, rest), turn = ratios(left, energy);
       combine(direction, turn, filled(1.0), rest);

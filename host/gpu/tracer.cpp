@@ -86,6 +86,11 @@ std::vector<Hit> Tracer::traceSeparated(std::span<const Ray> rays) {
   return std::vector<Hit>(rays.size(), Hit{0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f});
 }
 
+void Tracer::dropTree() {
+  std::visit([](auto& tree) { tree = {}; }, tree_);
+  separated_.reset();
+}
+
 void Tracer::dropKernels() {
   std::visit([](auto& tree) { tree.closest = tree.any = {}; }, tree_);
 }

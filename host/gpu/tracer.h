@@ -45,6 +45,9 @@ class Tracer {
   /// Takes separated triangles to where the scene has them now. No other may have moved.
   void follow(const CompiledScene& scene);
 
+  /// Frees the tree where no ray will be traced any more; the surface stays.
+  void dropTree();
+
   /// Closest hits on separated triangles alone.
   std::vector<device::Hit> traceSeparated(std::span<const device::Ray> rays);
 

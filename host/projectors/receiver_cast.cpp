@@ -81,6 +81,12 @@ void addNotes(const BakeContext& context, const SceneCast& cast, const Caster& c
                     megabyte * caster.rowsInMemory(), megabyte * double(rows)));
 }
 
+/// Memory is at its peak while fits are solved and light bounces.
+void dropTrees(const BakeContext& context) {
+  context.tracer.dropTree();
+  for (Tracer& part : context.setTracers) part.dropTree();
+}
+
 std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
                                     const std::vector<float>& fitted) {
   std::vector<double> accessibility;
@@ -95,6 +101,7 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
     : context_(context),
       bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
       keepsReflected_(needs.reflected),
+      keepsTrees_(needs.trees),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
       capacity_(storedCapacity(context)),
       caster_(context.scene, context.tracer, castOptions(context, needs, schedule_, capacity_)),
@@ -105,6 +112,7 @@ void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
   context_.clock.mark("cast");
+  if (!keepsTrees_) dropTrees(context_);
   FittedSide fitted = front().solve();
   fitted_ = std::move(fitted.values);
   context_.report.aoErrorRms = fitted.error.rms;

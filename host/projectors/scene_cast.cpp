@@ -27,7 +27,8 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
       schedule_(schedule),
       projections_(projections),
       capacity_(capacity),
-      front_(scene, mesh, caster, schedule, projections, frontSampler(scene, mesh, schedule)) {}
+      front_(scene, mesh, caster, schedule, projections, frontSampler(scene, mesh, schedule),
+             Baseline(scene, mesh, projections.shOrder)) {}
 
 void SceneCast::run(Progress& progress) {
   if (!frontDone_) {
@@ -45,7 +46,8 @@ void SceneCast::run(Progress& progress) {
 
 void SceneCast::makeBack() {
   back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections_,
-                                     SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back));
+                                     SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back),
+                                     front_.baseline().ofBacks());
   backSeen_.assign(scene_.triangleCount(), 0);
 }
 

@@ -22,14 +22,14 @@ Projections projectionsOf(Projections projections, Side side) {
 }  // namespace
 
 SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-                   const Projections& projections, SurfaceSampler sampler)
+                   const Projections& projections, SurfaceSampler sampler, Baseline baseline)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
       projections_(projectionsOf(projections, sampler.side())),
       sampler_(std::move(sampler)),
-      sums_(scene, mesh, schedule, projections_, sampler_.side(), sampler_.areas()),
+      sums_(scene, mesh, schedule, projections_, std::move(baseline), sampler_.areas()),
       blocks_(BackgroundWork::placesFor(waitingBlocks) + BackgroundWork::placesFor(waitingBlocks) - 1),
       adding_(waitingBlocks),
       casting_(waitingBlocks) {}
@@ -100,6 +100,7 @@ void SideCast::castPass(Progress& progress) {
   flushAndReport();
   finishBlocks();
   inPass_ = false;
+  passStart_ = {};
   ++pass_;
   if (projections_.occluders && std::has_single_bit(pass_)) estimateAccessibility();
   if (!schedule_.deadline && !schedule_.error) progress.report("cast", double(pass_) / schedule_.passes);

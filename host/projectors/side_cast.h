@@ -17,9 +17,9 @@ namespace prelight {
 /// Casts from one side of the surface until its schedule is fulfilled, and fits the vertices.
 class SideCast {
  public:
-  /// `sampler` says which side.
+  /// `sampler` says which side, whose baseline is given.
   SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-           const Projections& projections, SurfaceSampler sampler);
+           const Projections& projections, SurfaceSampler sampler, Baseline baseline);
 
   const SurfaceSampler& sampler() const { return sampler_; }
 

@@ -18,13 +18,13 @@ constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is
 bool isShare(float value) { return value >= -1e-3f && value <= 1.001f; }
 
 SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
-                   const Projections& projections, Side side, const std::vector<double>& areas)
+                   const Projections& projections, Baseline baseline, const std::vector<double>& areas)
     : scene_(scene),
       mesh_(mesh),
       schedule_(schedule),
       projections_(projections),
       areas_(areas),
-      baseline_(scene, mesh, projections.shOrder, side == Side::Front ? 1.0 : -1.0),
+      baseline_(std::move(baseline)),
       fit_(plainFit(baseline_.columns())),
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
@@ -80,10 +80,13 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
   baseline_.evaluate(normal, residual_.data());
   const auto& slots = mesh_.triangles[sample.triangle];
   const double b1 = sample.b1, b2 = sample.b2, b0 = 1.0 - b1 - b2;
-  const float *r0 = baseline_.row(slots[0]), *r1 = baseline_.row(slots[1]), *r2 = baseline_.row(slots[2]);
+  const auto interpolated = [&](std::size_t c) {
+    return b0 * baseline_.value(slots[0], c) + b1 * baseline_.value(slots[1], c) +
+           b2 * baseline_.value(slots[2], c);
+  };
   residual_[0] = open - 1.0;
   for (std::size_t c = 1; c < residual_.size(); ++c)
-    residual_[c] = double(values[3 + c]) + open * residual_[c] - (b0 * r0[c] + b1 * r1[c] + b2 * r2[c]);
+    residual_[c] = double(values[3 + c]) + open * residual_[c] - interpolated(c);
   rows_.insert(rows_.end(), residual_.begin(), residual_.end());
   // The mean direction under the density cos/pi is 2/3 of the normal where all is open.
   if (bentFit_)

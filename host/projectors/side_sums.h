@@ -38,10 +38,10 @@ struct FittedSide {
 /// What the receivers of one side of the surface saw, summed up for the fits of the vertices.
 class SideSums {
  public:
-  /// `projections` are those of this side. The samples of a triangle weigh its entry of `areas` where the
-  /// schedule has an error to reach: receivers crowd where it is not met yet.
+  /// `projections` and `baseline` are those of this side. The samples of a triangle weigh its entry of
+  /// `areas` where the schedule has an error to reach: receivers crowd where it is not met yet.
   SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
-           const Projections& projections, Side side, const std::vector<double>& areas);
+           const Projections& projections, Baseline baseline, const std::vector<double>& areas);
 
   /// Makes room for about that many further receivers: growing by doubling would hold two copies of the
   /// largest array of a bake.

@@ -34,7 +34,7 @@ struct SlotTransfer {
 inline float directTransfer(const SideCast& front, std::span<const float> fitted, std::size_t slot,
                             std::size_t i) {
   const double relative = fitted[slot * front.baseline().columns() + 1 + i];
-  return static_cast<float>(front.baseline().row(slot)[1 + i] + relative);
+  return static_cast<float>(front.baseline().value(slot, 1 + i) + relative);
 }
 
 struct TransferRequest {

@@ -22,7 +22,7 @@ void addDirect(const FitMesh& mesh, const SideCast& front, const std::vector<flo
     std::vector<double> transfer(static_cast<std::size_t>(transferOrder * transferOrder)), matrix(n * n);
     for (std::size_t s = begin; s < end; ++s) {
       for (std::size_t k = 0; k < transfer.size(); ++k)
-        transfer[k] = front.baseline().row(s)[1 + k] + fitted[s * columns + 1 + k];
+        transfer[k] = front.baseline().value(s, 1 + k) + fitted[s * columns + 1 + k];
       product.matrix(transfer, matrix);
       for (int c = 0; c < channels; ++c)
         std::transform(matrix.begin(), matrix.end(),
