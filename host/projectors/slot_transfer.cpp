@@ -108,6 +108,8 @@ class TransferBounces {
     for (int b = 0; b < request_.bounces; ++b) {
       bounce_.send(fronts, backs);
       if (request_.reflected) keep(first, fronts, backs);
+      fronts = std::vector<float>();  // the device has them
+      backs = std::vector<float>();
       fronts = bounce_.receiveFronts(static_cast<std::uint32_t>(first), progress);
       if (backs_ && b + 1 < request_.bounces)
         backs = bounce_.receiveBacks(static_cast<std::uint32_t>(first), progress);
