@@ -33,18 +33,23 @@ OccluderWays::OccluderWays(const CompiledScene& scene, const DeviceScene& told,
       hasGlass_(prelight::hasGlass(scene)),
       reach_(static_cast<float>(std::min(freeReach(scene), double(std::numeric_limits<float>::max())))),
       mostRays_(static_cast<std::uint32_t>(rays)),
-      counter_(told.context(), 1),
+      marks_(told.context(), rays),
       ways_(told.context(), PRELIGHT_WAYS * rays),
       mirrorHits_(told.context(), hasMirrors_ ? rays : 0) {
   DeviceContext& device = told.context();
   const char* file = "project/occluder_way_kernels.cl";
   scene_.setPlainShading(scene);
+  queue_.emplace(device, mostRays_);
+  moveRays_ = ListedItems<Ray>(device);
   if (hasMirrors_) {
     listMirrored_ = {device, file, surfaceOptions, "listMirrored"};
-    mirrorRays_ = Buffer<Ray>(device, rays);
+    numberMirrored_ = {device, file, surfaceOptions, "numberMirrored"};
+    mirrorRays_ = Buffer<Ray>(device, 2 * rays);
   }
   if (!hasGlass_) return;
+  movePaths_ = ListedItems<GlassPath>(device);
   listGlass_ = {device, file, surfaceOptions, "listGlass"};
+  startGlass_ = {device, file, surfaceOptions, "startGlass"};
   followGlass_ = {device, file, surfaceOptions, "followGlass"};
   pathHits_ = Buffer<Hit>(device, rays);
   pathRays_ = Buffer<Ray>(device, 2 * rays);
@@ -57,29 +62,33 @@ void OccluderWays::cast(const CastBlockBuffers& block, std::size_t rays, Tracer&
 }
 
 void OccluderWays::castMirrored(const CastBlockBuffers& block, std::size_t rays, Tracer& tracer) {
-  counter_.fill(0);
   listMirrored_.launch(rays, block.parameters, scene_.layoutBuffer(), scene_.surface(), scene_.shading(),
-                       scene_.occluders(), block.rays, block.hits, reach_, ways_, mirrorRays_, counter_);
-  const std::uint32_t count = counter_.read()[0];
-  if (count > 0) tracer.traceAny(mirrorRays_, mirrorHits_, count);
+                       scene_.occluders(), block.rays, block.hits, reach_, ways_, mirrorRays_, marks_);
+  const std::uint32_t count = queue_->list(marks_, static_cast<std::uint32_t>(rays))[0];
+  if (count == 0) return;
+  numberMirrored_.launch(count, count, queue_->first(0), queue_->lists(), ways_);
+  moveRays_.move(*queue_, 0, count, mirrorRays_, 0, mirrorRays_, mostRays_);
+  tracer.traceAny(mirrorRays_, mirrorHits_, count, mostRays_);
   rays_ += count;
 }
 
 void OccluderWays::castThrough(const CastBlockBuffers& block, std::size_t rays, Tracer& tracer) {
-  counter_.fill(0);
   listGlass_.launch(rays, block.parameters, scene_.layoutBuffer(), scene_.surface(), scene_.occluders(),
-                    block.rays, block.hits, ways_, paths_, pathRays_, pathHits_, counter_);
-  std::uint32_t count = counter_.read()[0];
+                    block.hits, ways_, marks_);
+  std::uint32_t count = queue_->list(marks_, static_cast<std::uint32_t>(rays))[0];
+  if (count > 0)
+    startGlass_.launch(count, count, queue_->first(0), queue_->lists(), block.rays, block.hits, paths_,
+                       pathRays_, pathHits_);
   for (std::uint32_t face = 0; face < mostFaces && count > 0; ++face) {
-    const std::uint32_t first = face % 2 * mostRays_, next = mostRays_ - first;
     if (face > 0) {
-      tracer.traceClosest(pathRays_, pathHits_, count, first);
+      tracer.traceClosest(pathRays_, pathHits_, count);
       rays_ += count;
     }
-    counter_.fill(0);
-    followGlass_.launch(count, scene_.layoutBuffer(), GlassStep{count, first, next, reach_}, scene_.surface(),
-                        scene_.shading(), scene_.occluders(), paths_, pathRays_, pathHits_, ways_, counter_);
-    count = counter_.read()[0];
+    followGlass_.launch(count, scene_.layoutBuffer(), GlassStep{count, mostRays_, reach_}, scene_.surface(),
+                        scene_.shading(), scene_.occluders(), paths_, pathRays_, pathHits_, ways_, marks_);
+    count = queue_->list(marks_, count)[0];
+    moveRays_.move(*queue_, 0, count, pathRays_, mostRays_, pathRays_, 0);
+    movePaths_.move(*queue_, 0, count, paths_, mostRays_, paths_, 0);
   }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "cast/cast_block.h"
 #include "gpu/tracer.h"
+#include "gpu/work_queue.h"
 #include "prelight/compiled_scene.h"
 #include "shared/occluder_types.h"
 #include "shared/shade_types.h"
@@ -44,11 +46,14 @@ class OccluderWays {
   float reach_;
   std::uint32_t mostRays_;
   std::uint64_t rays_ = 0;
-  Buffer<std::uint32_t> counter_;
+  Buffer<std::uint8_t> marks_;
+  std::optional<WorkQueue> queue_;  ///< of marks
+  ListedItems<device::Ray> moveRays_;
+  ListedItems<device::GlassPath> movePaths_;
   Buffer<device::OccluderWay> ways_;
-  Buffer<device::Ray> mirrorRays_;
+  Buffer<device::Ray> mirrorRays_;  ///< [those of the block's rays, those that are cast][mostRays_]
   Buffer<device::Hit> mirrorHits_, pathHits_;
-  Buffer<device::Ray> pathRays_;     ///< [two parts][mostRays_]
+  Buffer<device::Ray> pathRays_;     ///< [those to trace, those that go on][mostRays_]
   Buffer<device::GlassPath> paths_;  ///< the same
 
   using Parameters = Buffer<device::CastParameters>;
@@ -60,12 +65,13 @@ class OccluderWays {
   using Hits = Buffer<device::Hit>;
   using Ways = Buffer<device::OccluderWay>;
   using Paths = Buffer<device::GlassPath>;
-  using Counter = Buffer<std::uint32_t>;
-  Kernel<Parameters, Layout, Surface, Shading, Occluders, Rays, Hits, float, Ways, Rays, Counter>
-      listMirrored_;
-  Kernel<Parameters, Layout, Surface, Occluders, Rays, Hits, Ways, Paths, Rays, Hits, Counter> listGlass_;
-  Kernel<Layout, device::GlassStep, Surface, Shading, Occluders, Paths, Rays, Hits, Ways, Counter>
-      followGlass_;
+  using Marks = Buffer<std::uint8_t>;
+  using Lists = Buffer<std::uint32_t>;
+  Kernel<Parameters, Layout, Surface, Shading, Occluders, Rays, Hits, float, Ways, Rays, Marks> listMirrored_;
+  Kernel<std::uint32_t, std::uint32_t, Lists, Ways> numberMirrored_;
+  Kernel<Parameters, Layout, Surface, Occluders, Hits, Ways, Marks> listGlass_;
+  Kernel<std::uint32_t, std::uint32_t, Lists, Rays, Hits, Paths, Rays, Hits> startGlass_;
+  Kernel<Layout, device::GlassStep, Surface, Shading, Occluders, Paths, Rays, Hits, Ways, Marks> followGlass_;
 };
 
 }  // namespace prelight

@@ -25,14 +25,19 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
       castParameters_(device_, 1),
       parameters_(device_, 1),
       receivers_(device_, blockSize_),
-      sums_(device_, 3 * std::size_t{blockSize_}),
-      counter_(device_, 1) {
+      sums_(device_, 3 * std::size_t{blockSize_}) {
   const std::size_t rays = std::size_t{blockSize_} * request.raysPerReceiver;
   mostRays_ = static_cast<std::uint32_t>(rays);
   rayBuffer_ = Buffer<Ray>(device_, follows_ ? 2 * rays : rays);
   paths_ = Buffer<GatherPath>(device_, follows_ ? 2 * rays : 0);
   hits_ = Buffer<Hit>(device_, rays);
+  marks_ = Buffer<std::uint8_t>(device_, rays);
   radiances_ = Buffer<float>(device_, 3 * rays);
+  if (follows_) {
+    queue_.emplace(device_, mostRays_);
+    moveRays_ = ListedItems<Ray>(device_);
+    movePaths_ = ListedItems<GatherPath>(device_);
+  }
   values_.raysPerReceiver = request.raysPerReceiver;
   values_.seed = static_cast<std::uint32_t>(request.seed ^ (request.seed >> 32));
   values_.map = irradiance.layout();
@@ -103,7 +108,6 @@ void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<st
   cast.raysPerReceiver = request_.raysPerReceiver;
   castParameters_.write(std::span<const CastParameters>(&cast, 1));
   receivers_.write(receivers);
-  current_ = 0;
   std::uint32_t active = count * request_.raysPerReceiver;
   generate_.launch(active / 8, castParameters_, receivers_, rayBuffer_);
   const std::uint32_t first = active;
@@ -118,18 +122,16 @@ void FinalGather::traceBlock(std::span<const Receiver> receivers, std::vector<st
 
 /// One surface of the rays that are left; returns how many go on.
 std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
-  const std::uint32_t first = current_ * mostRays_, next = (1 - current_) * mostRays_;
-  scene_.tracer().traceClosest(rayBuffer_, hits_, count, first);
+  scene_.tracer().traceClosest(rayBuffer_, hits_, count);
   rays_ += count;
-  counter_.fill(0);
   const DeviceScene& handle = scene_.handle();
-  gather_.launch(count, parameters_, GatherStep{count, depth, first, next}, handle.surface(),
-                 handle.shading(), handle.lights(), irradiance_.lines(), receivers_, rayBuffer_, hits_,
-                 paths_, radiances_, counter_);
+  gather_.launch(count, parameters_, GatherStep{count, depth, mostRays_}, handle.surface(), handle.shading(),
+                 handle.lights(), irradiance_.lines(), receivers_, rayBuffer_, hits_, paths_, radiances_,
+                 marks_);
   if (!follows_) return 0;
-  current_ = 1 - current_;
-  std::uint32_t left = 0;
-  counter_.read(std::span(&left, 1));
+  const std::uint32_t left = queue_->list(marks_, count)[0];
+  moveRays_.move(*queue_, 0, left, rayBuffer_, mostRays_, rayBuffer_, 0);
+  movePaths_.move(*queue_, 0, left, paths_, mostRays_, paths_, 0);
   return left;
 }
 

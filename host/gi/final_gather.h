@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "basis/incident_values.h"
 #include "gi/irradiance_map.h"
 #include "gpu/transport_scene.h"
+#include "gpu/work_queue.h"
 #include "prelight/progress.h"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
@@ -64,20 +66,22 @@ class FinalGather {
   Buffer<device::GatherParameters> parameters_;
   Buffer<device::Receiver> receivers_;
   std::uint32_t mostRays_ = 0;        ///< of a block
-  std::uint32_t current_ = 0;         ///< of two parts of rays and paths, the one to trace
-  Buffer<device::Ray> rayBuffer_;     ///< [two parts, or one if no ray goes on][mostRays_]
-  Buffer<device::GatherPath> paths_;  ///< [two parts][mostRays_]
+  Buffer<device::Ray> rayBuffer_;     ///< [those to trace, those that go on if any can][mostRays_]
+  Buffer<device::GatherPath> paths_;  ///< the same
   Buffer<device::Hit> hits_;
   Buffer<float> radiances_, sums_, incident_;
   int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
-  Buffer<std::uint32_t> counter_;
+  Buffer<std::uint8_t> marks_;
+  std::optional<WorkQueue> queue_;  ///< of marks, where rays can go on
+  ListedItems<device::Ray> moveRays_;
+  ListedItems<device::GatherPath> movePaths_;
 
   using Parameters = Buffer<device::GatherParameters>;
   using Receivers = Buffer<device::Receiver>;
   Kernel<Buffer<device::CastParameters>, Receivers, Buffer<device::Ray>> generate_;
   Kernel<Parameters, device::GatherStep, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
          Buffer<device::LightLine>, Buffer<device::IrradianceLine>, Receivers, Buffer<device::Ray>,
-         Buffer<device::Hit>, Buffer<device::GatherPath>, Buffer<float>, Buffer<std::uint32_t>>
+         Buffer<device::Hit>, Buffer<device::GatherPath>, Buffer<float>, Buffer<std::uint8_t>>
       gather_;
   Kernel<Parameters, Buffer<float>, Buffer<float>> sum_;
   Kernel<Parameters, Receivers, Buffer<device::Ray>, Buffer<float>, Buffer<float>> sumIncident_;

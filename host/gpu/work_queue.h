@@ -10,8 +10,8 @@
 
 namespace prelight {
 
-/// The items of a step that a kernel has marked, listed on the device in the order of their numbers: for what
-/// follows paths from step to step. A mark is a byte whose bits are kinds.
+/// The items of a step that a kernel has marked, listed on the device in the order of their numbers: for all
+/// that follows paths from step to step. A mark is a byte whose bits are kinds.
 class WorkQueue {
  public:
   static constexpr std::size_t kinds = PRELIGHT_QUEUE_KINDS;
@@ -35,6 +35,30 @@ class WorkQueue {
   Kernel<std::uint32_t, Buffer<std::uint8_t>, Buffer<glm::uvec4>> count_;
   Kernel<std::uint32_t, Buffer<glm::uvec4>> start_;
   Kernel<std::uint32_t, std::uint32_t, Buffer<std::uint8_t>, Buffer<glm::uvec4>, Buffer<std::uint32_t>> list_;
+};
+
+/// Moves items of a type that a work queue has listed close together.
+template <typename T>
+class ListedItems {
+ public:
+  ListedItems() = default;
+  explicit ListedItems(DeviceContext& device) {
+    const auto words = static_cast<int>(sizeof(T) / sizeof(std::uint32_t));
+    move_ = {device, "core/queue_kernels.cl", BuildOptions().define("PRELIGHT_ITEM_WORDS", words),
+             "moveListed"};
+  }
+
+  /// The first `count` items of a kind, from the places after `from` that they have by their numbers, to
+  /// those after `to`. The two may be parts of one buffer that do not overlap.
+  void move(const WorkQueue& queue, std::uint32_t kind, std::uint32_t count, const Buffer<T>& items,
+            std::uint32_t from, Buffer<T>& moved, std::uint32_t to) {
+    if (count > 0) move_.launch(count, count, queue.first(kind), queue.lists(), from, items, to, moved);
+  }
+
+ private:
+  Kernel<std::uint32_t, std::uint32_t, Buffer<std::uint32_t>, std::uint32_t, Buffer<T>, std::uint32_t,
+         Buffer<T>>
+      move_;
 };
 
 }  // namespace prelight

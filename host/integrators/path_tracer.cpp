@@ -1,6 +1,7 @@
 #include "integrators/path_tracer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "integrators/camera_upload.h"
 
@@ -16,6 +17,10 @@ std::uint32_t pathsPerBlock(const DeviceInfo& info, bool cachedLight) {
   if (info.kind == DeviceKind::Gpu) return 1u << 20;
   return cachedLight ? 1u << 17 : 1u << 16;
 }
+
+/// Parts of the rays: those that are followed, what a step sends on and to lights in the same places, and the
+/// latter close together.
+enum RayPart : std::uint32_t { followed, sentOn, sentToLights, shadowRays, rayParts };
 
 std::uint32_t foldSeed(std::uint64_t seed) {
   return static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(seed >> 32) * 0x9e3779b9u);
@@ -38,11 +43,15 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
 
   mostPaths_ = blockPixels_ * samples;
   paths_ = Buffer<PathState>(device_, mostPaths_);
-  rayBuffer_ = Buffer<Ray>(device_, 3 * std::size_t{mostPaths_});
-  queue_ = Buffer<std::uint32_t>(device_, PRELIGHT_QUEUE_HEAD + 2 * std::size_t{mostPaths_});
+  rayBuffer_ = Buffer<Ray>(device_, rayParts * std::size_t{mostPaths_});
+  numbers_ = Buffer<std::uint32_t>(device_, mostPaths_);
+  nextNumbers_ = Buffer<std::uint32_t>(device_, mostPaths_);
   hits_ = Buffer<Hit>(device_, mostPaths_);
   shadowHits_ = Buffer<Hit>(device_, mostPaths_);
-  items_ = Buffer<ShadowItem>(device_, mostPaths_);
+  marks_ = Buffer<std::uint8_t>(device_, mostPaths_);
+  queue_.emplace(device_, mostPaths_);
+  moveRays_ = ListedItems<Ray>(device_);
+  moveNumbers_ = ListedItems<std::uint32_t>(device_);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
   if (cached_)
     buildCachedKernels(request);
@@ -90,9 +99,8 @@ const std::vector<glm::vec4>& PathTracer::trace(std::uint64_t pass, std::uint32_
     cachedValues_.paths = values_;
     cachedParameters_.write(std::span<const CachedPathParameters>(&cachedValues_, 1));
   }
-  current_ = 0;
   std::uint32_t active = values_.pathCount;
-  generate_.launch(active, parameters_, paths_, queue_, rayBuffer_);
+  generate_.launch(active, parameters_, paths_, numbers_, rayBuffer_);
   for (std::uint32_t depth = 0; active > 0; ++depth) tracePaths(depth, active);
   average_.launch(count, parameters_, paths_, meanBuffer_);
   means_.resize(count);
@@ -104,16 +112,15 @@ PathStep PathTracer::step(std::uint32_t count, std::uint32_t depth) const {
   PathStep step{};
   step.count = count;
   step.depth = depth;
-  step.first = current_ * mostPaths_;
-  step.next = (1 - current_) * mostPaths_;
-  step.shadow = 2 * mostPaths_;
+  step.next = sentOn * mostPaths_;
+  step.shadow = sentToLights * mostPaths_;
   step.light = PRELIGHT_NO_TRIANGLE;
   return step;
 }
 
 /// One vertex of all paths that are left; `count` becomes the number of those that go on.
 void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
-  scene_.tracer().traceClosest(rayBuffer_, hits_, count, current_ * mostPaths_);
+  scene_.tracer().traceClosest(rayBuffer_, hits_, count, followed * mostPaths_);
   rays_ += count;
   if (cached_) {
     count = followToCachedLight(count, depth);
@@ -131,7 +138,15 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
   if (virtual_) addVirtualLights(count);
   count = scatter(count, depth);
-  current_ = 1 - current_;
+}
+
+/// Makes those that go on the rays that are followed.
+std::uint32_t PathTracer::follow(std::uint32_t left) {
+  moveRays_.move(*queue_, PRELIGHT_PATH_NEXT, left, rayBuffer_, sentOn * mostPaths_, rayBuffer_,
+                 followed * mostPaths_);
+  moveNumbers_.move(*queue_, PRELIGHT_PATH_NEXT, left, numbers_, 0, nextNumbers_, 0);
+  std::swap(numbers_, nextNumbers_);
+  return left;
 }
 
 /// All of a vertex at once; returns how many paths go on.
@@ -141,29 +156,26 @@ std::uint32_t PathTracer::followToCachedLight(std::uint32_t count, std::uint32_t
   now.meets = last || !scene_.features().scatters ? 0 : 1;
   now.goesOn = cached_->meetsLights || scene_.features().specularLobes() ? 1 : 0;
   const DeviceScene& scene = scene_.handle();
-  clearCounters();
   follow_.launch(count, cachedParameters_, now, scene.surface(), scene.shading(), scene.lights(),
-                 cached_->indirect->lines(), caustics_, rayBuffer_, hits_, queue_, paths_, items_);
-  const auto [shadows, left] = readCounters();
-  castShadows(shadows);
-  current_ = 1 - current_;
-  return left;
+                 cached_->indirect->lines(), caustics_, rayBuffer_, hits_, numbers_, paths_, marks_);
+  const auto listed = queue_->list(marks_, count);
+  castShadows(listed[PRELIGHT_PATH_SHADOW]);
+  return follow(listed[PRELIGHT_PATH_NEXT]);
 }
 
 void PathTracer::collect(std::uint32_t count, std::uint32_t depth) {
   const DeviceScene& scene = scene_.handle();
   collect_.launch(count, parameters_, step(count, depth), scene.surface(), scene.shading(), scene.lights(),
-                  rayBuffer_, hits_, queue_, paths_);
+                  rayBuffer_, hits_, numbers_, paths_);
 }
 
 void PathTracer::addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light) {
   PathStep now = step(count, depth);
   now.light = light;
   const DeviceScene& scene = scene_.handle();
-  clearCounters();
   sample_.launch(count, parameters_, now, scene.surface(), scene.shading(), scene.lights(), rayBuffer_, hits_,
-                 queue_, paths_, items_);
-  castShadows(readCounters()[PRELIGHT_SHADOW_COUNTER]);
+                 numbers_, paths_, marks_);
+  castShadows(queue_->list(marks_, count)[PRELIGHT_PATH_SHADOW]);
 }
 
 /// Adds the light of all virtual lights, one after the other.
@@ -172,34 +184,29 @@ void PathTracer::addVirtualLights(std::uint32_t count) {
   PathStep now = step(count, 0);
   now.leastSquare = virtual_->leastSquare();
   for (now.light = 0; now.light < virtual_->count(); ++now.light) {
-    clearCounters();
     sampleVirtual_.launch(count, parameters_, now, scene.surface(), scene.shading(), rayBuffer_, hits_,
-                          queue_, paths_, virtual_->lights(), items_);
-    castShadows(readCounters()[PRELIGHT_SHADOW_COUNTER]);
+                          numbers_, paths_, virtual_->lights(), marks_);
+    castShadows(queue_->list(marks_, count)[PRELIGHT_PATH_SHADOW]);
   }
 }
 
-/// Adds what so many shadow rays that were made bring.
+/// Adds what so many shadow rays that were made and listed bring.
 void PathTracer::castShadows(std::uint32_t shadows) {
   if (shadows == 0) return;
   // The hits of the paths' own rays are needed once more, so shadow rays have theirs.
-  scene_.tracer().traceAny(rayBuffer_, shadowHits_, shadows, 2 * std::size_t{mostPaths_});
+  moveRays_.move(*queue_, PRELIGHT_PATH_SHADOW, shadows, rayBuffer_, sentToLights * mostPaths_, rayBuffer_,
+                 RayPart::shadowRays * mostPaths_);
+  scene_.tracer().traceAny(rayBuffer_, shadowHits_, shadows, RayPart::shadowRays * std::size_t{mostPaths_});
   rays_ += shadows;
-  add_.launch(shadows, shadows, shadowHits_, items_, paths_);
+  add_.launch(shadows, shadows, queue_->first(PRELIGHT_PATH_SHADOW), queue_->lists(), shadowHits_, numbers_,
+              paths_);
 }
 
 std::uint32_t PathTracer::scatter(std::uint32_t count, std::uint32_t depth) {
   const DeviceScene& scene = scene_.handle();
-  clearCounters();
   scatter_.launch(count, parameters_, step(count, depth), scene.surface(), scene.shading(), rayBuffer_, hits_,
-                  queue_, paths_);
-  return readCounters()[PRELIGHT_NEXT_COUNTER];
-}
-
-std::array<std::uint32_t, 2> PathTracer::readCounters() const {
-  std::array<std::uint32_t, 2> counters{};
-  queue_.read(std::span(counters));
-  return counters;
+                  numbers_, paths_, marks_);
+  return follow(queue_->list(marks_, count)[PRELIGHT_PATH_NEXT]);
 }
 
 }  // namespace prelight::reference

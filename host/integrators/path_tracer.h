@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/transport_scene.h"
+#include "gpu/work_queue.h"
 #include "integrators/cached_light.h"
 #include "integrators/reference.h"
 #include "integrators/reference_plan.h"
@@ -41,8 +42,7 @@ class PathTracer {
   void addVirtualLights(std::uint32_t count);
   void castShadows(std::uint32_t shadows);
   std::uint32_t scatter(std::uint32_t count, std::uint32_t depth);
-  void clearCounters() { queue_.fill(0, PRELIGHT_QUEUE_HEAD); }
-  std::array<std::uint32_t, 2> readCounters() const;
+  std::uint32_t follow(std::uint32_t left);
   device::PathStep step(std::uint32_t count, std::uint32_t depth) const;
 
   TransportScene& scene_;
@@ -56,13 +56,15 @@ class PathTracer {
   std::optional<std::uint64_t> virtualPass_;  ///< whose lights they are
 
   std::uint32_t mostPaths_ = 0;  ///< of a block
-  std::uint32_t current_ = 0;    ///< of two parts of the rays and the queue, the one to trace
   Buffer<device::ReferenceParameters> parameters_;
   Buffer<device::PathState> paths_;
-  Buffer<device::Ray> rayBuffer_;  ///< [two parts, shadow rays][mostPaths_]
-  Buffer<std::uint32_t> queue_;    ///< its head, then [two parts][mostPaths_]
+  Buffer<device::Ray> rayBuffer_;                ///< [RayPart][mostPaths_]
+  Buffer<std::uint32_t> numbers_, nextNumbers_;  ///< of the paths that rays belong to
   Buffer<device::Hit> hits_, shadowHits_;
-  Buffer<device::ShadowItem> items_;
+  Buffer<std::uint8_t> marks_;
+  std::optional<WorkQueue> queue_;  ///< of marks
+  ListedItems<device::Ray> moveRays_;
+  ListedItems<std::uint32_t> moveNumbers_;
   Buffer<glm::vec4> meanBuffer_;
   std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
   device::CachedPathParameters cachedValues_{};
@@ -73,22 +75,22 @@ class PathTracer {
   using Paths = Buffer<device::PathState>;
   using Rays = Buffer<device::Ray>;
   using Hits = Buffer<device::Hit>;
-  using Queue = Buffer<std::uint32_t>;
-  using Items = Buffer<device::ShadowItem>;
+  using Numbers = Buffer<std::uint32_t>;
+  using Marks = Buffer<std::uint8_t>;
   using Surface = Buffer<device::SurfaceLine>;
   using Shading = Buffer<device::ShadingLine>;
   using Lights = Buffer<device::LightLine>;
-  Kernel<Parameters, Paths, Queue, Rays> generate_;
-  Kernel<Parameters, device::PathStep, Surface, Shading, Lights, Rays, Hits, Queue, Paths> collect_;
-  Kernel<Parameters, device::PathStep, Surface, Shading, Lights, Rays, Hits, Queue, Paths, Items> sample_;
-  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Queue, Paths,
-         Buffer<device::VirtualLight>, Items>
+  Kernel<Parameters, Paths, Numbers, Rays> generate_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Lights, Rays, Hits, Numbers, Paths> collect_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Lights, Rays, Hits, Numbers, Paths, Marks> sample_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths,
+         Buffer<device::VirtualLight>, Marks>
       sampleVirtual_;
   Kernel<Buffer<device::CachedPathParameters>, device::PathStep, Surface, Shading, Lights,
-         Buffer<device::IrradianceLine>, Buffer<device::DensityLine>, Rays, Hits, Queue, Paths, Items>
+         Buffer<device::IrradianceLine>, Buffer<device::DensityLine>, Rays, Hits, Numbers, Paths, Marks>
       follow_;
-  Kernel<std::uint32_t, Hits, Items, Paths> add_;
-  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Queue, Paths> scatter_;
+  Kernel<std::uint32_t, std::uint32_t, Numbers, Hits, Numbers, Paths> add_;
+  Kernel<Parameters, device::PathStep, Surface, Shading, Rays, Hits, Numbers, Paths, Marks> scatter_;
   Kernel<Parameters, Paths, Buffer<glm::vec4>> average_;
 };
 

@@ -64,15 +64,16 @@ PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
       outcomes_(device_, blockPhotons_),
       tallies_(device_, std::size_t{tallyColumns} * blockPhotons_),
       sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)),
-      work_(device_, blockPhotons_) {}
+      work_(device_, blockPhotons_),
+      moveRays_(device_),
+      moveNumbers_(device_),
+      movePhotons_(device_) {}
 
 void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sources) {
   emit_ = {device_, "photon/emit_kernels.cl", scene_.options(), "emitPhotons"};
   const char* file = "photon/scatter_kernels.cl";
   const BuildOptions options = scatterOptions(request, scene_.options());
   scatter_ = {device_, file, options, "scatterPhotons"};
-  compactPaths_ = {device_, file, options, "compactPaths"};
-  compactPhotons_ = {device_, file, options, "compactPhotons"};
   sum_ = {device_, file, options, "sumTallies"};
   const double sceneRadius =
       0.5 * glm::length(glm::dvec3(compiled_.boundsMax) - glm::dvec3(compiled_.boundsMin));
@@ -185,8 +186,8 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   const std::uint32_t left = listed[goesOn];
   if (left == 0) return 0;
   // The rays that were traced are done with.
-  compactPaths_.launch(left, left, work_.first(goesOn), blockPhotons_, work_.lists(), rays_, queue_,
-                       nextQueue_);
+  moveRays_.move(work_, goesOn, left, rays_, blockPhotons_, rays_, 0);
+  moveNumbers_.move(work_, goesOn, left, queue_, 0, nextQueue_, 0);
   std::swap(queue_, nextQueue_);
   return left;
 }
@@ -203,8 +204,8 @@ void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {
 
 void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {
   if (count == 0) return;
-  compactPhotons_.launch(count, count, work_.first(staysHere), work_.lists(), candidates_, queue_, photons_,
-                         numbers_);
+  movePhotons_.move(work_, staysHere, count, candidates_, 0, photons_, 0);
+  moveNumbers_.move(work_, staysHere, count, queue_, 0, numbers_, 0);
   const std::size_t before = hits.photons.size();
   hits.photons.resize(before + count);
   hits.paths.resize(before + count);

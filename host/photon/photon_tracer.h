@@ -109,6 +109,9 @@ class PhotonTracer {
   Buffer<std::uint8_t> outcomes_;
   Buffer<std::int64_t> tallies_, sums_;
   WorkQueue work_;  ///< of outcomes
+  ListedItems<device::Ray> moveRays_;
+  ListedItems<std::uint32_t> moveNumbers_;
+  ListedItems<device::Photon> movePhotons_;
 
   using Parameters = Buffer<device::PhotonParameters>;
   using Numbers = Buffer<std::uint32_t>;
@@ -119,11 +122,6 @@ class PhotonTracer {
          Buffer<device::LightLine>, Buffer<device::Ray>, Buffer<device::Hit>, Numbers,
          Buffer<device::PhotonPath>, Buffer<std::uint8_t>, Buffer<device::Photon>, Buffer<std::int64_t>>
       scatter_;
-  Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Numbers, Buffer<device::Ray>, Numbers, Numbers>
-      compactPaths_;
-  Kernel<std::uint32_t, std::uint32_t, Numbers, Buffer<device::Photon>, Numbers, Buffer<device::Photon>,
-         Numbers>
-      compactPhotons_;
   Kernel<std::uint32_t, std::uint32_t, std::uint32_t, Buffer<std::int64_t>, Buffer<std::int64_t>> sum_;
 };
 

@@ -1,3 +1,4 @@
+// Options: PRELIGHT_ITEM_WORDS, of what moveListed moves.
 // Lists what a step has marked to go on, in the order of its numbers, whichever work-item came first: results and the
 // neighbours that rays are traced with do not depend on the device. Up to four kinds of mark, a bit each.
 #include "shared/queue_types.h"
@@ -43,3 +44,17 @@ __kernel void listMarked(const uint count, const uint most, __global const uchar
     place += kinds;
   }
 }
+
+#ifdef PRELIGHT_ITEM_WORDS
+typedef struct Item {
+  uint words[PRELIGHT_ITEM_WORDS];
+} Item;
+
+// A listed item a work-item. lists: from firstListed on those that move, from their own places after `from` to places close
+// together after `to`.
+__kernel void moveListed(const uint count, const uint firstListed, __global const uint* lists, const uint from,
+                         __global const Item* items, const uint to, __global Item* moved) {
+  const size_t i = get_global_id(0);
+  if (i < count) moved[to + i] = items[from + lists[firstListed + i]];
+}
+#endif

@@ -44,24 +44,25 @@ PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const
 }
 #endif
 
-// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays
-// and paths lie where the step says, hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond ->
-// rays and paths of those that go on [counter].
+// A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays,
+// paths and hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond -> rays and paths of those that
+// go on, from step.next on in the same places, and marks.
 __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherStep step,
                              __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                              __global const LightLine* lightLines, __global const IrradianceLine* irradiances,
                              __global const Receiver* receivers, __global Ray* rays, __global const Hit* hits,
-                             __global GatherPath* paths, __global float* radiances, __global uint* counter) {
+                             __global GatherPath* paths, __global float* radiances, __global uchar* marks) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const PathScene s = scene.surface;
   const IrradianceMap map = irradianceMapOf(&p->map, irradiances);
   GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u};
-  if (step.depth > 0u) path = paths[step.first + i];
-  const Ray ray = rays[step.first + i];
+  if (step.depth > 0u) path = paths[i];
+  const Ray ray = rays[i];
   const Hit hit = hits[i];
   float3 radiance = (float3)(0.0f);
+  marks[i] = 0;
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
   const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;  // nothing may be read of a surface that is none
@@ -83,9 +84,9 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
 #ifdef PRELIGHT_FOLLOWS
     Ray next;
     if (follow(p, receivers, surface, bsdf, step.depth, &path, &next)) {
-      const uint place = atomic_inc(counter);
-      rays[step.next + place] = next;
-      paths[step.next + place] = path;
+      rays[step.next + i] = next;
+      paths[step.next + i] = path;
+      marks[i] = 1;
     }
 #endif
   } else {

@@ -52,21 +52,22 @@ PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, 
   return radiance;
 }
 
-// A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays and items [shadow counter]; rays that go on
-// [next counter].
+// A ray a work-item. maps: read with PRELIGHT_CACHED_CAUSTICS alone. -> shadow rays from step.shadow on, rays that go on from
+// step.next on, and marks.
 __kernel void followPaths(__constant const CachedPathParameters* c, const PathStep step,
                           __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                           __global const LightLine* lightLines, __global const IrradianceLine* indirect,
                           __global const DensityLine* maps, __global Ray* rays, __global const Hit* hits,
-                          __global uint* queue, __global PathState* paths, __global ShadowItem* items) {
+                          __global const uint* numbers, __global PathState* paths, __global uchar* marks) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
   __constant const ReferenceParameters* p = &c->paths;
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
-  const Ray ray = rays[step.first + i];
+  const Ray ray = rays[i];
   const Hit hit = hits[i];
-  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const uint number = numbers[i];
   PathState path = paths[number];
+  uchar mark = 0;
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
   collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
@@ -78,19 +79,19 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
     }
     Ray shadow;
-    ShadowItem item;
+    float3 arriving;
     if (p->scene.lights.groupCount > 0u &&
-        sampleLightAt(p, step.depth, scene.surface, scene.lights, at, path, PRELIGHT_NO_TRIANGLE, &shadow, &item)) {
-      const uint place = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
-      rays[step.shadow + place] = shadow;
-      items[place] = item;
+        sampleLightAt(p, step.depth, scene.surface, scene.lights, at, path, PRELIGHT_NO_TRIANGLE, &shadow, &arriving)) {
+      rays[step.shadow + i] = shadow;
+      vstore3(arriving, 0, path.arriving);
+      mark |= 1u << PRELIGHT_PATH_SHADOW;
     }
     Ray next;
     if (step.goesOn != 0u && scatterAt(p, step.depth, at, &path, &next)) {
-      const uint place = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
-      rays[step.next + place] = next;
-      queue[PRELIGHT_QUEUE_HEAD + step.next + place] = number;
+      rays[step.next + i] = next;
+      mark |= 1u << PRELIGHT_PATH_NEXT;
     }
   }
   paths[number] = path;
+  marks[i] = mark;
 }

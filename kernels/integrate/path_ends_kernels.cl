@@ -4,8 +4,8 @@
 
 #include "integrate/path_funcs.cl"
 
-// A path a work-item. -> paths, rays [pathCount], numbers in the queue.
-__kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* queue,
+// A path a work-item. -> paths, rays [pathCount], and the numbers of the paths that rays belong to.
+__kernel void generatePaths(__constant const ReferenceParameters* p, __global PathState* paths, __global uint* numbers,
                             __global Ray* rays) {
   const size_t i = get_global_id(0);
   if (i >= p->pathCount) return;
@@ -23,19 +23,19 @@ __kernel void generatePaths(__constant const ReferenceParameters* p, __global Pa
   ray.sourceTriangle = PRELIGHT_NO_TRIANGLE;
   ray.tMax = p->zFar < MAXFLOAT ? (p->zFar - p->zNear) * stretch : MAXFLOAT;
   rays[i] = ray;
-  queue[PRELIGHT_QUEUE_HEAD + i] = (uint)i;
-  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0u, 0u}};
+  numbers[i] = (uint)i;
+  PathState path = {{1.0f, 1.0f, 1.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 1.0f, PRELIGHT_NO_MEDIUM, 0u, {0.0f, 0.0f, 0.0f}, {0u, 0u, 0u}};
   paths[i] = path;
 }
 
-// A shadow ray a work-item; a path has at most one.
-__kernel void addArrivals(const uint count, __global const Hit* hits, __global const ShadowItem* items,
-                          __global PathState* paths) {
+// A shadow ray a work-item, in the order of lists from firstListed on; a path has at most one. hits [count]; numbers of the
+// paths of the rays that are followed.
+__kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
+                          __global const uint* numbers, __global PathState* paths) {
   const size_t i = get_global_id(0);
   if (i >= count || hits[i].triangle != PRELIGHT_NO_TRIANGLE) return;
-  const ShadowItem item = items[i];
-  __global PathState* path = paths + item.path;
-  vstore3(vload3(0, path->radiance) + vload3(0, item.radiance), 0, path->radiance);
+  __global PathState* path = paths + numbers[lists[firstListed + i]];
+  vstore3(vload3(0, path->radiance) + vload3(0, path->arriving), 0, path->radiance);
 }
 
 // A pixel of the block a work-item. paths [pixel][samplesPerPass] -> means [pixel], w unused. Compensated (Neumaier).

@@ -1,7 +1,7 @@
 // The reference path tracer, a wavefront: bvh/wide_kernels.cl or bvh/narrow_kernels.cl trace rays, these kernels do the rest.
 //   generatePaths -> [trace -> collectRadiance -> sampleLights -> trace -> addArrivals -> scatterPaths] ... -> averageSamples
-// The queue tells which path a ray belongs to: see PathStep. The order within it is left to chance; nothing depends on
-// it, because every path has random numbers and a state of its own.
+// Numbers tell which path a ray belongs to. What a step sends on is marked, listed in the order of the rays and moved close
+// together (core/queue_kernels.cl).
 // Options: those of the included files.
 #include "integrate/path_ends_kernels.cl"
 #include "integrate/path_point_funcs.cl"
@@ -11,13 +11,13 @@
 __kernel void collectRadiance(__constant const ReferenceParameters* p, const PathStep step,
                               __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                               __global const LightLine* lightLines, __global const Ray* rays,
-                              __global const Hit* hits, __global const uint* queue, __global PathState* paths) {
+                              __global const Hit* hits, __global const uint* numbers, __global PathState* paths) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
-  const Ray ray = rays[step.first + i];
+  const Ray ray = rays[i];
   const Hit hit = hits[i];
-  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const uint number = numbers[i];
   PathState path = paths[number];
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(scene.surface, ray, hit);
@@ -25,38 +25,41 @@ __kernel void collectRadiance(__constant const ReferenceParameters* p, const Pat
   paths[number] = path;
 }
 
-// A ray a work-item. Light that could arrive directly where the ray ends. -> shadow rays and items [shadow counter].
+// A ray a work-item. Light that could arrive directly where the ray ends. -> shadow rays from step.shadow on, and marks.
 __kernel void sampleLights(__constant const ReferenceParameters* p, const PathStep step,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                            __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
-                           __global uint* queue, __global const PathState* paths, __global ShadowItem* items) {
+                           __global const uint* numbers, __global PathState* paths, __global uchar* marks) {
   const size_t i = get_global_id(0);
-  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  if (i >= step.count) return;
+  marks[i] = 0;
+  if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
-  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const uint number = numbers[i];
   Ray shadow;
-  ShadowItem item;
-  const PathPoint at = pathPointAt(scene.surface, loadInteraction(scene.surface, rays[step.first + i], hits[i]), number);
-  if (!sampleLightAt(p, step.depth, scene.surface, scene.lights, at, paths[number], step.light, &shadow, &item)) return;
-  const uint place = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
-  rays[step.shadow + place] = shadow;
-  items[place] = item;
+  float3 arriving;
+  const PathPoint at = pathPointAt(scene.surface, loadInteraction(scene.surface, rays[i], hits[i]), number);
+  if (!sampleLightAt(p, step.depth, scene.surface, scene.lights, at, paths[number], step.light, &shadow, &arriving)) return;
+  rays[step.shadow + i] = shadow;
+  vstore3(arriving, 0, paths[number].arriving);
+  marks[i] = 1u << PRELIGHT_PATH_SHADOW;
 }
 
-// A ray a work-item. Draws the direction in which the path goes on. -> rays that go on [next counter].
+// A ray a work-item. Draws the direction in which the path goes on. -> rays from step.next on, and marks.
 __kernel void scatterPaths(__constant const ReferenceParameters* p, const PathStep step,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
-                           __global Ray* rays, __global const Hit* hits, __global uint* queue,
-                           __global PathState* paths) {
+                           __global Ray* rays, __global const Hit* hits, __global const uint* numbers,
+                           __global PathState* paths, __global uchar* marks) {
   const size_t i = get_global_id(0);
-  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  if (i >= step.count) return;
+  marks[i] = 0;
+  if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
-  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
+  const uint number = numbers[i];
   PathState path = paths[number];
   Ray next;
-  if (!scatterAt(p, step.depth, pathPointAt(s, loadInteraction(s, rays[step.first + i], hits[i]), number), &path, &next)) return;
+  if (!scatterAt(p, step.depth, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), number), &path, &next)) return;
   paths[number] = path;
-  const uint place = atomic_inc(queue + PRELIGHT_NEXT_COUNTER);
-  rays[step.next + place] = next;
-  queue[PRELIGHT_QUEUE_HEAD + step.next + place] = number;
+  rays[step.next + i] = next;
+  marks[i] = 1u << PRELIGHT_PATH_NEXT;
 }

@@ -65,7 +65,7 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
 
 // Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
 PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
-                                   PathPoint at, PathState path, uint light, Ray* shadow, ShadowItem* item) {
+                                   PathPoint at, PathState path, uint light, Ray* shadow, float3* arriving) {
   if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
   if (at.surface.woLocal.z <= 0.0f) return false;
 
@@ -100,8 +100,7 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
 #endif
   if (largest(radiance) <= 0.0f) return false;
   *shadow = a.surface ? rayTo(at.surface, a.direction, a.target, 0.99998f) : rayFrom(at.surface, a.direction, a.distance);
-  vstore3(radiance, 0, item->radiance);
-  item->path = at.path;
+  *arriving = radiance;
   return true;
 }
 

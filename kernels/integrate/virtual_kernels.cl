@@ -37,19 +37,21 @@ __kernel void makeVirtualLights(const uint count, __constant const SceneLayout* 
   lights[i] = virtualLightAt(surface, loadBsdf(s, surface), vload3(0, photon.power));
 }
 
-// A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays and items
-// [shadow counter].
+// A ray a work-item. Light that could arrive from virtual light step.light where the ray ends. -> shadow rays from step.shadow
+// on, and marks.
 __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const PathStep step,
                                  __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
-                                 __global Ray* rays, __global const Hit* hits, __global uint* queue,
-                                 __global const PathState* paths, __global const VirtualLight* lights,
-                                 __global ShadowItem* items) {
+                                 __global Ray* rays, __global const Hit* hits, __global const uint* numbers,
+                                 __global PathState* paths, __global const VirtualLight* lights,
+                                 __global uchar* marks) {
   const size_t i = get_global_id(0);
-  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  if (i >= step.count) return;
+  marks[i] = 0;
+  if (hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
   const VirtualLight light = lights[step.light];
   const PathScene s = shadedSurfaceOf(&p->scene, surfaceLines, shadingLines);
-  const uint number = queue[PRELIGHT_QUEUE_HEAD + step.first + i];
-  const Interaction surface = loadInteraction(s, rays[step.first + i], hits[i]);
+  const uint number = numbers[i];
+  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
   VirtualSample sample;
   if (!sampleVirtual(light, surface.position, step.leastSquare, &sample)) return;
   const Bsdf bsdf = loadBsdf(s, surface);
@@ -58,10 +60,7 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   if (!evalBsdf(surface, bsdf, sample.direction, PRELIGHT_RADIANCE, &f)) return;
   const float3 radiance = vload3(0, paths[number].throughput) * (f.diffuse + f.glossy) * sample.intensity * sample.falloff;
   if (largest(radiance) <= 0.0f) return;
-  const uint place = atomic_inc(queue + PRELIGHT_SHADOW_COUNTER);
-  rays[step.shadow + place] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
-  ShadowItem item;
-  vstore3(radiance, 0, item.radiance);
-  item.path = number;
-  items[place] = item;
+  rays[step.shadow + i] = rayTo(surface, sample.direction, vload3(0, light.position), 0.9999f);
+  vstore3(radiance, 0, paths[number].arriving);
+  marks[i] = 1u << PRELIGHT_PATH_SHADOW;
 }

@@ -74,8 +74,8 @@ void countPower(__constant const PhotonParameters* p, const float* power, float 
 }
 
 // A photon on its way a work-item; rays, hits, queue [count]. -> outcomes [count], PRELIGHT_PHOTON_*; rays from step.next on where
-// it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: compactPaths,
-// compactPhotons, sumTallies.
+// it goes on; stored [count] where it is stored; tallies [count][6]: absorbed and escaped, in counts. Next: sumTallies; what is
+// marked is listed and moved close together.
 __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonStep step,
                              __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                              __global const LightLine* lightLines, __global Ray* rays, __global const Hit* hits,
@@ -128,27 +128,6 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
     tallies[6 * i + c] = absorbed[c];
     tallies[6 * i + 3 + c] = escaped[c];
   }
-}
-
-// lists: from `first` on those of the photons that go on, whose rays lie from `next` on -> their rays and queue, close
-// together.
-__kernel void compactPaths(const uint count, const uint first, const uint next, __global const uint* lists,
-                           __global Ray* rays, __global const uint* queue, __global uint* nextQueue) {
-  const size_t i = get_global_id(0);
-  if (i >= count) return;
-  const uint from = lists[first + i];
-  rays[i] = rays[next + from];
-  nextQueue[i] = queue[from];
-}
-
-// lists: from `first` on those that are stored -> photons and the numbers of their paths in the block.
-__kernel void compactPhotons(const uint count, const uint first, __global const uint* lists, __global const Photon* stored,
-                             __global const uint* queue, __global Photon* photons, __global uint* numbers) {
-  const size_t i = get_global_id(0);
-  if (i >= count) return;
-  const uint from = lists[first + i];
-  photons[i] = stored[from];
-  numbers[i] = queue[from];
 }
 
 // tallies [count][columns] -> sums [work-item][columns], each over `run` of them.

@@ -17,16 +17,18 @@ bool materialHas(Hit hit, Surface surface, __global const uint* flags, uint flag
   return hit.triangle != PRELIGHT_NO_TRIANGLE && (flags[materialAt(surface, hit.triangle)] & flag) != 0u;
 }
 
-// A ray a work-item. rays, hits [ray] -> ways [ray], and mirrorRays [counter] that find out whether they are open.
+// A ray a work-item. rays, hits [ray] -> ways [ray], mirrorRays [ray] that find out whether they are open, and marks.
+// Next: numberMirrored.
 __kernel void listMirrored(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                            __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                            __global const OccluderLine* occluderLines, __global const Ray* rays,
                            __global const Hit* hits, const float reach, __global OccluderWay* ways,
-                           __global Ray* mirrorRays, __global uint* counter) {
+                           __global Ray* mirrorRays, __global uchar* marks) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
   __global OccluderWay* mirrored = ways + PRELIGHT_WAYS * i + PRELIGHT_WAY_MIRRORED;
   mirrored->share = 0.0f;
+  marks[i] = 0;
   const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
   __global const uint* flags = occludersOf(layout, occluderLines).flags;
   if (!materialHas(hits[i], s.surface, flags, PRELIGHT_OCCLUDER_SHINY)) return;
@@ -41,40 +43,53 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __consta
   way.share = 1.0f;
   const float glass = bsdf.glass * sampleGlassAbout(surface, bsdf, surface.frame.z, PRELIGHT_ALWAYS).reflected;
   vstore3(clamp(specularReflectance(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
-  way.ray = atomic_inc(counter);
   *mirrored = way;
-  mirrorRays[way.ray] = rayFrom(surface, direction, reach);
+  mirrorRays[i] = rayFrom(surface, direction, reach);
+  marks[i] = 1;
 }
 
-// A ray a work-item. rays, hits [ray] -> ways [ray], blocked as yet, and the paths of those that met glass with their
-// rays and hits [counter]. Next: followGlass.
+// A listed mirrored way a work-item -> its ray's number in the list.
+__kernel void numberMirrored(const uint count, const uint firstListed, __global const uint* lists,
+                             __global OccluderWay* ways) {
+  const size_t i = get_global_id(0);
+  if (i < count) ways[PRELIGHT_WAYS * (size_t)lists[firstListed + i] + PRELIGHT_WAY_MIRRORED].ray = (uint)i;
+}
+
+// A ray a work-item. hits [ray] -> ways [ray], blocked as yet, and marks of those that met glass. Next: startGlass.
 __kernel void listGlass(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                         __global const SurfaceLine* surfaceLines, __global const OccluderLine* occluderLines,
-                        __global const Ray* rays, __global const Hit* hits, __global OccluderWay* ways,
-                        __global GlassPath* paths, __global Ray* pathRays, __global Hit* pathHits,
-                        __global uint* counter) {
+                        __global const Hit* hits, __global OccluderWay* ways, __global uchar* marks) {
   const size_t i = get_global_id(0);
   if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
   ways[PRELIGHT_WAYS * i + PRELIGHT_WAY_THROUGH].share = 0.0f;
-  if (!materialHas(hits[i], surfaceOf(layout, surfaceLines), occludersOf(layout, occluderLines).flags,
-                   PRELIGHT_OCCLUDER_GLASS)) return;
-  const uint place = atomic_inc(counter);
-  paths[place] = (GlassPath){{1.0f, 1.0f, 1.0f}, (uint)i, PRELIGHT_NO_MEDIUM};
-  pathRays[place] = rays[i];
-  pathHits[place] = hits[i];
+  marks[i] = materialHas(hits[i], surfaceOf(layout, surfaceLines), occludersOf(layout, occluderLines).flags,
+                         PRELIGHT_OCCLUDER_GLASS);
+}
+
+// A listed ray that met glass a work-item. rays, hits [ray] -> its path. Next: followGlass.
+__kernel void startGlass(const uint count, const uint firstListed, __global const uint* lists, __global const Ray* rays,
+                         __global const Hit* hits, __global GlassPath* paths, __global Ray* pathRays,
+                         __global Hit* pathHits) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const uint from = lists[firstListed + i];
+  paths[i] = (GlassPath){{1.0f, 1.0f, 1.0f}, from, PRELIGHT_NO_MEDIUM};
+  pathRays[i] = rays[from];
+  pathHits[i] = hits[from];
 }
 
 // A path a work-item, at the end of its ray. What has reached free space is a way through; what meets more glass goes on
-// from step.next on [counter]; all else is blocked. Of what a face reflects, only total reflection is followed.
+// from step.next on, in the same place, and is marked; all else is blocked. Of what a face reflects, only total reflection is followed.
 __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep step,
                           __global const SurfaceLine* surfaceLines, __global const ShadingLine* shadingLines,
                           __global const OccluderLine* occluderLines, __global GlassPath* paths, __global Ray* rays,
-                          __global const Hit* hits, __global OccluderWay* ways, __global uint* counter) {
+                          __global const Hit* hits, __global OccluderWay* ways, __global uchar* marks) {
   const size_t i = get_global_id(0);
   if (i >= step.count) return;
+  marks[i] = 0;
   const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
-  GlassPath path = paths[step.first + i];
-  const Ray ray = rays[step.first + i];
+  GlassPath path = paths[i];
+  const Ray ray = rays[i];
   const float3 throughput = vload3(0, path.throughput);
   const bool glass = materialHas(hits[i], s.surface, occludersOf(layout, occluderLines).flags,
                                  PRELIGHT_OCCLUDER_GLASS);
@@ -101,7 +116,7 @@ __kernel void followGlass(__constant const SceneLayout* layout, const GlassStep 
   const float3 left = throughput * weight;
   if (!(largest(left) > PRELIGHT_LEAST_THROUGHPUT)) return;
   vstore3(left, 0, path.throughput);
-  const uint place = atomic_inc(counter);
-  paths[step.next + place] = path;
-  rays[step.next + place] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
+  marks[i] = 1;
+  paths[step.next + i] = path;
+  rays[step.next + i] = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
 }

@@ -35,8 +35,7 @@ typedef struct GatherParameters {
 typedef struct GatherStep {
   uint count;  ///< rays on their way
   uint depth;  ///< surfaces before
-  uint first;  ///< place of their rays and paths
-  uint next;   ///< of those that go on
+  uint next;   ///< place of the rays and paths that go on
 } GatherStep;
 
 /// A gathering ray that has met mirrors, glass or glossy surfaces.

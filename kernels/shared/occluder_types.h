@@ -52,8 +52,7 @@ typedef struct OccluderWaySums {
 /// A step of rays through glass to what is next on their way.
 typedef struct GlassStep {
   uint count;   ///< rays that are followed
-  uint first;   ///< place of their paths and rays
-  uint next;    ///< of those that go on
+  uint next;    ///< place of the paths and rays that go on
   float reach;  ///< m; what meets nothing nearer is in free space
 } GlassStep;
 

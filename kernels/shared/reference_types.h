@@ -27,18 +27,16 @@ typedef struct ReferenceParameters {
   SceneLayout scene;
 } ReferenceParameters;
 
-/// Counters at the beginning of a queue of paths' numbers; the numbers follow.
-#define PRELIGHT_QUEUE_HEAD 16u
-#define PRELIGHT_SHADOW_COUNTER 0u
-#define PRELIGHT_NEXT_COUNTER 1u
+/// What a path's step marks for the work queue: bits of these numbers.
+#define PRELIGHT_PATH_SHADOW 0u  ///< a shadow ray
+#define PRELIGHT_PATH_NEXT 1u    ///< a ray that goes on
 
-/// A step of paths by a vertex. Rays that are followed, those that go on and shadow rays lie in one buffer,
-/// and the numbers of the paths of the former two in one queue, in the same places.
+/// A step of paths by a vertex. Rays that are followed lie at the beginning of one buffer; what they send, shadow rays
+/// and rays that go on, in parts of it, in the same places.
 typedef struct PathStep {
   uint count;         ///< rays that are followed
   uint depth;         ///< vertices before
-  uint first;         ///< place of the rays that are followed
-  uint next;          ///< of those that go on
+  uint next;          ///< part of the rays that go on
   uint shadow;        ///< of shadow rays
   uint light;         ///< a punctual or virtual one, or PRELIGHT_NO_TRIANGLE: by chance
   float leastSquare;  ///< m2; a virtual light nearer than its root counts as at that distance
@@ -53,14 +51,9 @@ typedef struct PathState {
   float relativeIor2;  ///< product of squared relative iors passed: undoes the scale of radiance in roulette
   uint medium;         ///< material that the ray runs through, or PRELIGHT_NO_MEDIUM
   uint diffuseBounces;
-  uint pad[2];
+  float arriving[3];  ///< radiance that the shadow ray at hand brings if nothing is in its way
+  uint pad[3];
 } PathState;
-
-/// Light that arrives if nothing is in the way.
-typedef struct ShadowItem {
-  float radiance[3];
-  uint path;
-} ShadowItem;
 
 /// A diffuse surface that a light path has met, as a point light.
 typedef struct VirtualLight {

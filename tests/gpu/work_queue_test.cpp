@@ -52,5 +52,45 @@ TEST(WorkQueue, NoItem_HasEmptyLists) {
   for (const std::uint32_t count : queue.list(marks, 0)) EXPECT_EQ(count, 0u);
 }
 
+// From sparse places of one part of a buffer to the beginning of another, each item whole.
+TEST(ListedItems, OfAKind_MoveCloseTogetherInTheirOrder) {
+  struct Item {
+    std::uint32_t number, words[6];
+  };
+  constexpr std::uint32_t count = 3000, part = 4000;
+  WorkQueue queue(device(), part);
+  ListedItems<Item> mover(device());
+  std::mt19937 random(5);
+  std::vector<std::uint8_t> marks(count);
+  std::vector<Item> items(2 * part);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    marks[i] = static_cast<std::uint8_t>(random());
+    items[part + i] = {i, {~i, i + 1, i + 2, i + 3, i + 4, i + 5}};
+    if ((marks[i] >> 2 & 1) != 0) expected.push_back(i);
+  }
+  const Buffer<std::uint8_t> uploaded(device(), std::span<const std::uint8_t>(marks));
+  Buffer<Item> buffer(device(), std::span<const Item>(items));
+  const std::uint32_t listed = queue.list(uploaded, count)[2];
+  ASSERT_EQ(listed, expected.size());
+  mover.move(queue, 2, listed, buffer, part, buffer, 7);
+  const std::vector<Item> moved = buffer.read();
+  for (std::uint32_t k = 0; k < listed; ++k) {
+    EXPECT_EQ(moved[7 + k].number, expected[k]);
+    EXPECT_EQ(moved[7 + k].words[0], ~expected[k]);
+    EXPECT_EQ(moved[7 + k].words[5], expected[k] + 5);
+  }
+  EXPECT_EQ(moved[7 + listed].number, 0u) << "places beyond the list stay as they were";
+}
+
+TEST(ListedItems, NoneListed_MovesNothing) {
+  WorkQueue queue(device(), 10);
+  ListedItems<std::uint32_t> mover(device());
+  const Buffer<std::uint8_t> marks(device(), std::span<const std::uint8_t>(std::vector<std::uint8_t>(10, 0)));
+  Buffer<std::uint32_t> items(device(), std::span<const std::uint32_t>(std::vector<std::uint32_t>(20, 5)));
+  mover.move(queue, 0, queue.list(marks, 10)[0], items, 0, items, 10);
+  EXPECT_EQ(items.read(), std::vector<std::uint32_t>(20, 5));
+}
+
 }  // namespace
 }  // namespace prelight
