@@ -40,14 +40,12 @@ OccluderWays::OccluderWays(const CompiledScene& scene, const DeviceScene& told,
   const char* file = "project/occluder_way_kernels.cl";
   scene_.setPlainShading(scene);
   queue_.emplace(device, mostRays_);
-  moveRays_ = ListedItems<Ray>(device);
   if (hasMirrors_) {
     listMirrored_ = {device, file, surfaceOptions, "listMirrored"};
     numberMirrored_ = {device, file, surfaceOptions, "numberMirrored"};
     mirrorRays_ = Buffer<Ray>(device, 2 * rays);
   }
   if (!hasGlass_) return;
-  movePaths_ = ListedItems<GlassPath>(device);
   listGlass_ = {device, file, surfaceOptions, "listGlass"};
   startGlass_ = {device, file, surfaceOptions, "startGlass"};
   followGlass_ = {device, file, surfaceOptions, "followGlass"};
@@ -67,7 +65,7 @@ void OccluderWays::castMirrored(const CastBlockBuffers& block, std::size_t rays,
   const std::uint32_t count = queue_->list(marks_, static_cast<std::uint32_t>(rays))[0];
   if (count == 0) return;
   numberMirrored_.launch(count, count, queue_->first(0), queue_->lists(), ways_);
-  moveRays_.move(*queue_, 0, count, mirrorRays_, 0, mirrorRays_, mostRays_);
+  queue_->move(0, count, QueuedItems<Ray>{mirrorRays_, 0, mirrorRays_, mostRays_});
   tracer.traceAny(mirrorRays_, mirrorHits_, count, mostRays_);
   rays_ += count;
 }
@@ -87,8 +85,8 @@ void OccluderWays::castThrough(const CastBlockBuffers& block, std::size_t rays, 
     followGlass_.launch(count, scene_.layoutBuffer(), GlassStep{count, mostRays_, reach_}, scene_.surface(),
                         scene_.shading(), scene_.occluders(), paths_, pathRays_, pathHits_, ways_, marks_);
     count = queue_->list(marks_, count)[0];
-    moveRays_.move(*queue_, 0, count, pathRays_, mostRays_, pathRays_, 0);
-    movePaths_.move(*queue_, 0, count, paths_, mostRays_, paths_, 0);
+    queue_->move(0, count, QueuedItems<Ray>{pathRays_, mostRays_, pathRays_},
+                 QueuedItems<GlassPath>{paths_, mostRays_, paths_});
   }
 }
 

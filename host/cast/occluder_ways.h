@@ -48,8 +48,6 @@ class OccluderWays {
   std::uint64_t rays_ = 0;
   Buffer<std::uint8_t> marks_;
   std::optional<WorkQueue> queue_;  ///< of marks
-  ListedItems<device::Ray> moveRays_;
-  ListedItems<device::GlassPath> movePaths_;
   Buffer<device::OccluderWay> ways_;
   Buffer<device::Ray> mirrorRays_;  ///< [those of the block's rays, those that are cast][mostRays_]
   Buffer<device::Hit> mirrorHits_, pathHits_;

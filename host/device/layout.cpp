@@ -15,6 +15,7 @@
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
 #include "shared/photon_types.h"
+#include "shared/queue_types.h"
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
@@ -109,7 +110,8 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<DirectRays, 16>("DirectRays", offsetof(DirectRays, skySamples)),
       layoutOf<RelaxStep, 16>("RelaxStep", offsetof(RelaxStep, perSide)),
       layoutOf<LightGroupLine, 64>("LightGroupLine", offsetof(LightGroupLine, words)),
-      layoutOf<LightGroupLayout, 24>("LightGroupLayout", offsetof(LightGroupLayout, emitters))};
+      layoutOf<LightGroupLayout, 24>("LightGroupLayout", offsetof(LightGroupLayout, emitters)),
+      layoutOf<QueueMove, 32>("QueueMove", offsetof(QueueMove, to))};
 }
 
 }  // namespace

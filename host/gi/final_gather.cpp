@@ -33,11 +33,7 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
   hits_ = Buffer<Hit>(device_, rays);
   marks_ = Buffer<std::uint8_t>(device_, rays);
   radiances_ = Buffer<float>(device_, 3 * rays);
-  if (follows_) {
-    queue_.emplace(device_, mostRays_);
-    moveRays_ = ListedItems<Ray>(device_);
-    movePaths_ = ListedItems<GatherPath>(device_);
-  }
+  if (follows_) queue_.emplace(device_, mostRays_);
   values_.raysPerReceiver = request.raysPerReceiver;
   values_.seed = static_cast<std::uint32_t>(request.seed ^ (request.seed >> 32));
   values_.map = irradiance.layout();
@@ -130,8 +126,8 @@ std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
                  marks_);
   if (!follows_) return 0;
   const std::uint32_t left = queue_->list(marks_, count)[0];
-  moveRays_.move(*queue_, 0, left, rayBuffer_, mostRays_, rayBuffer_, 0);
-  movePaths_.move(*queue_, 0, left, paths_, mostRays_, paths_, 0);
+  queue_->move(0, left, QueuedItems<Ray>{rayBuffer_, mostRays_, rayBuffer_},
+               QueuedItems<GatherPath>{paths_, mostRays_, paths_});
   return left;
 }
 

@@ -73,8 +73,6 @@ class FinalGather {
   int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
   Buffer<std::uint8_t> marks_;
   std::optional<WorkQueue> queue_;  ///< of marks, where rays can go on
-  ListedItems<device::Ray> moveRays_;
-  ListedItems<device::GatherPath> movePaths_;
 
   using Parameters = Buffer<device::GatherParameters>;
   using Receivers = Buffer<device::Receiver>;

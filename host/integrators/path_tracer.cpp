@@ -50,8 +50,6 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
   shadowHits_ = Buffer<Hit>(device_, mostPaths_);
   marks_ = Buffer<std::uint8_t>(device_, mostPaths_);
   queue_.emplace(device_, mostPaths_);
-  moveRays_ = ListedItems<Ray>(device_);
-  moveNumbers_ = ListedItems<std::uint32_t>(device_);
   meanBuffer_ = Buffer<glm::vec4>(device_, blockPixels_);
   if (cached_)
     buildCachedKernels(request);
@@ -142,9 +140,9 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
 
 /// Makes those that go on the rays that are followed.
 std::uint32_t PathTracer::follow(std::uint32_t left) {
-  moveRays_.move(*queue_, PRELIGHT_PATH_NEXT, left, rayBuffer_, sentOn * mostPaths_, rayBuffer_,
-                 followed * mostPaths_);
-  moveNumbers_.move(*queue_, PRELIGHT_PATH_NEXT, left, numbers_, 0, nextNumbers_, 0);
+  queue_->move(PRELIGHT_PATH_NEXT, left,
+               QueuedItems<Ray>{rayBuffer_, sentOn * mostPaths_, rayBuffer_, followed * mostPaths_},
+               QueuedItems<std::uint32_t>{numbers_, 0, nextNumbers_});
   std::swap(numbers_, nextNumbers_);
   return left;
 }
@@ -194,9 +192,10 @@ void PathTracer::addVirtualLights(std::uint32_t count) {
 void PathTracer::castShadows(std::uint32_t shadows) {
   if (shadows == 0) return;
   // The hits of the paths' own rays are needed once more, so shadow rays have theirs.
-  moveRays_.move(*queue_, PRELIGHT_PATH_SHADOW, shadows, rayBuffer_, sentToLights * mostPaths_, rayBuffer_,
-                 RayPart::shadowRays * mostPaths_);
-  scene_.tracer().traceAny(rayBuffer_, shadowHits_, shadows, RayPart::shadowRays * std::size_t{mostPaths_});
+  const std::uint32_t part = RayPart::shadowRays * mostPaths_;
+  queue_->move(PRELIGHT_PATH_SHADOW, shadows,
+               QueuedItems<Ray>{rayBuffer_, sentToLights * mostPaths_, rayBuffer_, part});
+  scene_.tracer().traceAny(rayBuffer_, shadowHits_, shadows, part);
   rays_ += shadows;
   add_.launch(shadows, shadows, queue_->first(PRELIGHT_PATH_SHADOW), queue_->lists(), shadowHits_, numbers_,
               paths_);

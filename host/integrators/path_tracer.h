@@ -63,8 +63,6 @@ class PathTracer {
   Buffer<device::Hit> hits_, shadowHits_;
   Buffer<std::uint8_t> marks_;
   std::optional<WorkQueue> queue_;  ///< of marks
-  ListedItems<device::Ray> moveRays_;
-  ListedItems<std::uint32_t> moveNumbers_;
   Buffer<glm::vec4> meanBuffer_;
   std::optional<CachedLight> cached_;  ///< paths end at it; none: they do not
   device::CachedPathParameters cachedValues_{};

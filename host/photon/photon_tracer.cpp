@@ -64,10 +64,7 @@ PhotonTracer::PhotonTracer(const CompiledScene& compiled, TransportScene& scene)
       outcomes_(device_, blockPhotons_),
       tallies_(device_, std::size_t{tallyColumns} * blockPhotons_),
       sums_(device_, std::size_t{tallyColumns} * (blockPhotons_ / tallyRun + 1)),
-      work_(device_, blockPhotons_),
-      moveRays_(device_),
-      moveNumbers_(device_),
-      movePhotons_(device_) {}
+      work_(device_, blockPhotons_) {}
 
 void PhotonTracer::build(const PhotonRequest& request, const PhotonSources& sources) {
   emit_ = {device_, "photon/emit_kernels.cl", scene_.options(), "emitPhotons"};
@@ -186,8 +183,8 @@ std::uint32_t PhotonTracer::scatter(const PhotonRequest& request, std::uint32_t 
   const std::uint32_t left = listed[goesOn];
   if (left == 0) return 0;
   // The rays that were traced are done with.
-  moveRays_.move(work_, goesOn, left, rays_, blockPhotons_, rays_, 0);
-  moveNumbers_.move(work_, goesOn, left, queue_, 0, nextQueue_, 0);
+  work_.move(goesOn, left, QueuedItems<Ray>{rays_, blockPhotons_, rays_},
+             QueuedItems<std::uint32_t>{queue_, 0, nextQueue_});
   std::swap(queue_, nextQueue_);
   return left;
 }
@@ -204,8 +201,8 @@ void PhotonTracer::markBacks(std::uint32_t count, PhotonHits& hits) {
 
 void PhotonTracer::store(std::uint32_t count, std::uint32_t firstPath, PhotonHits& hits) {
   if (count == 0) return;
-  movePhotons_.move(work_, staysHere, count, candidates_, 0, photons_, 0);
-  moveNumbers_.move(work_, staysHere, count, queue_, 0, numbers_, 0);
+  work_.move(staysHere, count, QueuedItems<Photon>{candidates_, 0, photons_},
+             QueuedItems<std::uint32_t>{queue_, 0, numbers_});
   const std::size_t before = hits.photons.size();
   hits.photons.resize(before + count);
   hits.paths.resize(before + count);

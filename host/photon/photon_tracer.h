@@ -109,9 +109,6 @@ class PhotonTracer {
   Buffer<std::uint8_t> outcomes_;
   Buffer<std::int64_t> tallies_, sums_;
   WorkQueue work_;  ///< of outcomes
-  ListedItems<device::Ray> moveRays_;
-  ListedItems<std::uint32_t> moveNumbers_;
-  ListedItems<device::Photon> movePhotons_;
 
   using Parameters = Buffer<device::PhotonParameters>;
   using Numbers = Buffer<std::uint32_t>;

@@ -12,6 +12,7 @@
 #include "shared/occluder_types.h"
 #include "shared/photon_path_types.h"
 #include "shared/photon_types.h"
+#include "shared/queue_types.h"
 #include "shared/radiosity_types.h"
 #include "shared/ray_types.h"
 #include "shared/reference_types.h"
@@ -91,6 +92,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(60, RelaxStep, perSide);
   PROBE(61, LightGroupLine, words);
   PROBE(62, LightGroupLayout, emitters);
+  PROBE(63, QueueMove, to);
 }
 
 // One work-item.

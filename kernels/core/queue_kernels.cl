@@ -1,9 +1,15 @@
-// Options: PRELIGHT_ITEM_WORDS, of what moveListed moves.
 // Lists what a step has marked to go on, in the order of its numbers, whichever work-item came first: results and the
 // neighbours that rays are traced with do not depend on the device. Up to four kinds of mark, a bit each.
 #include "shared/queue_types.h"
 
 uint4 kindsOf(uchar mark) { return ((uint4)(mark) >> (uint4)(0, 1, 2, 3)) & 1u; }
+
+void listKinds(uint4 kinds, uint4 place, uint item, __global uint* lists) {
+  if (kinds.x != 0u) lists[place.x] = item;
+  if (kinds.y != 0u) lists[place.y] = item;
+  if (kinds.z != 0u) lists[place.z] = item;
+  if (kinds.w != 0u) lists[place.w] = item;
+}
 
 // A run of marks a work-item. marks [count] -> counts [run][kind]. Next: startRuns.
 __kernel void countMarks(const uint count, __global const uchar* marks, __global uint4* counts) {
@@ -37,24 +43,36 @@ __kernel void listMarked(const uint count, const uint most, __global const uchar
   uint4 place = starts[run] + (uint4)(0, most, 2 * most, 3 * most);
   for (uint i = first; i < min(count, first + PRELIGHT_QUEUE_RUN); ++i) {
     const uint4 kinds = kindsOf(marks[i]);
-    if (kinds.x != 0u) lists[place.x] = i;
-    if (kinds.y != 0u) lists[place.y] = i;
-    if (kinds.z != 0u) lists[place.z] = i;
-    if (kinds.w != 0u) lists[place.w] = i;
+    listKinds(kinds, place, i, lists);
     place += kinds;
   }
 }
 
-#ifdef PRELIGHT_ITEM_WORDS
-typedef struct Item {
-  uint words[PRELIGHT_ITEM_WORDS];
-} Item;
-
-// A listed item a work-item. lists: from firstListed on those that move, from their own places after `from` to places close
-// together after `to`.
-__kernel void moveListed(const uint count, const uint firstListed, __global const uint* lists, const uint from,
-                         __global const Item* items, const uint to, __global Item* moved) {
-  const size_t i = get_global_id(0);
-  if (i < count) moved[to + i] = items[from + lists[firstListed + i]];
+// One work-item. marks [count] -> lists [kind][most], ascending, and how many each has, totals [kind].
+__kernel void listFew(const uint count, const uint most, __global const uchar* marks, __global uint4* totals,
+                      __global uint* lists) {
+  if (get_global_id(0) != 0) return;
+  const uint4 first = (uint4)(0, most, 2 * most, 3 * most);
+  uint4 place = first;
+  for (uint i = 0; i < count; ++i) {
+    if (marks[i] == 0) continue;
+    const uint4 kinds = kindsOf(marks[i]);
+    listKinds(kinds, place, i, lists);
+    place += kinds;
+  }
+  totals[0] = place - first;
 }
-#endif
+
+void moveItem(uint words, __global const uint* item, __global uint* moved) {
+  for (uint w = 0; w < words; ++w) moved[w] = item[w];
+}
+
+// A listed item a work-item: moves from its own place to the one that it has in the list.
+__kernel void moveListed(const QueueMove move, __global const uint* lists, __global const uint* items, __global uint* moved,
+                         __global const uint* more, __global uint* moreMoved) {
+  const size_t i = get_global_id(0);
+  if (i >= move.count) return;
+  const size_t own = lists[move.firstListed + i];
+  moveItem(move.words[0], items + (move.from[0] + own) * move.words[0], moved + (move.to[0] + i) * move.words[0]);
+  moveItem(move.words[1], more + (move.from[1] + own) * move.words[1], moreMoved + (move.to[1] + i) * move.words[1]);
+}

@@ -53,13 +53,12 @@ TEST(WorkQueue, NoItem_HasEmptyLists) {
 }
 
 // From sparse places of one part of a buffer to the beginning of another, each item whole.
-TEST(ListedItems, OfAKind_MoveCloseTogetherInTheirOrder) {
+TEST(WorkQueue, ListedItems_MoveCloseTogetherInTheirOrder) {
   struct Item {
     std::uint32_t number, words[6];
   };
   constexpr std::uint32_t count = 3000, part = 4000;
   WorkQueue queue(device(), part);
-  ListedItems<Item> mover(device());
   std::mt19937 random(5);
   std::vector<std::uint8_t> marks(count);
   std::vector<Item> items(2 * part);
@@ -73,7 +72,7 @@ TEST(ListedItems, OfAKind_MoveCloseTogetherInTheirOrder) {
   Buffer<Item> buffer(device(), std::span<const Item>(items));
   const std::uint32_t listed = queue.list(uploaded, count)[2];
   ASSERT_EQ(listed, expected.size());
-  mover.move(queue, 2, listed, buffer, part, buffer, 7);
+  queue.move(2, listed, QueuedItems<Item>{buffer, part, buffer, 7});
   const std::vector<Item> moved = buffer.read();
   for (std::uint32_t k = 0; k < listed; ++k) {
     EXPECT_EQ(moved[7 + k].number, expected[k]);
@@ -83,12 +82,11 @@ TEST(ListedItems, OfAKind_MoveCloseTogetherInTheirOrder) {
   EXPECT_EQ(moved[7 + listed].number, 0u) << "places beyond the list stay as they were";
 }
 
-TEST(ListedItems, NoneListed_MovesNothing) {
+TEST(WorkQueue, NoneListed_MovesNothing) {
   WorkQueue queue(device(), 10);
-  ListedItems<std::uint32_t> mover(device());
   const Buffer<std::uint8_t> marks(device(), std::span<const std::uint8_t>(std::vector<std::uint8_t>(10, 0)));
   Buffer<std::uint32_t> items(device(), std::span<const std::uint32_t>(std::vector<std::uint32_t>(20, 5)));
-  mover.move(queue, 0, queue.list(marks, 10)[0], items, 0, items, 10);
+  queue.move(0, queue.list(marks, 10)[0], QueuedItems<std::uint32_t>{items, 0, items, 10});
   EXPECT_EQ(items.read(), std::vector<std::uint32_t>(20, 5));
 }
 
