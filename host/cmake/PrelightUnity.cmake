@@ -10,10 +10,9 @@ function(prelight_unity target)
   endif()
 endfunction()
 
-set(PRELIGHT_BATCH_SIZE 16)
+set(PRELIGHT_BATCH_SIZE 24)
 
-# Small rooms share a batch. A large one has batches of its own, and so has a room within a room, such as a technique or
-# an encoding: each of them calls its parts by the same names.
+# Small rooms share a batch, a large one has batches of its own.
 function(prelight_batch_rooms target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(base ${target} SOURCE_DIR)
@@ -34,9 +33,7 @@ function(prelight_batch_rooms target)
     list(LENGTH sources_of_${room} count)
     list(LENGTH shared size)
     math(EXPR joined "${size} + ${count}")
-    if(room MATCHES "/.+/")
-      prelight_add_batches(${target} ${room} ${sources_of_${room}})
-    elseif(joined GREATER PRELIGHT_BATCH_SIZE)
+    if(joined GREATER PRELIGHT_BATCH_SIZE)
       prelight_add_batches(${target} "${name}" ${shared})
       set(name ${room})
       set(shared ${sources_of_${room}})
