@@ -118,9 +118,10 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   DeviceContext& device = trials.context();
   const CompiledScene scene = floorScene(1.0, 1, matte(1.0));
   const Tracer tracer(scene, trials.device());
-  constexpr std::uint32_t columns = 9, receivers = 30, slots = 8;
+  constexpr std::uint32_t columns = 9, receivers = 30, slots = 8, width = PRELIGHT_PART_VALUES,
+                          firstValue = 16;
   Random random(43);
-  std::vector<float> transfer = random.floats(slots * 3 * columns, magnitude);
+  std::vector<float> transfer = random.floats(slots * width, magnitude);
   if (white)
     for (float& t : transfer) t = std::abs(t);
   std::vector<Sender> senders(std::size_t{receivers} * rayCount);
@@ -131,25 +132,26 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
-  const Buffer<float> values(device, receivers * 3 * columns);
+  const Buffer<float> values(device, receivers * width);
   launchOnce(device, "cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns),
-             "gatherBounce", {receivers, 8}, parameterBuffer, senderBuffer, transferBuffer, values);
+             "gatherBounce", {receivers, 8}, parameterBuffer, firstValue, std::uint32_t{0}, senderBuffer,
+             transferBuffer, values);
   const std::vector<float> got = values.read();
   Differences differences;
   for (std::size_t r = 0; r < receivers; ++r)
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < columns; ++i) {
-        double truth = 0.0, scale = 0.0;
-        for (std::size_t j = 0; j < rayCount; ++j) {
-          const Sender& s = senders[r * rayCount + j];
-          if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
-          const double term = (s.albedo >> (10 * c) & 1023u) / 1023.0 *
-                              double(transfer[(s.vertex * 3 + c) * columns + i]) / rayCount;
-          truth += term;
-          scale += std::abs(term);
-        }
-        differences.add(got[(r * 3 + c) * columns + i], truth, scale);
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::size_t c = (firstValue + i) / columns;
+      double truth = 0.0, scale = 0.0;
+      for (std::size_t j = 0; j < rayCount; ++j) {
+        const Sender& s = senders[r * rayCount + j];
+        if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
+        const double term =
+            (s.albedo >> (10 * c) & 1023u) / 1023.0 * double(transfer[s.vertex * width + i]) / rayCount;
+        truth += term;
+        scale += std::abs(term);
       }
+      differences.add(got[r * width + i], truth, scale);
+    }
   trials.record(stress, differences, sumBound(rayCount + 4.0), {"rays", double(rayCount)});
 }
 

@@ -52,8 +52,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       receivers_(device_, blockSize_),
       rays_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
       hits_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
-      values_(device_,
-              std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, 3 * options.bounceColumns)) {
+      values_(device_, std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, PRELIGHT_PART_VALUES)) {
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
   generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
@@ -77,7 +76,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   const BuildOptions transport = transportOptions(options_.bounceColumns);
   store_ = {device_, "cast/transport_kernels.cl", transport, "storeSenders"};
   gather_ = {device_, "cast/transport_kernels.cl", transport, "gatherBounce"};
-  senders_ = Buffer<Sender>(device_, std::size_t{options_.storedReceivers} * options_.raysPerReceiver);
+  senders_.emplace(device_, options_.raysPerReceiver, options_.rowsInMemory, blockSize_);
   marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
   marks_.fill(0);
 }
@@ -108,13 +107,13 @@ void Caster::generate(std::span<const Receiver> receivers) {
 void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const CastPurpose& purpose) {
   Tracer& tracer = purpose.set == 0 ? tracer_ : options_.setTracers[purpose.set - 1];
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  setParameters(count, purpose.storedRow != nullptr ? *purpose.storedRow : 0);
+  setParameters(count, 0);
   generate(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
   const bool closest = purpose.storedRow != nullptr || purpose.occluders || options_.marksInside ||
                        options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
   closest ? tracer.traceClosest(rays_, hits_, rayCount) : tracer.traceAny(rays_, hits_, rayCount);
-  if (purpose.storedRow != nullptr) store(count);
+  if (purpose.storedRow != nullptr) store(count, *purpose.storedRow);
   project(count);
   values.values.resize(std::size_t{count} * valueCount_);
   values_.read(std::span(values.values));
@@ -144,10 +143,14 @@ void Caster::project(std::uint32_t receivers) {
   project_.launch(receivers, parameters_, shTable_, rays_, hits_, values_);
 }
 
-void Caster::store(std::uint32_t receivers) {
+void Caster::store(std::uint32_t receivers, std::uint32_t firstRow) {
+  SenderRows& rows = senders_.value();
+  const SenderRows::Place room = rows.roomFor(firstRow, receivers);
+  setParameters(receivers, room.firstRow);
   store_.launch(std::size_t{receivers} * options_.raysPerReceiver, parameters_,
                 tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, receivers_,
-                rays_, hits_, senders_, marks_);
+                rays_, hits_, room.buffer, marks_);
+  rows.keep(firstRow, receivers);
 }
 
 void Caster::save(StateWriter& state, std::uint32_t rows) const {
@@ -155,7 +158,7 @@ void Caster::save(StateWriter& state, std::uint32_t rows) const {
   std::vector<Sender> part;
   for (std::uint32_t row = 0; row < rows; row += blockSize_) {
     part.resize(std::size_t{std::min(blockSize_, rows - row)} * options_.raysPerReceiver);
-    senders_.read(std::span(part), std::size_t{row} * options_.raysPerReceiver);
+    senders_->read(row, part);
     state.values(part);
   }
   if (options_.storedReceivers > 0) state.values(marks_.read());
@@ -175,7 +178,7 @@ void Caster::load(StateReader& state, std::uint32_t rows, bool backs) {
       state.require(sender.vertex / 2 < vertexCount_);
       fromBacks = fromBacks || sender.vertex >= vertexCount_;
     }
-    senders_.write(std::span<const Sender>(part), std::size_t{row} * options_.raysPerReceiver);
+    senders_->write(row, part);
   }
   if (options_.storedReceivers == 0) return;
   std::vector<std::uint8_t> marks(marks_.size());
@@ -190,12 +193,16 @@ void Caster::resizeTransfer(std::size_t values) {
   if (transfer_.size() != values) transfer_ = Buffer<float>(device_, values);
 }
 
-void Caster::setTransfer(std::span<const float> transfer, std::size_t first) { transfer_.write(transfer, first); }
+void Caster::setTransfer(std::span<const float> transfer, std::size_t first) {
+  transfer_.write(transfer, first);
+}
 
-void Caster::gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
-  setParameters(count, first);
-  gather_.launch(count, parameters_, senders_, transfer_, values_);
-  values.resize(std::size_t{count} * 3 * options_.bounceColumns);
+void Caster::gather(std::uint32_t first, std::uint32_t count, const TransferPart& part,
+                    std::vector<float>& values) {
+  const SenderRows::Place rows = senders_.value().rows(first, count);
+  setParameters(count, rows.firstRow);
+  gather_.launch(count, parameters_, part.firstValue, part.firstPlace, rows.buffer, transfer_, values_);
+  values.resize(std::size_t{count} * PRELIGHT_PART_VALUES);
   values_.read(std::span(values));
 }
 
@@ -208,9 +215,10 @@ void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t fir
     glossyTable_ = Buffer<float>(device_, std::span<const float>(makeShTable(order)));
   if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(device_, blockSize_ * width);
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  setParameters(count, first);
+  const SenderRows::Place rows = senders_.value().rows(first, count);
+  setParameters(count, rows.firstRow);
   generate(receivers);
-  glossy_.launch(count, parameters_, glossyTable_, rays_, senders_, transfer_, glossyValues_);
+  glossy_.launch(count, parameters_, glossyTable_, rays_, rows.buffer, transfer_, glossyValues_);
   values.resize(count * width);
   glossyValues_.read(std::span(values));
 }

@@ -8,6 +8,7 @@
 #include "base/state_file.h"
 #include "cast/light_caster.h"
 #include "cast/occluder_caster.h"
+#include "cast/sender_rows.h"
 #include "gpu/tracer.h"
 #include "prelight/request.h"
 #include "shared/cast_types.h"
@@ -29,7 +30,8 @@ std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerR
 struct CastOptions {
   int shOrder = 0;                        ///< 0: no SH
   std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256
-  std::uint32_t storedReceivers = 0;      ///< rows of senders to keep room for; 0: no bounces follow
+  std::uint32_t storedReceivers = 0;      ///< rows of senders that may be kept; 0: no bounces follow
+  std::uint32_t rowsInMemory = 0;         ///< of them; further ones lie in a file
   std::size_t bounceColumns = 0;          ///< values a channel that bounces carry
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
@@ -60,6 +62,13 @@ struct CastPurpose {
       nullptr;             ///< rows of senders are kept from this one on; nullptr: they are not
   std::uint32_t set = 0;   ///< of occluders, that all receivers are of
   bool occluders = false;  ///< tell occluders apart; after setAccessibility()
+};
+
+/// Of the values of a vertex's transfer, [3][columns], the PRELIGHT_PART_VALUES from firstValue on. They
+/// stand together, [vertex][PRELIGHT_PART_VALUES], in the transfer on the device, from vertex firstPlace on.
+struct TransferPart {
+  std::uint32_t firstValue = 0;
+  std::uint32_t firstPlace = 0;
 };
 
 /// The device's part of a bake: receivers -> rays -> hits -> projected values, block by block, and the stored
@@ -100,18 +109,18 @@ class Caster {
   /// [triangle], 1 where a stored ray hit a back.
   std::vector<std::uint8_t> backMarks() const { return marks_.read(); }
 
-  /// Transfer that gather() reads: [vertex][3][columns], of vertices, then of their backs. A part of it, from
-  /// value `first` on, into room for all.
+  /// Transfer that gathering reads, of vertices, then of their backs. A part of it, from value `first` on,
+  /// into room for all.
   void setTransfer(std::span<const float> transfer, std::size_t first = 0);
   void resizeTransfer(std::size_t values);
 
-  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count):
-  /// [row][3][bounceColumns].
-  void gather(std::uint32_t first, std::uint32_t count, std::vector<float>& values);
+  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count), at most a block,
+  /// and for a part of a vertex's values [3][bounceColumns]: [row][PRELIGHT_PART_VALUES].
+  void gather(std::uint32_t first, std::uint32_t count, const TransferPart& part, std::vector<float>& values);
 
   /// The same into transfer matrices: mean of Y_i(direction) x albedo x transfer, [row][i][3][columns] with i
-  /// below order^2. `receivers` are those of the rows from `first` on, at most a block; the transfer has
-  /// `columns` values a channel, at most 8.
+  /// below order^2. `receivers` are those of the rows from `first` on, at most a block; the transfer is
+  /// [vertex][3][columns], `columns` at most 8.
   void gatherGlossy(std::span<const device::Receiver> receivers, std::uint32_t first, int order,
                     std::size_t columns, std::vector<float>& values);
 
@@ -122,7 +131,7 @@ class Caster {
   void markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside);
   void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
   void project(std::uint32_t receivers);
-  void store(std::uint32_t receivers);
+  void store(std::uint32_t receivers, std::uint32_t firstRow);
 
   Tracer& tracer_;
   DeviceContext& device_;
@@ -138,7 +147,7 @@ class Caster {
   Buffer<device::Hit> hits_;
   Buffer<float> values_;
   Buffer<float> geometricNormals_;
-  Buffer<device::Sender> senders_;
+  std::optional<SenderRows> senders_;  ///< where rows may be kept
   Buffer<std::uint8_t> marks_;
   Buffer<std::uint8_t> twoSided_;
   Buffer<std::uint8_t> inside_;
@@ -156,7 +165,7 @@ class Caster {
   Kernel<Parameters, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Floats, Receivers, Rays, Hits,
          Buffer<device::Sender>, Buffer<std::uint8_t>>
       store_;
-  Kernel<Parameters, Buffer<device::Sender>, Floats, Floats> gather_;
+  Kernel<Parameters, std::uint32_t, std::uint32_t, Buffer<device::Sender>, Floats, Floats> gather_;
   Kernel<Parameters, std::uint32_t, Rays, Hits, Buffer<std::uint32_t>> texelCodes_;
   Kernel<Parameters, Receivers, Rays, Hits, Floats, Buffer<std::uint8_t>, Buffer<std::uint8_t>> insideMarks_;
   Kernel<Parameters, Floats, Rays, Buffer<device::Sender>, Floats, Floats> glossy_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
@@ -29,7 +30,7 @@ using Deviations = std::vector<float>;
 constexpr std::size_t slotGrain = 4096;
 
 /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
-SolveLimits roughly(std::size_t threads = hardwareThreads()) { return {1e-2, 32, threads}; }
+SolveLimits roughly() { return {1e-2, 32, hardwareThreads()}; }
 
 /// Takes the groups' mean off every slot's values, and scales them.
 Deviations centred(std::vector<float> values, double factor) {
@@ -47,65 +48,135 @@ Deviations centred(std::vector<float> values, double factor) {
 /// What is fitted: AO relative to an open receiver's.
 double valueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
 
-/// Calls use(samples, values) for records that follow one another and of which wanted(record) is true.
-template <typename Wanted, typename Use>
-void forParts(const std::vector<SampleRecord>& records, const Wanted& wanted, const Use& use) {
-  constexpr std::size_t partSize = 4096;
-  std::vector<SurfaceSample> samples;
-  std::vector<double> values;
-  const auto end = [&] {
-    use(samples, values);
-    samples.clear();
-    values.clear();
-  };
-  for (const SampleRecord& record : records) {
-    if (!wanted(record)) continue;
-    samples.push_back(record.sample);
-    values.push_back(valueOf(record));
-    if (samples.size() == partSize) end();
-  }
-  end();
-}
-
-/// How far the residuals of each group alone move the fit to all records, whose values are given. What all groups share is the pull of the
-/// smoothing, not noise.
-Deviations sandwich(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
-                    const std::vector<float>& values) {
-  std::vector<float> scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0f);
-  for (const auto& record : records) {
-    const auto& slots = mesh.triangles[record.sample.triangle];
-    const auto b = cornerWeights(record.sample);
-    const double expected = b[0] * values[slots[0]] + b[1] * values[slots[1]] + b[2] * values[slots[2]];
-    const double residual = valueOf(record) - expected;
-    for (std::size_t k = 0; k < 3; ++k)
-      scores[slots[k] * errorGroups + record.group] +=
-          static_cast<float>(fit.weightOf(record.sample) * b[k] * residual);
-  }
-  constexpr double groups = errorGroups;
-  return centred(fit.solve(defaultSmoothing, scores, errorGroups, roughly()),
-                 std::sqrt(groups / (groups - 1.0)));
-}
-
-/// How far leaving each group out moves the fit to all records from its values.
-Deviations jackknife(const VertexFit& fit, const std::vector<SampleRecord>& records,
-                     const std::vector<float>& values) {
-  Deviations deviations(values.size() * errorGroups);
-  const std::size_t threads = std::min<std::size_t>(hardwareThreads(), errorGroups);
-  parallelRanges(errorGroups, (errorGroups + threads - 1) / threads, [&](std::size_t begin, std::size_t end) {
-    VertexFit rest = fit;
-    for (std::size_t group = begin; group < end; ++group) {
-      if (group > begin) rest = fit;
-      forParts(
-          records, [&](const SampleRecord& record) { return record.group == group; },
-          [&](const auto& samples, const auto& gone) { rest.remove(samples, gone); });
-      const std::vector<float> without = rest.solveFrom(defaultSmoothing, values, roughly(1));
-      for (std::size_t s = 0; s < values.size(); ++s)
-        deviations[s * errorGroups + group] = without[s] - values[s];
+/// Adds what each record weighs times its value to its three slots, in its group's column. Groups are dealt
+/// to threads.
+template <typename Value>
+void addRecords(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
+                const Value& value, Deviations& sums) {
+  parallelRanges(errorGroups, errorGroups / 2, [&](std::size_t begin, std::size_t end) {
+    for (const SampleRecord& record : records) {
+      if (record.group < begin || record.group >= end) continue;
+      const auto& slots = mesh.triangles[record.sample.triangle];
+      const auto b = cornerWeights(record.sample);
+      const double weighted = fit.weightOf(record.sample) * value(record, slots, b);
+      for (std::size_t k = 0; k < 3; ++k)
+        sums[slots[k] * errorGroups + record.group] += static_cast<float>(b[k] * weighted);
     }
   });
-  constexpr double groups = errorGroups;
-  return centred(std::move(deviations), std::sqrt((groups - 1.0) / groups));
 }
+
+/// [slot][group], the residuals' part of the normal equations: what a group alone adds to the right side
+/// beyond what the fit to all records explains.
+Deviations scoresOf(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
+                    std::span<const float> values, std::size_t columns) {
+  Deviations scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0f);
+  addRecords(
+      mesh, fit, records,
+      [&](const SampleRecord& record, const auto& slots, const auto& b) {
+        return valueOf(record) - (b[0] * values[slots[0] * columns] + b[1] * values[slots[1] * columns] +
+                                  b[2] * values[slots[2] * columns]);
+      },
+      scores);
+  return scores;
+}
+
+using GroupSums = std::array<double, errorGroups>;
+
+/// Sums over the slots of a b, a group.
+GroupSums dots(const Deviations& a, const Deviations& b) {
+  std::vector<GroupSums> parts((a.size() / errorGroups + slotGrain - 1) / slotGrain, GroupSums{});
+  parallelRanges(a.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
+    GroupSums& part = parts[begin / slotGrain];
+    for (std::size_t i = begin * errorGroups; i < end * errorGroups; ++i)
+      part[i % errorGroups] += double(a[i]) * b[i];
+  });
+  GroupSums sums{};
+  for (const GroupSums& part : parts)
+    for (std::size_t g = 0; g < errorGroups; ++g) sums[g] += part[g];
+  return sums;
+}
+
+/// a = factor[group] a + more[group] b
+void combine(Deviations& a, const GroupSums& factor, const GroupSums& more, const Deviations& b) {
+  parallelRanges(a.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * errorGroups; i < end * errorGroups; ++i)
+      a[i] = static_cast<float>(factor[i % errorGroups] * a[i] + more[i % errorGroups] * b[i]);
+  });
+}
+
+GroupSums ratios(const GroupSums& a, const GroupSums& b) {
+  GroupSums quotients{};
+  for (std::size_t g = 0; g < errorGroups; ++g) quotients[g] = b[g] > 0.0 ? a[g] / b[g] : 0.0;
+  return quotients;
+}
+
+GroupSums filled(double value) {
+  GroupSums sums;
+  sums.fill(value);
+  return sums;
+}
+
+double total(const GroupSums& sums) { return std::accumulate(sums.begin(), sums.end(), 0.0); }
+
+GroupSums negative(GroupSums sums) {
+  for (double& sum : sums) sum = -sum;
+  return sums;
+}
+
+/// The fit's equations A, solved for the groups' right sides.
+class GroupSolver {
+ public:
+  GroupSolver(const FitMesh& mesh, const VertexFit& fit, const NormalEquations& equations,
+              const std::vector<SampleRecord>& records)
+      : mesh_(mesh), fit_(fit), equations_(equations), records_(records) {}
+
+  Deviations solve(const Deviations& right) const {
+    return fit_.solve(equations_, right, errorGroups, roughly());
+  }
+
+  /// How far leaving each group out moves the fit: (A - M) x = score, with M what the group's records have in
+  /// A. Solved by conjugate gradients with A as the preconditioner, since M is about an eighth of it; A times
+  /// a direction follows from how the direction is made. `first` is solve(scores).
+  Deviations withoutGroups(Deviations scores, const Deviations& first) const {
+    constexpr int mostSteps = 5;
+    constexpr double enough = 2e-3;  // of the energy is left, as expected from what the step before has left
+    Deviations moved(scores.size(), 0.0f), direction = first, ofAll = scores;
+    GroupSums energy = dots(scores, first);
+    const double start = total(energy);
+    bool last = false;
+    for (int step = 1;; ++step) {
+      const Deviations image = imageOf(direction, ofAll);
+      const GroupSums length = ratios(energy, dots(direction, image));
+      combine(moved, filled(1.0), length, direction);
+      if (last || step == mostSteps) return moved;
+      combine(scores, filled(1.0), negative(length), image);
+      const Deviations rest = solve(scores);
+      const GroupSums left = dots(scores, rest), turn = ratios(left, energy);
+      combine(direction, turn, filled(1.0), rest);
+      combine(ofAll, turn, filled(1.0), scores);
+      last = total(left) * total(left) <= enough * start * total(energy);
+      energy = left;
+    }
+  }
+
+ private:
+  /// (A - M) of, given A of.
+  Deviations imageOf(const Deviations& of, Deviations ofAll) const {
+    addRecords(
+        mesh_, fit_, records_,
+        [&](const SampleRecord& record, const auto& slots, const auto& b) {
+          const auto value = [&](std::size_t k) { return of[slots[k] * errorGroups + record.group]; };
+          return -(b[0] * value(0) + b[1] * value(1) + b[2] * value(2));
+        },
+        ofAll);
+    return ofAll;
+  }
+
+  const FitMesh& mesh_;
+  const VertexFit& fit_;
+  const NormalEquations& equations_;
+  const std::vector<SampleRecord>& records_;
+};
 
 /// Mean square over the surface of the interpolated deviations. The mean of a linear function's square over a
 /// triangle is (a^2 + b^2 + c^2 + ab + bc + ca) / 6.
@@ -156,22 +227,23 @@ double complementFactor(const FitMesh& mesh, const std::vector<double>& areas, c
 /// [slot], sums of squares.
 std::vector<double> variances(const Deviations& deviations) {
   std::vector<double> sums(deviations.size() / errorGroups, 0.0);
-  for (std::size_t i = 0; i < deviations.size(); ++i) sums[i / errorGroups] += double(deviations[i]) * deviations[i];
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    sums[i / errorGroups] += double(deviations[i]) * deviations[i];
   return sums;
 }
 
 }  // namespace
 
-ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& empty, const std::vector<double>& areas,
+ErrorEstimate estimateAoError(const FitMesh& mesh, const AoFit& all, const std::vector<double>& areas,
                               const std::vector<SampleRecord>& records, std::uint64_t receivers,
                               bool independent) {
-  VertexFit fit = empty;
-  forParts(
-      records, [](const SampleRecord&) { return true; },
-      [&](const auto& samples, const auto& open) { fit.add(samples, open); });
-  const std::vector<float> values = fit.solve(defaultSmoothing);
-  const Deviations low = sandwich(mesh, fit, records, values),
-                   high = jackknife(fit, records, values);
+  constexpr double groups = errorGroups;
+  const GroupSolver solver(mesh, all.fit, all.equations, records);
+  Deviations scores = scoresOf(mesh, all.fit, records, all.values, all.columns);
+  Deviations low = solver.solve(scores);
+  const Deviations high =
+      centred(solver.withoutGroups(std::move(scores), low), std::sqrt((groups - 1.0) / groups));
+  low = centred(std::move(low), std::sqrt(groups / (groups - 1.0)));
   // The receivers without a record make the variance smaller in proportion.
   double share = receivers > 0 ? static_cast<double>(records.size()) / static_cast<double>(receivers) : 1.0;
   if (!independent) share *= complementFactor(mesh, areas, low);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fit/vertex_fit.h"
@@ -19,6 +20,14 @@ struct SampleRecord {
 /// Passes are dealt to this many groups, whose scatter gives the standard error.
 constexpr std::uint32_t errorGroups = 8;
 
+/// A fit whose first column is AO less 1, its equations and their solution, which outlive the estimate.
+struct AoFit {
+  const VertexFit& fit;
+  const NormalEquations& equations;  ///< of the fit
+  std::span<const float> values;     ///< [slot][columns], fitted
+  std::size_t columns = 1;
+};
+
 struct ErrorEstimate {
   std::vector<double> slots;  ///< standard error of AO at every slot, averaged with its neighbours
   double rms = 0.0;           ///< over the surface, of the interpolated value
@@ -30,10 +39,9 @@ struct ErrorEstimate {
 /// follows its own noise), and what leaving each group out does move it by (a jackknife, too large there,
 /// because fewer samples fit worse). Their geometric mean is taken: with a sample of leverage h, whose
 /// squared residual r^2 has the mean (1 - h) sigma^2, it stands between HC0 = r^2 and HC3 = r^2 / (1 - h)^2
-/// as HC2 = r^2 / (1 - h), whose mean is sigma^2 (MacKinnon and White 1985). `empty` is a fit without samples
-/// that weighs them as the bake's does; `areas` are the triangles', m2; of `receivers` in all, the records
-/// are a representative part.
-ErrorEstimate estimateAoError(const FitMesh& mesh, const VertexFit& empty, const std::vector<double>& areas,
+/// as HC2 = r^2 / (1 - h), whose mean is sigma^2 (MacKinnon and White 1985). `all` is the fit to the records;
+/// `areas` are the triangles', m2; of `receivers` in all, the records are a representative part.
+ErrorEstimate estimateAoError(const FitMesh& mesh, const AoFit& all, const std::vector<double>& areas,
                               const std::vector<SampleRecord>& records, std::uint64_t receivers,
                               bool independent);
 

@@ -11,7 +11,6 @@ namespace {
 /// Samples of one triangle that follow one another.
 struct Run {
   std::uint32_t triangle = 0;
-  std::uint32_t count = 0;
   std::array<double, 6> mass{};
   std::vector<double> right;  ///< [corner][column]
 };
@@ -23,13 +22,11 @@ void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> valu
   Run run;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i == 0 || samples[i].triangle != run.triangle) {
-      if (run.count > 0) use(run);
+      if (i > 0) use(run);
       run.triangle = samples[i].triangle;
-      run.count = 0;
       run.mass = {};
       run.right.assign(3 * columns, 0.0);
     }
-    ++run.count;
     const std::array<double, 3> b = cornerWeights(samples[i]);
     const double weight = samples[i].weight;
     const Value* row = values.data() + i * columns;
@@ -40,7 +37,7 @@ void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> valu
       for (std::size_t c = 0; c < columns; ++c) right[c] += weight * b[k] * row[c];
     }
   }
-  if (run.count > 0) use(run);
+  if (!samples.empty()) use(run);
 }
 
 }  // namespace
@@ -48,7 +45,6 @@ void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> valu
 VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns)
     : mesh_(&mesh),
       columns_(columns),
-      counts_(mesh.triangles.size()),
       mass_(mesh.triangles.size()),
       right_(mesh.slotCount() * columns, 0.0f) {}
 
@@ -56,7 +52,6 @@ VertexFit::VertexFit(const FitMesh& mesh, std::size_t columns, std::vector<doubl
     : mesh_(&mesh),
       columns_(columns),
       triangleWeights_(std::move(triangleWeights)),
-      counts_(mesh.triangles.size()),
       mass_(mesh.triangles.size()),
       right_(3 * mesh.triangles.size() * columns, 0.0f) {}
 
@@ -65,23 +60,11 @@ std::size_t VertexFit::rowOf(std::size_t triangle, std::size_t corner) const {
 }
 
 void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const double> values) {
-  accumulate(samples, values, 1);
-}
-
-void VertexFit::remove(std::span<const SurfaceSample> samples, std::span<const double> values) {
-  accumulate(samples, values, -1);
-}
-
-// A triangle without samples has no mass, not what rounding leaves of it.
-void VertexFit::accumulate(std::span<const SurfaceSample> samples, std::span<const double> values, int sign) {
-  const auto signedSum = [&](double sum) { return static_cast<float>(sign * sum); };
   forRuns(samples, values, columns_, [&](const Run& run) {
-    counts_[run.triangle] += sign > 0 ? run.count : 0u - run.count;
-    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += signedSum(run.mass[k]);
-    if (counts_[run.triangle] == 0) mass_[run.triangle] = {};
+    for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += static_cast<float>(run.mass[k]);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t c = 0; c < columns_; ++c)
-        right_[rowOf(run.triangle, k) * columns_ + c] += signedSum(run.right[k * columns_ + c]);
+        right_[rowOf(run.triangle, k) * columns_ + c] += static_cast<float>(run.right[k * columns_ + c]);
   });
 }
 
@@ -99,14 +82,12 @@ void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample>
 }
 
 void VertexFit::save(StateWriter& state) const {
-  state.values(counts_);
   state.values(mass_);
   state.values(right_);
   state.values(stiffness_);
 }
 
 void VertexFit::load(StateReader& state) {
-  state.sameSize(counts_);
   state.sameSize(mass_);
   state.sameSize(right_);
   state.values(stiffness_);
@@ -138,33 +119,32 @@ std::vector<float> VertexFit::rightSide(std::size_t firstColumn, std::size_t cou
   return right;
 }
 
-std::vector<float> VertexFit::solve(double lambda) const {
-  return triangleWeights_.empty() ? solve(lambda, right_, columns_)
-                                  : solve(lambda, rightSide(0, columns_), columns_);
-}
+std::vector<float> VertexFit::solve(double lambda) const { return solve(equations(lambda)); }
 
 std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) const {
-  return solve(lambda, rightSide(column, 1), 1);
+  return solveColumn(equations(lambda), column);
 }
 
 std::vector<float> VertexFit::solve(double lambda, std::span<const float> rightSide, std::size_t columns,
                                     const SolveLimits& limits) const {
-  return solve(equations(lambda), rightSide, columns, std::vector<float>(rightSide.size(), 0.0f), limits);
+  return solve(equations(lambda), rightSide, columns, limits);
 }
 
-std::vector<float> VertexFit::solveFrom(double lambda, std::vector<float> guess,
-                                        const SolveLimits& limits) const {
-  return triangleWeights_.empty()
-             ? solve(equations(lambda), right_, 1, std::move(guess), limits)
-             : solve(equations(lambda), rightSide(0, 1), 1, std::move(guess), limits);
+std::vector<float> VertexFit::solve(const NormalEquations& equations) const {
+  return triangleWeights_.empty() ? solve(equations, right_, columns_)
+                                  : solve(equations, rightSide(0, columns_), columns_);
+}
+
+std::vector<float> VertexFit::solveColumn(const NormalEquations& equations, std::size_t column) const {
+  return solve(equations, rightSide(column, 1), 1);
 }
 
 std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const float> rightSide,
-                                    std::size_t columns, std::vector<float> guess,
-                                    const SolveLimits& limits) const {
-  conjugateGradients(equations, rightSide, columns, guess, limits);
-  extendFit(*mesh_, equations, extent_, columns, guess);
-  return guess;
+                                    std::size_t columns, const SolveLimits& limits) const {
+  std::vector<float> values(rightSide.size(), 0.0f);
+  conjugateGradients(equations, rightSide, columns, values, limits);
+  extendFit(*mesh_, equations, extent_, columns, values);
+  return values;
 }
 
 NormalEquations VertexFit::equations(double lambda) const {

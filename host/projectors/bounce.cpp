@@ -2,35 +2,45 @@
 
 #include <algorithm>
 
-#include "projectors/stored_rows.h"
-
 namespace prelight {
 
-void sendTransfer(const FitMesh& mesh, Caster& caster, const std::vector<float>& fronts,
-                  const std::vector<float>& backs) {
-  constexpr std::size_t part = 16384;  // vertices: the whole need not be in memory twice
-  const std::size_t columns = fronts.size() / mesh.slotCount(), vertices = mesh.slotOfVertex.size();
-  caster.resizeTransfer(vertices * columns * (backs.empty() ? 1 : 2));
+Bounce::Bounce(const FitMesh& mesh, Caster& caster, const SceneCast& cast)
+    : mesh_(mesh), caster_(caster), cast_(cast), fronts_(caster, cast.front()) {}
+
+void Bounce::send(const std::vector<float>& fronts, const std::vector<float>& backs) {
+  constexpr std::size_t width = PRELIGHT_PART_VALUES;
+  constexpr std::size_t some = 16384;  // vertices: not all need be in memory twice
+  const std::size_t vertices = mesh_.slotOfVertex.size();
+  caster_.resizeTransfer(vertices * width * (backs.empty() ? 1 : 2));
   std::vector<float> rows;
-  const auto send = [&](const std::vector<float>& slots, std::size_t offset) {
-    for (std::size_t first = 0; first < vertices; first += part) {
-      const std::size_t count = std::min(part, vertices - first);
-      rows.resize(count * columns);
+  const auto upload = [&](const std::vector<float>& slots, std::size_t offset) {
+    for (std::size_t first = 0; first < vertices; first += some) {
+      const std::size_t count = std::min(some, vertices - first);
+      rows.resize(count * width);
       for (std::size_t v = 0; v < count; ++v)
-        std::copy_n(&slots[mesh.slotOfVertex[first + v] * columns], columns, &rows[v * columns]);
-      caster.setTransfer(rows, (offset + first) * columns);
+        std::copy_n(&slots[mesh_.slotOfVertex[first + v] * width], width, &rows[v * width]);
+      caster_.setTransfer(rows, (offset + first) * width);
     }
   };
-  send(fronts, 0);
-  if (!backs.empty()) send(backs, vertices);
+  upload(fronts, 0);
+  if (!backs.empty()) upload(backs, vertices);
 }
 
-std::vector<float> receiveTransfer(Caster& caster, const SideCast& side, std::size_t columns,
+std::vector<float> Bounce::receiveFronts(std::uint32_t firstValue, Progress& progress) {
+  return receive(fronts_, cast_.front(), firstValue, progress);
+}
+
+std::vector<float> Bounce::receiveBacks(std::uint32_t firstValue, Progress& progress) {
+  if (!backs_) backs_.emplace(caster_, *cast_.back());
+  return receive(*backs_, *cast_.back(), firstValue, progress);
+}
+
+std::vector<float> Bounce::receive(const StoredRows& rows, const SideCast& side, std::uint32_t firstValue,
                                    Progress& progress) {
-  return fitStoredRows(
-      caster, side, columns,
+  return rows.fit(
+      PRELIGHT_PART_VALUES,
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
-        caster.gather(side.storedFirst() + first, count, values);
+        caster_.gather(side.storedFirst() + first, count, {firstValue, 0}, values);
       },
       progress);
 }

@@ -1,22 +1,40 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cast/caster.h"
 #include "prelight/progress.h"
-#include "projectors/side_cast.h"
+#include "projectors/scene_cast.h"
+#include "projectors/stored_rows.h"
 #include "receivers/fit_mesh.h"
 
 namespace prelight {
 
-/// Uploads transfer of the slots and of their backs, [slot][3][column], as what surfaces send next. No backs:
-/// an empty vector.
-void sendTransfer(const FitMesh& mesh, Caster& caster, const std::vector<float>& fronts,
-                  const std::vector<float>& backs);
+/// Sends a part of the slots' transfer over the surface, [slot][PRELIGHT_PART_VALUES], and fits what the
+/// slots receive of it through the stored rows.
+class Bounce {
+ public:
+  /// `cast` has run. What is given outlives it.
+  Bounce(const FitMesh& mesh, Caster& caster, const SceneCast& cast);
 
-/// What a side's slots receive of the transfer that was sent, [slot][3][column], through the side's stored
-/// rows. `columns` is that of all channels together.
-std::vector<float> receiveTransfer(Caster& caster, const SideCast& side, std::size_t columns,
-                                   Progress& progress);
+  /// Uploads what surfaces send next. No backs: an empty vector.
+  void send(const std::vector<float>& fronts, const std::vector<float>& backs);
+
+  /// What a side's slots receive of it. `firstValue` is the first of the part's values among [3][column].
+  std::vector<float> receiveFronts(std::uint32_t firstValue, Progress& progress);
+  std::vector<float> receiveBacks(std::uint32_t firstValue, Progress& progress);
+
+ private:
+  std::vector<float> receive(const StoredRows& rows, const SideCast& side, std::uint32_t firstValue,
+                             Progress& progress);
+
+  const FitMesh& mesh_;
+  Caster& caster_;
+  const SceneCast& cast_;
+  StoredRows fronts_;
+  std::optional<StoredRows> backs_;  ///< made when backs receive
+};
 
 }  // namespace prelight

@@ -11,12 +11,16 @@ namespace prelight {
 
 namespace {
 
+/// Rows of senders that may be stored: of as many receivers as have records, on both sides.
+std::uint32_t storedCapacity(const BakeContext& context) {
+  return context.plan.runs(Pass::Bounces) ? 2 * SideSums::mostRecords : 0;
+}
+
 /// Rows of senders that the plan's memory and the device have room for.
-std::uint32_t storedCapacity(const BakeContext& context, std::uint32_t raysPerReceiver) {
-  if (!context.plan.runs(Pass::Bounces)) return 0;
+std::uint32_t rowsInMemory(const BakeContext& context, std::uint32_t raysPerReceiver) {
   const std::uint64_t bytes = std::min(context.plan.transportBytes, context.device.info().maxAllocation);
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(
-      bytes / (sizeof(device::Sender) * raysPerReceiver), 0xffffffffu / raysPerReceiver));
+  return static_cast<std::uint32_t>(
+      std::min<std::uint64_t>(bytes / (sizeof(device::Sender) * raysPerReceiver), storedCapacity(context)));
 }
 
 std::size_t groupCount(const CastNeeds& needs) {
@@ -30,6 +34,7 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.shOrder = castOrder(context.request);
   options.raysPerReceiver = schedule.raysPerReceiver;
   options.storedReceivers = capacity;
+  options.rowsInMemory = rowsInMemory(context, schedule.raysPerReceiver);
   options.bounceColumns = static_cast<std::size_t>(order * order) + groupCount(needs);
   options.texelFaceSize = needs.texelFaceSize;
   options.lights = needs.lights;
@@ -78,8 +83,9 @@ std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
 ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
     : context_(context),
       bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
+      keepsReflected_(needs.reflected),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
-      capacity_(storedCapacity(context, schedule_.raysPerReceiver)),
+      capacity_(storedCapacity(context)),
       caster_(context.scene, context.tracer, castOptions(context, needs, schedule_, capacity_)),
       cast_(context.scene, context.mesh, caster_, schedule_, projectionsOf(context, needs, schedule_),
             capacity_) {}
@@ -88,18 +94,19 @@ void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
   if (bounces_ > 0) context_.report.notes.push_back(backNote(cast_));
   context_.clock.mark("cast");
-  fitted_ = front().solve();
-  const ErrorEstimate error = front().estimateError();
-  context_.report.aoErrorRms = error.rms;
-  context_.report.aoErrorMax = error.max;
+  FittedSide fitted = front().solve();
+  fitted_ = std::move(fitted.values);
+  context_.report.aoErrorRms = fitted.error.rms;
+  context_.report.aoErrorMax = fitted.error.max;
   accessibility_ = accessibilityOf(context_.mesh, front(), fitted_);
   context_.clock.mark("fit");
 }
 
 const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
   if (!transfer_) {
-    transfer_ = makeTransfer(context_.mesh, caster_, cast_, fitted_, transferOrder(context_.request),
-                             bounces_, progress, context_.report.notes);
+    const TransferRequest request{transferOrder(context_.request), bounces_, keepsReflected_};
+    transfer_ =
+        makeTransfer(context_.mesh, caster_, cast_, fitted_, request, progress, context_.report.notes);
     context_.clock.mark("bounce");
   }
   return *transfer_;

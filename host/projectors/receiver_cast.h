@@ -46,6 +46,7 @@ class ReceiverCast {
  private:
   const BakeContext& context_;
   int bounces_;
+  bool keepsReflected_;  ///< see SlotTransfer
   Schedule schedule_;
   std::uint32_t capacity_;  ///< rows of senders
   Caster caster_;

@@ -9,8 +9,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::size_t waitingBlocks = 1;
-constexpr double leastReceivers = 4.0;  // of a component, in the first round
+constexpr std::size_t waitingBlocks = 1;  // before they are cast, and before they are added
+constexpr double leastReceivers = 4.0;    // of a component, in the first round
 
 /// What is made of the rays of one side.
 Projections projectionsOf(Projections projections, Side side) {
@@ -31,8 +31,9 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       projections_(projectionsOf(projections, side)),
       sampler_(scene, schedule.seed, side, schedule.replicates),
       sums_(scene, mesh, schedule, projections_, side, sampler_.areas()),
-      blocks_(BackgroundWork::placesFor(waitingBlocks)),
-      adding_(waitingBlocks) {
+      blocks_(BackgroundWork::placesFor(waitingBlocks) + BackgroundWork::placesFor(waitingBlocks) - 1),
+      adding_(waitingBlocks),
+      casting_(waitingBlocks) {
   sampler_.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
 }
 
@@ -62,7 +63,8 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
 // True when the schedule is fulfilled.
 bool SideCast::endRound() {
   if (schedule_.error) {
-    if (dropAccurateTriangles() == 0 || round_ == schedule_.maxDoublings || records().size() == SideSums::mostRecords)
+    if (dropAccurateTriangles() == 0 || round_ == schedule_.maxDoublings ||
+        records().size() == SideSums::mostRecords)
       return true;
     if (round_ > 0) receiversPerPass_ *= 2.0;  // every round doubles what its triangles have had
   } else if (!schedule_.deadline) {
@@ -97,7 +99,7 @@ void SideCast::castPass(Progress& progress) {
                   if (pendingReceivers_.size() == caster_.blockSize()) flushAndReport();
                 });
   flushAndReport();
-  adding_.finish();
+  finishBlocks();
   inPass_ = false;
   ++pass_;
   if (projections_.occluders && std::has_single_bit(pass_)) estimateAccessibility();
@@ -110,7 +112,8 @@ void SideCast::estimateAccessibility() {
   const std::vector<float> blocked = fit().solveColumn(defaultSmoothing, 0);
   accessibility_.resize(scene_.vertexCount());
   for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v)
-    accessibility_[v] = static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
+    accessibility_[v] =
+        static_cast<float>(std::clamp(1.0 + double(blocked[mesh_.slotOfVertex[v]]), 0.0, 1.0));
   caster_.setAccessibility(scene_, accessibility_);
 }
 
@@ -132,6 +135,11 @@ void SideCast::sortPendingBySet() {
   }
 }
 
+void SideCast::finishBlocks() const {
+  casting_.finish();
+  adding_.finish();
+}
+
 // A block is whole again at the end, whichever sets its receivers are of: an interrupted pass goes on there.
 void SideCast::flush() {
   if (projections_.sets != nullptr && !projections_.sets->empty()) sortPendingBySet();
@@ -139,15 +147,16 @@ void SideCast::flush() {
     const std::uint32_t set = setOf(pendingSamples_[first]);
     std::size_t end = first + 1;
     while (end < pendingSamples_.size() && setOf(pendingSamples_[end]) == set) ++end;
-    castBlock(first, static_cast<std::uint32_t>(end - first), set);
+    handOver(first, end - first, set);
     first = end;
   }
   pendingSamples_.clear();
   pendingReceivers_.clear();
 }
 
-// The device casts while the host adds up what the block before saw.
-void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t set) {
+// While the device casts a block, the host places the receivers of the next and adds up what the one before
+// saw.
+void SideCast::handOver(std::size_t first, std::size_t count, std::uint32_t set) {
   CastBlock& block = blocks_[nextBlock_++ % blocks_.size()];
   const auto samples = std::span(pendingSamples_).subspan(first, count);
   const auto receivers = std::span(pendingReceivers_).subspan(first, count);
@@ -155,6 +164,11 @@ void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t s
   block.receivers.assign(receivers.begin(), receivers.end());
   block.group = pass_ % errorGroups;
   block.occluders = !accessibility_.empty();
+  casting_.add([this, &block, set] { castBlock(block, set); });
+}
+
+void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
+  const auto count = static_cast<std::uint32_t>(block.receivers.size());
   const std::uint32_t row = storedFirst_ + storedCount_;
   // Bounces read the records of stored rows, so a row is kept only where its record is.
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
@@ -162,7 +176,7 @@ void SideCast::castBlock(std::size_t first, std::uint32_t count, std::uint32_t s
   caster_.cast(block.receivers, block.values, {stores ? &row : nullptr, set, block.occluders});
   if (stores) storedCount_ += count;
   if (stores && projections_.receivers)
-    storedReceivers_.insert(storedReceivers_.end(), receivers.begin(), receivers.end());
+    storedReceivers_.insert(storedReceivers_.end(), block.receivers.begin(), block.receivers.end());
   adding_.add([this, &block] { sums_.add(block); });
   receivers_ += count;
   doneInPass_ += count;
@@ -181,7 +195,7 @@ void SideCast::thinPlainTriangles() {
 
 // A slot's value hangs through the fit on the samples around its neighbours, so those are refined with it.
 std::size_t SideCast::dropAccurateTriangles() {
-  const ErrorEstimate estimate = estimateError();
+  const ErrorEstimate estimate = sums_.estimateError();
   std::vector<std::uint8_t> wanted(mesh_.slotCount(), 0);
   for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) wanted[s] = estimate.slots[s] > *schedule_.error;
   for (int ring = 0; ring < 2; ++ring) {
@@ -201,7 +215,7 @@ std::size_t SideCast::dropAccurateTriangles() {
 }
 
 void SideCast::save(StateWriter& state) const {
-  adding_.finish();
+  finishBlocks();
   sums_.save(state);
   state.values(accessibility_);
   state.values(storedReceivers_);

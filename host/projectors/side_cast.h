@@ -23,7 +23,8 @@ class SideCast {
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }
 
-  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is called.
+  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is
+  /// called.
   void limitTo(std::span<const std::uint8_t> triangles) { sums_.limitTo(triangles); }
 
   /// `storedFirst` and `storedCapacity` say which rows of the caster's senders this side may fill. After
@@ -39,8 +40,8 @@ class SideCast {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
-  /// Fitted values relative to the baseline, [slot][column].
-  std::vector<float> solve() const { return fit().solve(defaultSmoothing); }
+  /// The fitted values, and how far off their AO is.
+  FittedSide solve() const { return sums_.solve(); }
 
   /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
   std::vector<float> solveBentNormal() const { return sums_.bentFit().solve(defaultSmoothing); }
@@ -60,8 +61,6 @@ class SideCast {
   /// Receivers of the stored rows, parallel to records(). Only where the projections ask for them.
   const std::vector<device::Receiver>& storedReceivers() const { return storedReceivers_; }
 
-  ErrorEstimate estimateError() const { return sums_.estimateError(); }
-
   /// A fit of the stored rows' places, without values.
   VertexFit fitOfStoredRows() const { return sums_.fitOf(storedCount_); }
 
@@ -69,9 +68,14 @@ class SideCast {
   const std::vector<SampleRecord>& records() const { return sums_.records(); }
   std::uint32_t storedFirst() const { return storedFirst_; }
   std::uint32_t storedCount() const { return storedCount_; }
-  std::uint64_t receivers() const { return receivers_; }
+
+  /// That have been cast from. Waits for the blocks on their way.
+  std::uint64_t receivers() const {
+    finishBlocks();
+    return receivers_;
+  }
   std::size_t slotCount() const { return mesh_.slotCount(); }
-  std::uint64_t rays() const { return receivers_ * schedule_.raysPerReceiver; }  ///< of the hemispheres
+  std::uint64_t rays() const { return receivers() * schedule_.raysPerReceiver; }  ///< of the hemispheres
 
  private:
   void checkSchedule(const StateReader& state) const;
@@ -82,7 +86,9 @@ class SideCast {
   void estimateAccessibility();
   void flush();
   void sortPendingBySet();
-  void castBlock(std::size_t first, std::uint32_t count, std::uint32_t set);
+  void handOver(std::size_t first, std::size_t count, std::uint32_t set);
+  void castBlock(CastBlock& block, std::uint32_t set);
+  void finishBlocks() const;
   std::uint32_t setOf(const SurfaceSample& sample) const;
   void thinPlainTriangles();
   std::size_t dropAccurateTriangles();
@@ -110,9 +116,10 @@ class SideCast {
   bool inPass_ = false;
   SurfaceSampler::Position passStart_;  ///< where the sequences stood when the pass at hand began
   std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
-  std::vector<CastBlock> blocks_;       ///< used in turns: one is cast while others are added
+  std::vector<CastBlock> blocks_;       ///< used in turns
   std::size_t nextBlock_ = 0;
-  mutable BackgroundWork adding_;  ///< of blocks to the sums; last: it ends before what it uses
+  mutable BackgroundWork adding_;   ///< of blocks to the sums; after what it uses, so that it ends before
+  mutable BackgroundWork casting_;  ///< of blocks that it hands to adding_
 };
 
 }  // namespace prelight

@@ -31,8 +31,8 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       residual_(baseline_.columns()) {
   // Growing by doubling would hold two copies of the largest array of a bake.
   if (side == Side::Front && !schedule.error && !schedule.deadline)
-    records_.reserve(std::min(mostRecords, static_cast<std::size_t>(1.01 * schedule.receiversPerPass *
-                                                                    schedule.passes)));
+    records_.reserve(
+        std::min(mostRecords, static_cast<std::size_t>(1.01 * schedule.receiversPerPass * schedule.passes)));
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.occluders) occluders_.emplace(mesh);
@@ -62,9 +62,10 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
 
 // Stiffens the fit of all values by what AO says: where that is flat, light is too, nearly always.
 void SideSums::stiffen() {
-  const std::vector<double> laplacian =
-      fit_.equations(defaultSmoothing).laplacian(fit_.solveColumn(defaultSmoothing, 0));
-  fit_.stiffen(stiffnessOf(mesh_, laplacian, estimateError().slots));
+  const NormalEquations equations = fit_.equations(defaultSmoothing);
+  const std::vector<float> ao = fit_.solveColumn(equations, 0);
+  const ErrorEstimate error = errorOf(equations, ao, 1);
+  fit_.stiffen(stiffnessOf(mesh_, equations.laplacian(ao), error.slots));
 }
 
 // The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form,
@@ -92,9 +93,9 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
   if (records_.size() == mostRecords) return;
   records_.push_back({sample, values[0], block.group});
   if (projections_.texelRows > 0)
-    texelRows_.add(std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver,
-                                                          schedule_.raysPerReceiver),
-                   projections_.texelRows);
+    texelRows_.add(
+        std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver, schedule_.raysPerReceiver),
+        projections_.texelRows);
 }
 
 // Directions are fitted, not the mean vectors that they come from: otherwise what is bright at one corner of
@@ -136,25 +137,42 @@ VertexFit SideSums::plainFit(std::size_t columns) const {
   return schedule_.error ? VertexFit(mesh_, columns, areas_) : VertexFit(mesh_, columns);
 }
 
-// One column: AO's.
-VertexFit SideSums::emptyFit() const {
+VertexFit SideSums::fitOf(std::size_t count) const {
   VertexFit fit = plainFit(1);
   fit.stiffen(fit_.stiffness());
   fit.extendTo(fit_.extent());
+  for (std::size_t i = 0; i < count; ++i)
+    fit.add(records_[i].sample, std::array{double(records_[i].open) - 1.0});
   return fit;
 }
 
-VertexFit SideSums::fitOf(std::size_t count) const {
-  VertexFit fit = emptyFit();
-  for (std::size_t i = 0; i < count; ++i) fit.add(records_[i].sample, std::array{0.0});
-  return fit;
+FittedSide SideSums::solve() const {
+  const NormalEquations equations = fit_.equations(defaultSmoothing);
+  FittedSide fitted{fit_.solve(equations), {}};
+  fitted.error = errorOf(equations, fitted.values, fit_.columns());
+  return fitted;
+}
+
+ErrorEstimate SideSums::estimateError() const {
+  const NormalEquations equations = fit_.equations(defaultSmoothing);
+  return errorOf(equations, fit_.solveColumn(equations, 0), 1);
 }
 
 // Rays that all met the same say little of what they missed: of n that all escaped, the next is blocked with
 // a probability whose posterior has a standard deviation of about 1 / (n + 2) (at 95 %, it is below 3 / n).
-ErrorEstimate SideSums::estimateError() const {
-  ErrorEstimate estimate =
-      estimateAoError(mesh_, emptyFit(), areas_, records_, receivers_, schedule_.replicates > 1);
+ErrorEstimate SideSums::errorOf(const NormalEquations& equations, std::span<const float> values,
+                                std::size_t columns) const {
+  const auto estimateOf = [&](const AoFit& fit) {
+    return estimateAoError(mesh_, fit, areas_, records_, receivers_, schedule_.replicates > 1);
+  };
+  ErrorEstimate estimate;
+  if (records_.size() == receivers_) {
+    estimate = estimateOf({fit_, equations, values, columns});
+  } else {
+    const VertexFit recorded = fitOf(records_.size());
+    const NormalEquations ofRecorded = recorded.equations(defaultSmoothing);
+    estimate = estimateOf({recorded, ofRecorded, recorded.solveColumn(ofRecorded, 0), 1});
+  }
   for (std::uint32_t s = 0; s < mesh_.slotCount(); ++s) {
     const bool used = mesh_.rowStart[s] < mesh_.rowStart[s + 1];
     if (used && seen_[s] != 3) estimate.slots[s] = std::max(estimate.slots[s], 1.0 / (slotRays_[s] + 2.0));

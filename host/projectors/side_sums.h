@@ -29,6 +29,12 @@ struct CastBlock {
 /// In [0,1], but for rounding.
 bool isShare(float value);
 
+/// What the vertices of a side are fitted to.
+struct FittedSide {
+  std::vector<float> values;  ///< relative to the baseline, [slot][column]
+  ErrorEstimate error;        ///< of AO
+};
+
 /// What the receivers of one side of the surface saw, summed up for the fits of the vertices.
 class SideSums {
  public:
@@ -40,7 +46,8 @@ class SideSums {
   /// Adds a block of receivers; the result depends on the order of blocks.
   void add(const CastBlock& block);
 
-  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is called.
+  /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is
+  /// called.
   void limitTo(std::span<const std::uint8_t> triangles);
 
   /// Ends the sums of a round: smooths where what bends is noise. Until the next round begins.
@@ -55,9 +62,11 @@ class SideSums {
   const Baseline& baseline() const { return baseline_; }
   const std::vector<SampleRecord>& records() const { return records_; }
 
-  /// A fit of the first `count` records' places, without values: for right-hand sides of other columns.
+  /// A fit of the first `count` records alone, of AO: for right-hand sides of other columns.
   VertexFit fitOf(std::size_t count) const;
 
+  /// The fit's solution, and the standard error of its AO.
+  FittedSide solve() const;
   ErrorEstimate estimateError() const;
 
   /// Whether all rays around a triangle met the same, and enough of them were cast to believe it. Triangles
@@ -72,7 +81,8 @@ class SideSums {
 
  private:
   VertexFit plainFit(std::size_t columns) const;
-  VertexFit emptyFit() const;
+  ErrorEstimate errorOf(const NormalEquations& equations, std::span<const float> values,
+                        std::size_t columns) const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
   void markSlots(const SurfaceSample& sample, double open);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "projectors/bounce.h"
 
 namespace prelight {
@@ -12,76 +13,168 @@ namespace prelight {
 namespace {
 
 constexpr double nothingLeft = 1e-6;  // of transfer, whose open value is about 1
+constexpr std::size_t partValues = PRELIGHT_PART_VALUES;
+constexpr std::size_t slotRange = 4096;
 
-/// [slot][3][column], the transfer that leaves direct occlusion for the first bounce. SH is the same in every
-/// channel.
-std::vector<float> directTransfers(const SideCast& cast, const std::vector<float>& fitted, std::size_t slots,
-                                   const SlotTransfer& shape) {
-  const std::size_t n = shape.shColumns(), columns = shape.columns();
-  const std::vector<float> lights = shape.groups > 0 ? cast.solveLights() : std::vector<float>{};
-  std::vector<float> transfer(slots * 3 * columns);
-  for (std::size_t s = 0; s < slots; ++s)
-    for (std::size_t c = 0; c < 3; ++c) {
-      float* out = &transfer[(s * 3 + c) * columns];
-      for (std::size_t i = 0; i < n; ++i) out[i] = directTransfer(cast, fitted, s, i);
-      for (std::size_t g = 0; g < shape.groups; ++g) out[n + g] = lights[(s * 3 + c) * shape.groups + g];
-    }
-  return transfer;
-}
+/// What one side of the surface receives directly.
+class DirectTransfer {
+ public:
+  DirectTransfer(const SideCast& cast, const std::vector<float>& fitted, const SlotTransfer& shape)
+      : cast_(cast),
+        fitted_(fitted),
+        bands_(shape.shColumns()),
+        groups_(shape.groups),
+        lights_(shape.groups > 0 ? cast.solveLights() : std::vector<float>{}) {}
 
-/// Direct transfer of the backs; 0 where none was cast.
-std::vector<float> backTransfer(const SceneCast& cast, const FitMesh& mesh, const SlotTransfer& shape) {
-  std::vector<float> transfer = directTransfers(*cast.back(), cast.back()->solve(), mesh.slotCount(), shape);
+  /// Value `value` of a slot's [3][column]: SH, the same in every channel, then the groups of lights.
+  float value(std::size_t slot, std::size_t value) const {
+    const std::size_t channel = value / (bands_ + groups_), column = value % (bands_ + groups_);
+    return column < bands_ ? directTransfer(cast_, fitted_, slot, column)
+                           : lights_[(slot * 3 + channel) * groups_ + column - bands_];
+  }
+
+ private:
+  const SideCast& cast_;
+  const std::vector<float>& fitted_;
+  std::size_t bands_, groups_;
+  std::vector<float> lights_;  ///< [slot][3][group]
+};
+
+/// [slot], 1 where a back is seen.
+std::vector<std::uint8_t> slotsWithBack(const SceneCast& cast, const FitMesh& mesh) {
   std::vector<std::uint8_t> covered(mesh.slotCount(), 0);
   for (std::size_t t = 0; t < cast.backSeen().size(); ++t)
     for (const std::uint32_t slot : mesh.triangles[t]) covered[slot] |= cast.backSeen()[t];
-  const std::size_t row = transfer.size() / mesh.slotCount();
-  for (std::size_t slot = 0; slot < covered.size(); ++slot)
-    if (!covered[slot]) std::fill_n(transfer.begin() + static_cast<std::ptrdiff_t>(slot * row), row, 0.0f);
-  return transfer;
+  return covered;
 }
 
-double addTo(std::vector<float>& total, const std::vector<float>& more) {
+/// Calls use(slot, first value of its part in [slot][partValues], value of [3][column] at hand) for all
+/// values of a part.
+template <typename Use>
+void forPart(std::size_t slots, std::size_t firstValue, std::size_t values, const Use& use) {
+  const std::size_t count = std::min(partValues, values - firstValue);
+  parallelRanges(slots, slotRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      for (std::size_t i = 0; i < count; ++i) use(slot, slot * partValues + i, firstValue + i);
+  });
+}
+
+double largest(const std::vector<float>& values) {
   double most = 0.0;
-  for (std::size_t i = 0; i < total.size(); ++i) {
-    total[i] += more[i];
-    most = std::max(most, double(std::abs(more[i])));
-  }
+  for (const float value : values) most = std::max(most, double(std::abs(value)));
   return most;
 }
+
+/// Adds bounces to transfer that holds what is direct, a part of the values after the other: a value's
+/// bounces depend on no other value.
+class TransferBounces {
+ public:
+  /// `fitted` is the front's solution.
+  TransferBounces(const FitMesh& mesh, Caster& caster, const SceneCast& cast, const TransferRequest& request,
+                  SlotTransfer& transfer)
+      : cast_(cast),
+        request_(request),
+        transfer_(transfer),
+        slots_(mesh.slotCount()),
+        bounce_(mesh, caster, cast) {
+    if (cast.back() != nullptr) {
+      backFitted_ = cast.back()->fit().solve(defaultSmoothing);
+      backs_.emplace(*cast.back(), backFitted_, transfer);
+      covered_ = slotsWithBack(cast, mesh);
+    }
+    if (!request.reflected) return;
+    transfer.reflected.assign(transfer.total.size(), 0.0f);
+    if (backs_) transfer.backReflected.assign(transfer.total.size(), 0.0f);
+  }
+
+  /// Returns the bounces that were needed.
+  int run(Progress& progress) {
+    const std::size_t values = 3 * transfer_.columns();
+    int needed = 0;
+    for (std::size_t first = 0; first < values; first += partValues) {
+      needed = std::max(needed, runPart(first, progress));
+      progress.report("bounce", double(std::min(values, first + partValues)) / double(values));
+    }
+    return needed;
+  }
+
+ private:
+  int runPart(std::size_t first, Progress& progress) {
+    std::vector<float> fronts(slots_ * partValues, 0.0f), backs;
+    forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
+      fronts[place] = transfer_.total[placeOf(slot, value)];
+    });
+    if (backs_) backs = directBacks(first);
+    for (int b = 0; b < request_.bounces; ++b) {
+      bounce_.send(fronts, backs);
+      if (request_.reflected) keep(first, fronts, backs);
+      fronts = bounce_.receiveFronts(static_cast<std::uint32_t>(first), progress);
+      if (backs_ && b + 1 < request_.bounces)
+        backs = bounce_.receiveBacks(static_cast<std::uint32_t>(first), progress);
+      add(first, fronts, transfer_.total);
+      if (largest(fronts) < nothingLeft) return b + 1;
+    }
+    return request_.bounces;
+  }
+
+  std::vector<float> directBacks(std::size_t first) const {
+    std::vector<float> backs(slots_ * partValues, 0.0f);
+    forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
+      if (covered_[slot] != 0) backs[place] = backs_->value(slot, value);
+    });
+    return backs;
+  }
+
+  void keep(std::size_t first, const std::vector<float>& fronts, const std::vector<float>& backs) {
+    add(first, fronts, transfer_.reflected);
+    if (backs_) add(first, backs, transfer_.backReflected);
+  }
+
+  void add(std::size_t first, const std::vector<float>& part, std::vector<float>& sum) const {
+    forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
+      sum[placeOf(slot, value)] += part[place];
+    });
+  }
+
+  template <typename Use>
+  void forValues(std::size_t first, const Use& use) const {
+    forPart(slots_, first, 3 * transfer_.columns(), use);
+  }
+
+  std::size_t placeOf(std::size_t slot, std::size_t value) const {
+    return slot * 3 * transfer_.columns() + value;
+  }
+
+  const SceneCast& cast_;
+  const TransferRequest& request_;
+  SlotTransfer& transfer_;
+  std::size_t slots_;
+  Bounce bounce_;
+  std::vector<float> backFitted_;
+  std::optional<DirectTransfer> backs_;
+  std::vector<std::uint8_t> covered_;  ///< [slot], as slotsWithBack()
+};
 
 }  // namespace
 
 SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& cast,
-                          const std::vector<float>& fitted, int order, int bounces, Progress& progress,
-                          std::vector<std::string>& notes) {
-  SlotTransfer transfer{order, caster.groupCount(), {}, {}, {}, bounces};
-  transfer.total = directTransfers(cast.front(), fitted, mesh.slotCount(), transfer);
-  if (bounces == 0) return transfer;
-  std::vector<float> backs;
-  if (cast.back() != nullptr) backs = backTransfer(cast, mesh, transfer);
-  transfer.backReflected.assign(backs.size(), 0.0f);
-  const std::size_t columns = 3 * transfer.columns();
-  for (int b = 0; b < bounces; ++b) {
-    sendTransfer(mesh, caster, b == 0 ? transfer.total : transfer.last, backs);
-    addTo(transfer.backReflected, backs);
-    transfer.last = receiveTransfer(caster, cast.front(), columns, progress);
-    if (cast.back() != nullptr && b + 1 < bounces)
-      backs = receiveTransfer(caster, *cast.back(), columns, progress);
-    const double most = addTo(transfer.total, transfer.last);
-    progress.report("bounce", double(b + 1) / bounces);
-    if (most < nothingLeft && b + 1 < bounces) {
-      notes.push_back(fmt::format("bounces after {}: skipped, nothing is left to reflect", b + 1));
-      break;
-    }
+                          const std::vector<float>& fitted, const TransferRequest& request,
+                          Progress& progress, std::vector<std::string>& notes) {
+  SlotTransfer transfer{request.order, caster.groupCount(), {}, {}, {}, request.bounces};
+  const std::size_t values = 3 * transfer.columns();
+  transfer.total.resize(mesh.slotCount() * values);
+  {
+    const DirectTransfer direct(cast.front(), fitted, transfer);
+    parallelRanges(mesh.slotCount(), slotRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slot = begin; slot < end; ++slot)
+        for (std::size_t i = 0; i < values; ++i) transfer.total[slot * values + i] = direct.value(slot, i);
+    });
   }
+  if (request.bounces == 0) return transfer;
+  const int needed = TransferBounces(mesh, caster, cast, request, transfer).run(progress);
+  if (needed < request.bounces)
+    notes.push_back(fmt::format("bounces after {}: skipped, nothing is left to reflect", needed));
   return transfer;
-}
-
-std::vector<float> reflectedTransfer(const SlotTransfer& transfer) {
-  std::vector<float> reflected = transfer.total;
-  for (std::size_t i = 0; i < transfer.last.size(); ++i) reflected[i] -= transfer.last[i];
-  return reflected;
 }
 
 std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns) {
@@ -92,7 +185,7 @@ std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface
         for (std::size_t i = 0; i < columns; ++i)
           sent.push_back(slots[(slot * 3 + c) * surface.columns() + i]);
   };
-  add(reflectedTransfer(surface));
+  add(surface.reflected);
   if (!surface.backReflected.empty()) add(surface.backReflected);
   return sent;
 }

@@ -17,11 +17,10 @@ namespace prelight {
 struct SlotTransfer {
   int order = 0;
   std::uint32_t groups = 0;
-  std::vector<float> total;  ///< [slot][3][column], with bounces
-  std::vector<float> last;   ///< of it, the last bounce; empty: none
-  std::vector<float>
-      backReflected;  ///< what the vertices' backs reflected last, without; empty: none is seen
-  int bounces = 0;                    ///< as asked for
+  std::vector<float> total;      ///< [slot][3][column], with bounces
+  std::vector<float> reflected;  ///< of it, what surfaces reflect: all but the last bounce; empty: not kept
+  std::vector<float> backReflected;  ///< the same of the vertices' backs; empty: none is seen, or not kept
+  int bounces = 0;                   ///< as asked for
 
   std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
   std::size_t columns() const { return shColumns() + groups; }
@@ -30,25 +29,27 @@ struct SlotTransfer {
   }  ///< that differ: without bounces nothing colours the light
 };
 
-/// Transfer without bounces of a slot's front in coefficient i of SH, the same in every channel. `fitted` is the
-/// front's solution.
+/// Transfer without bounces of a slot's front in coefficient i of SH, the same in every channel. `fitted` is
+/// the front's solution.
 inline float directTransfer(const SideCast& front, std::span<const float> fitted, std::size_t slot,
                             std::size_t i) {
   const double relative = fitted[slot * front.baseline().columns() + 1 + i];
   return static_cast<float>(front.baseline().row(slot)[1 + i] + relative);
 }
 
-/// What surfaces reflected last, [slot][3][column]: the total without the last bounce.
-std::vector<float> reflectedTransfer(const SlotTransfer& transfer);
+struct TransferRequest {
+  int order = 0;           ///< at most that of the cast
+  int bounces = 0;         ///< from the caster's stored rows
+  bool reflected = false;  ///< keep what surfaces reflect, where there are bounces
+};
 
-/// Direct transfer from a cast that has run, and `bounces` of it from the caster's stored rows. `fitted` is
-/// the front's solution; `order` is at most that of the cast.
+/// Direct transfer from a cast that has run, and bounces of it. `fitted` is the front's solution.
 SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& cast,
-                          const std::vector<float>& fitted, int order, int bounces, Progress& progress,
-                          std::vector<std::string>& notes);
+                          const std::vector<float>& fitted, const TransferRequest& request,
+                          Progress& progress, std::vector<std::string>& notes);
 
-/// What is reflected last, in the layout of the kernels: [vertex][3][columns], then, where any is seen, the
-/// vertices' backs alike. `columns` is at most shColumns().
+/// What surfaces reflect, which has been kept, in the layout of the kernels: [vertex][3][columns], then,
+/// where any is seen, the vertices' backs alike. `columns` is at most shColumns().
 std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns);
 
 }  // namespace prelight

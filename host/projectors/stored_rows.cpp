@@ -1,37 +1,47 @@
 #include "projectors/stored_rows.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "base/background_work.h"
 
 namespace prelight {
 
-std::vector<float> fitStoredRows(const Caster& caster, const SideCast& side, std::size_t columns,
-                                 const GatherRows& gather, Progress& progress) {
+namespace {
+
+std::optional<VertexFit> fitOfPart(const SideCast& side) {
+  if (side.storedCount() == side.receivers()) return std::nullopt;
+  return side.fitOfStoredRows();
+}
+
+}  // namespace
+
+StoredRows::StoredRows(const Caster& caster, const SideCast& side)
+    : caster_(caster),
+      side_(side),
+      part_(fitOfPart(side)),
+      equations_(samples().equations(defaultSmoothing)) {}
+
+std::vector<float> StoredRows::fit(std::size_t columns, const GatherRows& gather, Progress& progress) const {
   constexpr std::size_t waiting = 1;
-  std::optional<VertexFit> part;
-  if (side.storedCount() < side.receivers()) part.emplace(side.fitOfStoredRows());
-  const VertexFit& fit = part ? *part : side.fit();
-  std::vector<float> right(side.slotCount() * columns, 0.0f);
+  std::vector<float> right(side_.slotCount() * columns, 0.0f);
   std::vector<std::vector<float>> blocks(BackgroundWork::placesFor(waiting));
-  std::vector<SurfaceSample> samples;
+  std::vector<SurfaceSample> rows;
   {
     BackgroundWork adding(waiting);
-    for (std::uint32_t first = 0; first < side.storedCount(); first += caster.blockSize()) {
+    for (std::uint32_t first = 0; first < side_.storedCount(); first += caster_.blockSize()) {
       progress.check();
-      const std::uint32_t count = std::min(caster.blockSize(), side.storedCount() - first);
-      std::vector<float>& values = blocks[first / caster.blockSize() % blocks.size()];
+      const std::uint32_t count = std::min(caster_.blockSize(), side_.storedCount() - first);
+      std::vector<float>& values = blocks[first / caster_.blockSize() % blocks.size()];
       gather(first, count, values);
       adding.add([&, first, count] {
-        samples.clear();
-        for (std::uint32_t i = 0; i < count; ++i) samples.push_back(side.records()[first + i].sample);
-        fit.addTo(right, samples, values);
+        rows.clear();
+        for (std::uint32_t i = 0; i < count; ++i) rows.push_back(side_.records()[first + i].sample);
+        samples().addTo(right, rows, values);
       });
     }
     adding.finish();
   }
-  return fit.solve(defaultSmoothing, right, columns);
+  return samples().solve(equations_, right, columns);
 }
 
 }  // namespace prelight

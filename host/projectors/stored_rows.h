@@ -2,21 +2,37 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "cast/caster.h"
+#include "fit/normal_equations.h"
 #include "prelight/progress.h"
 #include "projectors/side_cast.h"
 
 namespace prelight {
 
 /// Writes what rows [first, first + count) of a caster's stored senders are worth: [row][column].
-using GatherRows =
-    std::function<void(std::uint32_t first, std::uint32_t count, std::vector<float>& values)>;
+using GatherRows = std::function<void(std::uint32_t first, std::uint32_t count, std::vector<float>& values)>;
 
-/// Values of the slots, [slot][column], fitted to what `gather` makes of a side's stored rows, which are told
-/// apart by their number among the side's own. The device gathers while the host adds up the block before.
-std::vector<float> fitStoredRows(const Caster& caster, const SideCast& side, std::size_t columns,
-                                 const GatherRows& gather, Progress& progress);
+/// Fits the slots to what is gathered through one side's stored rows, as often as is wanted: the equations
+/// are made once.
+class StoredRows {
+ public:
+  /// What is given outlives it.
+  StoredRows(const Caster& caster, const SideCast& side);
+
+  /// Values of the slots, [slot][column], fitted to what `gather` makes of the rows, which are told apart by
+  /// their number among the side's own. The device gathers while the host adds up the block before.
+  std::vector<float> fit(std::size_t columns, const GatherRows& gather, Progress& progress) const;
+
+ private:
+  const VertexFit& samples() const { return part_ ? *part_ : side_.fit(); }
+
+  const Caster& caster_;
+  const SideCast& side_;
+  std::optional<VertexFit> part_;  ///< of the rows that are stored, where those are not all
+  NormalEquations equations_;
+};
 
 }  // namespace prelight

@@ -5,7 +5,7 @@
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
 
-// Options: PRELIGHT_COLUMNS, values a channel that a bounce carries; PRELIGHT_GLOSSY_ORDER, of transfer matrices;
+// Options: PRELIGHT_COLUMNS, values a channel of the transfer; PRELIGHT_GLOSSY_ORDER, of transfer matrices;
 // PRELIGHT_TRANSLUCENT, when a material lets light through diffusely.
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
@@ -79,25 +79,24 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __consta
   senders[(size_t)parameters->firstStored * parameters->raysPerReceiver + i] = sender;
 }
 
-// A receiver a work-item. senders [firstStored + receiver][raysPerReceiver], transfer [vertex][3][PRELIGHT_COLUMNS] of
-// the previous bounce -> values [receiver][3][PRELIGHT_COLUMNS], the mean over the receiver's rays of albedo x transfer.
-__kernel void gatherBounce(__constant const CastParameters* parameters, __global const Sender* senders,
-                           __global const float* transfer, __global float* values) {
+// A receiver a work-item. Of the values [3][PRELIGHT_COLUMNS] that light's transfer has a vertex, the part from firstValue
+// on: senders [firstStored + receiver][raysPerReceiver], transfer [firstPlace + vertex][PRELIGHT_PART_VALUES] of the
+// previous bounce -> values [receiver][PRELIGHT_PART_VALUES], the mean over the receiver's rays of albedo x transfer.
+__kernel void gatherBounce(__constant const CastParameters* parameters, uint firstValue, uint firstPlace,
+                           __global const Sender* senders, __global const float* transfer, __global float* values) {
   const size_t receiver = get_global_id(0);
   if (receiver >= parameters->receiverCount) return;
-  float sum[3 * PRELIGHT_COLUMNS];
-  for (uint i = 0; i < 3 * PRELIGHT_COLUMNS; ++i) sum[i] = 0.0f;
+  const uint8 value = firstValue + (uint8)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u);
+  const uint8 shift = 10u * min(value / PRELIGHT_COLUMNS, 2u);
+  senders += ((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver;
+  float8 sum = 0.0f;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
-    const Sender s = senders[((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver + j];
+    const Sender s = senders[j];
     if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
-    __global const float* t = transfer + (size_t)s.vertex * 3 * PRELIGHT_COLUMNS;
-    for (uint c = 0; c < 3; ++c) {
-      const float albedo = senderAlbedo(s, c);
-      for (uint i = 0; i < PRELIGHT_COLUMNS; ++i) sum[c * PRELIGHT_COLUMNS + i] += albedo * t[c * PRELIGHT_COLUMNS + i];
-    }
+    const float8 albedo = convert_float8(((uint8)s.albedo >> shift) & 1023u) * (1.0f / 1023.0f);
+    sum += albedo * vload8((size_t)firstPlace + s.vertex, transfer);
   }
-  const float scale = 1.0f / (float)parameters->raysPerReceiver;
-  for (uint i = 0; i < 3 * PRELIGHT_COLUMNS; ++i) values[receiver * 3 * PRELIGHT_COLUMNS + i] = sum[i] * scale;
+  vstore8(sum * (1.0f / (float)parameters->raysPerReceiver), receiver, values);
 }
 
 #ifdef PRELIGHT_GLOSSY_ORDER

@@ -310,9 +310,10 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
   DeviceContext& device = test::sharedDevice().context();
   Tracer tracer(scene_, test::sharedDevice());
   constexpr int order = 3;
-  constexpr std::size_t n = order * order, receivers = 30, first = 5;
+  constexpr std::size_t n = order * order, receivers = 30, first = 5, width = PRELIGHT_PART_VALUES;
+  constexpr std::size_t firstValue = 2 * width, firstPlace = 3;  // green and blue: 9 to 17, 18 to 26
   std::mt19937 random(2);
-  std::vector<float> transfer(12 * 3 * n);
+  std::vector<float> transfer((firstPlace + 12) * width);
   for (float& t : transfer) t = std::uniform_real_distribution<float>(-1, 1)(random);
   std::vector<Sender> senders((first + receivers) * raysPerReceiver);
   for (Sender& s : senders)
@@ -323,23 +324,24 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
   Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   Buffer<float> transferBuffer(device, std::span<const float>(transfer));
-  Buffer<float> values(device, receivers * 3 * n);
+  Buffer<float> values(device, receivers * width);
   launchOnce(device, "cast/transport_kernels.cl",
              tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order), "gatherBounce", receivers,
-             parameterBuffer, senderBuffer, transferBuffer, values);
+             parameterBuffer, static_cast<std::uint32_t>(firstValue), static_cast<std::uint32_t>(firstPlace),
+             senderBuffer, transferBuffer, values);
   const auto result = values.read();
   for (std::size_t r = 0; r < receivers; ++r)
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < n; ++i) {
-        double expected = 0.0;
-        for (std::size_t j = 0; j < raysPerReceiver; ++j) {
-          const Sender& s = senders[(first + r) * raysPerReceiver + j];
-          if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
-          expected += ((s.albedo >> (10 * c)) & 1023u) / 1023.0 * double(transfer[(s.vertex * 3 + c) * n + i]) /
-                      raysPerReceiver;
-        }
-        EXPECT_NEAR(result[(r * 3 + c) * n + i], expected, 2e-6);
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::size_t c = (firstValue + i) / n;
+      double expected = 0.0;
+      for (std::size_t j = 0; j < raysPerReceiver; ++j) {
+        const Sender& s = senders[(first + r) * raysPerReceiver + j];
+        if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
+        expected += ((s.albedo >> (10 * c)) & 1023u) / 1023.0 *
+                    double(transfer[(firstPlace + s.vertex) * width + i]) / raysPerReceiver;
       }
+      EXPECT_NEAR(result[r * width + i], expected, 2e-6);
+    }
 }
 
 }  // namespace

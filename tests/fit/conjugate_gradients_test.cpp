@@ -144,26 +144,6 @@ TEST(VertexFit, ExtentWithoutASlot_LeavesItAtZero) {
   EXPECT_EQ(fit.solve(defaultSmoothing).back(), 0.0f);
 }
 
-TEST(VertexFit, RemovedSamples_LeaveTheFitOfTheRest) {
-  const CompiledScene scene = test::ground(6, 1.0f);
-  const FitMesh mesh = makeFitMesh(scene);
-  std::vector<SurfaceSample> kept, gone;
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    kept.push_back({t, 0.2f, 0.5f, 1.0f});
-    if (t % 3 == 0) gone.push_back({t, 0.6f, 0.1f, 2.0f});
-  }
-  gone.push_back(kept.back());  // the last triangle has no sample then
-  kept.pop_back();
-  const std::vector<double> ofKept(kept.size(), 0.5), ofGone(gone.size(), 0.9);
-  VertexFit rest(mesh, 1), whole(mesh, 1);
-  rest.add(kept, ofKept);
-  whole.add(kept, ofKept);
-  whole.add(gone, ofGone);
-  whole.remove(gone, ofGone);
-  const std::vector<float> expected = rest.solve(defaultSmoothing), got = whole.solve(defaultSmoothing);
-  for (std::size_t s = 0; s < got.size(); ++s) EXPECT_NEAR(got[s], expected[s], 1e-5);
-}
-
 // A million samples of one size in a triangle are not swallowed by their own sum.
 TEST(VertexFit, ManySamplesOfOneTriangle_AreAllCounted) {
   const CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});

@@ -133,7 +133,7 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   sh::openTransfer({0, 1, 0}, order, open);
   const FitMesh mesh = makeFitMesh(scene);
   for (std::uint32_t s = 0; s < mesh.slotCount() * 3; ++s)
-    surface.total.insert(surface.total.end(), open.begin(), open.end());
+    surface.reflected.insert(surface.reflected.end(), open.begin(), open.end());
   Tracer tracer(scene, test::sharedDevice());
   VolumeOptions options{order, 1, 4096, 3, {}};
   const VolumeTransfer volume =

@@ -11,6 +11,7 @@ namespace prelight {
 namespace {
 
 constexpr std::uint32_t leastRaysPerReceiver = 16;  // as of vertices (schedule.cpp)
+constexpr std::size_t partValues = PRELIGHT_PART_VALUES;
 
 std::uint32_t raysPerReceiver(const ChartTransferOptions& options) {
   return std::max(leastRaysPerReceiver, options.rays / ChartSampler::positionsPerTexel);
@@ -25,7 +26,7 @@ CastOptions castOptions(const ChartTransferOptions& options, const DeviceInfo& d
   cast.sets = options.sets;
   cast.setTracers = options.setTracers;
   if (options.bounces == 0) return cast;
-  cast.storedReceivers = receiversPerBlock(device, cast.raysPerReceiver);
+  cast.storedReceivers = cast.rowsInMemory = receiversPerBlock(device, cast.raysPerReceiver);
   cast.bounceColumns = static_cast<std::size_t>(options.order * options.order);
   return cast;
 }
@@ -42,14 +43,23 @@ class ChartCaster {
         columns_(static_cast<std::size_t>(options.order * options.order)),
         caster_(scene, tracer, castOptions(options, tracer.context().info())),
         receiversPerTexel_(options.rays / caster_.raysPerReceiver()),
-        open_(columns_) {}
+        open_(columns_),
+        reflected_(parts()) {}
 
   void setSurface(const FitMesh& mesh, const SlotTransfer& surface) {
-    std::vector<float> sent = sentTransfer(mesh, surface, columns_);
+    const std::vector<float> sent = sentTransfer(mesh, surface, columns_);
+    const std::size_t values = 3 * columns_;
     // A texel may see a back that no vertex has seen; nothing is known of it, and it stays dark.
-    sent.resize(2 * 3 * columns_ * scene_.vertexCount(), 0.0f);
-    caster_.resizeTransfer(sent.size());
-    caster_.setTransfer(sent);
+    places_ = 2 * std::size_t{scene_.vertexCount()};
+    caster_.resizeTransfer(parts() * places_ * partValues);
+    std::vector<float> part;
+    for (std::size_t p = 0; p < parts(); ++p) {
+      part.assign(places_ * partValues, 0.0f);
+      for (std::size_t place = 0; place < sent.size() / values; ++place)
+        std::copy_n(&sent[place * values + p * partValues], std::min(partValues, values - p * partValues),
+                    &part[place * partValues]);
+      caster_.setTransfer(part, p * part.size());
+    }
   }
 
   ChartTransfer run() {
@@ -84,10 +94,17 @@ class ChartCaster {
     const std::uint32_t row = 0, firstTriangle = scene_.primitives[chart.primitive].firstTriangle;
     const std::uint32_t set = options_.sets != nullptr ? options_.sets->setOf(firstTriangle) : 0;
     caster_.cast(receivers_, values_, {options_.bounces > 0 ? &row : nullptr, set});
-    if (options_.bounces > 0) caster_.gather(0, static_cast<std::uint32_t>(receivers_.size()), reflected_);
+    if (options_.bounces > 0) gather();
     report_.rays += receivers_.size() * caster_.raysPerReceiver();
     for (std::size_t r = 0; r < receivers_.size(); ++r)
       addReceiver(r, sampler.texels()[first + r / receiversPerTexel_]);
+  }
+
+  void gather() {
+    for (std::size_t p = 0; p < parts(); ++p)
+      caster_.gather(0, static_cast<std::uint32_t>(receivers_.size()),
+                     {static_cast<std::uint32_t>(p * partValues), static_cast<std::uint32_t>(p * places_)},
+                     reflected_[p]);
   }
 
   void addReceiver(std::size_t r, std::uint32_t texel) {
@@ -104,8 +121,10 @@ class ChartCaster {
       for (std::size_t i = 0; i < columns_; ++i) {
         // As in projectHits: the kernel's values are relative to the open part of the open hemisphere.
         const double direct = double(values[4 + i]) + double(values[0]) * open_[i];
-        const float more = options_.bounces > 0 ? reflected_[(r * 3 + c) * columns_ + i] : 0.0f;
-        sum[c * columns_ + i] += static_cast<float>(direct) + more;
+        const std::size_t value = c * columns_ + i;
+        const float more =
+            options_.bounces > 0 ? reflected_[value / partValues][r * partValues + value % partValues] : 0.0f;
+        sum[value] += static_cast<float>(direct) + more;
       }
   }
 
@@ -119,6 +138,7 @@ class ChartCaster {
     return {chart.primitive, chart.width, chart.height, chart.coords, std::move(sums_)};
   }
 
+  std::size_t parts() const { return (3 * columns_ + partValues - 1) / partValues; }
   std::size_t rowLength() const { return columns_ * (options_.bounces > 0 ? 3 : 1); }
 
   const CompiledScene& scene_;
@@ -132,9 +152,10 @@ class ChartCaster {
   std::vector<double> open_;
   std::vector<device::Receiver> receivers_;
   CastValues values_;
-  std::vector<float> reflected_;
-  std::vector<float> sums_;           ///< [texel][rowLength]
-  std::vector<std::uint8_t> counts_;  ///< [texel], receivers in the sum
+  std::size_t places_ = 0;                     ///< of the transfer on the device: vertices and their backs
+  std::vector<std::vector<float>> reflected_;  ///< [part][receiver][partValues]
+  std::vector<float> sums_;                    ///< [texel][rowLength]
+  std::vector<std::uint8_t> counts_;           ///< [texel], receivers in the sum
 };
 
 }  // namespace

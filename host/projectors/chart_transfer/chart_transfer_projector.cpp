@@ -35,6 +35,8 @@ class ChartTransferProjector final : public Projector {
 
   std::string_view stage() const override { return "texels"; }
 
+  void addNeeds(CastNeeds& needs) const override { needs.reflected = true; }
+
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const BakeRequest& request = context_.request;
     const ChartTransferOptions options{request.sh.order, cast->bounces(), raysEach(request),  request.seed,

@@ -13,7 +13,7 @@ class GlossyProjector final : public Projector {
   explicit GlossyProjector(const BakeContext& context) : context_(context) {}
 
   std::string_view stage() const override { return "glossy"; }
-  void addNeeds(CastNeeds& needs) const override { needs.receivers = true; }
+  void addNeeds(CastNeeds& needs) const override { needs.receivers = needs.reflected = true; }
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const SlotTransfer& transfer = cast->transfer(progress);

@@ -34,7 +34,7 @@ void addDirect(const FitMesh& mesh, const SideCast& front, const std::vector<flo
 
 /// Device transfer of some columns of the light, [vertex][3][column] and then the backs.
 std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const SlotTransfer& transfer,
-                          const std::vector<float>& reflected, std::size_t first) {
+                          std::size_t first) {
   const bool backs = !transfer.backReflected.empty();
   std::vector<float> part(std::size_t{scene.vertexCount()} * 3 * lightColumns * (backs ? 2 : 1), 0.0f);
   const auto fill = [&](const std::vector<float>& slots, float* out) {
@@ -44,16 +44,17 @@ std::vector<float> partOf(const CompiledScene& scene, const FitMesh& mesh, const
           out[(v * 3 + c) * lightColumns + j] =
               slots[(mesh.slotOfVertex[v] * 3 + c) * transfer.columns() + first + j];
   };
-  fill(reflected, part.data());
+  fill(transfer.reflected, part.data());
   if (backs) fill(transfer.backReflected, part.data() + part.size() / 2);
   return part;
 }
 
 /// Fits the rows of a gather to the slots: [slot][i][3][column].
-std::vector<float> fitPart(Caster& caster, const SideCast& front, int order, Progress& progress) {
+std::vector<float> fitPart(Caster& caster, const SideCast& front, const StoredRows& rows, int order,
+                           Progress& progress) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * lightColumns;
-  return fitStoredRows(
-      caster, front, width,
+  return rows.fit(
+      width,
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
         caster.gatherGlossy(std::span(front.storedReceivers()).subspan(first, count),
                             front.storedFirst() + first, order, lightColumns, values);
@@ -70,13 +71,13 @@ std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh&
   const int channels = transfer.channels();
   std::vector<float> matrices(std::size_t{mesh.slotCount()} * static_cast<std::size_t>(channels) * n * n);
   addDirect(mesh, cast.front(), fitted, order, channels, matrices);
-  if (transfer.last.empty()) return matrices;
-  const std::vector<float> reflected = reflectedTransfer(transfer);
+  if (transfer.reflected.empty()) return matrices;
+  const StoredRows rows(caster, cast.front());
   for (std::size_t first = 0; first < n; first += lightColumns) {
-    const std::vector<float> sent = partOf(scene, mesh, transfer, reflected, first);
+    const std::vector<float> sent = partOf(scene, mesh, transfer, first);
     caster.resizeTransfer(sent.size());
     caster.setTransfer(sent);
-    const std::vector<float> part = fitPart(caster, cast.front(), order, progress);
+    const std::vector<float> part = fitPart(caster, cast.front(), rows, order, progress);
     for (std::size_t s = 0; s < mesh.slotCount(); ++s)
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < 3; ++c)

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/spill_file.h"
+#include "device/buffer.h"
+#include "shared/cast_types.h"
+
+namespace prelight {
+
+/// Rows of senders, one a receiver, [row][ray]. The first of them stay in the device's memory, those that it was given
+/// no room for lie in a file.
+class SenderRows {
+ public:
+  /// At most `blockRows` rows are stored or read at once; as many in memory as `inMemory`.
+  SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uint32_t inMemory, std::uint32_t blockRows);
+
+  /// Rows as a kernel finds them.
+  struct Place {
+    Buffer<device::Sender>& buffer;
+    std::uint32_t firstRow;
+  };
+
+  /// Where a kernel puts rows [first, first + count); they are kept with keep().
+  Place roomFor(std::uint32_t first, std::uint32_t count) {
+    return fits(first, count) ? Place{memory_, first} : Place{block_, 0};
+  }
+  void keep(std::uint32_t first, std::uint32_t count);
+
+  /// Where a kernel finds rows [first, first + count), until the next call.
+  Place rows(std::uint32_t first, std::uint32_t count);
+
+  /// Rows from `first` on, as many as the span holds.
+  void read(std::uint32_t first, std::span<device::Sender> senders) const;
+  void write(std::uint32_t first, std::span<const device::Sender> senders);
+
+ private:
+  bool fits(std::uint32_t first, std::uint32_t count) const { return first + count <= inMemory_; }
+  std::size_t sendersInMemory(std::uint32_t first, std::size_t senders) const;
+
+  std::uint32_t raysPerRow_;
+  std::uint32_t inMemory_;
+  Buffer<device::Sender> memory_;
+  Buffer<device::Sender> block_;  ///< rows on their way to the file and back
+  std::vector<device::Sender> host_;
+  std::optional<SpillFile> file_;  ///< made when it is needed; a row stands where it would if all were in it
+};
+
+}  // namespace prelight
