@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "benchmarks/caustic_error.h"
+#include "benchmarks/lab/progressive_irradiance.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/photon_grid.h"
 #include "benchmarks/photon_samples.h"
 #include "benchmarks/suites.h"
 #include "benchmarks/take_turns.h"
-#include "benchmarks/lab/progressive_irradiance.h"
 
 namespace prelight::benchmarks {
 
@@ -22,7 +22,7 @@ namespace {
 using device::DensityQuery;
 using device::Photon;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double anywhere = 10.0;  // m: a radius that holds all photons
 constexpr int compared = 50;       // photons of a look-up, of trees and grids
 const char* const thesis = "Larsen 2004";

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "benchmarks/lab/hemicube.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
-#include "benchmarks/lab/hemicube.h"
 #include "radiosity/radiosity.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void add(std::vector<BenchmarkResult>& results, const std::string& name, const char* metric, double value,
          const char* unit) {
