@@ -10,6 +10,7 @@
 #include "benchmarks/processor_time.h"
 #include "cast/caster.h"
 #include "plan/shadow_sets.h"
+#include "projectors/scene_cast.h"
 #include "projectors/schedule.h"
 #include "receivers/surface_sampler.h"
 
@@ -23,7 +24,6 @@ using device::Ray;
 using device::Receiver;
 
 constexpr std::size_t launches = 16;    // that are queued at once, as a tracer with nothing to wait for does
-constexpr double leastReceivers = 4.0;  // of a connected piece of surface, as in a bake
 
 /// Blocks of receivers, of which the rays are traced as soon as there are enough for some launches.
 class BlockTracer {
@@ -120,8 +120,7 @@ TracingCost traceRaysAlone(const CompiledScene& scene, const BakeRequest& reques
                            std::uint64_t enough, int rounds, const Progress& progress) {
   const FitMesh mesh = makeFitMesh(scene, makeShadowSets(scene, request.shadowSets).setOfVertices(scene));
   const Schedule schedule = makeSchedule(request, mesh.slotCount(), std::chrono::steady_clock::now());
-  SurfaceSampler sampler(scene, schedule.seed, Side::Front, schedule.replicates);
-  sampler.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
+  SurfaceSampler sampler = frontSampler(scene, mesh, schedule);
   BlockTracer blocks(tracer, scene, schedule.raysPerReceiver, request.bounces > 0 && request.sh.order > 0,
                      rounds);
   for (std::uint32_t pass = 0; pass < schedule.passes && blocks.rays() < enough; ++pass) {

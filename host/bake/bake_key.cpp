@@ -57,7 +57,7 @@ std::uint64_t hashOf(const BakeRequest& request) {
   for (const Planning& technique : techniques) {
     if (technique.staticLight) continue;
     // The key of equal options stays what it was.
-    if (keyed++ == techniquesBeforeBounces) hash.value(request.bounces).value(request.maxMemory);
+    if (keyed++ == techniquesBeforeBounces) hash.value(request.bounces).value(request.memory());
     if (technique.addToKey != nullptr) technique.addToKey(request, hash);
   }
   for (const Planning& technique : techniques)

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "plan/cast_orders.h"
+#include "bake/estimate_memory.h"
 #include "plan/shadow_sets.h"
 #include "projectors/registry/plannings.h"
 #include "scene/instancing.h"
@@ -15,7 +15,6 @@ namespace prelight {
 namespace {
 
 constexpr std::uint64_t bvhBytesPerTriangle = 100;  // nodes and blocks, measured 70 to 95 on built-in scenes
-constexpr std::uint64_t blockBytes = std::uint64_t{16} << 20;
 
 PlannedPass planTranslucent(const CompiledScene& scene, bool bounces) {
   if (!scene.hasDiffuseTransmission())
@@ -94,25 +93,6 @@ PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& te
                       transmissive, mirrors, carried)};
 }
 
-/// What all bakes take.
-void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& plan) {
-  const CompiledScene& scene = input.scene;
-  const BakeRequest& request = input.request;
-  const bool bounces = input.bounces;
-  const std::uint64_t vertices = scene.vertexCount(), triangles = scene.triangleCount();
-  const auto order = static_cast<std::uint64_t>(castOrder(request));
-  const std::uint64_t coefficients = order * order, rays = plannedRays(scene, request);
-  std::uint64_t texels = 0;
-  for (const Image& image : scene.albedoImages) texels += 2 * image.rgba.size();
-  plan.transportBytes = bounces ? std::min(rays * senderBytes, request.maxMemory / 2) : 0;
-  plan.deviceBytes = instancing.storedTriangles * (bvhBytesPerTriangle + 16) + triangles * 13 +
-                     instancing.storedVertices * 24 + texels + blockBytes + plan.transportBytes +
-                     (bounces ? vertices * 2 * 3 * coefficients * 4 : 0);
-  const std::uint64_t fitColumns = std::max<std::uint64_t>(4 + coefficients, bounces ? 3 * coefficients : 0);
-  plan.hostBytes = triangles * (48 + 16 + 120) + vertices * (60 + fitColumns * 8 * 8) +
-                   std::min<std::uint64_t>(rays / 64, std::uint64_t{1} << 24) * 24;
-}
-
 }  // namespace
 
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
@@ -148,9 +128,9 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
   add(planAlbedo(compiled, bounces.runs));
   add(planSpecular(input, techniques));
   if (anything) {
-    estimateMemory(input, instancing, plan);
     for (const Planning& technique : techniques)
       if (technique.addMemory != nullptr) technique.addMemory(input, plan);
+    estimateMemory(input, instancing, plan);
   }
   plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
   return plan;

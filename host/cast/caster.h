@@ -97,6 +97,7 @@ class Caster {
   std::uint64_t furtherRays() const { return occluders_ ? occluders_->rays() : 0; }
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
+  std::uint32_t rowsInMemory() const { return options_.rowsInMemory; }
   DeviceContext& device() const { return device_; }
   std::uint32_t groupCount() const { return lights_ ? lights_->groupCount() : 0; }
 

@@ -332,10 +332,9 @@ void addEffortOptions(CLI::App& app, BakeOptions& options) {
       "seed of the random numbers (default 0); the same seed gives the same bytes");
   addByteCount(
       app, "--max-memory", {minMemory, maxMemory}, [&](std::uint64_t n) { request.maxMemory = n; },
-      "memory for what the bake can do with less of, as 512M or 2G (default 2G): stored transport, rays kept "
-      "for "
-      "wavelets, form factors, light maps of texels; the scene, its tree, the device and the compiler come "
-      "on top");
+      "memory that the program may take, as 512M or 8G: stored transport that has no room is kept in a "
+      "temporary "
+      "file, and a bake that takes more all the same is refused (default: 2G, and none is refused)");
 }
 
 void addKernelOptions(CLI::App& app, BakeOptions& options) {

@@ -168,7 +168,7 @@ Json toJson(const BakeRequest& request) {
   if (request.effort.error) json["error"] = *request.effort.error;
   if (request.effort.seconds) json["time"] = *request.effort.seconds;
   if (!request.effort.error && !request.effort.seconds) json["rays"] = request.effort.rays;
-  json["maxMemory"] = request.maxMemory;
+  json["maxMemory"] = request.memory();
   return json;
 }
 

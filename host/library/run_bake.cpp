@@ -11,11 +11,21 @@ namespace prelight {
 
 namespace {
 
+void requireMemory(const Plan& plan, const BakeRequest& request) {
+  const std::uint64_t needed = plan.hostBytes + plan.deviceBytes;
+  if (!request.maxMemory || needed <= *request.maxMemory) return;
+  throw UsageError("BakeRequest::maxMemory",
+                   fmt::format("the bake takes at least about {} MB, {} MB are allowed", (needed >> 20) + 1,
+                               *request.maxMemory >> 20),
+                   "allow that much, or ask for less at a time");
+}
+
 Plan planOf(const BakeScene& scene, const BakeRequest& request) {
   Plan plan = makePlan(scene.scene, scene.compiled, request);
   if (request.lightMap && !plan.runs(Pass::LightMap))
     throw InputError(scene.path.string(), "no surface reflects diffusely, so none needs a light map",
                      "leave out BakeRequest::lightMap");
+  requireMemory(plan, request);
   return plan;
 }
 

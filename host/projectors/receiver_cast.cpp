@@ -70,6 +70,17 @@ std::string backNote(const SceneCast& cast) {
              : "back faces: skipped, no ray meets one that reflects";
 }
 
+void addNotes(const BakeContext& context, const SceneCast& cast, const Caster& caster) {
+  context.report.notes.push_back(backNote(cast));
+  const std::uint64_t rows =
+      cast.front().storedCount() + (cast.back() != nullptr ? cast.back()->storedCount() : 0);
+  const double megabyte = double(sizeof(device::Sender) * caster.raysPerReceiver()) / (1 << 20);
+  if (rows > caster.rowsInMemory())
+    context.report.notes.push_back(
+        fmt::format("stored transport: {:.0f} of {:.0f} MB are in memory, the rest is in a temporary file",
+                    megabyte * caster.rowsInMemory(), megabyte * double(rows)));
+}
+
 std::vector<double> accessibilityOf(const FitMesh& mesh, const SideCast& front,
                                     const std::vector<float>& fitted) {
   std::vector<double> accessibility;
@@ -92,7 +103,7 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
 
 void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
-  if (bounces_ > 0) context_.report.notes.push_back(backNote(cast_));
+  if (bounces_ > 0) addNotes(context_, cast_, caster_);
   context_.clock.mark("cast");
   FittedSide fitted = front().solve();
   fitted_ = std::move(fitted.values);

@@ -9,7 +9,15 @@ namespace {
 constexpr std::uint32_t maxBackRounds =
     4;  // backs seen from backs, and so on; what lies deeper reflects nothing
 
+constexpr double leastReceivers = 4.0;  // of a component, in the first round
+
 }  // namespace
+
+SurfaceSampler frontSampler(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule) {
+  SurfaceSampler sampler(scene, schedule.seed, Side::Front, schedule.replicates);
+  sampler.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
+  return sampler;
+}
 
 SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster,
                      const Schedule& schedule, const Projections& projections, std::uint32_t capacity)
@@ -19,7 +27,7 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
       schedule_(schedule),
       projections_(projections),
       capacity_(capacity),
-      front_(scene, mesh, caster, schedule, projections, Side::Front) {}
+      front_(scene, mesh, caster, schedule, projections, frontSampler(scene, mesh, schedule)) {}
 
 void SceneCast::run(Progress& progress) {
   if (!frontDone_) {
@@ -36,7 +44,8 @@ void SceneCast::run(Progress& progress) {
 }
 
 void SceneCast::makeBack() {
-  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections_, Side::Back);
+  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections_,
+                                     SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back));
   backSeen_.assign(scene_.triangleCount(), 0);
 }
 

@@ -12,6 +12,9 @@
 
 namespace prelight {
 
+/// Places the receivers of a bake's fronts.
+SurfaceSampler frontSampler(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule);
+
 /// Casts from the fronts of a scene and, where light bounces, from the backs that rays have met and from
 /// those that these meet. Can be saved after an interruption and go on elsewhere.
 class SceneCast {

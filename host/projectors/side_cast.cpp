@@ -10,7 +10,6 @@ namespace prelight {
 namespace {
 
 constexpr std::size_t waitingBlocks = 1;  // before they are cast, and before they are added
-constexpr double leastReceivers = 4.0;    // of a component, in the first round
 
 /// What is made of the rays of one side.
 Projections projectionsOf(Projections projections, Side side) {
@@ -23,25 +22,25 @@ Projections projectionsOf(Projections projections, Side side) {
 }  // namespace
 
 SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-                   const Projections& projections, Side side)
+                   const Projections& projections, SurfaceSampler sampler)
     : scene_(scene),
       mesh_(mesh),
       caster_(caster),
       schedule_(schedule),
-      projections_(projectionsOf(projections, side)),
-      sampler_(scene, schedule.seed, side, schedule.replicates),
-      sums_(scene, mesh, schedule, projections_, side, sampler_.areas()),
+      projections_(projectionsOf(projections, sampler.side())),
+      sampler_(std::move(sampler)),
+      sums_(scene, mesh, schedule, projections_, sampler_.side(), sampler_.areas()),
       blocks_(BackgroundWork::placesFor(waitingBlocks) + BackgroundWork::placesFor(waitingBlocks) - 1),
       adding_(waitingBlocks),
-      casting_(waitingBlocks) {
-  sampler_.coverComponents(mesh, schedule.receiversPerPass * schedule.passes, leastReceivers);
-}
+      casting_(waitingBlocks) {}
 
 void SideCast::start() {
   running_ = true;
   round_ = passInRound_ = 0;
   sums_.soften();
   receiversPerPass_ = schedule_.receiversPerPass;
+  if (!schedule_.error && !schedule_.deadline)
+    sums_.expect(schedule_.passes * sampler_.expected(schedule_.receiversPerPass));
 }
 
 void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {

@@ -17,8 +17,11 @@ namespace prelight {
 /// Casts from one side of the surface until its schedule is fulfilled, and fits the vertices.
 class SideCast {
  public:
+  /// `sampler` says which side.
   SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& caster, const Schedule& schedule,
-           const Projections& projections, Side side);
+           const Projections& projections, SurfaceSampler sampler);
+
+  const SurfaceSampler& sampler() const { return sampler_; }
 
   /// Triangles that receivers are placed on; all unless changed before run().
   std::vector<std::uint8_t>& active() { return sampler_.active(); }

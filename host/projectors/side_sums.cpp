@@ -29,13 +29,13 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
-  // Growing by doubling would hold two copies of the largest array of a bake.
-  if (side == Side::Front && !schedule.error && !schedule.deadline)
-    records_.reserve(
-        std::min(mostRecords, static_cast<std::size_t>(1.01 * schedule.receiversPerPass * schedule.passes)));
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.occluders) occluders_.emplace(mesh);
+}
+
+void SideSums::expect(double receivers) {
+  records_.reserve(std::min(mostRecords, records_.size() + static_cast<std::size_t>(1.01 * receivers)));
 }
 
 void SideSums::add(const CastBlock& block) {

@@ -43,6 +43,10 @@ class SideSums {
   SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
            const Projections& projections, Side side, const std::vector<double>& areas);
 
+  /// Makes room for about that many further receivers: growing by doubling would hold two copies of the
+  /// largest array of a bake.
+  void expect(double receivers);
+
   /// Adds a block of receivers; the result depends on the order of blocks.
   void add(const CastBlock& block);
 

@@ -17,7 +17,7 @@ RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& reques
   options.patchSize = scale.patchSize;
   options.raysPerElement = scale.rays;
   options.seed = request.seed;
-  options.maxMemory = request.maxMemory;
+  options.maxMemory = request.memory();
   options.method = request.radiosity.method;
   options.tolerance = request.radiosity.tolerance;
   return options;

@@ -35,17 +35,17 @@ RadiosityScale radiosityScale(const CompiledScene& scene, const BakeRequest& req
   if (!scattersDiffusely(scene)) return scale;
   scale.rays = std::bit_floor(
       static_cast<std::uint32_t>(std::clamp<std::uint64_t>(request.effort.rays / 2, leastRays, mostRays)));
-  while (scale.rays > leastRays && scale.bytes() > request.maxMemory) scale.rays /= 2;
+  while (scale.rays > leastRays && scale.bytes() > request.memory()) scale.rays /= 2;
   return scale;
 }
 
 void checkRadiosityMemory(const RadiosityScale& scale, const BakeRequest& request) {
-  if (scale.bytes() > request.maxMemory)
+  if (scale.bytes() > request.memory())
     throw Error(
         ExitCode::OutOfMemory, "BakeRequest::radiosity",
         fmt::format(
             "form factors of {} elements take about {} MB, more than the {} MB of BakeRequest::maxMemory",
-            scale.elements, scale.bytes() >> 20, request.maxMemory >> 20),
+            scale.elements, scale.bytes() >> 20, request.memory() >> 20),
         "raise RadiosityRequest::patchSize or BakeRequest::maxMemory");
 }
 

@@ -82,37 +82,64 @@ std::vector<std::uint32_t> mortonOrder(const CompiledScene& scene) {
   return order;
 }
 
+std::uint32_t seedOf(std::uint64_t seed, Side side) {
+  return sampling::hashInteger(
+      static_cast<std::uint32_t>(seed) ^
+      sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 2u * static_cast<std::uint32_t>(side)));
+}
+
 }  // namespace
+
+std::shared_ptr<SurfaceSampler::Surface> SurfaceSampler::surfaceOf(const CompiledScene& scene) {
+  auto surface = std::make_shared<Surface>();
+  surface->areas.resize(scene.triangleCount());
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    surface->areas[t] = 0.5 * glm::length(geometricNormal(scene, t));
+    surface->totalArea += surface->areas[t];
+  }
+  surface->shares.reserve(surface->areas.size());
+  for (const double area : surface->areas)
+    surface->shares.push_back(0.5 *
+                              (area / surface->totalArea + 1.0 / static_cast<double>(surface->areas.size())));
+  surface->order = mortonOrder(scene);
+  return surface;
+}
 
 SurfaceSampler::SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side,
                                std::uint32_t replicates)
     : scene_(scene),
-      seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
-                                  sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) +
-                                                        2u * static_cast<std::uint32_t>(side)))),
+      seed_(seedOf(seed, side)),
       side_(side),
-      areas_(scene.triangleCount()),
-      order_(mortonOrder(scene)),
+      surface_(surfaceOf(scene)),
       active_(scene.triangleCount(), 1),
       replicates_(replicates),
       thinned_(scene.triangleCount(), 0),
-      position_{std::vector<std::uint32_t>(std::size_t{scene.triangleCount()} * replicates, 0), 0} {
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    areas_[t] = 0.5 * glm::length(geometricNormal(scene, t));
-    totalArea_ += areas_[t];
-  }
-  for (const double area : areas_)
-    shares_.push_back(0.5 * (area / totalArea_ + 1.0 / static_cast<double>(areas_.size())));
-}
+      position_{std::vector<std::uint32_t>(std::size_t{scene.triangleCount()} * replicates, 0), 0} {}
+
+SurfaceSampler::SurfaceSampler(const SurfaceSampler& other, std::uint64_t seed, Side side)
+    : scene_(other.scene_),
+      seed_(seedOf(seed, side)),
+      side_(side),
+      surface_(other.surface_),
+      active_(other.active_.size(), 1),
+      replicates_(other.replicates_),
+      thinned_(other.thinned_.size(), 0),
+      position_{std::vector<std::uint32_t>(other.position_.taken.size(), 0), 0} {}
 
 void SurfaceSampler::coverComponents(const FitMesh& mesh, double receivers, double least) {
   const std::vector<std::uint32_t>& components = mesh.components;
+  std::vector<double>& shares = surface_->shares;
   std::vector<double> sums(mesh.slotCount(), 0.0);
   const auto sumOf = [&](std::size_t t) -> double& { return sums[components[mesh.triangles[t][0]]]; };
-  for (std::size_t t = 0; t < shares_.size(); ++t) sumOf(t) += shares_[t];
-  std::vector<double> raised = shares_;
-  for (std::size_t t = 0; t < shares_.size(); ++t) raised[t] *= std::max(1.0, least / (receivers * sumOf(t)));
-  shares_ = std::move(raised);
+  for (std::size_t t = 0; t < shares.size(); ++t) sumOf(t) += shares[t];
+  for (std::size_t t = 0; t < shares.size(); ++t) shares[t] *= std::max(1.0, least / (receivers * sumOf(t)));
+}
+
+double SurfaceSampler::expected(double receivers) const {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < active_.size(); ++t)
+    if (active_[t]) sum += shareOf(t);
+  return receivers * sum;
 }
 
 glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
@@ -152,9 +179,9 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
   double sum = shift;
   const std::uint32_t replicate = position_.passes % replicates_;
   ++position_.passes;
-  for (const std::uint32_t t : order_) {
+  for (const std::uint32_t t : surface_->order) {
     if (!active_[t]) continue;
-    const double share = thinned_[t] ? shares_[t] / thinning : shares_[t];
+    const double share = shareOf(t);
     const double expected = receivers * share;
     const auto before = static_cast<std::uint64_t>(sum);
     sum += expected;
@@ -162,11 +189,11 @@ void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const
     if (chosen == 0) continue;
     const std::uint32_t sequence = t * replicates_ + replicate;
     choosePlaces(sequence, chosen);
-    const double inset = insetOf(scene_, t, areas_[t]);
+    const double inset = insetOf(scene_, t, surface_->areas[t]);
     for (const Place& chosenPlace : places_) {
       const glm::dvec2 b = insetBy(inset, sampling::uniformTriangle(chosenPlace.point));
       const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
-                                 static_cast<float>(areas_[t] / (totalArea_ * share))};
+                                 static_cast<float>(surface_->areas[t] / (surface_->totalArea * share))};
       device::Receiver receiver = receiverAt(scene_, sample, side_);
       setSequence(sequence, chosenPlace.index, raysPerReceiver, receiver);
       sink(sample, receiver);

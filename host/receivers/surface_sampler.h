@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "prelight/compiled_scene.h"
@@ -47,6 +48,11 @@ class SurfaceSampler {
  public:
   SurfaceSampler(const CompiledScene& scene, std::uint64_t seed, Side side, std::uint32_t replicates = 1);
 
+  /// For another side of the surface, whose triangles have the same shares.
+  SurfaceSampler(const SurfaceSampler& other, std::uint64_t seed, Side side);
+
+  Side side() const { return side_; }
+
   /// Triangles that further passes place receivers on; all at first.
   std::vector<std::uint8_t>& active() { return active_; }
   const std::vector<std::uint8_t>& active() const { return active_; }
@@ -70,7 +76,10 @@ class SurfaceSampler {
   void coverComponents(const FitMesh& mesh, double receivers, double least);
 
   /// [triangle], m2.
-  const std::vector<double>& areas() const { return areas_; }
+  const std::vector<double>& areas() const { return surface_->areas; }
+
+  /// Of `receivers` that a pass is asked for, how many it will yield, about.
+  double expected(double receivers) const;
 
   using Sink = std::function<void(const SurfaceSample&, const device::Receiver&)>;
 
@@ -79,6 +88,14 @@ class SurfaceSampler {
   void pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink);
 
  private:
+  /// What all sides have in common.
+  struct Surface {
+    std::vector<double> areas;  ///< [triangle], m2
+    double totalArea = 0.0;
+    std::vector<double> shares;        ///< [triangle], of a pass's receivers
+    std::vector<std::uint32_t> order;  ///< triangles along a Morton curve of their centroids
+  };
+
   /// A place of a triangle that a pass takes.
   struct Place {
     std::uint32_t index = 0;  ///< in the triangle's sequence
@@ -86,6 +103,10 @@ class SurfaceSampler {
     glm::dvec2 point{};
   };
 
+  static std::shared_ptr<Surface> surfaceOf(const CompiledScene& scene);
+  double shareOf(std::size_t triangle) const {
+    return surface_->shares[triangle] / (thinned_[triangle] ? thinning : 1.0);
+  }
   void choosePlaces(std::uint32_t sequence, std::uint64_t count);
   void setSequence(std::uint32_t sequence, std::uint32_t index, std::uint32_t raysPerReceiver,
                    device::Receiver& receiver) const;
@@ -93,10 +114,7 @@ class SurfaceSampler {
   const CompiledScene& scene_;
   std::uint32_t seed_;
   Side side_;
-  std::vector<double> areas_;
-  double totalArea_ = 0.0;
-  std::vector<double> shares_;        ///< [triangle], of a pass's receivers
-  std::vector<std::uint32_t> order_;  ///< triangles along a Morton curve of their centroids
+  std::shared_ptr<Surface> surface_;
   std::vector<std::uint8_t> active_;
   std::uint32_t replicates_;
   std::vector<std::uint8_t> thinned_;

@@ -376,8 +376,14 @@ TEST(Bake, LittleMemoryForRows_GivesTheSameBytes) {
   const CompiledScene scene = clutter();
   BakeRequest request = shRequest(2, 1, 512);
   const Bake all = run(scene, request).bake;
-  request.maxMemory = 2 * 8 * 64 * 2000;  // rows for 2000 receivers, the others go through a file
-  const Bake few = run(scene, request).bake;
+  Plan plan = makePlan(Scene(), scene, request);
+  plan.transportBytes = 8 * 64 * 2000;  // rows for 2000 receivers, the others go through a file
+  Progress progress;
+  BakeReport report;
+  const Bake few = bakeScene(scene, request, plan, test::sharedDevice(), progress, report);
+  EXPECT_NE(std::find_if(report.notes.begin(), report.notes.end(),
+                         [](const std::string& note) { return note.find("temporary file") != note.npos; }),
+            report.notes.end());
   EXPECT_EQ(few.ao, all.ao);
   ASSERT_TRUE(few.sh && all.sh);
   EXPECT_EQ(few.sh->coefficients, all.sh->coefficients);

@@ -100,7 +100,7 @@ TEST_F(CliChartTransfer, WrongUse_IsExplained) {
                 {"--animation", "--texels"});
   expectFailure(badUsage,
                 {"bake", "bumps.glb", "-o", "x.glb", "--sh", "8", "--bounces", "1", "--texels", "1024",
-                 "--max-memory", "16M"},
+                 "--max-memory", "512M"},
                 {"--texels", "--max-memory"});
 }
 

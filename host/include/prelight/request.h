@@ -150,7 +150,12 @@ struct BakeRequest {
   std::vector<ShadowSetRequest> shadowSets = {};  ///< nodes that none of these name see everything
   Effort effort = {};
   std::uint64_t seed = 0;
-  std::uint64_t maxMemory = std::uint64_t{2} << 30;  ///< bytes that the bake's own buffers may take
+
+  /// Bytes that the program may take for the bake: what has no room is kept in a file, and a bake that takes
+  /// more all the same is refused. None: defaultMemory, and no bake is refused.
+  std::optional<std::uint64_t> maxMemory = std::nullopt;
+  static constexpr std::uint64_t defaultMemory = std::uint64_t{2} << 30;
+  std::uint64_t memory() const { return maxMemory.value_or(defaultMemory); }
 
   /// Anything that light is carried by, other than AO.
   bool carriesLight() const {

@@ -19,10 +19,10 @@ void checkMemory(const BakeRequest& request, const Charts& charts) {
   for (const Chart& chart : charts.charts)
     bytes += static_cast<std::uint64_t>(chart.width) * static_cast<std::uint64_t>(chart.height) * 4u *
              static_cast<std::uint64_t>(request.sh.order * request.sh.order * (request.bounces > 0 ? 3 : 1));
-  if (bytes > request.maxMemory)
+  if (bytes > request.memory())
     throw UsageError("ChartTransferRequest::size",
                      fmt::format("{} light maps take {} MB, more than the {} MB of BakeRequest::maxMemory",
-                                 charts.charts.size(), bytes >> 20, request.maxMemory >> 20),
+                                 charts.charts.size(), bytes >> 20, request.memory() >> 20),
                      "bake fewer texels or a lower order, or raise BakeRequest::maxMemory");
 }
 

@@ -25,7 +25,7 @@ std::vector<PlannedPass> haarPasses(const PlanInput& input) {
 void addHaarMemory(const PlanInput& input, Plan& plan) {
   const BakeRequest& request = input.request;
   if (request.haar.size == 0) return;
-  plan.texelBytes = std::min(plannedRays(input.scene, request) * texelCodeBytes, request.maxMemory / 4);
+  plan.texelBytes = std::min(plannedRays(input.scene, request) * texelCodeBytes, request.memory() / 4);
   plan.hostBytes += plan.texelBytes;
 }
 

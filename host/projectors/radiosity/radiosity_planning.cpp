@@ -15,7 +15,7 @@ std::vector<PlannedPass> radiosityPasses(const PlanInput& input) {
 void addRadiosityMemory(const PlanInput& input, Plan& plan) {
   if (!plan.runs(Pass::Radiosity)) return;
   const std::uint64_t bytes =
-      std::min(input.request.maxMemory, radiosityScale(input.scene, input.request).bytes());
+      std::min(input.request.memory(), radiosityScale(input.scene, input.request).bytes());
   plan.hostBytes += bytes;
   plan.deviceBytes += bytes / 3;
 }
