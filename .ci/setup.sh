@@ -75,6 +75,13 @@ build() {
 }
 
 install_packages
-build "$@"
-# Whoever builds everything is going to test it.
-if [ $# -eq 0 ]; then install_second_opencl; fi
+if [ $# -eq 0 ]; then
+  # Whoever builds everything is going to test it. What comes over the network does so beside the compiler.
+  install_second_opencl &
+  second=$!
+  trap wait EXIT  # a build that fails leaves nothing running
+  build
+  wait "$second"
+else
+  build "$@"
+fi

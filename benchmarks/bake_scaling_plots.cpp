@@ -14,8 +14,8 @@ namespace {
 
 using Results = std::vector<BenchmarkResult>;
 
-constexpr std::array<const char*, 7> palette = {"#2f6db5", "#d97b29", "#3c9d6e", "#8b5fb0",
-                                                "#b8474d", "#4fa3b8", "#6b7178"};
+constexpr std::array<const char*, 7> scalingPalette = {"#2f6db5", "#d97b29", "#3c9d6e", "#8b5fb0",
+                                                       "#b8474d", "#4fa3b8", "#6b7178"};
 
 /// "balls 407k/--ao --sh 3 --bounces 1/64 rays" in parts.
 struct CaseParts {
@@ -94,7 +94,8 @@ std::string bakeStagesPlot(const Results& results, const std::string& subtitle) 
                                  ? CurveStyle::Strong
                                  : (result.metric == "rays alone" ? CurveStyle::Dashed : CurveStyle::Thin);
     const auto color = static_cast<std::size_t>(metric - metrics.begin());
-    addPoint(curveNamed(chart, result.metric, palette[color], style), {parts.triangles(), result.value});
+    addPoint(curveNamed(chart, result.metric, scalingPalette[color], style),
+             {parts.triangles(), result.value});
   }
   return drawCurveChart(chart);
 }
@@ -110,9 +111,9 @@ std::string bakeSharePlot(const Results& results, const std::string& subtitle) {
     const CaseParts parts(result.case_);
     if (result.metric != "prepare to write" || !result.ratio) continue;
     const bool transfer = parts.carriesTransfer();
-    const std::size_t color = placeOf(scenes, parts.scene) % palette.size();
-    addPoint(curveNamed(chart, fmt::format("{}, {}", parts.scene, transfer ? "SH" : "AO"), palette[color],
-                        transfer ? CurveStyle::Strong : CurveStyle::Thin),
+    const std::size_t color = placeOf(scenes, parts.scene) % scalingPalette.size();
+    addPoint(curveNamed(chart, fmt::format("{}, {}", parts.scene, transfer ? "SH" : "AO"),
+                        scalingPalette[color], transfer ? CurveStyle::Strong : CurveStyle::Thin),
              {parts.rayCount(), 1.0 / *result.ratio});
   }
   return drawCurveChart(chart);
@@ -124,7 +125,7 @@ std::string bakeMemoryPlot(const Results& results, const std::string& subtitle) 
   for (const BenchmarkResult& result : results) {
     const CaseParts parts(result.case_);
     if (result.metric != "peak memory" || !parts.growing() || parts.rays != rays) continue;
-    const char* color = palette[parts.carriesTransfer() ? 0 : 1];
+    const char* color = scalingPalette[parts.carriesTransfer() ? 0 : 1];
     const std::string what = parts.carriesTransfer() ? "SH" : "AO";
     addPoint(curveNamed(chart, what + ", measured", color, CurveStyle::Strong),
              {parts.triangles(), 1e-6 * result.value});
@@ -148,9 +149,9 @@ std::string bakeErrorPlot(const Results& results, const std::string& subtitle) {
     const std::optional<double> seconds = valueOf(results, result.case_, "bake");
     if (!seconds) continue;
     const bool own = parts.ofBake("--sh");
-    const std::size_t color = placeOf(scenes, parts.scene) % palette.size();
+    const std::size_t color = placeOf(scenes, parts.scene) % scalingPalette.size();
     addPoint(curveNamed(chart, fmt::format("{}, {}", parts.scene, own ? "Prelight" : "Embree"),
-                        palette[color], own ? CurveStyle::Strong : CurveStyle::Dashed),
+                        scalingPalette[color], own ? CurveStyle::Strong : CurveStyle::Dashed),
              {*seconds, result.value});
   }
   return drawCurveChart(chart);

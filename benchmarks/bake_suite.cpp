@@ -48,8 +48,8 @@ std::vector<MeasuredBake> bakes(std::uint64_t rays) {
   return {{"--ao", ao}, {"--ao --sh 3", sh}, {"--ao --sh 3 --bounces 1", bounces}};
 }
 
-void report(const std::string& scene, const MeasuredBake& bake, const MeasuredBake& plainest,
-            std::vector<BenchmarkResult>& results) {
+void reportBake(const std::string& scene, const MeasuredBake& bake, const MeasuredBake& plainest,
+                std::vector<BenchmarkResult>& results) {
   for (const auto& [stage, values] : bake.stages) {
     const double seconds = median(values);
     BenchmarkResult result{"bake", fmt::format("{}/{}", scene, bake.name), stage, seconds, "s", {}, {}};
@@ -77,7 +77,7 @@ std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkO
       for (MeasuredBake& bake : measured) bake.run(scene, device, progress);
       steps.advance();
     }
-    for (const MeasuredBake& bake : measured) report(scene.name, bake, measured.front(), results);
+    for (const MeasuredBake& bake : measured) reportBake(scene.name, bake, measured.front(), results);
   }
   return results;
 }

@@ -9,22 +9,22 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double width = 760.0;
+constexpr double barWidth = 760.0;
 constexpr double margin = 20.0;
 constexpr double leastLeft = 150.0;  // of the bars; labels lie before it
 constexpr double labelGap = 10.0;
 constexpr double noteGap = 6.0;  // notes lie behind the bars
-constexpr double top = 96.0;
+constexpr double barTop = 96.0;
 constexpr double rowHeight = 22.0;
 constexpr double barHeight = 12.0;
 constexpr double peerHeight = 4.0;
 constexpr double groupGap = 14.0;
-constexpr std::string_view gridColor = "#e4e6e9";
+constexpr std::string_view barGridColor = "#e4e6e9";
 constexpr std::string_view peerColor = "#a9b0b8";
-constexpr std::string_view quietColor = "#6b7178";
+constexpr std::string_view barQuietColor = "#6b7178";
 constexpr TextStyle labelStyle{12, "#3c4043", Anchor::End};
 constexpr TextStyle nameStyle{12, "#202124", Anchor::Start, true};
-constexpr TextStyle noteStyle{11, quietColor};
+constexpr TextStyle noteStyle{11, barQuietColor};
 
 double lengthOf(const Bar& bar) {
   double sum = 0.0;
@@ -70,9 +70,9 @@ Layout layoutOf(const BarChart& chart) {
       std::max(leastLeft, margin + labels + labelGap + (layout.namesAbove ? 0.0 : names + 1.5 * labelGap));
   chooseAxis(chart, layout);
   // As far right as the notes allow: each lies behind its bar.
-  layout.right = width - margin;
+  layout.right = barWidth - margin;
   forBars(chart, [&](const Bar& bar) {
-    const double room = width - margin - layout.left - noteGap - textWidth(bar.note, noteStyle);
+    const double room = barWidth - margin - layout.left - noteGap - textWidth(bar.note, noteStyle);
     Layout unit = layout;
     unit.left = 0.0;
     unit.right = 1.0;
@@ -83,7 +83,7 @@ Layout layoutOf(const BarChart& chart) {
 }
 
 double bottomOf(const BarChart& chart, const Layout& layout) {
-  double y = top;
+  double y = barTop;
   for (const BarGroup& group : chart.groups)
     y += (static_cast<double>(group.bars.size()) + (layout.namesAbove && !group.name.empty() ? 1.0 : 0.0)) *
              rowHeight +
@@ -93,10 +93,11 @@ double bottomOf(const BarChart& chart, const Layout& layout) {
 
 void drawAxis(Svg& svg, const BarChart& chart, const Layout& layout, double bottom) {
   for (const double tick : layout.ticks) {
-    svg.line({{layout.x(tick), top - 6}, {layout.x(tick), bottom}}, {gridColor});
-    svg.text({layout.x(tick), bottom + 16}, tickText(tick), {11, quietColor, Anchor::Middle});
+    svg.line({{layout.x(tick), barTop - 6}, {layout.x(tick), bottom}}, {barGridColor});
+    svg.text({layout.x(tick), bottom + 16}, tickText(tick), {11, barQuietColor, Anchor::Middle});
   }
-  svg.text({0.5 * (layout.left + layout.right), bottom + 36}, chart.axis, {12, quietColor, Anchor::Middle});
+  svg.text({0.5 * (layout.left + layout.right), bottom + 36}, chart.axis,
+           {12, barQuietColor, Anchor::Middle});
 }
 
 void drawLegend(Svg& svg, const BarChart& chart) {
@@ -128,17 +129,17 @@ void drawBar(Svg& svg, const Bar& bar, double y, const Layout& layout) {
 
 void drawTitle(Drawing& drawing, double x, const std::string& title, const std::string& subtitle) {
   drawing.text({x, 28}, title, {16, "#202124", Anchor::Start, true});
-  drawing.text({x, 47}, subtitle, {11, quietColor});
+  drawing.text({x, 47}, subtitle, {11, barQuietColor});
 }
 
 std::string drawBarChart(const BarChart& chart) {
   const Layout layout = layoutOf(chart);
   const double bottom = bottomOf(chart, layout);
-  Svg svg(width, bottom + 52);
+  Svg svg(barWidth, bottom + 52);
   drawTitle(svg, margin, chart.title, chart.subtitle);
   drawLegend(svg, chart);
   drawAxis(svg, chart, layout, bottom);
-  double y = top;
+  double y = barTop;
   for (const BarGroup& group : chart.groups) {
     svg.text({margin, y + barHeight - 1}, group.name, nameStyle);
     if (layout.namesAbove && !group.name.empty()) y += rowHeight;

@@ -7,7 +7,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr std::uint32_t raysPerReceiver = 64;  // as a bake of 1024 rays a vertex
+constexpr std::uint32_t castRaysPerReceiver = 64;  // as a bake of 1024 rays a vertex
 std::string treeName(BvhLayout layout) { return layout == BvhLayout::Wide ? "wide tree" : "narrow tree"; }
 
 BvhLayout otherLayout(BvhLayout layout) {
@@ -53,11 +53,11 @@ struct CastCase {
 };
 
 /// Trees and cases take turns, run by run, so that all meet the same disturbances.
-void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                  StepCounter& steps, std::vector<BenchmarkResult>& results) {
+void measureCast(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                 StepCounter& steps, std::vector<BenchmarkResult>& results) {
   Trees trees(scene.compiled, device);
   const std::vector<device::Ray> rays =
-      bakeRays(scene.compiled, device.context(), options.castRays, raysPerReceiver);
+      bakeRays(scene.compiled, device.context(), options.castRays, castRaysPerReceiver);
   RayBlocks inBakeOrder(device.context(), rays);
   RayBlocks inRandomOrder(device.context(), shuffled(rays));
   const std::vector<CastCase> cases = {{scene.name + "/bake order/closest hit", &inBakeOrder, false},
@@ -81,7 +81,7 @@ std::vector<BenchmarkResult> runCastSuite(const Device& device, const BenchmarkO
   const std::vector<BenchmarkScene> scenes = loadBuiltinScenes();
   StepCounter steps(progress, "bench cast", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
-  for (const BenchmarkScene& scene : scenes) measureScene(scene, device, options, steps, results);
+  for (const BenchmarkScene& scene : scenes) measureCast(scene, device, options, steps, results);
   return results;
 }
 

@@ -15,7 +15,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double goldenAngle = pi * (3.0 - 2.23606797749979);
 
 ComparedScene loaded(const std::string& name, GltfDocument&& document) {

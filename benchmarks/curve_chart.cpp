@@ -11,16 +11,16 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double width = curveChartWidth;
-constexpr double height = curveChartHeight;
+constexpr double curveWidth = curveChartWidth;
+constexpr double curveHeight = curveChartHeight;
 constexpr double left = 80.0;
 constexpr double leastRight = 480.0;  // names of curves lie behind it
-constexpr double top = 72.0;
+constexpr double curveTop = 72.0;
 constexpr double bottom = 440.0;
 constexpr double nameHeight = 16.0;
 constexpr double sampleWidth = 22.0;
-constexpr std::string_view gridColor = "#e4e6e9";
-constexpr std::string_view quietColor = "#6b7178";
+constexpr std::string_view curveGridColor = "#e4e6e9";
+constexpr std::string_view curveQuietColor = "#6b7178";
 
 /// Maps positive numbers to pixels by their logarithm.
 class LogAxis {
@@ -55,24 +55,24 @@ Axes axesOf(const CurveChart& chart) {
     }
   double names = 0.0;
   for (const Curve& curve : chart.curves) names = std::max(names, textWidth(curve.name));
-  const double right = std::max(leastRight, width - 40.0 - sampleWidth - names);
-  return {right, LogAxis(min.x, max.x, left, right), LogAxis(min.y, max.y, bottom, top)};
+  const double right = std::max(leastRight, curveWidth - 40.0 - sampleWidth - names);
+  return {right, LogAxis(min.x, max.x, left, right), LogAxis(min.y, max.y, bottom, curveTop)};
 }
 
 void drawGrid(Drawing& drawing, const CurveChart& chart, const Axes& axes) {
   for (const double tick : axes.x.ticks()) {
     const double x = axes.x.pixel(tick);
-    drawing.line({{x, top}, {x, bottom}}, {gridColor});
-    drawing.text({x, bottom + 18}, tickText(tick), {11, quietColor, Anchor::Middle});
+    drawing.line({{x, curveTop}, {x, bottom}}, {curveGridColor});
+    drawing.text({x, bottom + 18}, tickText(tick), {11, curveQuietColor, Anchor::Middle});
   }
   for (const double tick : axes.y.ticks()) {
     const double y = axes.y.pixel(tick);
-    drawing.line({{left, y}, {axes.right, y}}, {gridColor});
-    drawing.text({left - 8, y + 4}, tickText(tick), {11, quietColor, Anchor::End});
+    drawing.line({{left, y}, {axes.right, y}}, {curveGridColor});
+    drawing.text({left - 8, y + 4}, tickText(tick), {11, curveQuietColor, Anchor::End});
   }
-  drawing.text({0.5 * (left + axes.right), bottom + 42}, chart.xAxis, {12, quietColor, Anchor::Middle});
-  drawing.text({24, 0.5 * (top + bottom)}, chart.yAxis,
-               {.size = 12, .color = quietColor, .anchor = Anchor::Middle, .upright = true});
+  drawing.text({0.5 * (left + axes.right), bottom + 42}, chart.xAxis, {12, curveQuietColor, Anchor::Middle});
+  drawing.text({24, 0.5 * (curveTop + bottom)}, chart.yAxis,
+               {.size = 12, .color = curveQuietColor, .anchor = Anchor::Middle, .upright = true});
 }
 
 void drawCurve(Drawing& drawing, const Curve& curve, const std::vector<Point>& pixels) {
@@ -91,7 +91,7 @@ void drawNames(Drawing& drawing, const CurveChart& chart, const Axes& axes) {
   std::sort(curves.begin(), curves.end(), [&](const Curve* a, const Curve* b) { return end(a) < end(b); });
   std::vector<double> places;
   for (const Curve* curve : curves)
-    places.push_back(std::max(end(curve), places.empty() ? top : places.back() + nameHeight));
+    places.push_back(std::max(end(curve), places.empty() ? curveTop : places.back() + nameHeight));
   double limit = bottom;
   for (std::size_t i = places.size(); i-- > 0; limit -= nameHeight) places[i] = std::min(places[i], limit);
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -107,7 +107,8 @@ void drawCurveChart(const CurveChart& chart, Drawing& drawing) {
   drawTitle(drawing, 20, chart.title, chart.subtitle);
   if (std::all_of(chart.curves.begin(), chart.curves.end(),
                   [](const Curve& c) { return c.points.empty(); })) {
-    drawing.text({0.5 * width, 0.5 * height}, "no results above 0", {12, quietColor, Anchor::Middle});
+    drawing.text({0.5 * curveWidth, 0.5 * curveHeight}, "no results above 0",
+                 {12, curveQuietColor, Anchor::Middle});
     return;
   }
   const Axes axes = axesOf(chart);
@@ -121,7 +122,7 @@ void drawCurveChart(const CurveChart& chart, Drawing& drawing) {
 }
 
 std::string drawCurveChart(const CurveChart& chart) {
-  Svg svg(width, height);
+  Svg svg(curveWidth, curveHeight);
   drawCurveChart(chart, svg);
   return svg.str();
 }

@@ -16,7 +16,7 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr double half = 6.0;  // of the floor's sides, metres
-constexpr double height = 3.0;
+constexpr double ceilingHeight = 3.0;
 constexpr double thickness = 0.2;         // of the walls between rooms
 constexpr double surfaceOfWalls = 540.0;  // square metres, floor and ceiling among them
 constexpr double shareOfWalls = 0.3;      // of the triangles
@@ -40,7 +40,7 @@ class Shell {
   MeshShape make() {
     const double side = 2.0 * half;
     surface({-half, 0, half}, {side, 0, 0}, {0, 0, -side});
-    surface({-half, height, -half}, {side, 0, 0}, {0, 0, side});
+    surface({-half, ceilingHeight, -half}, {side, 0, 0}, {0, 0, side});
     wall({half, 0, half}, {-side, 0, 0});
     wall({-half, 0, -half}, {side, 0, 0});
     wall({-half, 0, half}, {0, 0, -side});
@@ -62,7 +62,9 @@ class Shell {
     shell_.add(makeGrid(corner, u, v, cells(u), cells(v)));
   }
 
-  void wall(const glm::dvec3& corner, const glm::dvec3& along) { surface(corner, along, {0, height, 0}); }
+  void wall(const glm::dvec3& corner, const glm::dvec3& along) {
+    surface(corner, along, {0, ceilingHeight, 0});
+  }
 
   void partition(const glm::dvec3& centre, const glm::dvec3& reach) {
     const glm::dvec3 across = 0.5 * thickness * glm::normalize(glm::cross(reach, glm::dvec3(0, 1, 0)));
@@ -103,7 +105,7 @@ glm::dmat4 placeObject(int index, int columns) {
   const double scale = std::min(1.0, spacing) * (0.6 + 0.7 * next());
   const double x = (index % columns + 0.2 + 0.6 * next()) * spacing - half + 0.3;
   const double z = (static_cast<double>(index / columns) + 0.2 + 0.6 * next()) * spacing - half + 0.3;
-  const double y = next() < 0.6 ? 0.0 : next() * (height - 1.3);
+  const double y = next() < 0.6 ? 0.0 : next() * (ceilingHeight - 1.3);
   glm::dmat4 place = glm::translate(glm::dmat4(1.0), {x, y, z});
   place = glm::rotate(place, 6.2832 * next(), {0, 1, 0});
   place = glm::rotate(place, 0.6 * (next() - 0.5), {1, 0, 0});
@@ -114,7 +116,7 @@ void addLightsAndCamera(Scene& scene) {
   for (const double x : {-3.0, 3.0})
     for (const double z : {-3.0, 3.0}) {
       Light light;
-      light.position = {x, height - 0.2, z};
+      light.position = {x, ceilingHeight - 0.2, z};
       scene.lights.push_back(light);
     }
   Camera camera;

@@ -14,15 +14,15 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr std::size_t grain = 64;          // vertices that a thread takes at a time
-constexpr std::size_t coefficients = 9;    // of order 3
-constexpr float liftOverDiagonal = 1e-5f;  // off the surface that a ray starts on
+constexpr std::size_t verticesAtOnce = 64;  // vertices that a thread takes at a time
+constexpr std::size_t coefficients = 9;     // of order 3
+constexpr float liftOverDiagonal = 1e-5f;   // off the surface that a ray starts on
 constexpr std::uint32_t nothing = ~0u;
 
 using Coefficients = std::array<float, coefficients>;
 
 /// What a ray has hit.
-struct Hit {
+struct VertexRayHit {
   std::uint32_t triangle = nothing;
   float u = 0.0f, v = 0.0f;
 };
@@ -101,7 +101,7 @@ class VertexBaker {
  private:
   template <typename Work>
   void forVertices(const Work& work) {
-    pool_.run(scene_.vertexCount(), grain, [&](std::size_t begin, std::size_t end) {
+    pool_.run(scene_.vertexCount(), verticesAtOnce, [&](std::size_t begin, std::size_t end) {
       const DenormalsFlushed flushed;
       RTCIntersectContext context;
       rtcInitIntersectContext(&context);
@@ -153,7 +153,7 @@ class VertexBaker {
   void gatherVertex(std::uint32_t v) {
     std::array<Coefficients, 3> sum{direct_[v], direct_[v], direct_[v]};
     for (std::size_t i = v * rays_; i < (v + 1) * rays_; ++i) {
-      const Hit& hit = hits_[i];
+      const VertexRayHit& hit = hits_[i];
       if (hit.triangle == nothing) continue;
       const glm::uvec3& t = scene_.triangles[hit.triangle];
       const glm::vec3& albedo = albedos_[hit.triangle];
@@ -175,7 +175,7 @@ class VertexBaker {
   WorkerPool pool_;
   EmbreeScene tree_;
   std::vector<Coefficients> direct_;  ///< [vertex]
-  std::vector<Hit> hits_;             ///< [vertex][ray]
+  std::vector<VertexRayHit> hits_;    ///< [vertex][ray]
   std::vector<glm::vec3> albedos_;    ///< [triangle], over the rays
   VertexBake bake_;
 };

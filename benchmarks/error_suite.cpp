@@ -60,7 +60,7 @@ struct ErrorPoint {
   double rms(double squares) const { return std::sqrt(squares / static_cast<double>(seconds.size())); }
 };
 
-void report(const std::string& scene, const ErrorPoint& point, std::vector<BenchmarkResult>& results) {
+void reportErrors(const std::string& scene, const ErrorPoint& point, std::vector<BenchmarkResult>& results) {
   const std::string name = fmt::format("{}/{} rays", scene, point.rays);
   results.push_back({"error", name, "time", median(point.seconds), "s", {}, {}});
   results.push_back({"error", name, "vertex error", point.rms(point.vertexSquares), "AO", {}, {}});
@@ -74,8 +74,8 @@ void report(const std::string& scene, const ErrorPoint& point, std::vector<Bench
 }
 
 /// Numbers of rays take turns, run by run, so that all meet the same disturbances.
-void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                  StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
+void measureErrors(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                   StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
   const TimedBake reference =
       timedBake(scene, aoRequest(options.errorReferenceRays, referenceSeed), device, progress);
   const std::string name = fmt::format("{}/reference of {} rays", scene.name, options.errorReferenceRays);
@@ -90,7 +90,7 @@ void measureScene(const BenchmarkScene& scene, const Device& device, const Bench
     for (ErrorPoint& point : points) point.run(scene, seed, reference.bake, device, progress);
     steps.advance();
   }
-  for (const ErrorPoint& point : points) report(scene.name, point, results);
+  for (const ErrorPoint& point : points) reportErrors(scene.name, point, results);
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::vector<BenchmarkResult> runErrorSuite(const Device& device, const Benchmark
   StepCounter steps(progress, "bench error", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
   for (const char* name : scenes)
-    measureScene(loadBuiltinScene(name), device, options, steps, progress, results);
+    measureErrors(loadBuiltinScene(name), device, options, steps, progress, results);
   return results;
 }
 

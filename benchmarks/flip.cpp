@@ -13,7 +13,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Exponents and the point from which colour differences are compressed ([1], section 4.1.4), and the exponent
 // and width of features, degrees (4.2).

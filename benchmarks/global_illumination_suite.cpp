@@ -42,11 +42,11 @@ TimedPicture renderAll(const BenchmarkScene& scene, int size, std::uint32_t samp
   request.seed = request.indirect.seed = seed;
   request.width = request.height = size;
   StopOnly quiet(progress);
-  GlobalIlluminationPictureReport report;
+  GlobalIlluminationPictureReport reportGlobalIllumination;
   TimedPicture trial;
   trial.seconds = secondsOf([&] {
-    trial.picture =
-        renderGlobalIllumination(scene.scene, lit, scene.scene.cameras.at(0), request, device, quiet, report);
+    trial.picture = renderGlobalIllumination(scene.scene, lit, scene.scene.cameras.at(0), request, device,
+                                             quiet, reportGlobalIllumination);
   });
   return trial;
 }
@@ -61,8 +61,8 @@ struct Measured {
   }
 };
 
-void report(const std::string& scene, std::uint32_t samples, const Measured& gathered, const Measured& peer,
-            std::vector<BenchmarkResult>& results) {
+void reportGlobalIllumination(const std::string& scene, std::uint32_t samples, const Measured& gathered,
+                              const Measured& peer, std::vector<BenchmarkResult>& results) {
   const std::string name = fmt::format("{}/{} samples", scene, samples);
   const double error = median(gathered.errors), seconds = median(gathered.seconds);
   results.push_back({"full", name, "relMSE of 99 %", error, "relative", {}, {}});
@@ -73,8 +73,9 @@ void report(const std::string& scene, std::uint32_t samples, const Measured& gat
 }
 
 /// Ways take turns, run by run, so that all meet the same disturbances.
-void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                  StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
+void measureGlobalIllumination(const BenchmarkScene& scene, const Device& device,
+                               const BenchmarkOptions& options, StepCounter& steps, const Progress& progress,
+                               std::vector<BenchmarkResult>& results) {
   const int size = 2 * options.referenceSize;
   const Picture truth = pathTrace(scene, size, options.referenceLongRun, truthSeed, device, progress).picture;
   renderAll(scene, size, sampleCounts[0], 0, device, progress);  // warms up
@@ -90,7 +91,7 @@ void measureScene(const BenchmarkScene& scene, const Device& device, const Bench
     steps.advance();
   }
   for (std::size_t i = 0; i < gathered.size(); ++i)
-    report(scene.name, sampleCounts[i], gathered[i], peer, results);
+    reportGlobalIllumination(scene.name, sampleCounts[i], gathered[i], peer, results);
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ std::vector<BenchmarkResult> runGlobalIlluminationSuite(const Device& device, co
   StepCounter steps(progress, "bench full", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
   for (const char* name : scenes)
-    measureScene(loadBuiltinScene(name), device, options, steps, progress, results);
+    measureGlobalIllumination(loadBuiltinScene(name), device, options, steps, progress, results);
   return results;
 }
 

@@ -9,7 +9,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double radius = 0.5;  // m
 
 /// 0 where the light reflected at angle `a` passes over (x, z) of the unit circle.

@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "benchmarks/caustic_error.h"
+#include "benchmarks/lab/progressive_irradiance.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/photon_grid.h"
 #include "benchmarks/photon_samples.h"
 #include "benchmarks/suites.h"
 #include "benchmarks/take_turns.h"
-#include "benchmarks/lab/progressive_irradiance.h"
 
 namespace prelight::benchmarks {
 
@@ -22,10 +22,10 @@ namespace {
 using device::DensityQuery;
 using device::Photon;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double anywhere = 10.0;  // m: a radius that holds all photons
 constexpr int compared = 50;       // photons of a look-up, of trees and grids
-const char* const thesis = "Larsen 2004";
+const char* const photonPeer = "Larsen 2004";
 
 std::string sizeName(std::uint64_t count) {
   return count >= 1000000 ? fmt::format("{}M", count / 1000000) : fmt::format("{}", count);
@@ -158,7 +158,7 @@ class TreesAgainstGrids {
 void addBeside(const std::string& name, const char* metric, double seconds, std::optional<double> then,
                std::vector<BenchmarkResult>& results) {
   if (then)
-    results.push_back({"photons", name, metric, seconds, "s", thesis, *then / seconds});
+    results.push_back({"photons", name, metric, seconds, "s", photonPeer, *then / seconds});
   else
     results.push_back({"photons", name, metric, seconds, "s", {}, {}});
 }
@@ -184,8 +184,8 @@ void measureMaps(const Device& device, const BenchmarkOptions& options,
 }
 
 /// Table 8.2: one map of a scene or one a region, and an estimate at every photon.
-void measureScene(const Device& device, const BenchmarkOptions& options,
-                  std::vector<BenchmarkResult>& results) {
+void measurePhotons(const Device& device, const BenchmarkOptions& options,
+                    std::vector<BenchmarkResult>& results) {
   const CompiledScene scene = loadBuiltinScene("rooms").compiled;
   for (const bool several : {false, true}) {
     std::mt19937 random(1);
@@ -302,7 +302,7 @@ std::vector<BenchmarkResult> runPhotonsSuite(const Device& device, const Benchma
       }
   measureMaps(device, options, results);
   steps.advance();
-  measureScene(device, options, results);
+  measurePhotons(device, options, results);
   steps.advance();
   measureSmallMaps(device, options, results);
   steps.advance();

@@ -7,7 +7,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double aroundDistance = 0.7;     // of the bounds' diagonal
 constexpr double insideDistance = 0.02;    // the least to a surface, of the diagonal
 constexpr std::size_t feelers = 64;        // rays that tell what surrounds a point

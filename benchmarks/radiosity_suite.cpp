@@ -4,16 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "benchmarks/lab/hemicube.h"
 #include "benchmarks/measure.h"
 #include "benchmarks/suites.h"
-#include "benchmarks/lab/hemicube.h"
 #include "radiosity/radiosity.h"
 
 namespace prelight::benchmarks {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void add(std::vector<BenchmarkResult>& results, const std::string& name, const char* metric, double value,
          const char* unit) {
@@ -148,8 +148,8 @@ void measureSolvers(const std::string& name, Radiosity& radiosity, const Radiosi
   }
 }
 
-void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                  Progress& outer, std::vector<BenchmarkResult>& results) {
+void measureRadiosity(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                      Progress& outer, std::vector<BenchmarkResult>& results) {
   StopOnly progress(outer);
   Tracer tracer(scene.compiled, device);
   RadiosityOptions shape;
@@ -177,7 +177,7 @@ std::vector<BenchmarkResult> runRadiositySuite(const Device& device, const Bench
   StepCounter steps(progress, "radiosity", 2 + options.radiosityScenes.size());
   measureFormFactors(device, options, steps, results);
   for (const std::string& name : options.radiosityScenes) {
-    measureScene(loadBuiltinScene(name), device, options, progress, results);
+    measureRadiosity(loadBuiltinScene(name), device, options, progress, results);
     steps.advance();
   }
   return results;

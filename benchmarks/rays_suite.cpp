@@ -11,7 +11,7 @@ namespace {
 
 using device::Ray;
 
-constexpr std::uint32_t raysPerReceiver = 256;
+constexpr std::uint32_t raysRaysPerReceiver = 256;
 constexpr float reach = 0.5f;  // metres, of rays of limited length
 
 /// A kind of rays, made when its turn comes: all at once would not fit into small memories.
@@ -23,7 +23,7 @@ struct Recipe {
 
 std::vector<Recipe> recipes(const BenchmarkScene& scene, Tracer& tracer, std::uint64_t count) {
   const auto bake = [&scene, &tracer, count] {
-    return bakeLaunches(scene.compiled, tracer.context(), count, raysPerReceiver);
+    return bakeLaunches(scene.compiled, tracer.context(), count, raysRaysPerReceiver);
   };
   return {{"bake-order", false, bake},
           {"random", false, [bake] { return shuffled(bake()); }},

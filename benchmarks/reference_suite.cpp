@@ -63,7 +63,8 @@ struct QualityPoint {
   double mean(double sum) const { return sum / static_cast<double>(seconds.size()); }
 };
 
-void report(const std::string& scene, const QualityPoint& point, std::vector<BenchmarkResult>& results) {
+void reportReference(const std::string& scene, const QualityPoint& point,
+                     std::vector<BenchmarkResult>& results) {
   const std::string name = fmt::format("{}/{} samples", scene, point.samples);
   results.push_back({"reference", name, "time", median(point.seconds), "s", {}, {}});
   results.push_back({"reference", name, "relMSE", point.mean(point.relativeSquares), "relative", {}, {}});
@@ -80,8 +81,8 @@ void report(const std::string& scene, const QualityPoint& point, std::vector<Ben
 }
 
 /// Numbers of samples take turns, run by run, so that all meet the same disturbances.
-void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                  StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
+void measureReference(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                      StepCounter& steps, const Progress& progress, std::vector<BenchmarkResult>& results) {
   const int size = options.referenceSize;
   const TimedPicture truth = pathTrace(scene, size, options.referenceLongRun, longRunSeed, device, progress);
   const std::string name = fmt::format("{}/long run of {} samples", scene.name, options.referenceLongRun);
@@ -97,7 +98,7 @@ void measureScene(const BenchmarkScene& scene, const Device& device, const Bench
       point.add(pathTrace(scene, size, point.samples, seed, device, progress), truth.picture);
     steps.advance();
   }
-  for (const QualityPoint& point : points) report(scene.name, point, results);
+  for (const QualityPoint& point : points) reportReference(scene.name, point, results);
 }
 
 }  // namespace
@@ -108,7 +109,7 @@ std::vector<BenchmarkResult> runReferenceSuite(const Device& device, const Bench
   StepCounter steps(progress, "bench reference", scenes.size() * static_cast<std::size_t>(options.runs + 1));
   std::vector<BenchmarkResult> results;
   for (const char* name : scenes)
-    measureScene(loadBuiltinScene(name), device, options, steps, progress, results);
+    measureReference(loadBuiltinScene(name), device, options, steps, progress, results);
   return results;
 }
 

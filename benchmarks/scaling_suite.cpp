@@ -9,7 +9,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-constexpr std::uint32_t raysPerReceiver = 256;
+constexpr std::uint32_t scalingRaysPerReceiver = 256;
 constexpr std::uint64_t largeScene = 2000000;  // from here on a tree is built once: it takes seconds
 
 /// Most memory that this process has held so far, bytes.
@@ -36,7 +36,8 @@ std::vector<BenchmarkResult> runScalingSuite(const Device& device, const Benchma
     const std::vector<PeerTree> trees = makePeerTrees(scene.compiled, quality, device.info());
     const RayComparison how{.rounds = options.rayRounds, .packets = false};
     RayCase rays{"bake-order " + scene.name,
-                 bakeLaunches(scene.compiled, device.context(), options.rayCount, raysPerReceiver), false};
+                 bakeLaunches(scene.compiled, device.context(), options.rayCount, scalingRaysPerReceiver),
+                 false};
     compareRays("scaling", rays, scene.compiled, tracer, trees, how, progress, results);
     steps.advance();
     rays = {"random " + scene.name, shuffled(std::move(rays.rays)), false};

@@ -11,7 +11,7 @@ namespace prelight::benchmarks {
 namespace {
 
 constexpr std::uint64_t countedRays = 1u << 16;
-constexpr std::uint32_t raysPerReceiver = 64;
+constexpr std::uint32_t treesRaysPerReceiver = 64;
 
 struct Quality {
   BuildQuality quality;
@@ -37,7 +37,7 @@ void addTree(const std::string& name, const BvhReport& tree, const TreeCounts& s
 void measureTrees(const BenchmarkScene& scene, const Device& device, int runs,
                   std::vector<BenchmarkResult>& results) {
   const std::vector<device::Ray> rays =
-      bakeRays(scene.compiled, device.context(), countedRays, raysPerReceiver);
+      bakeRays(scene.compiled, device.context(), countedRays, treesRaysPerReceiver);
   for (const Quality& quality : qualities) {
     BinaryBvh tree;
     std::vector<double> seconds;

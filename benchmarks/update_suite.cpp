@@ -22,7 +22,7 @@ namespace prelight::benchmarks {
 
 namespace {
 
-const char* const thesis = "Larsen 2004";
+const char* const thesisPeer = "Larsen 2004";
 constexpr double thesisFrame = 1.0 / 35.0;  // s, of which drawing is a part there
 constexpr int drawnEvery = 8;               // frames: OpenGL may well be software
 constexpr int mostFrames = 2000;            // until light has settled
@@ -91,7 +91,7 @@ class UpdateSuite {
  private:
   void add(const std::string& case_, const std::string& metric, double value, const char* unit,
            double peer = 0.0) {
-    results_.push_back({"update", case_, metric, value, unit, peer > 0.0 ? thesis : "",
+    results_.push_back({"update", case_, metric, value, unit, peer > 0.0 ? thesisPeer : "",
                         peer > 0.0 ? std::optional<double>(peer / value) : std::nullopt});
   }
 

@@ -100,8 +100,8 @@ class Trial {
   double unshadowed_ = 0.0;
 };
 
-void measureScene(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
-                  const Progress& progress, std::vector<BenchmarkResult>& results) {
+void measureOccluders(const BenchmarkScene& scene, const Device& device, const BenchmarkOptions& options,
+                      const Progress& progress, std::vector<BenchmarkResult>& results) {
   Tracer tracer(scene.compiled, device);
   const std::array<std::vector<glm::dvec3>, 2> lights = {
       lightsAround(scene.compiled, options.voLights), lightsInside(scene.compiled, tracer, options.voLights)};
@@ -130,7 +130,7 @@ std::vector<BenchmarkResult> runVoSuite(const Device& device, const BenchmarkOpt
   StepCounter steps(progress, "bench vo", options.voScenes.size() + 2);
   std::vector<BenchmarkResult> results;
   for (const std::string& name : options.voScenes) {
-    measureScene(loadBuiltinScene(name), device, options, progress, results);
+    measureOccluders(loadBuiltinScene(name), device, options, progress, results);
     steps.advance();
   }
   measureOccluderBake(device, options, progress, results);

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "basis/cube_rotation.h"
-#include "benchmarks/lab/haar_rotation.h"
 #include "benchmarks/flicker.h"
+#include "benchmarks/lab/haar_rotation.h"
 
 namespace prelight::benchmarks {
 
@@ -72,7 +72,7 @@ std::map<std::string, Choice> choices(const WaveletScene& scene, const Turn& tur
   };
 }
 
-void report(const std::string& name, const FlickerMeter& meter, std::vector<BenchmarkResult>& results) {
+void reportTurns(const std::string& name, const FlickerMeter& meter, std::vector<BenchmarkResult>& results) {
   const auto add = [&](const char* metric, double value, const char* unit) {
     results.push_back({"wavelets", name, metric, value, unit, {}, {}});
   };
@@ -104,7 +104,7 @@ void measureWaveletRotation(const WaveletScene& scene, const std::vector<NamedLi
   for (const auto& [key, meter] : meters) {
     const std::string name = fmt::format("turn/{}/{}/wavelet basis, columns to {:g} %",
                                          lights[key.first].name, key.second, 100.0 * columnError);
-    report(name, meter, results);
+    reportTurns(name, meter, results);
   }
 }
 
@@ -144,7 +144,7 @@ void measureTurns(const WaveletScene& scene, const std::vector<NamedLight>& ligh
     for (int f = 0; f < options.waveletFrames; ++f) {
       allByPoint.add(haar::relight(scene.transfer, turn.byPoint[f]), turn.exact[f], scene.texels.count());
     }
-    report(fmt::format("turn/{}/all/point", light.name), allByPoint, results);
+    reportTurns(fmt::format("turn/{}/all/point", light.name), allByPoint, results);
     for (const std::size_t count : options.waveletCounts) {
       for (const auto& [name, choose] : choices(scene, turn, count)) {
         FlickerMeter meter;
@@ -152,7 +152,7 @@ void measureTurns(const WaveletScene& scene, const std::vector<NamedLight>& ligh
           const haar::SparseLight part = choose(f);
           meter.add(scene.relight(part), turn.exact[f], part.indices.size());
         }
-        report(fmt::format("turn/{}/{}/{}", light.name, count, name), meter, results);
+        reportTurns(fmt::format("turn/{}/{}/{}", light.name, count, name), meter, results);
         progress.check();
       }
     }

@@ -10,7 +10,7 @@
 /// Scenes whose light is known in closed form.
 namespace prelight::benchmarks::stability {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A Lambertian material.
 Material matte(double albedo, double emission = 0.0);

@@ -52,9 +52,10 @@ BuildQuality qualityFor(const CompiledScene& scene, const BakeRequest& request) 
 }
 
 /// The techniques of a bake and the cast that they share, from the first ray to the last.
-class BakeRun {
+class ProjectorsRun {
  public:
-  explicit BakeRun(const BakeContext& context) : context_(context), projectors_(makeProjectors(context)) {
+  explicit ProjectorsRun(const BakeContext& context)
+      : context_(context), projectors_(makeProjectors(context)) {
     if (!context.request.castsReceivers()) return;
     CastNeeds needs;
     for (const auto& projector : projectors_) projector->addNeeds(needs);
@@ -107,7 +108,7 @@ class BakeRun {
 };
 
 /// Runs, saving what is done now and then and at the end of a run that is interrupted.
-Bake runSaving(BakeRun& run, Progress& progress, BakeCheckpoint* checkpoint) {
+Bake runSaving(ProjectorsRun& run, Progress& progress, BakeCheckpoint* checkpoint) {
   if (checkpoint == nullptr) return run.run(progress);
   SavingProgress saving(progress, checkpoint->interval(), [&] { run.save(*checkpoint); });
   try {
@@ -140,7 +141,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);
   const BakeContext context{scene, source, charts,     request, plan,  device, mesh,
                             sets,  tracer, setTracers, start,   clock, report};
-  BakeRun run(context);
+  ProjectorsRun run(context);
   run.prepare(saved, progress);
   saved.reset();
   Bake bake = runSaving(run, progress, checkpoint);

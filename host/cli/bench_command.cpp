@@ -11,6 +11,7 @@
 #include "benchmarks/suite.h"
 #include "cli/commands.h"
 #include "cli/output_file.h"
+#include "cli/run_program.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "prelight/error.h"
@@ -159,8 +160,6 @@ std::string suitesText() {
   return text;
 }
 
-}  // namespace
-
 void addBenchCommand(CLI::App& program, Context& context) {
   const auto command = std::make_shared<BenchCommand>();
   CLI::App* app = program.add_subcommand("bench", "Measure speed and error on built-in scenes");
@@ -204,4 +203,9 @@ void addBenchCommand(CLI::App& program, Context& context) {
   });
 }
 
+}  // namespace
 }  // namespace prelight::cli
+
+int main(int argumentCount, char** arguments) {
+  return prelight::cli::runProgram(argumentCount, arguments, prelight::cli::addBenchCommand);
+}

@@ -4,7 +4,7 @@
 
 #include "cli/context.h"
 
-/// Each function adds one command to the program. The command runs when parsing succeeds; it reports failure
+/// Each function adds one command to the program; the programs themselves add `bench`. The command runs when parsing succeeds; it reports failure
 /// by throwing. `context` must outlive the parse.
 namespace prelight::cli {
 
@@ -15,7 +15,6 @@ void addViewCommand(CLI::App& program, Context& context);
 void addInfoCommand(CLI::App& program, Context& context);
 void addSceneCommand(CLI::App& program, Context& context);
 void addDevicesCommand(CLI::App& program, Context& context);
-void addBenchCommand(CLI::App& program, Context& context);
 void addCompareCommand(CLI::App& program, Context& context);
 
 }  // namespace prelight::cli

@@ -1,20 +1,21 @@
-# prelight_unity(TARGET): with PRELIGHT_UNITY, the target's sources are compiled in batches of whole rooms. Headers take
-# four fifths of the time that a source takes by itself, and a batch reads them once.
+# prelight_unity(TARGET [SIZE]): with PRELIGHT_UNITY, the target's sources are compiled in batches of whole rooms, of SIZE
+# (24) sources at most. Headers take four fifths of the time that a source takes by itself, and a batch reads them once.
 function(prelight_unity target)
+  set(size 24)
+  if(ARGC GREATER 1)
+    set(size ${ARGV1})
+  endif()
   if(PRELIGHT_UNITY AND NOT PRELIGHT_COVERAGE)  # coverage compiles single files with options of their own
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     # A local name may be that of another source's constant. Builds without PRELIGHT_UNITY warn of shadowing.
     target_compile_options(${target} PRIVATE -Wno-shadow)
     # Once all rooms have added their sources. What is deferred sees variables as they are then: the name goes in now.
-    cmake_language(EVAL CODE "cmake_language(DEFER CALL prelight_batch_rooms ${target})")
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL prelight_batch_rooms ${target} ${size})")
   endif()
 endfunction()
 
-set(PRELIGHT_BATCH_SIZE 16)
-
-# Small rooms share a batch. A large one has batches of its own, and so has a room within a room, such as a technique or
-# an encoding: each of them calls its parts by the same names.
-function(prelight_batch_rooms target)
+# Small rooms share a batch, a large one has batches of its own.
+function(prelight_batch_rooms target size)
   get_target_property(sources ${target} SOURCES)
   get_target_property(base ${target} SOURCE_DIR)
   set(rooms)
@@ -32,12 +33,10 @@ function(prelight_batch_rooms target)
   set(shared)
   foreach(room ${rooms})
     list(LENGTH sources_of_${room} count)
-    list(LENGTH shared size)
-    math(EXPR joined "${size} + ${count}")
-    if(room MATCHES "/.+/")
-      prelight_add_batches(${target} ${room} ${sources_of_${room}})
-    elseif(joined GREATER PRELIGHT_BATCH_SIZE)
-      prelight_add_batches(${target} "${name}" ${shared})
+    list(LENGTH shared joined)
+    math(EXPR joined "${joined} + ${count}")
+    if(joined GREATER size)
+      prelight_add_batches(${target} "${name}" ${size} ${shared})
       set(name ${room})
       set(shared ${sources_of_${room}})
     else()
@@ -47,14 +46,14 @@ function(prelight_batch_rooms target)
       list(APPEND shared ${sources_of_${room}})
     endif()
   endforeach()
-  prelight_add_batches(${target} "${name}" ${shared})
+  prelight_add_batches(${target} "${name}" ${size} ${shared})
 endfunction()
 
 # Deals the sources out to as few batches of about the same size as there may be.
-function(prelight_add_batches target name)
+function(prelight_add_batches target name size)
   list(LENGTH ARGN count)
   string(REPLACE / _ name "${name}")
-  math(EXPR batches "(${count} + ${PRELIGHT_BATCH_SIZE} - 1) / ${PRELIGHT_BATCH_SIZE}")
+  math(EXPR batches "(${count} + ${size} - 1) / ${size}")
   set(begin 0)
   while(begin LESS count)
     math(EXPR share "(${count} - ${begin} + ${batches} - 1) / ${batches}")

@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* magic = "PRELIGHT-KERNEL-1";
+constexpr const char* binaryMagic = "PRELIGHT-KERNEL-1";
 
 /// First line of an entry: what the payload must be.
 std::string headerOf(const std::string& key, const std::string& payload) {
-  return fmt::format("{} {} {} {}\n", magic, key, payload.size(), sha256(payload));
+  return fmt::format("{} {} {} {}\n", binaryMagic, key, payload.size(), sha256(payload));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "fit/normal_equations.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/parallel.h"
+#include "fit/symmetric_solve.h"
 
 namespace prelight {
 
@@ -35,8 +35,8 @@ double totalWeight(const TriangleMass& m) {
   return double(m[0]) + m[1] + m[2] + 2.0 * (double(m[3]) + m[4] + m[5]);
 }
 
-NormalEquations::NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass,
-                                 double lambda, std::span<const double> stiffness)
+NormalEquations::NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass, double lambda,
+                                 std::span<const double> stiffness)
     : mesh_(mesh) {
   const std::vector<double> scale = evenDiagonal(mesh, mass);
   numberRows(scale);
@@ -212,6 +212,21 @@ glm::dvec4 NormalEquations::rightSideOfLinear(std::uint32_t row) const {
   return sum;
 }
 
+// Those of 1, x, y and z relative to `row`'s slot, and of that row alone; [rows][rowSides].
+std::vector<double> NormalEquations::rightSidesOfRow(const std::vector<std::uint32_t>& rows,
+                                                     std::uint32_t row) const {
+  const glm::dvec3 p = mesh_.positions[slots_[row]];
+  std::vector<double> right;
+  right.reserve(rows.size() * rowSides);
+  for (const std::uint32_t r : rows) {
+    const glm::dvec4 linear = rightSideOfLinear(r);
+    // Around the slot, so that far from the origin nothing cancels.
+    right.insert(right.end(), {linear[0], linear[1] - p.x * linear[0], linear[2] - p.y * linear[0],
+                               linear[3] - p.z * linear[0], r == row ? 1.0 : 0.0});
+  }
+  return right;
+}
+
 std::vector<SlotWeight> NormalEquations::inverseRow(std::uint32_t slot) const {
   return rowOfSlot_[slot] != noRow ? sampledRow(rowOfSlot_[slot]) : meanOfNeighbours(slot);
 }
@@ -236,32 +251,28 @@ std::vector<SlotWeight> NormalEquations::meanOfNeighbours(std::uint32_t slot) co
 // (z + A^-1 B c) = (1, x, y, z) of the slot.
 std::vector<SlotWeight> NormalEquations::sampledRow(std::uint32_t row) const {
   const std::vector<std::uint32_t> rows = around(row);
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  const std::vector<double> block = denseBlock(rows);
-  Eigen::MatrixXd right(n, 5);
-  right.col(4).setZero();
-  right(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin(), 4) = 1.0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const glm::dvec4 linear = rightSideOfLinear(rows[static_cast<std::size_t>(i)]);
-    for (int k = 0; k < 4; ++k) right(i, k) = linear[k];
-  }
-  const glm::vec3 p = mesh_.positions[slots_[row]];
-  // Around the slot, so that far from the origin nothing cancels.
-  for (int axis = 0; axis < 3; ++axis) right.col(1 + axis) -= double(p[axis]) * right.col(0);
-  const Eigen::MatrixXd solved = Eigen::Map<const Eigen::MatrixXd>(block.data(), n, n).ldlt().solve(right);
-  const Eigen::Vector4d got = right.leftCols<4>().transpose() * solved.col(4);
+  const std::vector<double> right = rightSidesOfRow(rows, row);
+  std::vector<double> solved = right;
+  SymmetricFactors(denseBlock(rows), 0.0).solve(solved, rowSides);
+  std::array<double, 4> lacking = {1.0, 0.0, 0.0, 0.0};
+  std::vector<double> gram(16, 0.0);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      lacking[k] -= right[i * rowSides + k] * solved[i * rowSides + 4];
+      for (std::size_t l = 0; l < 4; ++l)
+        gram[k * 4 + l] += right[i * rowSides + k] * solved[i * rowSides + l];
+    }
   // Weights that nearly cancel belong to a slot that no sample determines.
-  if (!(got[0] > 1e-3)) return {};
-  const Eigen::Matrix4d gram = right.leftCols<4>().transpose() * solved.leftCols<4>();
-  const Eigen::Vector4d lacking = Eigen::Vector4d(1.0, 0.0, 0.0, 0.0) - got;
+  if (!(lacking[0] < 1.0 - 1e-3)) return {};
   // On a plane one direction has nothing to it.
-  const Eigen::Vector4d c = gram.completeOrthogonalDecomposition().solve(lacking);
-  const Eigen::VectorXd inverse = solved.col(4) + solved.leftCols<4>() * c;
+  SymmetricFactors(std::move(gram), 4.0 * std::numeric_limits<double>::epsilon()).solve(lacking, 1);
   std::vector<SlotWeight> weights;
-  if (!inverse.allFinite()) return weights;
-  // Right-hand sides come unscaled.
-  for (Eigen::Index i = 0; i < n; ++i)
-    weights.push_back({slots_[rows[static_cast<std::size_t>(i)]], factors_[row] * inverse[i]});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    double inverse = solved[i * rowSides + 4];
+    for (std::size_t k = 0; k < 4; ++k) inverse += solved[i * rowSides + k] * lacking[k];
+    if (!std::isfinite(inverse)) return {};
+    weights.push_back({slots_[rows[i]], factors_[row] * inverse});  // right-hand sides come unscaled
+  }
   return weights;
 }
 

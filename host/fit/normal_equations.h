@@ -78,6 +78,8 @@ class NormalEquations {
     float weight = 0.0f;  ///< of the Laplacian, symmetric
   };
 
+  static constexpr std::size_t rowSides = 5;  ///< right-hand sides that a row of the inverse takes
+
   struct EdgeSums {
     double value = 0.0, weight = 0.0;
   };
@@ -90,6 +92,7 @@ class NormalEquations {
   std::vector<SlotWeight> sampledRow(std::uint32_t row) const;
   std::vector<SlotWeight> meanOfNeighbours(std::uint32_t slot) const;
   glm::dvec4 rightSideOfLinear(std::uint32_t row) const;
+  std::vector<double> rightSidesOfRow(const std::vector<std::uint32_t>& rows, std::uint32_t row) const;
   std::vector<std::uint32_t> around(std::uint32_t row) const;
   std::vector<double> denseBlock(const std::vector<std::uint32_t>& rows) const;
 
@@ -125,8 +128,7 @@ void NormalEquations::applyRow(std::size_t row, const float* x, const float* ben
   for (std::uint32_t e = start_[row]; e < start_[row + 1]; ++e) {
     const Edge edge = edges_[e];
     const std::size_t other = std::size_t{edge.row} * W;
-    for (std::size_t c = 0; c < W; ++c)
-      sum[c] += edge.value * x[other + c] - edge.weight * bend[other + c];
+    for (std::size_t c = 0; c < W; ++c) sum[c] += edge.value * x[other + c] - edge.weight * bend[other + c];
   }
   for (std::size_t c = 0; c < W; ++c) image[row * W + c] = sum[c];
 }

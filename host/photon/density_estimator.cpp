@@ -16,7 +16,7 @@ namespace {
 using namespace device;
 
 constexpr int mostNearest = 4096;
-constexpr std::size_t groupSize = 16;  // private memory of k distances a work-item
+constexpr std::size_t densityGroup = 16;  // private memory of k distances a work-item
 constexpr std::size_t queriesPerLaunch = 1u << 18;
 
 void check(const DensityOptions& options) {
@@ -88,7 +88,7 @@ void DensityEstimator::launch(Estimate& kernel, const Buffer<DensityQuery>& quer
                               Buffer<float>& values) {
   values_.queryCount = static_cast<std::uint32_t>(count);
   parameters_.write(std::span<const DensityParameters>(&values_, 1));
-  kernel.launch({count, groupSize}, parameters_, lines_, queries, values);
+  kernel.launch({count, densityGroup}, parameters_, lines_, queries, values);
 }
 
 DensityEstimator::Estimate& DensityEstimator::estimateKernel() {

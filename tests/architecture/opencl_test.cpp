@@ -13,8 +13,8 @@ namespace {
 using test::filesBelow;
 using test::textOf;
 
-constexpr std::size_t mostParameters = 12;
-constexpr std::size_t mostLines = 60;
+constexpr std::size_t mostKernelParameters = 12;
+constexpr std::size_t mostKernelLines = 60;
 
 /// Comments and lines for the preprocessor are blank, so that braces and commas are the code's alone; lines
 /// stay where they are.
@@ -23,7 +23,7 @@ std::string codeOf(const std::string& text) {
   return std::regex_replace(code, std::regex("(^|\n)[ \t]*#[^\n]*"), "$1");
 }
 
-struct Function {
+struct DeviceFunction {
   std::string name;
   std::size_t parameters = 0;
   std::size_t lines = 0;  ///< from its name's to that of its closing brace
@@ -41,10 +41,10 @@ std::size_t endOfBody(const std::string& code, std::size_t at) {
 }
 
 /// Functions that OpenCL C defines. Its parameters hold no parentheses.
-std::vector<Function> functionsOf(const std::string& text) {
+std::vector<DeviceFunction> deviceFunctionsOf(const std::string& text) {
   const std::string code = codeOf(text);
   const std::regex head(R"((\w+)\s*\(([^(){};]*)\)\s*\{)");
-  std::vector<Function> functions;
+  std::vector<DeviceFunction> functions;
   std::smatch match;
   for (auto at = code.begin(); std::regex_search(at, code.end(), match, head);) {
     const auto begin = static_cast<std::size_t>(match[0].first - code.begin());
@@ -70,7 +70,7 @@ std::vector<std::string> kernelFiles() {
 }
 
 TEST(OpenCl, FunctionsOfAText_AreFoundWithTheirLengths) {
-  const std::vector<Function> functions = functionsOf(
+  const std::vector<DeviceFunction> functions = deviceFunctionsOf(
       "#define TWICE(x) { x, x }\n"
       "float4 sum(float4 a, // the first, and {\n"
       "           float4 b) {\n"
@@ -93,14 +93,14 @@ TEST(OpenCl, FunctionsOfAText_AreFoundWithTheirLengths) {
 /// What travels together is a struct or a buffer: a longer list is read by nobody.
 TEST(OpenCl, ParametersOfKernelsAndFunctions_AreTwelveAtMost) {
   for (const std::string& file : kernelFiles())
-    for (const Function& function : functionsOf(textOf(file)))
-      EXPECT_LE(function.parameters, mostParameters) << file << ": " << function.name;
+    for (const DeviceFunction& function : deviceFunctionsOf(textOf(file)))
+      EXPECT_LE(function.parameters, mostKernelParameters) << file << ": " << function.name;
 }
 
 TEST(OpenCl, KernelsAndFunctions_AreSixtyLinesLongAtMost) {
   for (const std::string& file : kernelFiles())
-    for (const Function& function : functionsOf(textOf(file)))
-      EXPECT_LE(function.lines, mostLines) << file << ": " << function.name;
+    for (const DeviceFunction& function : deviceFunctionsOf(textOf(file)))
+      EXPECT_LE(function.lines, mostKernelLines) << file << ": " << function.name;
 }
 
 /// A kernel's arguments have types everywhere else.

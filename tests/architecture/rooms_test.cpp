@@ -41,7 +41,7 @@ std::vector<std::string> writtenIncludes(const std::string& file, const char* fo
 
 /// Includes of the project's own files, which are written relative to host/, host/include/, kernels/ or the
 /// root.
-std::vector<Include> includesOf(const std::string& file) {
+std::vector<Include> placedIncludesOf(const std::string& file) {
   std::vector<Include> includes;
   for (const std::string& included : writtenIncludes(file, "^#include \"([^\"]+)\"")) {
     for (const char* base : {"host/", "host/include/", "kernels/", ""}) {
@@ -60,7 +60,7 @@ using Graph =
 Graph graphBelow(const std::string& folder) {
   Graph graph;
   for (const std::string& file : sourcesBelow(folder)) {
-    for (const Include& include : includesOf(file)) {
+    for (const Include& include : placedIncludesOf(file)) {
       const std::string from = roomOf(file), to = roomOf(include.included);
       if (from != to && to.starts_with(folder + "/")) graph[from].emplace(to, include);
     }
@@ -123,7 +123,7 @@ TEST(Rooms, CycleOfThree_IsFound) {
 TEST(Rooms, HostButTheProgram_IncludesNeitherViewerNorBenchmarks) {
   for (const std::string& file : sourcesBelow("host")) {
     if (file.starts_with("host/cli/")) continue;
-    for (const Include& include : includesOf(file))
+    for (const Include& include : placedIncludesOf(file))
       EXPECT_TRUE(include.included.starts_with("host/") || include.included.starts_with("kernels/shared/"))
           << file << " includes " << include.included;
   }
@@ -133,7 +133,7 @@ TEST(Rooms, NothingOutsideTheProgram_IncludesIt) {
   for (const char* top : {"host", "viewer", "benchmarks"}) {
     for (const std::string& file : sourcesBelow(top)) {
       if (file.starts_with("host/cli/")) continue;
-      for (const Include& include : includesOf(file))
+      for (const Include& include : placedIncludesOf(file))
         EXPECT_FALSE(include.included.starts_with("host/cli/")) << file << " includes " << include.included;
     }
   }
@@ -155,7 +155,7 @@ TEST(Rooms, Oracle_KnowsDataAlone) {
       "host/include/prelight", "host/base",  "host/images", "host/scene", "host/basis",
       "host/transfer",         "host/oracle"};
   for (const std::string& file : sourcesBelow("host/oracle"))
-    for (const Include& include : includesOf(file))
+    for (const Include& include : placedIncludesOf(file))
       EXPECT_TRUE(allowed.count(roomOf(include.included)) > 0) << file << " includes " << include.included;
 }
 

@@ -10,17 +10,17 @@
 namespace prelight {
 namespace {
 
-struct Result {
+struct InstancesBake {
   Bake bake;
   BakeReport report;
 };
 
 /// Whatever the plan would choose for so few triangles.
-Result bakeWith(const Scene& source, const CompiledScene& scene, const BakeRequest& request, bool instances) {
+InstancesBake bakeWith(const Scene& source, const CompiledScene& scene, const BakeRequest& request, bool instances) {
   Plan plan = makePlan(source, scene, request);
   for (PlannedPass& pass : plan.passes)
     if (pass.pass == Pass::Instances) pass.runs = instances;
-  Result result;
+  InstancesBake result;
   Progress progress;
   result.bake = bakeScene(scene, request, plan, test::sharedDevice(), progress, result.report);
   return result;
@@ -51,7 +51,7 @@ TEST(BakeInstances, ResultsAreThoseOfOneTree) {
   request.sh.order = 2;
   request.bounces = 1;
   request.effort.rays = 64;
-  const Result shared = bakeWith(source, scene, request, true), flat = bakeWith(source, scene, request, false);
+  const InstancesBake shared = bakeWith(source, scene, request, true), flat = bakeWith(source, scene, request, false);
   EXPECT_LT(3 * shared.report.bytesBvh, flat.report.bytesBvh);
   // A few rays in a hundred thousand pass an edge on the other side of it.
   EXPECT_LT(apart(shared.bake.ao, flat.bake.ao), 1e-3);

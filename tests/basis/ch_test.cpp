@@ -14,7 +14,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double sum(const std::vector<double>& a, const std::vector<double>& b) {
   double total = 0.0;

@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double degree = pi / 180.0;
 
 const std::vector<glm::dvec3> directions = {{0.0, 0.0, 1.0},

@@ -15,7 +15,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<glm::dvec3> randomDirections(int count) {
   std::mt19937 random(5);

@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double sum(const std::vector<TexelOverlap>& overlaps) {
   double total = 0.0;

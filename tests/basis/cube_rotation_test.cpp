@@ -30,7 +30,7 @@ CubeMap sample(int faceSize, F f) {
   return map;
 }
 
-double flux(const CubeMap& map) {
+double redFlux(const CubeMap& map) {
   const CubeTexels texels(map.faceSize);
   double sum = 0.0;
   for (std::uint32_t i = 0; i < texels.count(); ++i) sum += texels.solidAngle(i) * map.radiance[i].x;
@@ -79,9 +79,9 @@ TEST(CubeRotation, ByArea_KeepsTheFluxOfASmallSunAndByPointDoesNot) {
   double worstPoint = 0.0;
   for (const double angle : {0.1, 0.5, 1.0, 2.0}) {
     const glm::dmat3 rotation = turnY(angle) * turnX(0.4);
-    EXPECT_NEAR(flux(rotateByArea(rotation, size).apply(sun)) / flux(sun), 1.0, 1e-6) << angle;
-    worstPoint =
-        std::max(worstPoint, std::abs(flux(rotateByPoint(rotation, size).apply(sun)) / flux(sun) - 1.0));
+    EXPECT_NEAR(redFlux(rotateByArea(rotation, size).apply(sun)) / redFlux(sun), 1.0, 1e-6) << angle;
+    worstPoint = std::max(worstPoint,
+                          std::abs(redFlux(rotateByPoint(rotation, size).apply(sun)) / redFlux(sun) - 1.0));
   }
   EXPECT_GT(worstPoint, 0.02);
 }

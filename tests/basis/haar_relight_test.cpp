@@ -7,18 +7,19 @@
 #include <numbers>
 
 #include "basis/cube_light.h"
-#include "benchmarks/lab/haar_rotation.h"
 #include "basis/random_occluders.h"
+#include "benchmarks/lab/haar_rotation.h"
 #include "relight/haar_model.h"
 
 namespace prelight {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double degreeOfArc = std::numbers::pi / 180.0;
 
 CubeMap skyWithSun(int faceSize) {
   CubeMap map = gradientSky(faceSize);
-  addDisk(map, glm::normalize(glm::dvec3(0.5, 0.7, 0.3)), 1.5 * degree, glm::vec3(1500.0f, 1400.0f, 1200.0f));
+  addDisk(map, glm::normalize(glm::dvec3(0.5, 0.7, 0.3)), 1.5 * degreeOfArc,
+          glm::vec3(1500.0f, 1400.0f, 1200.0f));
   return map;
 }
 
@@ -208,7 +209,7 @@ TEST(HaarModel, OfManyRowsInThreeChannels_KnowsThemAll) {
   }
 }
 
-glm::dmat3 turnY(double angle) {
+glm::dmat3 turnAroundY(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {{c, 0.0, -s}, {0.0, 1.0, 0.0}, {s, 0.0, c}};
 }
@@ -217,7 +218,7 @@ TEST(WaveletRotation, WithWholeColumns_IsTheTransformOfTheRotatedTexels) {
   constexpr int size = 16;
   const CubeMap map = skyWithSun(size);
   const std::vector<float> light = haar::transformLight(map);
-  const glm::dmat3 rotation = turnY(0.3);
+  const glm::dmat3 rotation = turnAroundY(0.3);
   haar::WaveletRotation wavelets(rotation, size, 0.0);
   const std::vector<float> ones(cubeTexelCount(size), 1.0f);
   const haar::SparseLight rotated = wavelets.rotate(haar::selectLight(light, ones, ones.size()));
@@ -233,7 +234,7 @@ TEST(WaveletRotation, WithWholeColumns_IsTheTransformOfTheRotatedTexels) {
 
 TEST(WaveletRotation, WithSparserColumns_StaysWithinTheirError) {
   constexpr int size = 32;
-  haar::WaveletRotation whole(turnY(0.2), size, 0.0), sparse(turnY(0.2), size, 0.05);
+  haar::WaveletRotation whole(turnAroundY(0.2), size, 0.0), sparse(turnAroundY(0.2), size, 0.05);
   for (const std::uint32_t index : {0u, 1u, 16u, 529u, 5000u}) {
     const haar::SparseRow &all = whole.column(index), &few = sparse.column(index);
     EXPECT_LT(few.indices.size(), all.indices.size()) << index;

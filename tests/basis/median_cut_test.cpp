@@ -8,7 +8,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Environment sky(int width, int height, const glm::vec3& radiance) {
   return {width, height, std::vector<glm::vec3>(static_cast<std::size_t>(width * height), radiance)};

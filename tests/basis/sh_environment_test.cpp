@@ -14,7 +14,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <typename Radiance>
 Environment makeSky(int width, int height, Radiance radiance) {

@@ -15,7 +15,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int order = sh::maxOrder;
 constexpr int count = order * order;
 constexpr double y00 = 0.28209479177387814;

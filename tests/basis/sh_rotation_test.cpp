@@ -15,7 +15,7 @@
 namespace prelight {
 namespace {
 
-std::vector<double> randomCoefficients(int order, unsigned seed) {
+std::vector<double> seriesToRotate(int order, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::vector<double> out(sh::coefficientCount(order));
@@ -32,7 +32,7 @@ glm::dmat3 randomRotation(std::mt19937& random) {
   return glm::dmat3(1.0) + 2.0 * q.w * cross + 2.0 * cross * cross;
 }
 
-double worstDifference(const std::vector<double>& a, const std::vector<double>& b) {
+double worstOfSeries(const std::vector<double>& a, const std::vector<double>& b) {
   double worst = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
   return worst;
@@ -56,10 +56,10 @@ TEST(ShRotation, RandomRotations_EveryOrderOfInterest_MatchTheQuadrature) {
   std::mt19937 random(1);
   for (const int order : {1, 2, 3, 6, 14, 32}) {
     const glm::dmat3 rotation = randomRotation(random);
-    const auto f = randomCoefficients(order, order);
+    const auto f = seriesToRotate(order, order);
     std::vector<double> fast(f.size());
     sh::ShRotation(order, rotation).apply(f, fast);
-    EXPECT_LT(worstDifference(fast, sh::rotate(f, order, rotation)), 1e-12) << order;
+    EXPECT_LT(worstOfSeries(fast, sh::rotate(f, order, rotation)), 1e-12) << order;
   }
 }
 
@@ -73,7 +73,7 @@ TEST(ShRotation, AxisAlignedAndMirrored_MatchTheDirections) {
   for (const glm::dmat3& matrix : axisAlignedMatrices()) {
     sh::evaluate(matrix * w, order, expected);
     sh::ShRotation(order, matrix).apply(delta, rotated);
-    EXPECT_LT(worstDifference(rotated, expected), 1e-12);
+    EXPECT_LT(worstOfSeries(rotated, expected), 1e-12);
   }
 }
 
@@ -94,7 +94,7 @@ TEST(ShRotation, AxisAlmostZ_LosesNothing) {
       const glm::dmat3 matrix = turn * lean;
       sh::evaluate(matrix * w, order, expected);
       sh::ShRotation(order, matrix).apply(delta, rotated);
-      EXPECT_LT(worstDifference(rotated, expected), 1e-12) << tilt;
+      EXPECT_LT(worstOfSeries(rotated, expected), 1e-12) << tilt;
     }
   }
 }
@@ -107,14 +107,14 @@ TEST(ShRotation, OfAProjectedFunction_IsTheProjectionOfTheRotatedFunction) {
   const auto turned = [&](const glm::dvec3& w) { return f(glm::transpose(rotation) * w); };
   std::vector<double> rotated(order * order);
   sh::ShRotation(order, rotation).apply(sh::project(f, 60, order), rotated);
-  EXPECT_LT(worstDifference(rotated, sh::project(turned, 60, order)), 1e-12);
+  EXPECT_LT(worstOfSeries(rotated, sh::project(turned, 60, order)), 1e-12);
 }
 
 /// Difference between 1000 rotations one after the other and the rotation by their product.
 template <typename Number>
 double driftAfterThousand(int order) {
   std::mt19937 random(5);
-  auto f = randomCoefficients(order, 6);
+  auto f = seriesToRotate(order, 6);
   double square = 0.0;
   for (const double v : f) square += v * v;
   for (double& v : f) v /= std::sqrt(square);
@@ -141,7 +141,7 @@ TEST(ShRotation, ThousandSuccessive_LargestOrder_DoNotDrift) {
 TEST(ShRotation, ThousandSuccessive_MatricesAndSumsInFloat_DoNotDrift) {
   constexpr int order = sh::maxOrder;
   std::mt19937 random(5);
-  const auto f = randomCoefficients(order, 6);
+  const auto f = seriesToRotate(order, 6);
   std::vector<float> values(f.begin(), f.end());
   glm::dmat3 total(1.0);
   for (int i = 0; i < 1000; ++i) {
@@ -174,7 +174,7 @@ TEST(ShRotation, BandMatrix_IsOrthogonalAndWhatApplyDoes) {
   constexpr int order = 7;
   std::mt19937 random(9);
   const sh::ShRotation rotation(order, randomRotation(random));
-  const auto f = randomCoefficients(order, 1);
+  const auto f = seriesToRotate(order, 1);
   std::vector<double> expected(f.size());
   rotation.apply(f, expected);
   for (int l = 0; l < order; ++l) {
@@ -197,8 +197,8 @@ TEST(ShRotation, SeveralFunctionsAtOnce_AreRotatedEach) {
   constexpr int order = 4;
   std::mt19937 random(2);
   const sh::ShRotation rotation(order, randomRotation(random));
-  const auto f = randomCoefficients(order, 1);
-  const auto g = randomCoefficients(order, 2);
+  const auto f = seriesToRotate(order, 1);
+  const auto g = seriesToRotate(order, 2);
   std::vector<double> both(f);
   both.insert(both.end(), g.begin(), g.end());
   rotation.apply(both, both);
@@ -212,7 +212,7 @@ TEST(ShRotation, OfChCoefficients_RotatesTheFunction) {
   std::mt19937 random(3);
   const glm::dmat3 matrix = randomRotation(random);
   const ch::Basis basis(order);
-  const auto a = randomCoefficients(order, 3);
+  const auto a = seriesToRotate(order, 3);
   std::vector<double> rotated(a.size());
   basis.rotate(sh::ShRotation(order, matrix), a, rotated);
   std::vector<double> values(a.size());

@@ -13,7 +13,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double worstGramError(int order) {
   const int count = sh::coefficientCount(order);

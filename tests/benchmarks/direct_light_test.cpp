@@ -13,7 +13,7 @@
 namespace prelight::benchmarks {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float discRadius = 0.4f, discHeight = 0.5f;
 constexpr double lightHeight = 2.0;
 

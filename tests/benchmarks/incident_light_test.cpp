@@ -14,7 +14,7 @@
 namespace prelight::benchmarks {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double lightHeight = 0.5;  // metres above the ground
 constexpr double intensity = 2.0;    // W/sr
 

@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Light pointLight(const std::string& name, const glm::vec3& intensity, const glm::dvec3& position) {
   Light light;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "charts/layout_places.h"
 #include "charts/make_light_map_layout.h"
 #include "support/scenes.h"
 
@@ -20,19 +21,12 @@ LightMap mapOf(const CompiledScene& scene, double texelSize) {
   return map;
 }
 
-glm::dvec3 positionOf(const CompiledScene& scene, const LightMapTexel& texel) {
-  const auto& t = scene.triangles[texel.face % scene.triangleCount()];
-  return (1.0 - double(texel.b1) - double(texel.b2)) * glm::dvec3(scene.positions[t.x]) +
-         double(texel.b1) * glm::dvec3(scene.positions[t.y]) +
-         double(texel.b2) * glm::dvec3(scene.positions[t.z]);
-}
-
 /// A value a place, with noise that differs texel by texel.
 void fill(const CompiledScene& scene, double noise, LightMap& map) {
   std::mt19937 random(2);
   std::normal_distribution<double> normal(0.0, noise);
   for (const LightMapTexel& texel : map.layout.texels) {
-    const glm::dvec3 p = positionOf(scene, texel);
+    const glm::dvec3 p = test::positionOf(scene, texel);
     for (std::size_t c = 0; c < 3; ++c)
       map.values[3 * texel.texel + c] =
           static_cast<float>(2.0 + p.x + 0.5 * p.y * double(c) + (noise > 0.0 ? normal(random) : 0.0));

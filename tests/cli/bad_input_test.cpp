@@ -13,8 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badInput = 3;
-
 class CliBadInput : public CliTest {
  protected:
   /// Bakes, draws and describes a spoiled scene; each must refuse it naming `place`.

@@ -13,8 +13,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr int interrupted = 130;
-
 class CliBake : public CliTest {
  protected:
   void SetUp() override {

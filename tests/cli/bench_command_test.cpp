@@ -14,9 +14,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-constexpr int failed = 1;
-constexpr int badUsage = 2;
-
 class CliBench : public CliTest {};
 
 std::set<std::string> keysOf(const nlohmann::json& object) {

@@ -10,9 +10,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2;
-constexpr int badInput = 3;
-
 class CliChartTransfer : public CliTest {
  protected:
   void SetUp() override {

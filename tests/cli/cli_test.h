@@ -12,6 +12,9 @@
 
 namespace prelight::test {
 
+/// Exit codes, as docs/command-line.md has them.
+constexpr int failed = 1, badUsage = 2, badInput = 3, outOfMemory = 5, interrupted = 130;
+
 /// Runs the built program in an empty folder of its own.
 class CliTest : public ::testing::Test {
  protected:

@@ -15,7 +15,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::ordered_json;
 
-constexpr int badInput = 3;
 constexpr const char* rule = "lies outside of the scene's folder";
 
 class CliHostileFile : public CliTest {

@@ -8,8 +8,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2, badInput = 3;
-
 /// A floor under a roof with a point light.
 class CliLightMap : public CliTest {
  protected:

@@ -8,8 +8,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2;
-
 class CliOccluders : public CliTest {
  protected:
   void SetUp() override {

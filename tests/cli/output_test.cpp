@@ -9,7 +9,6 @@
 namespace prelight::test {
 namespace {
 
-constexpr int failed = 1;
 constexpr int noDevice = 4;
 
 class CliOutput : public CliTest {

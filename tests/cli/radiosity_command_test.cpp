@@ -8,8 +8,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2;
-
 /// A floor under a roof with a point light.
 class CliRadiosity : public CliTest {
  protected:

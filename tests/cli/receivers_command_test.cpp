@@ -12,8 +12,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2;
-
 class CliVolume : public CliTest {
  protected:
   void SetUp() override {

@@ -9,10 +9,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2;
-constexpr int badInput = 3;
-constexpr int interrupted = 130;
-
 class CliReference : public CliTest {
  protected:
   void SetUp() override {

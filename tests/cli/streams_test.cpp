@@ -13,8 +13,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr int failed = 1, badInput = 3, outOfMemory = 5, interrupted = 130;
-
 /// Where messages and results go, and what comes in by other ways than files.
 class CliStreams : public CliTest {
  protected:

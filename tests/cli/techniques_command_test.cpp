@@ -10,9 +10,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int badUsage = 2;
-constexpr int badInput = 3;
-
 /// A floor under a roof with a point light.
 class CliTechniques : public CliTest {
  protected:

@@ -9,8 +9,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr int badUsage = 2;
-
 class CliUsage : public CliTest {};
 
 TEST_F(CliUsage, Help_OfProgramAndEveryCommand_ShowsAnExample) {

@@ -10,7 +10,7 @@
 namespace prelight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 glm::dvec3 tilted(double degrees, double azimuth) {
   const double t = degrees * pi / 180.0, a = azimuth * pi / 180.0;

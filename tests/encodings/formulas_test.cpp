@@ -19,10 +19,10 @@ namespace {
 
 using test::LightSum;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-std::vector<float> encoded(const Encoding& encoding, const std::vector<float>& incident,
-                           const glm::dmat3& frame) {
+std::vector<float> encodedValues(const Encoding& encoding, const std::vector<float>& incident,
+                                 const glm::dmat3& frame) {
   std::vector<float> values(encoding.values);
   encoding.encode(incident, glm::mat3(frame), values);
   return values;
@@ -56,8 +56,8 @@ TEST(HBasis, FunctionsOverTheHemisphere_AreOrthonormal) {
 /// The stored numbers are integrals of irradiance times the functions where irradiance lies in their span.
 TEST(HBasis, CoefficientsOfAnEvenSky_AreItsProjection) {
   const glm::dmat3 frame = test::obliqueFrame();
-  const std::vector<float> values =
-      encoded(*encodingNamed("h-basis-6"), LightSum(test::surfaceLights().front(), frame).incident(), frame);
+  const std::vector<float> values = encodedValues(
+      *encodingNamed("h-basis-6"), LightSum(test::surfaceLights().front(), frame).incident(), frame);
   std::array<double, 6> wanted{};
   overSphere(0.0, [&](const glm::dvec3& d, double solidAngle) {
     const std::array<float, 6> h = hBasis(glm::vec3(d));
@@ -109,7 +109,7 @@ TEST(SphericalGaussians, Lobes_AreUnitVectorsSpreadOverTheHemisphere) {
 TEST(SphericalGaussians, Radiance_IsNeverNegative) {
   const glm::dmat3 frame = test::obliqueFrame();
   for (const test::AnalyticLight& light : test::surfaceLights())
-    for (const float value : encoded(*encodingNamed("sg-12"), LightSum(light, frame).incident(), frame))
+    for (const float value : encodedValues(*encodingNamed("sg-12"), LightSum(light, frame).incident(), frame))
       EXPECT_GE(value, 0.0f) << light.name;
 }
 
@@ -119,7 +119,7 @@ TEST(SkyAndLamp, Irradiance_IsThatOfLightMapsDirections) {
   const Encoding& encoding = *encodingNamed("sky-and-lamp");
   for (const test::AnalyticLight& light : test::surfaceLights()) {
     const LightSum sum(light, frame);
-    const std::vector<float> incident = sum.incident(), values = encoded(encoding, incident, frame);
+    const std::vector<float> incident = sum.incident(), values = encodedValues(encoding, incident, frame);
     MapLight map;
     map[0] = sum.irradiance(frame[2]);
     for (std::size_t i = 0; i < 4; ++i)
@@ -143,7 +143,7 @@ TEST(Zh3, LightWithOneAxis_IsExact) {
                                   }};
   const LightSum sum(light, frame);
   const Encoding& encoding = *encodingNamed("zh3");
-  const std::vector<float> values = encoded(encoding, sum.incident(), frame);
+  const std::vector<float> values = encodedValues(encoding, sum.incident(), frame);
   for (const glm::dvec3& normal : test::normalsWithin(180.0, frame, 40)) {
     const glm::dvec3 wanted = sum.irradiance(normal);
     const glm::dvec3 found(encoding.irradiance(values, glm::mat3(frame), glm::vec3(normal)));
@@ -208,7 +208,7 @@ TEST(Directions, OfALamp_PointThere) {
       frame * glm::dvec3(std::sin(tilt) * std::cos(tilt), std::sin(tilt) * std::sin(tilt), std::cos(tilt));
   for (const char* name : {"trilight", "dominant-direction", "ahd"}) {
     const std::vector<float> values =
-        encoded(*encodingNamed(name), LightSum(test::lamp(10.0, 40.0), frame).incident(), frame);
+        encodedValues(*encodingNamed(name), LightSum(test::lamp(10.0, 40.0), frame).incident(), frame);
     const glm::dvec3 found(storedDirection(values, glm::vec3(0.0f)));
     EXPECT_LT(glm::distance(found, wanted), 0.06) << name;
   }
@@ -219,7 +219,8 @@ TEST(Directions, MixedWithDarkness_StayWhereTheyWere) {
   const glm::dmat3 frame = test::obliqueFrame();
   for (const char* name : {"trilight", "dominant-direction", "ahd"}) {
     const Encoding& encoding = *encodingNamed(name);
-    std::vector<float> values = encoded(encoding, LightSum(test::lamp(10.0, 40.0), frame).incident(), frame);
+    std::vector<float> values =
+        encodedValues(encoding, LightSum(test::lamp(10.0, 40.0), frame).incident(), frame);
     const std::vector<float> whole = values;
     for (float& value : values) value *= 0.25f;
     for (const glm::dvec3& normal : test::normalsWithin(60.0, frame, 10)) {

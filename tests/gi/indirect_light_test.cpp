@@ -20,7 +20,7 @@
 namespace prelight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct IndirectScene {
   Scene source;

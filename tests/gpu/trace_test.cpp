@@ -18,10 +18,10 @@ namespace {
 using device::Hit;
 using device::Ray;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float unlimited = std::numeric_limits<float>::infinity();
 
-Ray rayOf(const glm::vec3& o, const glm::vec3& d, float tMax = infinity,
-          std::uint32_t source = PRELIGHT_NO_TRIANGLE) {
+Ray limitedRay(const glm::vec3& o, const glm::vec3& d, float tMax = unlimited,
+               std::uint32_t source = PRELIGHT_NO_TRIANGLE) {
   return {{o.x, o.y, o.z}, source, {d.x, d.y, d.z}, tMax};
 }
 
@@ -30,7 +30,7 @@ std::vector<Ray> randomRays(std::size_t count, std::uint32_t seed) {
   std::uniform_real_distribution<float> unit(-0.5f, 1.5f);
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < count; ++i)
-    rays.push_back(rayOf({unit(random), unit(random), unit(random)}, test::randomDirection(random)));
+    rays.push_back(limitedRay({unit(random), unit(random), unit(random)}, test::randomDirection(random)));
   return rays;
 }
 
@@ -90,8 +90,8 @@ TEST_P(TracerTest, AnyHit_RandomSoup_IsThereWhenClosestIs) {
 
 TEST_P(TracerTest, AnyHit_LimitedDistance_IgnoresWhatIsBeyond) {
   Tracer tracer = tracerOf(test::ground(4, 1.0f));
-  const std::vector<Ray> rays{rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 0.999f),
-                              rayOf({0.1f, 1, 0.1f}, {0, -1, 0}, 1.001f)};
+  const std::vector<Ray> rays{limitedRay({0.1f, 1, 0.1f}, {0, -1, 0}, 0.999f),
+                              limitedRay({0.1f, 1, 0.1f}, {0, -1, 0}, 1.001f)};
   const auto hits = tracer.traceAny(rays);
   EXPECT_EQ(hits[0].triangle, PRELIGHT_NO_TRIANGLE);
   EXPECT_NE(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
@@ -100,8 +100,8 @@ TEST_P(TracerTest, AnyHit_LimitedDistance_IgnoresWhatIsBeyond) {
 TEST_P(TracerTest, ClosestHit_SourceTriangle_IsSkipped) {
   Tracer tracer = tracerOf(test::sceneOf(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {{0, 1, 2}, {3, 4, 5}}));
-  const std::vector<Ray> rays{rayOf({0.2f, 0.2f, 1}, {0, 0, -1}),
-                              rayOf({0.2f, 0.2f, 1}, {0, 0, -1}, infinity, 0u)};
+  const std::vector<Ray> rays{limitedRay({0.2f, 0.2f, 1}, {0, 0, -1}),
+                              limitedRay({0.2f, 0.2f, 1}, {0, 0, -1}, unlimited, 0u)};
   const auto hits = tracer.traceClosest(rays);
   EXPECT_EQ(hits[0].triangle, 0u);
   EXPECT_EQ(hits[1].triangle, 1u);
@@ -120,8 +120,8 @@ TEST_P(TracerTest, ClosedMesh_RaysAtVerticesAndEdges_NeverLeak) {
         const glm::vec3 from =
             scale * (glm::vec3(0.25f, -0.5f, 0.125f) + 0.5f * unit(random) * test::randomDirection(random));
         const glm::vec3 a = scene.positions[t.x], b = scene.positions[t.y];
-        rays.push_back(rayOf(from, a - from));
-        rays.push_back(rayOf(from, a + unit(random) * (b - a) - from));
+        rays.push_back(limitedRay(from, a - from));
+        rays.push_back(limitedRay(from, a + unit(random) * (b - a) - from));
       }
     const auto closest = tracer.traceClosest(rays);
     const auto any = tracer.traceAny(rays);
@@ -145,7 +145,7 @@ TEST_P(TracerTest, ClosedBox_AxisParallelRaysInFacePlanes_NeverLeak) {
           from[(axis + 1) % 3] = static_cast<float>(i) / 8.0f;
           from[(axis + 2) % 3] = static_cast<float>(j) / 8.0f;
           direction[axis] = sign;
-          rays.push_back(rayOf(from, direction));
+          rays.push_back(limitedRay(from, direction));
         }
   const auto hits = tracer.traceClosest(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -167,9 +167,9 @@ TEST_P(TracerTest, ClosestHit_OddGeometry_StaysFinite) {
                                       {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
   Tracer tracer = tracerOf(scene);
   auto rays = randomRays(2000, 8);
-  rays.push_back(rayOf({0, 0, 0}, {0, 0, -1}));
-  rays.push_back(rayOf({0, 0, 0}, {1, 0, 0}));
-  rays.push_back(rayOf({0, 0, 5}, {1e-30f, 0, -1}));
+  rays.push_back(limitedRay({0, 0, 0}, {0, 0, -1}));
+  rays.push_back(limitedRay({0, 0, 0}, {1, 0, 0}));
+  rays.push_back(limitedRay({0, 0, 5}, {1e-30f, 0, -1}));
   const auto hits = tracer.traceClosest(rays);
   for (const Hit& hit : hits)
     EXPECT_TRUE(std::isfinite(hit.t) && std::isfinite(hit.u) && std::isfinite(hit.v));
@@ -185,7 +185,8 @@ TEST_P(TracerTest, AlphaMask_TransparentTexels_LetRaysThrough) {
   scene.materials[0].alphaCutoff = 0.5f;
   scene.materials[0].wrapS = scene.materials[0].wrapT = WrapMode::ClampToEdge;
   Tracer tracer = tracerOf(scene);
-  const std::vector<Ray> rays{rayOf({0.2f, 0.3f, 1}, {0, 0, -1}), rayOf({0.8f, 0.3f, 1}, {0, 0, -1})};
+  const std::vector<Ray> rays{limitedRay({0.2f, 0.3f, 1}, {0, 0, -1}),
+                              limitedRay({0.8f, 0.3f, 1}, {0, 0, -1})};
   for (const auto& hits : {tracer.traceClosest(rays), tracer.traceAny(rays)}) {
     EXPECT_EQ(hits[0].triangle, PRELIGHT_NO_TRIANGLE);
     EXPECT_NE(hits[1].triangle, PRELIGHT_NO_TRIANGLE);
@@ -194,7 +195,8 @@ TEST_P(TracerTest, AlphaMask_TransparentTexels_LetRaysThrough) {
 
 TEST_P(TracerTest, SingleTriangle_IsHit) {
   Tracer tracer = tracerOf(test::sceneOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
-  const std::vector<Ray> rays{rayOf({0.25f, 0.25f, 1}, {0, 0, -2}), rayOf({0.75f, 0.75f, 1}, {0, 0, -1})};
+  const std::vector<Ray> rays{limitedRay({0.25f, 0.25f, 1}, {0, 0, -2}),
+                              limitedRay({0.75f, 0.75f, 1}, {0, 0, -1})};
   const auto hits = tracer.traceClosest(rays);
   EXPECT_EQ(hits[0].triangle, 0u);
   EXPECT_FLOAT_EQ(hits[0].t, 0.5f);
@@ -209,7 +211,7 @@ std::vector<Ray> raysFromPoints(std::size_t points, std::uint32_t seed) {
   for (std::size_t i = 0; i < points; ++i) {
     const glm::vec3 origin(unit(random), unit(random), unit(random));
     for (int k = 0; k < 40; ++k)
-      rays.push_back(rayOf(origin, test::randomDirection(random), k % 5 == 0 ? 0.3f : infinity));
+      rays.push_back(limitedRay(origin, test::randomDirection(random), k % 5 == 0 ? 0.3f : unlimited));
   }
   return rays;
 }
@@ -260,10 +262,11 @@ TEST_P(TracerTest, NotANumber_InARay_HitsNothingAndEnds) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   Tracer tracer = tracerOf(test::randomSoup(500, 0.3f, 4));
   std::vector<Ray> rays;
-  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({nan, 0, 0}, {0, 0, 1}));
-  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({0.5f, 0.5f, 0.5f}, {nan, k % 2 ? 1.0f : -1.0f, nan}));
-  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({0.5f, infinity, 0.5f}, {1, 1, 1}));
-  for (int k = 0; k < 20; ++k) rays.push_back(rayOf({0.5f, 0.5f, 0.5f}, {0, 0, 0}));
+  for (int k = 0; k < 20; ++k) rays.push_back(limitedRay({nan, 0, 0}, {0, 0, 1}));
+  for (int k = 0; k < 20; ++k)
+    rays.push_back(limitedRay({0.5f, 0.5f, 0.5f}, {nan, k % 2 ? 1.0f : -1.0f, nan}));
+  for (int k = 0; k < 20; ++k) rays.push_back(limitedRay({0.5f, unlimited, 0.5f}, {1, 1, 1}));
+  for (int k = 0; k < 20; ++k) rays.push_back(limitedRay({0.5f, 0.5f, 0.5f}, {0, 0, 0}));
   for (const auto& hits : {tracer.traceClosest(rays), tracer.traceAny(rays)})
     for (const Hit& hit : hits) EXPECT_EQ(hit.triangle, PRELIGHT_NO_TRIANGLE);
 }

@@ -14,7 +14,7 @@ using reference::Estimator;
 using reference::Film;
 using reference::Integrator;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A white Lambertian floor, seen from straight above around `target` closely enough to be a point.
 Shot floorShot(const glm::dvec3& target, const std::vector<Light>& lights) {

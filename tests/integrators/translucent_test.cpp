@@ -11,7 +11,7 @@ namespace {
 
 using reference::Integrator;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr float through = 0.8f;  // colour of the leaf
 constexpr double sun = 3.0;      // W/m2
 

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Bake makeBake(const CompiledScene& scene) {
+Bake wholeBake(const CompiledScene& scene) {
   Bake bake;
   bake.sh = HarmonicTransfer{2, 3, 1, {}};
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v) {
@@ -47,7 +47,7 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
   const test::TemporaryFolder folder;
   GltfDocument document = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(document);
-  const Bake bake = makeBake(scene);
+  const Bake bake = wholeBake(scene);
   embedBake(document, scene, bake);
   writeGlb(folder / "baked.glb", document);
   Warnings warnings;
@@ -71,12 +71,12 @@ TEST(BakedFile, EmbedWriteRead_GivesTheBakeBack) {
 TEST(BakedFile, PassesOfUnknownNames_AreLeftOut) {
   GltfDocument document = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(document);
-  embedBake(document, scene, makeBake(scene));
+  embedBake(document, scene, wholeBake(scene));
   Json& plan = document.json["extensions"]["PRELIGHT_transfer"]["plan"];
   plan["passes"].push_back({{"name", "teleportation"}, {"runs", true}, {"reason", "why not"}});
   const std::optional<Bake> read = readBake(document, scene);
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->info.plan, makeBake(scene).info.plan);
+  EXPECT_EQ(read->info.plan, wholeBake(scene).info.plan);
   plan["passes"] = 3;
   EXPECT_THROW((void)readBake(document, scene), InputError);
 }
@@ -130,7 +130,7 @@ TEST(BakedFile, Irradiance_ComesBackAndIsChecked) {
 TEST(BakedFile, Extension_IsUsedButNotRequired) {
   GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);
-  embedBake(document, scene, makeBake(scene));
+  embedBake(document, scene, wholeBake(scene));
   EXPECT_EQ(document.json["extensionsUsed"], Json::array({"PRELIGHT_transfer"}));
   EXPECT_FALSE(document.json.contains("extensionsRequired"));
   EXPECT_EQ(document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"].size(), 1u);
@@ -141,7 +141,7 @@ TEST(BakedFile, SharedMesh_HasValuesOnEachNodeAndNoneForPoints) {
   GltfDocument document = sharedMeshDocument();
   const CompiledScene scene = test::compileDocument(document);
   ASSERT_EQ(scene.vertexCount(), 6u);
-  const Bake bake = makeBake(scene);
+  const Bake bake = wholeBake(scene);
   embedBake(document, scene, bake);
   for (int node = 0; node < 2; ++node) {
     const Json& primitives =
@@ -159,7 +159,7 @@ TEST(BakedFile, Instances_AreStoredOneAfterTheOther) {
   const int offsets = test::appendFloats(document, {0, 0, 0, 0, 0, 4}, "VEC3");
   document.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = offsets;
   const CompiledScene scene = test::compileDocument(document);
-  const Bake bake = makeBake(scene);
+  const Bake bake = wholeBake(scene);
   embedBake(document, scene, bake);
   const auto& primitive = document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0];
   EXPECT_EQ(document.json["accessors"][primitive["ao"].get<std::size_t>()]["count"], 6);
@@ -173,7 +173,7 @@ TEST(BakedFile, BakingAgain_DoesNotGrowTheFile) {
     const CompiledScene scene = test::compileDocument(document);
     const Json original = document.json;
     const auto originalBin = document.bin;
-    const Bake bake = makeBake(scene);
+    const Bake bake = wholeBake(scene);
     embedBake(document, scene, bake);
     const GltfDocument once = document;
     embedBake(document, scene, bake);
@@ -189,10 +189,10 @@ TEST(BakedFile, BakingAgain_DoesNotGrowTheFile) {
 TEST(BakedFile, BakingAgain_KeepsWhatSomethingElseRefersTo) {
   GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);
-  embedBake(document, scene, makeBake(scene));
+  embedBake(document, scene, wholeBake(scene));
   const std::size_t last = document.json["accessors"].size() - 1;
   document.json["meshes"][0]["primitives"][0]["attributes"]["_BORROWED"] = last;
-  embedBake(document, scene, makeBake(scene));
+  embedBake(document, scene, wholeBake(scene));
   EXPECT_EQ(document.json["meshes"][0]["primitives"][0]["attributes"]["_BORROWED"], last);
   EXPECT_EQ(document.json["accessors"][last]["count"], 36);
 }
@@ -209,10 +209,10 @@ class MisfitBake : public testing::TestWithParam<Misfit> {};
 TEST_P(MisfitBake, Read_ThrowsNamingThePlace) {
   const GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);
-  test::expectRefused(document, makeBake(scene), scene, GetParam());
+  test::expectRefused(document, wholeBake(scene), scene, GetParam());
 }
 
-const Misfit misfits[] = {
+const Misfit bakeMisfits[] = {
     {"Count", "/accessors/3/count", "2", "primitives/0/ao: expected 3 values, got 2"},
     {"Type", "/nodes/0/extensions/PRELIGHT_transfer/primitives/0/ao", "4",
      "ao: expected an accessor of type SCALAR"},
@@ -230,13 +230,13 @@ const Misfit misfits[] = {
     {"RootType", "/extensions/PRELIGHT_transfer/rays", "-1", "PRELIGHT_transfer/rays"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Table, MisfitBake, testing::ValuesIn(misfits),
+INSTANTIATE_TEST_SUITE_P(Table, MisfitBake, testing::ValuesIn(bakeMisfits),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(BakedFile, NanValue_IsRefused) {
   GltfDocument document = test::triangleDocument();
   const CompiledScene scene = test::compileDocument(document);
-  Bake bake = makeBake(scene);
+  Bake bake = wholeBake(scene);
   bake.ao[1] = 0.7654321f;
   embedBake(document, scene, bake);
   test::replaceFloats(document, 0.7654321f, std::numeric_limits<float>::quiet_NaN());
@@ -255,7 +255,7 @@ TEST(BakedFile, Volume_IsReadBackAndReplaced) {
   const test::TemporaryFolder folder;
   GltfDocument document = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(document);
-  Bake bake = makeBake(scene);
+  Bake bake = wholeBake(scene);
   bake.volume = makeVolume();
   embedBake(document, scene, bake);
   const std::size_t bytes = document.bin.size();
@@ -278,7 +278,7 @@ TEST(BakedFile, Volume_IsReadBackAndReplaced) {
 TEST(BakedFile, VolumeOfTheFirstBandAlone_IsReadBack) {
   GltfDocument document = makeBuiltinScene("cornell");
   const CompiledScene scene = test::compileDocument(document);
-  Bake bake = makeBake(scene);
+  Bake bake = wholeBake(scene);
   bake.volume = VolumeTransfer{{{1, 1, 2}, {0, 0, 0}, {1, 1, 2}}, 1, 1, 0, {0.25f, -4.0f}, {}, {1, 0}};
   embedBake(document, scene, bake);
   const std::optional<Bake> copy = readBake(document, scene);
@@ -292,7 +292,7 @@ TEST(BakedFile, VolumeThatDoesNotFitItself_IsRefused) {
   const CompiledScene scene = test::compileDocument(plain);
   const auto refuses = [&](const char* member, const Json& value) {
     GltfDocument document = plain;
-    Bake bake = makeBake(scene);
+    Bake bake = wholeBake(scene);
     bake.volume = makeVolume();
     embedBake(document, scene, bake);
     document.json["extensions"]["PRELIGHT_transfer"]["volume"][member] = value;

@@ -21,15 +21,15 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// A scene with a light map of made-up values, written and read again.
-struct Written {
+struct WrittenLightMap {
   fs::path folder, file;
   Scene scene;
   CompiledScene compiled;
   LightMap map;
 };
 
-Written write(GltfDocument document, int coefficients = 1, double texelSize = 0.0) {
-  Written written;
+WrittenLightMap write(GltfDocument document, int coefficients = 1, double texelSize = 0.0) {
+  WrittenLightMap written;
   written.folder =
       fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
   fs::create_directories(written.folder);
@@ -56,12 +56,12 @@ Written write(GltfDocument document, int coefficients = 1, double texelSize = 0.
   return written;
 }
 
-std::optional<Bake> readAgain(const Written& written) {
+std::optional<Bake> readAgain(const WrittenLightMap& written) {
   Warnings warnings;
   return readBake(readGltf(written.file, warnings), written.compiled);
 }
 
-void expectSame(const Written& written, const LightMap& copy) {
+void expectSame(const WrittenLightMap& written, const LightMap& copy) {
   const LightMapLayout &layout = written.map.layout, &got = copy.layout;
   EXPECT_EQ(copy.values, written.map.values);
   EXPECT_EQ(copy.coefficients, written.map.coefficients);
@@ -79,12 +79,12 @@ void expectSame(const Written& written, const LightMap& copy) {
   EXPECT_NEAR(double(got.texels.size()), double(layout.texels.size()), 0.002 * double(layout.texels.size()));
 }
 
-Json& entryOf(GltfDocument& document, std::size_t node = 0) {
+Json& lightMapEntryOf(GltfDocument& document, std::size_t node = 0) {
   return document.json["nodes"][node]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["lightmap"];
 }
 
 /// The triangle, white and not of metal.
-GltfDocument whiteTriangle() {
+GltfDocument litTriangle() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"] = Json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0.0}}}}});
   document.json["meshes"][0]["primitives"][0]["material"] = 0;
@@ -93,7 +93,7 @@ GltfDocument whiteTriangle() {
 
 TEST(BakedLightMap, WriteRead_GivesItBack) {
   for (const char* name : {"cornell", "rooms", "shapes"}) {
-    const Written written = write(makeBuiltinScene(name));
+    const WrittenLightMap written = write(makeBuiltinScene(name));
     const std::optional<Bake> copy = readAgain(written);
     ASSERT_TRUE(copy && copy->lightMap) << name;
     expectSame(written, *copy->lightMap);
@@ -101,14 +101,14 @@ TEST(BakedLightMap, WriteRead_GivesItBack) {
 }
 
 TEST(BakedLightMap, RadianceForBumpMaps_ComesBack) {
-  const Written written = write(makeBuiltinScene("cornell"), 5);
+  const WrittenLightMap written = write(makeBuiltinScene("cornell"), 5);
   const std::optional<Bake> copy = readAgain(written);
   ASSERT_TRUE(copy && copy->lightMap);
   expectSame(written, *copy->lightMap);
 }
 
 TEST(BakedLightMap, FlatQuads_NeedNoIndices) {
-  const Written written = write(makeBuiltinScene("cornell"));
+  const WrittenLightMap written = write(makeBuiltinScene("cornell"));
   Warnings warnings;
   GltfDocument document = readGltf(written.file, warnings);
   std::size_t maps = 0;
@@ -133,16 +133,16 @@ TEST(BakedLightMap, MirroredNodes_KeepTheirCorners) {
       node.erase("matrix");
       node["scale"] = {-1.0, 1.0, 1.0};
     }
-  const Written written = write(std::move(document));
+  const WrittenLightMap written = write(std::move(document));
   const std::optional<Bake> copy = readAgain(written);
   ASSERT_TRUE(copy && copy->lightMap);
   expectSame(written, *copy->lightMap);
 }
 
 TEST(BakedLightMap, BacksOfTwoSidedSurfaces_ComeBack) {
-  GltfDocument document = whiteTriangle();
+  GltfDocument document = litTriangle();
   document.json["materials"][0]["doubleSided"] = true;
-  const Written written = write(std::move(document));
+  const WrittenLightMap written = write(std::move(document));
   ASSERT_EQ(written.map.layout.chartCount, 2u);
   const std::optional<Bake> copy = readAgain(written);
   ASSERT_TRUE(copy && copy->lightMap);
@@ -150,7 +150,7 @@ TEST(BakedLightMap, BacksOfTwoSidedSurfaces_ComeBack) {
 }
 
 TEST(BakedLightMap, Picture_IsIrradiance) {
-  const Written written = write(whiteTriangle());
+  const WrittenLightMap written = write(litTriangle());
   const Picture picture = readPicture(lightMapPath(written.file));
   ASSERT_EQ(picture.pixels.size(), written.map.layout.texelCount());
   for (std::size_t i = 0; i < picture.pixels.size(); ++i)
@@ -159,19 +159,19 @@ TEST(BakedLightMap, Picture_IsIrradiance) {
 }
 
 TEST(BakedLightMap, BakedAnew_LeavesNothingBehind) {
-  const Written written = write(whiteTriangle());
+  const WrittenLightMap written = write(litTriangle());
   Warnings warnings;
   GltfDocument document = readGltf(written.file, warnings);
   embedBake(document, written.compiled, Bake{});
-  GltfDocument plain = whiteTriangle();
+  GltfDocument plain = litTriangle();
   embedBake(plain, written.compiled, Bake{});
   EXPECT_EQ(document.json["accessors"].size(), plain.json["accessors"].size());
   EXPECT_FALSE(readBake(document, written.compiled)->lightMap);
 }
 
 /// What is wrong, and words that the complaint must have.
-void expectComplaint(const Written& written, const std::function<void(GltfDocument&)>& spoil,
-                     const std::string& word) {
+void expectLightMapComplaint(const WrittenLightMap& written, const std::function<void(GltfDocument&)>& spoil,
+                             const std::string& word) {
   Warnings warnings;
   GltfDocument document = readGltf(written.file, warnings);
   spoil(document);
@@ -180,73 +180,75 @@ void expectComplaint(const Written& written, const std::function<void(GltfDocume
 }
 
 TEST(BakedLightMap, MissingPicture_IsRefused) {
-  const Written written = write(whiteTriangle());
+  const WrittenLightMap written = write(litTriangle());
   fs::remove(lightMapPath(written.file));
-  expectComplaint(
+  expectLightMapComplaint(
       written, [](GltfDocument&) {}, "lightmap.exr: no such file");
 }
 
 TEST(BakedLightMap, TruncatedPicture_IsRefused) {
-  const Written written = write(whiteTriangle());
+  const WrittenLightMap written = write(litTriangle());
   const fs::path picture = lightMapPath(written.file);
   for (const double share : {0.5, 0.9, 0.01}) {
     fs::resize_file(picture, static_cast<std::uintmax_t>(share * double(fs::file_size(picture))));
-    expectComplaint(
+    expectLightMapComplaint(
         written, [](GltfDocument&) {}, "lightmap.exr");
   }
   std::ofstream(picture) << "not a picture";
-  expectComplaint(
+  expectLightMapComplaint(
       written, [](GltfDocument&) {}, "lightmap.exr");
 }
 
 TEST(BakedLightMap, NumbersThatAreNone_AreRefused) {
-  Written written = write(whiteTriangle());
+  WrittenLightMap written = write(litTriangle());
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -1.0f}) {
     written.map.values[4] = bad;
     writeLightMap(lightMapPath(written.file), written.map);
-    expectComplaint(
+    expectLightMapComplaint(
         written, [](GltfDocument&) {}, "channel G of texel 1, 0");
   }
 }
 
 TEST(BakedLightMap, WrongMembers_AreRefused) {
-  const Written written = write(whiteTriangle());
-  expectComplaint(
-      written, [](GltfDocument& d) { entryOf(d)["texCoord"] = 0; }, "/lightmap/texCoord");
-  expectComplaint(
-      written, [](GltfDocument& d) { entryOf(d)["texCoord"] = 999; }, "/lightmap/texCoord");
-  expectComplaint(
-      written, [](GltfDocument& d) { entryOf(d).erase("image"); }, "image");
-  expectComplaint(
-      written, [](GltfDocument& d) { entryOf(d)["image"] = "data:,"; }, "/lightmap/image");
-  expectComplaint(
-      written, [](GltfDocument& d) { entryOf(d)["image"] = "none.exr"; }, "no such file");
-  expectComplaint(
-      written, [](GltfDocument& d) { entryOf(d) = 3; }, "/lightmap");
-  expectComplaint(
+  const WrittenLightMap written = write(litTriangle());
+  expectLightMapComplaint(
+      written, [](GltfDocument& d) { lightMapEntryOf(d)["texCoord"] = 0; }, "/lightmap/texCoord");
+  expectLightMapComplaint(
+      written, [](GltfDocument& d) { lightMapEntryOf(d)["texCoord"] = 999; }, "/lightmap/texCoord");
+  expectLightMapComplaint(
+      written, [](GltfDocument& d) { lightMapEntryOf(d).erase("image"); }, "image");
+  expectLightMapComplaint(
+      written, [](GltfDocument& d) { lightMapEntryOf(d)["image"] = "data:,"; }, "/lightmap/image");
+  expectLightMapComplaint(
+      written, [](GltfDocument& d) { lightMapEntryOf(d)["image"] = "none.exr"; }, "no such file");
+  expectLightMapComplaint(
+      written, [](GltfDocument& d) { lightMapEntryOf(d) = 3; }, "/lightmap");
+  expectLightMapComplaint(
       written,
       [](GltfDocument& d) {
-        entryOf(d)["texCoord"] = test::appendFloats(d, {0.0f, 0.0f, 0.5f, 0.0f, 0.0f, 1.5f}, "VEC2");
+        lightMapEntryOf(d)["texCoord"] = test::appendFloats(d, {0.0f, 0.0f, 0.5f, 0.0f, 0.0f, 1.5f}, "VEC2");
       },
       "expected 0..1");
-  expectComplaint(
+  expectLightMapComplaint(
       written,
       [](GltfDocument& d) {
-        entryOf(d)["texCoord"] = test::appendFloats(d, {0.0f, 0.0f}, "VEC2");
+        lightMapEntryOf(d)["texCoord"] = test::appendFloats(d, {0.0f, 0.0f}, "VEC2");
       },
       "expected 3 values, got 1");
-  expectComplaint(
+  expectLightMapComplaint(
       written,
       [](GltfDocument& d) {
         const std::vector<std::uint32_t> indices = {0, 1, 7};
-        entryOf(d)["indices"] = appendAccessor(d, std::as_bytes(std::span(indices)), "SCALAR", 5125, 3);
+        lightMapEntryOf(d)["indices"] =
+            appendAccessor(d, std::as_bytes(std::span(indices)), "SCALAR", 5125, 3);
       },
       "index 7 of 3");
-  expectComplaint(
+  expectLightMapComplaint(
       written,
       [](GltfDocument& d) {
         const std::vector<std::uint32_t> indices = {0, 1};
-        entryOf(d)["indices"] = appendAccessor(d, std::as_bytes(std::span(indices)), "SCALAR", 5125, 2);
+        lightMapEntryOf(d)["indices"] =
+            appendAccessor(d, std::as_bytes(std::span(indices)), "SCALAR", 5125, 2);
       },
       "expected 3 values, got 2");
 }

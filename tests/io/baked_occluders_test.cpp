@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Two nodes of a triangle each.
-GltfDocument twoTriangles() {
+GltfDocument shadedTriangles() {
   GltfDocument document = test::triangleDocument();
   document.json["nodes"].push_back({{"name", "other"}, {"mesh", 0}});
   document.json["scenes"][0]["nodes"] = {0, 1};
@@ -35,7 +35,7 @@ Bake someOccluders() {
 }
 
 TEST(BakedOccluders, WriteRead_GivesThemBack) {
-  GltfDocument document = twoTriangles();
+  GltfDocument document = shadedTriangles();
   const CompiledScene scene = test::compileDocument(document);
   const Bake bake = someOccluders();
   embedBake(document, scene, bake);
@@ -49,7 +49,7 @@ TEST(BakedOccluders, WriteRead_GivesThemBack) {
 }
 
 TEST(BakedOccluders, NoRecords_AreReadBackEmpty) {
-  GltfDocument document = twoTriangles();
+  GltfDocument document = shadedTriangles();
   const CompiledScene scene = test::compileDocument(document);
   Bake bake;
   bake.occluders =
@@ -77,7 +77,7 @@ OccluderTransfer embedQuantized(GltfDocument& document, const CompiledScene& sce
 }
 
 TEST(BakedOccluders, Quantized_AreReadAsTheyWereDecoded) {
-  GltfDocument document = twoTriangles();
+  GltfDocument document = shadedTriangles();
   const CompiledScene scene = test::compileDocument(document);
   const OccluderTransfer decoded = embedQuantized(document, scene);
   const std::optional<Bake> copy = readBake(document, scene);
@@ -93,7 +93,7 @@ TEST(BakedOccluders, Quantized_AreReadAsTheyWereDecoded) {
 
 TEST(BakedOccluders, QuantizedThatDoNotFit_AreRefused) {
   const auto refused = [](const std::function<void(Json & vo, Json & root)>& spoil) {
-    GltfDocument document = twoTriangles();
+    GltfDocument document = shadedTriangles();
     const CompiledScene scene = test::compileDocument(document);
     embedQuantized(document, scene);
     spoil(document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["vo"],
@@ -116,7 +116,7 @@ TEST(BakedOccluders, QuantizedThatDoNotFit_AreRefused) {
 }
 
 void expectRefused(const std::function<void(Json& vo, Json& root)>& spoil, const std::string& part) {
-  GltfDocument document = twoTriangles();
+  GltfDocument document = shadedTriangles();
   const CompiledScene scene = test::compileDocument(document);
   embedBake(document, scene, someOccluders());
   spoil(document.json["nodes"][0]["extensions"]["PRELIGHT_transfer"]["primitives"][0]["vo"],

@@ -9,7 +9,7 @@
 namespace prelight {
 namespace {
 
-const std::array<OccluderVector, 2> stored{OccluderVector::Occlusion, OccluderVector::DiffuseNormal};
+const std::array<OccluderVector, 2> carriedVectors{OccluderVector::Occlusion, OccluderVector::DiffuseNormal};
 
 /// What a place sees of a small body far off that stays where it is, from what it saw from elsewhere.
 std::array<glm::vec4, 2> seenFrom(const OccluderView& to, const OccluderView& from, const glm::dvec3& body,
@@ -20,7 +20,7 @@ std::array<glm::vec4, 2> seenFrom(const OccluderView& to, const OccluderView& fr
   const glm::dvec3 way = glm::normalize(body - from.position);
   const std::array<glm::vec4, 2> record{glm::vec4(0.01f * glm::vec3(way), 0.01f), normal};
   std::array<glm::vec4, 2> carried{};
-  carryRecord(stored, record, from, {}, ball, to, carried);
+  carryRecord(carriedVectors, record, from, {}, ball, to, carried);
   return carried;
 }
 

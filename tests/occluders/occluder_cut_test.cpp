@@ -81,13 +81,13 @@ std::vector<double> randomAreas(std::size_t vertices, std::uint32_t seed) {
   return areas;
 }
 
-std::size_t placeOf(const OccluderTransfer& transfer, OccluderVector vector) {
+std::size_t columnOf(const OccluderTransfer& transfer, OccluderVector vector) {
   return static_cast<std::size_t>(std::find(transfer.stored.begin(), transfer.stored.end(), vector) -
                                   transfer.stored.begin());
 }
 
 glm::dvec4 vectorOf(const OccluderTransfer& transfer, std::size_t record, OccluderVector vector) {
-  return transfer.vectors[record * transfer.stored.size() + placeOf(transfer, vector)];
+  return transfer.vectors[record * transfer.stored.size() + columnOf(transfer, vector)];
 }
 
 double recordError(const glm::dvec4& occlusion) {

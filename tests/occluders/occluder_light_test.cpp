@@ -11,7 +11,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::vector<OccluderVector> stored = {OccluderVector::Position, OccluderVector::Occlusion,
                                             OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor};

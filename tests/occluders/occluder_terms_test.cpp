@@ -16,7 +16,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Integral over all directions, by points of a Fibonacci spiral, of equal weight.
 double overSphere(const std::function<double(const glm::dvec3&)>& value, int count = 200000) {

@@ -21,7 +21,7 @@ using test::photonAt;
 using test::PhotonScene;
 using test::queryAt;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr DensityKernel kernels[] = {DensityKernel::Constant, DensityKernel::Cone,
                                      DensityKernel::Epanechnikov};
 

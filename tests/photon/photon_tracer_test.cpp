@@ -17,7 +17,7 @@
 namespace prelight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Flight {
   PhotonHits hits;

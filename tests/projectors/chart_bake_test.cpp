@@ -14,7 +14,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int order = 4;
 constexpr std::size_t columns = order * order;
 

@@ -9,7 +9,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 enum Place : std::size_t { position, occlusion, normal, color };
 

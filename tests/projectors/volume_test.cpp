@@ -16,19 +16,19 @@
 namespace prelight {
 namespace {
 
-constexpr int order = 4;
+constexpr int volumeOrder = 4;
 constexpr double sphere4Pi = 4.0 * std::numbers::pi;
 
 VolumeTransfer castFrom(const CompiledScene& scene, const VolumeGrid& grid, VolumeOptions options) {
   Tracer tracer(scene, test::sharedDevice());
   Progress progress;
-  options.order = order;
+  options.order = volumeOrder;
   return makeVolume(scene, makeFitMesh(scene), tracer, SlotTransfer{}, grid, options, progress);
 }
 
 /// (1/(4 pi)) integral over the cap of half angle `angle` around `axis` of Y_i.
 std::vector<double> capTransfer(double angle, const glm::dvec3& axis) {
-  std::vector<double> zonal(order), values(order * order);
+  std::vector<double> zonal(volumeOrder), values(volumeOrder * volumeOrder);
   sh::capZonal(angle, zonal);
   sh::turnZonal(zonal, axis, values);
   for (double& v : values) v /= sphere4Pi;
@@ -117,7 +117,7 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   CompiledScene scene = test::ground(2, 5000.0f);
   scene.materials[0].albedo = {0.8f, 0.4f, 0.0f};
   BakeRequest request;
-  request.sh.order = order;
+  request.sh.order = volumeOrder;
   request.bounces = 1;
   request.effort.rays = 1024;
   request.volume.size = 2;
@@ -128,14 +128,14 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   // Cells of 5 km: take a grid of our own for what is measured.
   ASSERT_TRUE(bake.volume);
   EXPECT_EQ(bake.volume->grid.size, glm::ivec3(2));
-  SlotTransfer surface{order, 0, {}, {}, {}, 1};
-  std::array<double, order * order> open{};
-  sh::openTransfer({0, 1, 0}, order, open);
+  SlotTransfer surface{volumeOrder, 0, {}, {}, {}, 1};
+  std::array<double, volumeOrder * volumeOrder> open{};
+  sh::openTransfer({0, 1, 0}, volumeOrder, open);
   const FitMesh mesh = makeFitMesh(scene);
   for (std::uint32_t s = 0; s < mesh.slotCount() * 3; ++s)
     surface.reflected.insert(surface.reflected.end(), open.begin(), open.end());
   Tracer tracer(scene, test::sharedDevice());
-  VolumeOptions options{order, 1, 4096, 3, {}};
+  VolumeOptions options{volumeOrder, 1, 4096, 3, {}};
   const VolumeTransfer volume =
       makeVolume(scene, mesh, tracer, surface, {{1, 1, 1}, {-1, 0.1, -1}, {1, 2.1, 1}}, options, progress);
   ASSERT_EQ(volume.channels, 3);
@@ -167,15 +167,15 @@ TEST(SampleVolume, LinearField_IsReproduced) {
 
 TEST(MovingPoint, InTheOpen_GetsTheLightsIrradiance) {
   VolumeSample sample;
-  sample.order = order;
-  sample.direct.assign(order * order, 0.0);
+  sample.order = volumeOrder;
+  sample.direct.assign(volumeOrder * volumeOrder, 0.0);
   sample.direct[0] = 1.0 / std::sqrt(sphere4Pi);
   sample.coefficients.fill(sample.direct);
-  const sh::ShProduct product(order, order);
-  std::vector<double> light(3 * order * order), cosine(order * order);
+  const sh::ShProduct product(volumeOrder, volumeOrder);
+  std::vector<double> light(3 * volumeOrder * volumeOrder), cosine(volumeOrder * volumeOrder);
   for (std::size_t i = 0; i < light.size(); ++i) light[i] = std::sin(1.0 + double(i));
   const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 2, -0.5));
-  sh::openTransfer(normal, order, cosine);
+  sh::openTransfer(normal, volumeOrder, cosine);
   const glm::dvec3 radiance = diffuseRadiance(sample, product, light, normal);
   for (std::size_t c = 0; c < 3; ++c) {
     double expected = 0.0;
@@ -187,11 +187,11 @@ TEST(MovingPoint, InTheOpen_GetsTheLightsIrradiance) {
 // A white sky and a black floor: 1 facing up; facing down 0, but for what four bands leave of the edge.
 TEST(MovingPoint, AboveBlackFloor_IsLitFromAbove) {
   VolumeSample sample;
-  sample.order = order;
+  sample.order = volumeOrder;
   sample.direct = capTransfer(0.5 * std::numbers::pi, {0, 1, 0});
   sample.coefficients.fill(sample.direct);
-  const sh::ShProduct product(order, order);
-  std::vector<double> light(3 * order * order, 0.0);
+  const sh::ShProduct product(volumeOrder, volumeOrder);
+  std::vector<double> light(3 * volumeOrder * volumeOrder, 0.0);
   for (std::size_t c = 0; c < 3; ++c) light[c * 16] = std::sqrt(sphere4Pi);
   EXPECT_NEAR(diffuseRadiance(sample, product, light, {0, 1, 0}).x, 1.0, 0.02);
   EXPECT_NEAR(diffuseRadiance(sample, product, light, {0, -1, 0}).x, 0.0, 0.02);

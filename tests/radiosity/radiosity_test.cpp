@@ -12,7 +12,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Light pointLight(const glm::vec3& intensity, const glm::dvec3& position) {
   Light light;
@@ -25,7 +25,7 @@ void setEmission(CompiledScene& scene, std::size_t material, const glm::vec3& ra
   scene.materials[material].emission = scene.materials[material].emissionFactor = radiance;
 }
 
-CompiledScene plate(const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {
+CompiledScene facingPlate(const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {
   return test::sceneOf({corner, corner + a, corner + a + b, corner + b}, {{0, 1, 2}, {0, 2, 3}});
 }
 
@@ -70,8 +70,8 @@ TEST(Radiosity, FurnaceOfManyEmitters_IsExactToo) {
 
 TEST(Radiosity, AreaLightOppositeAPlate_IsTheFormFactor) {
   // Parallel unit squares at distance 1: F = 0.19982, so E = pi L F; the lamp is black.
-  CompiledScene scene = plate({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
-  test::append(scene, plate({0, 1, 0}, {1, 0, 0}, {0, 0, 1}));
+  CompiledScene scene = facingPlate({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+  test::append(scene, facingPlate({0, 1, 0}, {1, 0, 0}, {0, 0, 1}));
   scene.materials[0].albedo = scene.materials[1].albedo = glm::vec3(0.0f);
   setEmission(scene, 1, {4, 2, 1});
   const std::vector<glm::vec4> e = elementsOf(scene, {});

@@ -16,7 +16,7 @@ namespace {
 
 using test::MadeOccluders;
 
-DeviceContext& device() { return test::sharedDevice().context(); }
+DeviceContext& occluderDevice() { return test::sharedDevice().context(); }
 
 OccluderReceivers receiversOf(const MadeOccluders& made) {
   return {made.positions, made.normals, glm::dvec3(0.0), made.gloss};
@@ -40,7 +40,7 @@ double largestOf(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs
 /// Largest differences relative to the range of each part.
 void expectReference(const MadeOccluders& made, const std::vector<device::OccluderLight>& lights,
                      const OccluderShading& shading, double tolerance) {
-  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  OccluderRelighter relighter(occluderDevice(), made.transfer, receiversOf(made));
   const std::vector<device::LitVertex> lit = relighter.relight(lights, shading, eye);
   ASSERT_EQ(lit.size(), made.positions.size());
   double range[3] = {}, error[4] = {};
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Formulas, Occluders,
 TEST(OccluderRelighter, ShadingThatChanges_IsPreparedAnew) {
   const MadeOccluders made = test::makeOccluders(100, test::everyOptionalVector(), 7);
   const auto lights = test::makeLights(4, 8);
-  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  OccluderRelighter relighter(occluderDevice(), made.transfer, receiversOf(made));
   OccluderShading changed;
   changed.causticStrength = 0.25;
   changed.effects.waves = 0.2;
@@ -134,7 +134,7 @@ TEST(OccluderRelighter, ShadingThatChanges_IsPreparedAnew) {
 TEST(OccluderRelighter, ManyLights_AddUp) {
   const MadeOccluders made = test::makeOccluders(300, {}, 9);
   const auto lights = test::makeLights(700, 10);  // takes several launches
-  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  OccluderRelighter relighter(occluderDevice(), made.transfer, receiversOf(made));
   const auto all = relighter.relight(lights, {}, eye);
   const auto first = relighter.relight(std::span(lights).first(300), {}, eye);
   const auto rest = relighter.relight(std::span(lights).subspan(300), {}, eye);
@@ -146,11 +146,11 @@ TEST(OccluderRelighter, ManyLights_AddUp) {
 
 TEST(OccluderRelighter, NoVertexOrNoLight_IsDark) {
   const MadeOccluders made = test::makeOccluders(10, {}, 11);
-  OccluderRelighter relighter(device(), made.transfer, receiversOf(made));
+  OccluderRelighter relighter(occluderDevice(), made.transfer, receiversOf(made));
   for (const device::LitVertex& lit : relighter.relight({}, {}, eye))
     EXPECT_EQ(vec(lit.diffuse), glm::dvec3(0));
   const MadeOccluders none = test::makeOccluders(0, {}, 12);
-  OccluderRelighter empty(device(), none.transfer, receiversOf(none));
+  OccluderRelighter empty(occluderDevice(), none.transfer, receiversOf(none));
   EXPECT_TRUE(empty.relight(test::makeLights(2, 1), {}, eye).empty());
 }
 
@@ -158,9 +158,9 @@ TEST(OccluderRelighter, WrongReceiversOrVectors_AreNamed) {
   MadeOccluders made = test::makeOccluders(10, {}, 13);
   OccluderReceivers receivers = receiversOf(made);
   receivers.normals = receivers.normals.first(9);
-  EXPECT_THROW(OccluderRelighter(device(), made.transfer, receivers), UsageError);
+  EXPECT_THROW(OccluderRelighter(occluderDevice(), made.transfer, receivers), UsageError);
   made.transfer.stored[0] = OccluderVector::Caustic;
-  EXPECT_THROW(OccluderRelighter(device(), made.transfer, receiversOf(made)), UsageError);
+  EXPECT_THROW(OccluderRelighter(occluderDevice(), made.transfer, receiversOf(made)), UsageError);
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ namespace {
 
 using test::MadeOccluders;
 
-constexpr std::size_t vertexCount = 20;
+constexpr std::size_t stressedVertices = 20;
 constexpr std::size_t lightsARound = 1000;
 constexpr double leastDistance = 0.01;
 
-const OccluderEye eye{{1.0, 1.0, 1.0}, true};
+const OccluderEye stressEye{{1.0, 1.0, 1.0}, true};
 
 class Places {
  public:
@@ -94,7 +94,7 @@ std::size_t countBad(const device::LitVertex& lit, double lights) {
 
 std::size_t countBadInReference(const MadeOccluders& made, const device::OccluderLight& light, std::size_t v,
                                 const OccluderShading& shading) {
-  const OccluderReceiver receiver = test::receiverOf(made, v, eye.position);
+  const OccluderReceiver receiver = test::receiverOf(made, v, stressEye.position);
   const LightAt source = [&](const glm::dvec3& point) { return incidentFrom(light, point); };
   const OccludedLight lit = litThroughOccluders(made.transfer, receiver, std::span(&source, 1), shading);
   std::size_t bad = 0;
@@ -109,7 +109,7 @@ std::size_t countBadInReference(const MadeOccluders& made, const device::Occlude
 // Sums over a thousand lights each: what is not a number, or not bounded, shows in them. One light in a
 // hundred is looked at alone, where what is negative would show.
 TEST(OccluderStress, MillionLightPlaces_StayFiniteBoundedAndNotNegative) {
-  const MadeOccluders made = test::makeOccluders(vertexCount, test::everyOptionalVector(), 1);
+  const MadeOccluders made = test::makeOccluders(stressedVertices, test::everyOptionalVector(), 1);
   OccluderRelighter relighter(test::sharedDevice().context(), made.transfer,
                               {made.positions, made.normals, glm::dvec3(0.0), made.gloss});
   Places places(made);
@@ -119,13 +119,13 @@ TEST(OccluderStress, MillionLightPlaces_StayFiniteBoundedAndNotNegative) {
     for (std::size_t i = 0; i < lightsARound; ++i)
       lights.push_back(occluderPointLight(places.at(i), glm::dvec3(1.0), leastDistance));
     const OccluderShading shading = shadingOfRound(round);
-    for (const device::LitVertex& lit : relighter.relight(lights, shading, eye))
+    for (const device::LitVertex& lit : relighter.relight(lights, shading, stressEye))
       bad += countBad(lit, lightsARound);
     for (std::size_t i = 0; i < 10; ++i) {
       const device::OccluderLight& light = lights[(round * 37 + i * 101) % lightsARound];
-      for (const device::LitVertex& lit : relighter.relight(std::span(&light, 1), shading, eye))
+      for (const device::LitVertex& lit : relighter.relight(std::span(&light, 1), shading, stressEye))
         bad += countBad(lit, 1);
-      badReference += countBadInReference(made, light, (round + i) % vertexCount, shading);
+      badReference += countBadInReference(made, light, (round + i) % stressedVertices, shading);
     }
   }
   EXPECT_EQ(bad, 0u);
@@ -140,7 +140,7 @@ TEST(OccluderEffects, ZeroAmplitude_ChangesNothing_AndPeriodsCloseExactly) {
   const auto at = [&](double waves, double fire, double seconds) {
     OccluderShading shading;
     shading.effects = {waves, 1.5, fire, effectMoment(seconds)};
-    return relighter.relight(lights, shading, eye);
+    return relighter.relight(lights, shading, stressEye);
   };
   const auto still = at(0.0, 0.0, 0.0), zero = at(0.0, 0.0, 3.3);
   const auto once = at(0.4, 0.7, 1.25), again = at(0.4, 0.7, 1.25 + 3.0 * effectPeriod),
@@ -164,7 +164,7 @@ TEST(OccluderEffects, Drain_TakesColourAwayAndStopsAtBlack) {
   const auto with = [&](double bleeding) {
     OccluderShading shading;
     shading.bleeding = bleeding;
-    return relighter.relight(lights, shading, eye);
+    return relighter.relight(lights, shading, stressEye);
   };
   const auto plain = with(0.0), drained = with(-1.0), empty = with(-1e6);
   std::size_t darker = 0, black = 0;

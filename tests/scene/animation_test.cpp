@@ -8,7 +8,7 @@
 namespace prelight {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expectNear(const glm::dvec4& got, const glm::dvec4& expected, double tolerance) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(got[i], expected[i], tolerance) << "component " << i;

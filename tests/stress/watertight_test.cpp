@@ -13,7 +13,7 @@
 namespace prelight {
 namespace {
 
-constexpr std::uint64_t usualRays = 1'600'000;  // of each of the two suites, for each tree
+constexpr std::uint64_t raysOfASuite = 1'600'000;  // of each of the two suites, for each tree
 constexpr std::size_t blockSize = std::size_t{1} << 20;
 
 class WatertightTest : public ::testing::TestWithParam<BvhLayout> {
@@ -68,7 +68,7 @@ TEST_P(WatertightTest, ClosedMeshes_RaysAtEdgesAndVertices_NeverLeak) {
   meshes.push_back(test::closedMesh("slivers 1e-8", test::withSlivers(ball, 1e-8f)));
   meshes.push_back(test::closedMesh("needles", test::needles(600, 1e4f)));
   meshes.push_back(test::closedMesh("disc", test::moved(ball, {1.0f, 1e-6f, 1.0f}, glm::vec3(0))));
-  expectNoLeaks(meshes, test::stressRays(usualRays));
+  expectNoLeaks(meshes, test::stressRays(raysOfASuite));
 }
 
 // Vertices are rounded where they end up, shared ones alike: a mesh stays closed however coarse it becomes.
@@ -84,7 +84,7 @@ TEST_P(WatertightTest, ClosedMeshes_ScaledAndFarFromZero_NeverLeak) {
       meshes.push_back(
           test::closedMesh("translated by " + std::to_string(offset),
                            test::moved(*mesh, glm::vec3(10), glm::vec3(offset, -offset, offset))));
-  expectNoLeaks(meshes, test::stressRays(usualRays));
+  expectNoLeaks(meshes, test::stressRays(raysOfASuite));
 }
 
 // compileScene moves a scene to its centre before it rounds to float.
@@ -98,7 +98,7 @@ TEST_P(WatertightTest, LoadedObjects_ScaledAndFarFromZero_NeverLeak) {
       for (auto& mesh : test::closedObjectsOfBuiltinScenes(transform)) meshes.push_back(std::move(mesh));
     }
   EXPECT_GE(meshes.size(), 30u);
-  expectNoLeaks(meshes, test::stressRays(usualRays));
+  expectNoLeaks(meshes, test::stressRays(raysOfASuite));
 }
 
 INSTANTIATE_TEST_SUITE_P(Layouts, WatertightTest, ::testing::Values(BvhLayout::Wide, BvhLayout::Narrow),

@@ -18,7 +18,7 @@
 namespace prelight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Surface {
   const char* name;

@@ -13,7 +13,7 @@
 namespace prelight::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Sheet {
   const char* name;

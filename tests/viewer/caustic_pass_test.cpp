@@ -21,7 +21,7 @@ namespace {
 using device::Photon;
 using namespace test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double spotWidth = 0.12;  // m, standard deviation
 
 /// A white square under a black sky and photons of 1 W on it, in a round spot.

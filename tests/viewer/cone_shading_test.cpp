@@ -15,7 +15,7 @@ using test::QuadScene;
 using test::square;
 using viewer::Shading;
 
-constexpr auto pi = static_cast<float>(std::numbers::pi);
+constexpr auto floatPi = static_cast<float>(std::numbers::pi);
 
 /// A white quad that faces +Z and the camera.
 QuadScene whiteQuad() {
@@ -35,7 +35,7 @@ void bakeCone(QuadScene& quad, const glm::vec3& axis, float aperture, float acce
 
 glm::vec3 underLamp(const glm::vec3& axis, float aperture, const glm::dvec3& fromLamp) {
   QuadScene quad = whiteQuad();
-  quad.scene.lights = {test::makeLight(LightType::Directional, glm::vec3(pi), {}, fromLamp)};
+  quad.scene.lights = {test::makeLight(LightType::Directional, glm::vec3(floatPi), {}, fromLamp)};
   quad.setSky(constantEnvironment(glm::vec3(0)));
   bakeCone(quad, axis, aperture, 0.25f);
   return pixelAt(quad.render(square(Shading::Cones)));

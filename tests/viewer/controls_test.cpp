@@ -9,7 +9,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 class ControlsTest : public testing::Test {
  protected:

@@ -20,7 +20,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr glm::vec3 albedo(0.9f, 0.7f, 0.5f);
 constexpr std::array<int, 3> bump = {200, 90, 240};  // of the normal map
 

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Material glossyMaterial(float roughness, float metallic) {
   Material material;

@@ -21,7 +21,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Mean radiance before albedo of the four corners: what the middle of a quad shows, up to its diagonal.
 glm::dvec3 onDiagonal(const std::vector<glm::dvec3>& corners) { return 0.5 * (corners[0] + corners[2]); }

@@ -14,7 +14,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(TurnedSky, ByAnyAngle_IsTheRotatedSky) {
   const Environment sky = test::halvedSky();

@@ -25,7 +25,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const OccluderEye eye{{2.0, 3.0, 5.0}, true};
 

@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-QuadScene litQuad(const glm::vec3& irradiance) {
+QuadScene quadOfIrradiance(const glm::vec3& irradiance) {
   QuadScene quad;
   Material material = lambertian({0.9f, 0.7f, 0.5f});
   material.emission = {0.25f, 0.5f, 0.0f};
@@ -27,16 +27,16 @@ QuadScene litQuad(const glm::vec3& irradiance) {
 
 TEST(RadiosityShading, Picture_IsAlbedoTimesIrradianceOverPiPlusEmission) {
   const float pi = std::numbers::pi_v<float>;
-  expectColor(pixelAt(litQuad({pi, 2 * pi, 4 * pi}).render(square(Shading::Radiosity))),
+  expectColor(pixelAt(quadOfIrradiance({pi, 2 * pi, 4 * pi}).render(square(Shading::Radiosity))),
               {0.9 + 0.25, 1.4 + 0.5, 2.0}, 1e-5);
 }
 
 TEST(RadiosityShading, FileWithIrradianceAlone_IsShownSo) {
-  EXPECT_EQ(viewer::carriedShading(litQuad(glm::vec3(1.0f)).bake), Shading::Radiosity);
+  EXPECT_EQ(viewer::carriedShading(quadOfIrradiance(glm::vec3(1.0f)).bake), Shading::Radiosity);
 }
 
 TEST(RadiosityShading, IrradianceOfAnotherScene_IsRefused) {
-  QuadScene quad = litQuad(glm::vec3(1.0f));
+  QuadScene quad = quadOfIrradiance(glm::vec3(1.0f));
   quad.bake.irradiance->pop_back();
   EXPECT_THROW(quad.render(square(Shading::Radiosity)), Error);
 }

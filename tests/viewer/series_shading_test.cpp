@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(ChShading, CoefficientsOfTheSameTransfer_ShowWhatShShows) {
   for (const int order : {1, 3, 6, 14, 32}) {

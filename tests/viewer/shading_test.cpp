@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 using viewer::Shading;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 QuadScene facingQuad(const glm::vec3& albedo) {
   QuadScene quad;

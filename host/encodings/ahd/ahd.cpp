@@ -10,7 +10,7 @@
 namespace prelight {
 namespace {
 
-void encode(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
+void encodeAhd(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
   assert(values.size() == 9);
   const auto functions = [](const glm::dvec3& n, const glm::dvec3& d) {
     return std::array<double, 2>{1.0, std::max(glm::dot(n, d), 0.0)};
@@ -21,7 +21,7 @@ void encode(std::span<const float> incident, const glm::mat3& frame, std::span<f
   storeColours<2>(fit.colours, values.subspan(3));
 }
 
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
+glm::vec3 ahdIrradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
   assert(values.size() == 9);
   const float cosine = std::max(glm::dot(normal, storedDirection(values, frame[2])), 0.0f);
   return glm::max(storedColour(values, 3) + cosine * storedColour(values, 6), glm::vec3(0.0f));
@@ -30,7 +30,8 @@ glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, cons
 }  // namespace
 
 Encoding ahdEncoding() {
-  return {"ahd", "ambient, highlight and direction", 9, false, encode, irradiance, encodingShader("ahd")};
+  return {
+      "ahd", "ambient, highlight and direction", 9, false, encodeAhd, ahdIrradiance, encodingShader("ahd")};
 }
 
 }  // namespace prelight

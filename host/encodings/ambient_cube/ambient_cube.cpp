@@ -15,21 +15,21 @@ constexpr std::size_t faces = 6;
 constexpr double pull = 1e-3;
 
 template <typename Real>
-std::array<Real, faces> weights(const glm::vec<3, Real>& n) {
+std::array<Real, faces> ambientCubeWeights(const glm::vec<3, Real>& n) {
   std::array<Real, faces> found{};
   for (int axis = 0; axis < 3; ++axis)
     found[static_cast<std::size_t>(2 * axis + (n[axis] < Real(0) ? 1 : 0))] = n[axis] * n[axis];
   return found;
 }
 
-void encode(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
+void encodeAmbientCube(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
   assert(values.size() == 3 * faces);
   const FitIrradiance wanted = fitIrradiance(incident, frame);
   const glm::dmat3 toWorld(frame);
   FitFunctions<faces> functions;
   glm::dvec3 mean(0.0);
   for (std::size_t n = 0; n < fitNormalCount; ++n) {
-    functions[n] = weights<double>(toWorld * fitNormals()[n].direction);
+    functions[n] = ambientCubeWeights<double>(toWorld * fitNormals()[n].direction);
     mean += fitNormals()[n].weight * wanted[n];
   }
   GramMatrix<faces> gram = gramMatrix<faces>(functions);
@@ -41,9 +41,10 @@ void encode(std::span<const float> incident, const glm::mat3& frame, std::span<f
   storeColours<faces>(solveColours<faces>(gram, right, 0), values);
 }
 
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& /*frame*/, const glm::vec3& normal) {
+glm::vec3 ambientCubeIrradiance(std::span<const float> values, const glm::mat3& /*frame*/,
+                                const glm::vec3& normal) {
   assert(values.size() == 3 * faces);
-  const std::array<float, faces> weight = weights<float>(normal);
+  const std::array<float, faces> weight = ambientCubeWeights<float>(normal);
   glm::vec3 sum(0.0f);
   for (std::size_t i = 0; i < faces; ++i)
     sum += weight[i] * glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
@@ -57,8 +58,8 @@ Encoding ambientCubeEncoding() {
           "ambient cube: six colours along the world's axes",
           3 * faces,
           false,
-          encode,
-          irradiance,
+          encodeAmbientCube,
+          ambientCubeIrradiance,
           encodingShader("ambient_cube")};
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t residual = 2;  ///< colours that may be negative: the lamp makes up for it
 
-void encode(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
+void encodeDominantDirection(std::span<const float> incident, const glm::mat3& frame,
+                             std::span<float> values) {
   assert(values.size() == 12);
   const auto functions = [](const glm::dvec3& n, const glm::dvec3& d) {
     return std::array<double, 3>{0.5 + 0.5 * n.z, 0.5 - 0.5 * n.z, std::max(glm::dot(n, d), 0.0)};
@@ -23,7 +24,8 @@ void encode(std::span<const float> incident, const glm::mat3& frame, std::span<f
   storeColours<3>(fit.colours, values.subspan(3));
 }
 
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
+glm::vec3 dominantDirectionIrradiance(std::span<const float> values, const glm::mat3& frame,
+                                      const glm::vec3& normal) {
   assert(values.size() == 12);
   const float up = glm::dot(normal, frame[2]);
   const float lamp = std::max(glm::dot(normal, storedDirection(values, frame[2])), 0.0f);
@@ -39,8 +41,8 @@ Encoding dominantDirectionEncoding() {
           "a lamp in the dominant direction, and a hemisphere of what remains",
           12,
           false,
-          encode,
-          irradiance,
+          encodeDominantDirection,
+          dominantDirectionIrradiance,
           encodingShader("dominant_direction")};
 }
 

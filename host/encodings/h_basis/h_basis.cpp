@@ -11,14 +11,14 @@ namespace prelight {
 namespace {
 
 template <std::size_t count>
-void encode(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
+void encodeHBasis(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
   assert(values.size() == 3 * count);
   static const LinearFit<count> fit(fitFunctions<count>(hBasis));
   storeColours<count>(fit.colours(fitIrradiance(incident, frame)), values);
 }
 
 template <std::size_t count>
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
+glm::vec3 hBasisIrradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
   assert(values.size() == 3 * count);
   const std::array<float, 6> basis = hBasis(normal * frame);
   glm::vec3 sum(0.0f);
@@ -26,7 +26,7 @@ glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, cons
   return glm::max(sum, glm::vec3(0.0f));
 }
 
-std::string shaderOf(int functions) {
+std::string hBasisShader(int functions) {
   return "const int encodedFunctions = " + std::to_string(functions) + ";\n" +
          std::string(encodingShader("h_basis"));
 }
@@ -48,11 +48,13 @@ std::array<float, 6> hBasis(const glm::vec3& d) {
 Encoding hBasisEncoding(int functions) {
   assert(functions == 4 || functions == 6);
   if (functions == 4) {
-    static const std::string shader = shaderOf(4);
-    return {"h-basis-4", "four functions of the H-basis", 12, true, encode<4>, irradiance<4>, shader};
+    static const std::string shader = hBasisShader(4);
+    return {"h-basis-4", "four functions of the H-basis", 12, true, encodeHBasis<4>, hBasisIrradiance<4>,
+            shader};
   }
-  static const std::string shader = shaderOf(6);
-  return {"h-basis-6", "six functions of the H-basis", 18, true, encode<6>, irradiance<6>, shader};
+  static const std::string shader = hBasisShader(6);
+  return {"h-basis-6", "six functions of the H-basis", 18, true, encodeHBasis<6>, hBasisIrradiance<6>,
+          shader};
 }
 
 }  // namespace prelight

@@ -9,7 +9,7 @@ namespace prelight {
 namespace {
 
 template <std::size_t terms>
-void encode(std::span<const float> incident, const glm::mat3& /*frame*/, std::span<float> values) {
+void encodeSh(std::span<const float> incident, const glm::mat3& /*frame*/, std::span<float> values) {
   assert(incident.size() == 3 * incidentTerms && values.size() == 3 * terms);
   for (std::size_t i = 0; i < terms; ++i)
     for (std::size_t channel = 0; channel < 3; ++channel)
@@ -17,7 +17,7 @@ void encode(std::span<const float> incident, const glm::mat3& /*frame*/, std::sp
 }
 
 template <std::size_t terms>
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& /*frame*/, const glm::vec3& n) {
+glm::vec3 shIrradiance(std::span<const float> values, const glm::mat3& /*frame*/, const glm::vec3& n) {
   assert(values.size() == 3 * terms);
   const auto colour = [&](std::size_t i) {
     return glm::vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
@@ -34,7 +34,7 @@ glm::vec3 irradiance(std::span<const float> values, const glm::mat3& /*frame*/, 
   return glm::max(sum, glm::vec3(0.0f));
 }
 
-std::string shaderOf(int order) {
+std::string shShader(int order) {
   return "const int encodedOrder = " + std::to_string(order) + ";\n" + std::string(encodingShader("sh"));
 }
 
@@ -43,11 +43,11 @@ std::string shaderOf(int order) {
 Encoding shEncoding(int order) {
   assert(order == 2 || order == 3);
   if (order == 2) {
-    static const std::string shader = shaderOf(2);
-    return {"sh-2", "spherical harmonics of order 2", 12, false, encode<4>, irradiance<4>, shader};
+    static const std::string shader = shShader(2);
+    return {"sh-2", "spherical harmonics of order 2", 12, false, encodeSh<4>, shIrradiance<4>, shader};
   }
-  static const std::string shader = shaderOf(3);
-  return {"sh-3", "spherical harmonics of order 3", 27, false, encode<9>, irradiance<9>, shader};
+  static const std::string shader = shShader(3);
+  return {"sh-3", "spherical harmonics of order 3", 27, false, encodeSh<9>, shIrradiance<9>, shader};
 }
 
 }  // namespace prelight

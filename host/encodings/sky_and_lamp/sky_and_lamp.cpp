@@ -14,7 +14,7 @@ constexpr std::size_t terms = 4;
 constexpr float constant = 0.282094792f;  // sqrt(1 / 4pi)
 constexpr float linear = 0.488602512f;    // sqrt(3 / 4pi)
 
-void encode(std::span<const float> incident, const glm::mat3& /*frame*/, std::span<float> values) {
+void encodeSkyAndLamp(std::span<const float> incident, const glm::mat3& /*frame*/, std::span<float> values) {
   assert(incident.size() == 3 * incidentTerms && values.size() == 3 * terms);
   for (std::size_t i = 0; i < terms; ++i)
     for (std::size_t channel = 0; channel < 3; ++channel)
@@ -31,7 +31,8 @@ float skyIrradiance(float all, float own, float squaredVector) {
   return std::clamp((b - std::sqrt(std::max(root, 0.0f))) / 3.0f, 0.0f, std::max(own, 0.0f));
 }
 
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
+glm::vec3 skyAndLampIrradiance(std::span<const float> values, const glm::mat3& frame,
+                               const glm::vec3& normal) {
   assert(values.size() == 3 * terms);
   const glm::vec3 n = frame[2];
   const float cosine = glm::dot(normal, n);
@@ -53,8 +54,8 @@ Encoding skyAndLampEncoding() {
           "even sky and a lamp a channel, from spherical harmonics of order 2",
           3 * terms,
           false,
-          encode,
-          irradiance,
+          encodeSkyAndLamp,
+          skyAndLampIrradiance,
           encodingShader("sky_and_lamp")};
 }
 

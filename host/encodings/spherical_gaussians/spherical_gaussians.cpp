@@ -95,7 +95,8 @@ struct LobeFit {
 };
 
 template <std::size_t count>
-void encode(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
+void encodeSphericalGaussians(std::span<const float> incident, const glm::mat3& frame,
+                              std::span<float> values) {
   assert(values.size() == 3 * count);
   static const LobeFit<count> fit;
   const FitColours<count> right = rightSide<count>(fit.functions, fitIrradiance(incident, frame));
@@ -103,7 +104,8 @@ void encode(std::span<const float> incident, const glm::mat3& frame, std::span<f
 }
 
 template <std::size_t count>
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
+glm::vec3 sphericalGaussiansIrradiance(std::span<const float> values, const glm::mat3& frame,
+                                       const glm::vec3& normal) {
   assert(values.size() == 3 * count);
   static const GaussianLobes& lobes = gaussianLobes(count);
   const glm::vec3 n = normal * frame;
@@ -113,7 +115,7 @@ glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, cons
   return glm::max(sum, glm::vec3(0.0f));
 }
 
-std::string shaderOf(std::size_t count) {
+std::string sphericalGaussiansShader(std::size_t count) {
   const GaussianLobes& lobes = gaussianLobes(count);
   std::string text = fmt::format("const int encodedLobes = {};\nconst vec3 encodedDirections[{}] = vec3[{}](",
                                  count, count, count);
@@ -129,8 +131,10 @@ std::string shaderOf(std::size_t count) {
 
 template <std::size_t count>
 Encoding encodingOf(const char* name, const char* summary) {
-  static const std::string shader = shaderOf(count);
-  return {name, summary, 3 * count, true, encode<count>, irradiance<count>, shader};
+  static const std::string shader = sphericalGaussiansShader(count);
+  return {
+      name,  summary, 3 * count, true, encodeSphericalGaussians<count>, sphericalGaussiansIrradiance<count>,
+      shader};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ float zonalIrradiance(float cosine) { return 0.247707956f * (3.0f * cosine * cos
 
 /// The zonal coefficient is the one with the least squared error of irradiance over the fit normals; without
 /// it there would be that of order 2.
-void encode(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
+void encodeZh3(std::span<const float> incident, const glm::mat3& frame, std::span<float> values) {
   assert(incident.size() == 3 * incidentTerms && values.size() == 15);
   storeLinear(incident, values);
   const glm::vec3 axis = axisOf(values, frame[2]);
@@ -59,7 +59,7 @@ void encode(std::span<const float> incident, const glm::mat3& frame, std::span<f
     values[12 + static_cast<std::size_t>(channel)] = static_cast<float>(product[channel] / square);
 }
 
-glm::vec3 irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
+glm::vec3 zh3Irradiance(std::span<const float> values, const glm::mat3& frame, const glm::vec3& normal) {
   assert(values.size() == 15);
   const float zonal = zonalIrradiance(glm::dot(axisOf(values, frame[2]), normal));
   return glm::max(linearIrradiance(values, normal) + zonal * storedColour(values, 12), glm::vec3(0.0f));
@@ -85,7 +85,7 @@ glm::vec3 hallucinatedIrradiance(std::span<const float> values, const glm::mat3&
                   glm::vec3(0.0f));
 }
 
-std::string shaderOf(bool hallucinated) {
+std::string zh3Shader(bool hallucinated) {
   return std::string("const bool encodedHallucination = ") + (hallucinated ? "true" : "false") + ";\n" +
          std::string(encodingShader("zh3"));
 }
@@ -93,13 +93,14 @@ std::string shaderOf(bool hallucinated) {
 }  // namespace
 
 Encoding zh3Encoding() {
-  static const std::string shader = shaderOf(false);
-  return {"zh3", "spherical harmonics of order 2 and a quadratic zonal one", 15, false, encode, irradiance,
-          shader};
+  static const std::string shader = zh3Shader(false);
+  return {
+      "zh3", "spherical harmonics of order 2 and a quadratic zonal one", 15, false, encodeZh3, zh3Irradiance,
+      shader};
 }
 
 Encoding zh3HallucinatedEncoding() {
-  static const std::string shader = shaderOf(true);
+  static const std::string shader = zh3Shader(true);
   return {"zh3-hallucinated",
           "spherical harmonics of order 2, and a quadratic zonal one guessed from them",
           12,

@@ -4,15 +4,17 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> ambientOcclusionPasses(const PlanInput& input) {
   const bool asked = input.request.ao;
   return {{Pass::AmbientOcclusion, asked, asked ? "with bent normal, from the same cast" : "not asked for"}};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.ao); }
+void addAmbientOcclusionToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.ao); }
 
 }  // namespace
 
-Planning ambientOcclusionPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+Planning ambientOcclusionPlanning() {
+  return {.passes = ambientOcclusionPasses, .addToKey = addAmbientOcclusionToKey};
+}
 
 }  // namespace prelight

@@ -10,18 +10,19 @@ namespace {
 
 using Json = Technique::Json;
 
-std::size_t storedBytes(const Bake& bake) { return bytesOf(bake.ao) + bytesOf(bake.bentNormals); }
+std::size_t ambientOcclusionBytes(const Bake& bake) { return bytesOf(bake.ao) + bytesOf(bake.bentNormals); }
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeAmbientOcclusionEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   const Bake& bake = output.bake;
   if (!bake.ao.empty()) entry["ao"] = appendVertices(output.document, bake.ao, ranges, 1);
   if (!bake.bentNormals.empty())
     entry["bentNormal"] = appendVectors(output.document, bake.bentNormals, ranges);
 }
 
-class Reader final : public TechniqueReader {
+class AmbientOcclusionReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit AmbientOcclusionReader(const BakedInput& input)
+      : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     if (const auto ao = entry.find("ao"))
@@ -35,7 +36,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeAmbientOcclusion(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.ao.empty()) found.push_back({"ao", "AO", bytesOf(bake.ao), true, true});
   if (!bake.bentNormals.empty())
     found.push_back({"bentNormal", "bent normals", bytesOf(bake.bentNormals), true, true});
@@ -47,10 +48,10 @@ Technique ambientOcclusionTechnique() {
   return {.name = "ambient_occlusion",
           .members = {"ao", "bentNormal"},
           .accessors = {"ao", "bentNormal"},
-          .storedBytes = storedBytes,
-          .writeEntry = writeEntry,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .storedBytes = ambientOcclusionBytes,
+          .writeEntry = writeAmbientOcclusionEntry,
+          .makeReader = makeTechniqueReader<AmbientOcclusionReader>,
+          .summarize = summarizeAmbientOcclusion};
 }
 
 }  // namespace prelight

@@ -4,18 +4,18 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> chPasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   return {planHarmonics(Pass::ChTransfer, request.ch.order, input.bounces,
                         request.ch.naive ? ", naive inner products" : ", an exact map of the SH transfer")};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) {
+void addChToKey(const BakeRequest& request, StateHash& hash) {
   hash.value(request.ch.order).value(request.ch.naive);
 }
 
 }  // namespace
 
-Planning chPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+Planning chPlanning() { return {.passes = chPasses, .addToKey = addChToKey}; }
 
 }  // namespace prelight

@@ -6,7 +6,7 @@ namespace prelight {
 
 namespace {
 
-struct Kind {
+struct ChKind {
   static constexpr auto transfer = &Bake::ch;
   static constexpr const char* key = "ch";
   static constexpr const char* title = "CH";
@@ -14,6 +14,6 @@ struct Kind {
 
 }  // namespace
 
-Technique chTechnique() { return Harmonic<Kind>::technique(); }
+Technique chTechnique() { return Harmonic<ChKind>::technique(); }
 
 }  // namespace prelight

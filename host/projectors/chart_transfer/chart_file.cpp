@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int floatType = 5126;
-constexpr std::uint64_t maxOrder = 32, maxSide = 1u << 14;
+constexpr int chartFloat = 5126;
+constexpr std::uint64_t maxChartOrder = 32, maxChartSide = 1u << 14;
 
 std::size_t indexOf(const CompiledScene& scene, const PrimitiveRange& range) {
   const auto found =
@@ -45,7 +45,7 @@ Json chartsToJson(GltfDocument& document, const ChartTransfer& transfer, const C
   }
   if (first == nullptr) return nullptr;
   const auto append = [&](const std::vector<float>& values, const char* type, std::size_t components) {
-    return appendAccessor(document, std::as_bytes(std::span(values)), type, floatType,
+    return appendAccessor(document, std::as_bytes(std::span(values)), type, chartFloat,
                           values.size() / components);
   };
   return {{"width", first->width},
@@ -62,13 +62,13 @@ void readCharts(const GltfDocument& document, const JsonCursor& root, const Json
                 std::optional<ChartTransfer>& transfer) {
   json.expectObject();
   const ChartTransfer header{
-      readNumber(json.at("order"), 1, maxOrder), readChannels(json), readBounces(json), {}};
+      readNumber(json.at("order"), 1, maxChartOrder), readChannels(json), readBounces(json), {}};
   if (!transfer) transfer = header;
   if (header.order != transfer->order || header.channels != transfer->channels ||
       header.bounces != transfer->bounces)
     json.fail("expected the order, channels and bounces of the other primitives", rebake);
-  const int width = readNumber(json.at("width"), 1, maxSide),
-            height = readNumber(json.at("height"), 1, maxSide);
+  const int width = readNumber(json.at("width"), 1, maxChartSide),
+            height = readNumber(json.at("height"), 1, maxChartSide);
   const ValueReader values(document, root);
   const std::size_t each =
       static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * header.rowLength();

@@ -6,7 +6,7 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> chartTransferPasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   if (request.chartTransfer.size == 0) return {{Pass::ChartTransfer, false, "not asked for"}};
   if (request.sh.order == 0)
@@ -20,10 +20,14 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
                                   : "shading normals, as no material has a normal map")}};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.chartTransfer.size); }
+void addChartTransferToKey(const BakeRequest& request, StateHash& hash) {
+  hash.value(request.chartTransfer.size);
+}
 
 }  // namespace
 
-Planning chartTransferPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+Planning chartTransferPlanning() {
+  return {.passes = chartTransferPasses, .addToKey = addChartTransferToKey};
+}
 
 }  // namespace prelight

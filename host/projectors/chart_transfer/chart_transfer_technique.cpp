@@ -13,15 +13,15 @@ namespace {
 
 using Json = Technique::Json;
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeChartTransferEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.chartTransfer) return;
   Json texels = chartsToJson(output.document, *output.bake.chartTransfer, output.scene, ranges);
   if (!texels.is_null()) entry["texels"] = std::move(texels);
 }
 
-class Reader final : public TechniqueReader {
+class ChartTransferReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input) {}
+  explicit ChartTransferReader(const BakedInput& input) : input_(input) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     if (const auto texels = entry.find("texels"))
@@ -36,7 +36,7 @@ class Reader final : public TechniqueReader {
   const BakedInput& input_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeChartTransfer(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.chartTransfer) return;
   const ChartTransfer& transfer = *bake.chartTransfer;
   std::size_t bytes = 0, texels = 0;
@@ -68,9 +68,9 @@ Technique chartTransferTechnique() {
           .members = {"texels"},
           .everywhere = false,
           .accessors = {"texCoord", "coefficients"},
-          .writeEntry = writeEntry,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .writeEntry = writeChartTransferEntry,
+          .makeReader = makeTechniqueReader<ChartTransferReader>,
+          .summarize = summarizeChartTransfer};
 }
 
 }  // namespace prelight

@@ -17,7 +17,7 @@ std::string storedText(const EncodedLightRequest& request) {
   return text;
 }
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> encodedLightPasses(const PlanInput& input) {
   constexpr Pass name = Pass::EncodedLight;
   const EncodedLightRequest& request = input.request.encodedLight;
   if (!request) return {};
@@ -30,7 +30,7 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
 }
 
 /// Besides the light map's own, whose texels hold what is encoded until it is.
-void addMemory(const PlanInput& input, Plan& plan) {
+void addEncodedLightMemory(const PlanInput& input, Plan& plan) {
   if (!plan.runs(Pass::EncodedLight)) return;
   constexpr std::uint64_t bytesPerNumber = 2 * sizeof(float);  // as it is, and while it is written
   constexpr std::uint64_t bytesPerFitted = 3 * 8;              // of the normal equations' right sides
@@ -42,14 +42,17 @@ void addMemory(const PlanInput& input, Plan& plan) {
                     bytesPerFitted * 3 * incidentTerms * vertices;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) {
+void addEncodedLightToKey(const BakeRequest& request, StateHash& hash) {
   for (const std::string& name : request.encodedLight.encodings) hash.text(name);
 }
 
 }  // namespace
 
 Planning encodedLightPlanning() {
-  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+  return {.staticLight = true,
+          .passes = encodedLightPasses,
+          .addMemory = addEncodedLightMemory,
+          .addToKey = addEncodedLightToKey};
 }
 
 }  // namespace prelight

@@ -17,13 +17,13 @@ using Json = Technique::Json;
 
 constexpr const char* member = "encodedLight";
 
-std::size_t storedBytes(const Bake& bake) {
+std::size_t encodedLightBytes(const Bake& bake) {
   std::size_t bytes = 0;
   for (const EncodedLight& light : bake.encodedLight) bytes += bytesOf(light.values);
   return bytes;
 }
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeEncodedLightEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   for (const EncodedLight& light : output.bake.encodedLight) {
     const std::size_t width = light.values.size() / std::max(1u, output.scene.vertexCount());
     entry[member].push_back({{"encoding", light.encoding},
@@ -31,9 +31,9 @@ void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& 
   }
 }
 
-class Reader final : public TechniqueReader {
+class EncodedLightReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit EncodedLightReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find(member);
@@ -68,7 +68,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeEncodedLight(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   for (const EncodedLight& light : bake.encodedLight) {
     const Encoding* encoding = encodingNamed(light.encoding);
     found.push_back({fmt::format("{}.{}", member, light.encoding),
@@ -96,10 +96,10 @@ Technique encodedLightTechnique() {
   return {.name = "encoded_light",
           .members = {member},
           .accessors = {"values"},
-          .storedBytes = storedBytes,
-          .writeEntry = writeEntry,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .storedBytes = encodedLightBytes,
+          .writeEntry = writeEncodedLightEntry,
+          .makeReader = makeTechniqueReader<EncodedLightReader>,
+          .summarize = summarizeEncodedLight};
 }
 
 }  // namespace prelight

@@ -12,7 +12,7 @@ T entriesOf(T order) {
   return order * order * order * order;
 }
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> glossyPasses(const PlanInput& input) {
   const int order = input.request.glossy.order;
   if (order == 0) return {{Pass::GlossyTransfer, false, "not asked for"}};
   return {{Pass::GlossyTransfer, true,
@@ -20,16 +20,18 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
                        entriesOf(order), plannedChannels(input.bounces), 2 * order - 1)}};
 }
 
-void addMemory(const PlanInput& input, Plan& plan) {
+void addGlossyMemory(const PlanInput& input, Plan& plan) {
   plan.hostBytes += input.scene.vertexCount() *
                     entriesOf(static_cast<std::uint64_t>(input.request.glossy.order)) * 4 *
                     (input.bounces ? 6 : 2);
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.glossy.order); }
+void addGlossyToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.glossy.order); }
 
 }  // namespace
 
-Planning glossyPlanning() { return {.passes = passes, .addMemory = addMemory, .addToKey = addToKey}; }
+Planning glossyPlanning() {
+  return {.passes = glossyPasses, .addMemory = addGlossyMemory, .addToKey = addGlossyToKey};
+}
 
 }  // namespace prelight

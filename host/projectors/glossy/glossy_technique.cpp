@@ -14,14 +14,14 @@ using Json = Technique::Json;
 
 constexpr std::uint64_t maxGlossyOrder = 32;
 
-std::size_t storedBytes(const Bake& bake) { return bake.glossy ? bytesOf(bake.glossy->matrices) : 0; }
+std::size_t glossyBytes(const Bake& bake) { return bake.glossy ? bytesOf(bake.glossy->matrices) : 0; }
 
 std::size_t entriesOf(const GlossyTransfer& glossy) {
   const auto n = static_cast<std::size_t>(glossy.order * glossy.order);
   return n * n * static_cast<std::size_t>(glossy.channels);
 }
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeGlossyEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.glossy) return;
   const GlossyTransfer& glossy = *output.bake.glossy;
   Json json = {{"order", glossy.order}, {"channels", glossy.channels}, {"bounces", glossy.bounces}};
@@ -29,9 +29,9 @@ void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& 
   entry["glossy"] = std::move(json);
 }
 
-class Reader final : public TechniqueReader {
+class GlossyReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit GlossyReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find("glossy");
@@ -55,7 +55,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeGlossy(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.glossy) return;
   const GlossyTransfer& transfer = *bake.glossy;
   const std::size_t bytes = bytesOf(transfer.matrices);
@@ -76,10 +76,10 @@ Technique glossyTechnique() {
   return {.name = "glossy",
           .members = {"glossy"},
           .accessors = {"matrices"},
-          .storedBytes = storedBytes,
-          .writeEntry = writeEntry,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .storedBytes = glossyBytes,
+          .writeEntry = writeGlossyEntry,
+          .makeReader = makeTechniqueReader<GlossyReader>,
+          .summarize = summarizeGlossy};
 }
 
 }  // namespace prelight

@@ -56,9 +56,9 @@ void checkRows(const JsonCursor& json, int faceSize, const std::vector<std::uint
                                 rebake);
 }
 
-class Reader final : public TechniqueReader {
+class HaarReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit HaarReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find("haar");
@@ -138,7 +138,7 @@ void writeHaar(const BakedOutput& output, const PrimitiveRanges& ranges, Json& e
 }
 
 std::unique_ptr<TechniqueReader> makeHaarReader(const BakedInput& input) {
-  return makeTechniqueReader<Reader>(input);
+  return makeTechniqueReader<HaarReader>(input);
 }
 
 }  // namespace prelight

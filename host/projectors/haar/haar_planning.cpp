@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t texelCodeBytes = 4;  // of a ray that is kept texel by texel
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> haarPasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   if (request.haar.size == 0) return {{Pass::HaarTransfer, false, "not asked for"}};
   return {{Pass::HaarTransfer, true,
@@ -22,19 +22,21 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
                                      : "")}};
 }
 
-void addMemory(const PlanInput& input, Plan& plan) {
+void addHaarMemory(const PlanInput& input, Plan& plan) {
   const BakeRequest& request = input.request;
   if (request.haar.size == 0) return;
   plan.texelBytes = std::min(plannedRays(input.scene, request) * texelCodeBytes, request.memory() / 4);
   plan.hostBytes += plan.texelBytes;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) {
+void addHaarToKey(const BakeRequest& request, StateHash& hash) {
   hash.value(request.haar.size).value(request.haar.error);
 }
 
 }  // namespace
 
-Planning haarPlanning() { return {.passes = passes, .addMemory = addMemory, .addToKey = addToKey}; }
+Planning haarPlanning() {
+  return {.passes = haarPasses, .addMemory = addHaarMemory, .addToKey = addHaarToKey};
+}
 
 }  // namespace prelight

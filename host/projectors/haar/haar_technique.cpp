@@ -15,7 +15,7 @@ std::size_t bytesOfHaar(const Bake& bake) {
   return bytesOf(haar.offsets) + haar.indices.size() * haar.storedIndexBytes() + bytesOf(haar.values);
 }
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeHaar(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.haar) return;
   const HaarTransfer& transfer = *bake.haar;
   const std::size_t bytes = bytesOfHaar(bake);
@@ -45,7 +45,7 @@ Technique haarTechnique() {
           .storedBytes = bytesOfHaar,
           .writeEntry = writeHaar,
           .makeReader = makeHaarReader,
-          .summarize = summarize};
+          .summarize = summarizeHaar};
 }
 
 }  // namespace prelight

@@ -4,7 +4,7 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> lightGroupsPasses(const PlanInput& input) {
   if (!input.request.lightGroups) return {{Pass::LightGroups, false, "not asked for"}};
   return {{Pass::LightGroups, true, "shadow rays from every receiver to every light"}};
 }
@@ -13,7 +13,9 @@ const char* closestHitsOfSome(const BakeRequest& request) {
   return request.lightGroups ? "closest hits where a group has emitters" : nullptr;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.lightGroups.wanted); }
+void addLightGroupsToKey(const BakeRequest& request, StateHash& hash) {
+  hash.value(request.lightGroups.wanted);
+}
 
 void addListsToKey(const BakeRequest& request, StateHash& hash) {
   for (const LightGroupRequest& group : request.lightGroups.named) {
@@ -25,9 +27,9 @@ void addListsToKey(const BakeRequest& request, StateHash& hash) {
 }  // namespace
 
 Planning lightGroupsPlanning() {
-  return {.passes = passes,
+  return {.passes = lightGroupsPasses,
           .closestHitsOfSome = closestHitsOfSome,
-          .addToKey = addToKey,
+          .addToKey = addLightGroupsToKey,
           .addListsToKey = addListsToKey};
 }
 

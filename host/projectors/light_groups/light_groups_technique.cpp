@@ -16,7 +16,7 @@ using Json = Technique::Json;
 
 constexpr std::uint64_t maxGroups = 1u << 16;
 
-std::size_t storedBytes(const Bake& bake) {
+std::size_t lightGroupsBytes(const Bake& bake) {
   return bake.lightGroups ? bytesOf(bake.lightGroups->coefficients) : 0;
 }
 
@@ -31,7 +31,7 @@ Json groupsToJson(const LightGroupTransfer& lights) {
   return groups;
 }
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeLightGroupsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.lightGroups) return;
   const LightGroupTransfer& lights = *output.bake.lightGroups;
   Json json = {{"channels", lights.channels}, {"bounces", lights.bounces}};
@@ -39,13 +39,13 @@ void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& 
   entry["lightGroups"] = std::move(json);
 }
 
-void writeRoot(const BakedOutput& output, Json& root) {
+void writeLightGroupsRoot(const BakedOutput& output, Json& root) {
   if (output.bake.lightGroups) root["lightGroups"] = groupsToJson(*output.bake.lightGroups);
 }
 
-class Reader final : public TechniqueReader {
+class LightGroupsReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit LightGroupsReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find("lightGroups");
@@ -87,7 +87,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeLightGroups(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.lightGroups) return;
   const LightGroupTransfer& transfer = *bake.lightGroups;
   const std::size_t bytes = bytesOf(transfer.coefficients);
@@ -111,11 +111,11 @@ Technique lightGroupsTechnique() {
   return {.name = "light_groups",
           .members = {"lightGroups"},
           .accessors = {"coefficients"},
-          .storedBytes = storedBytes,
-          .writeEntry = writeEntry,
-          .writeRoot = writeRoot,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .storedBytes = lightGroupsBytes,
+          .writeEntry = writeLightGroupsEntry,
+          .writeRoot = writeLightGroupsRoot,
+          .makeReader = makeTechniqueReader<LightGroupsReader>,
+          .summarize = summarizeLightGroups};
 }
 
 }  // namespace prelight

@@ -11,13 +11,13 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t leastRays = 16, mostRaysPerReceiver = 256;
+constexpr std::uint32_t leastLightRays = 16, mostLightRays = 256;
 
 CastOptions castOptions(const GroupedLights& lights, std::uint32_t rays, int coefficients) {
   CastOptions options;
   // Where nothing emits but points, the hemisphere tells only whether a place is inside an object.
   options.raysPerReceiver =
-      lights.emitters.empty() ? leastRays : std::clamp(rays, leastRays, mostRaysPerReceiver);
+      lights.emitters.empty() ? leastLightRays : std::clamp(rays, leastLightRays, mostLightRays);
   options.lights = &lights;
   options.incidentOrder = incidentOrderOf(coefficients);
   options.marksInside = true;
@@ -32,7 +32,7 @@ DirectLightPart::DirectLightPart(const CompiledScene& scene, Tracer& tracer, std
       lights_(groupLights(scene, {{"all", {"*"}}})),
       caster_(scene, tracer, castOptions(lights_, rays, coefficients)),
       coefficients_(static_cast<std::size_t>(coefficients)),
-      receiversPerTexel_(lights_.emitters.empty() ? 1u : std::max(1u, rays / mostRaysPerReceiver)),
+      receiversPerTexel_(lights_.emitters.empty() ? 1u : std::max(1u, rays / mostLightRays)),
       seed_(sampling::hashInteger(static_cast<std::uint32_t>(seed) ^
                                   sampling::hashInteger(static_cast<std::uint32_t>(seed >> 32) + 0x11647u))) {
 }

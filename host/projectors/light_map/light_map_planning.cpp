@@ -6,16 +6,16 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> lightMapPasses(const PlanInput& input) {
   return planLightMap(input.source, input.scene, input.request);
 }
 
-void addMemory(const PlanInput& input, Plan& plan) {
+void addLightMapMemory(const PlanInput& input, Plan& plan) {
   if (plan.runs(Pass::LightMap))
     plan.hostBytes += lightMapBytes(input.scene, input.request, lightMapCoefficients(plan));
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) {
+void addLightMapToKey(const BakeRequest& request, StateHash& hash) {
   hash.value(request.lightMap.wanted).value(request.lightMap.texelSize).value(request.lightMap.error);
   hash.value(request.lightMap.caustics).value(request.lightMap.photons);
 }
@@ -23,7 +23,10 @@ void addToKey(const BakeRequest& request, StateHash& hash) {
 }  // namespace
 
 Planning lightMapPlanning() {
-  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+  return {.staticLight = true,
+          .passes = lightMapPasses,
+          .addMemory = addLightMapMemory,
+          .addToKey = addLightMapToKey};
 }
 
 }  // namespace prelight

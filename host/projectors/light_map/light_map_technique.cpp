@@ -10,9 +10,9 @@ namespace prelight {
 namespace {
 
 /// Reads all entries together, when what is at vertices is known to fit.
-class Reader final : public TechniqueReader {
+class LightMapEntryReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input) {}
+  explicit LightMapEntryReader(const BakedInput& input) : input_(input) {}
 
   void finish(Bake& bake) override {
     bake.lightMap = readLightMap(input_.document, input_.root, input_.scene);
@@ -22,7 +22,7 @@ class Reader final : public TechniqueReader {
   const BakedInput& input_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeLightMap(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.lightMap) return;
   const LightMap& map = *bake.lightMap;
   const LightMapLayout& layout = map.layout;
@@ -48,8 +48,8 @@ Technique lightMapTechnique() {
           .members = {"lightmap"},
           .everywhere = false,
           .accessors = {"texCoord", "indices"},
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .makeReader = makeTechniqueReader<LightMapEntryReader>,
+          .summarize = summarizeLightMap};
 }
 
 }  // namespace prelight

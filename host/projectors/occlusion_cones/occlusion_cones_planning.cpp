@@ -4,17 +4,19 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> occlusionConesPasses(const PlanInput& input) {
   if (!input.request.cones) return {};
   return {{Pass::OcclusionCones, true, "from ambient occlusion and bent normal, without further rays"}};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) {
+void addOcclusionConesToKey(const BakeRequest& request, StateHash& hash) {
   if (request.cones) hash.value(request.cones);
 }
 
 }  // namespace
 
-Planning occlusionConesPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+Planning occlusionConesPlanning() {
+  return {.passes = occlusionConesPasses, .addToKey = addOcclusionConesToKey};
+}
 
 }  // namespace prelight

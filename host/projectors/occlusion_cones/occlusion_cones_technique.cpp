@@ -10,16 +10,17 @@ namespace {
 
 using Json = Technique::Json;
 
-std::size_t storedBytes(const Bake& bake) { return bytesOf(bake.apertures); }
+std::size_t occlusionConesBytes(const Bake& bake) { return bytesOf(bake.apertures); }
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeOcclusionConesEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.apertures.empty())
     entry["aperture"] = appendVertices(output.document, output.bake.apertures, ranges, 1);
 }
 
-class Reader final : public TechniqueReader {
+class OcclusionConesReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit OcclusionConesReader(const BakedInput& input)
+      : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     if (const auto aperture = entry.find("aperture"))
@@ -32,7 +33,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeOcclusionCones(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.apertures.empty())
     found.push_back({"aperture", "occlusion cones", bytesOf(bake.apertures), true, true});
 }
@@ -43,10 +44,10 @@ Technique occlusionConesTechnique() {
   return {.name = "occlusion_cones",
           .members = {"aperture"},
           .accessors = {"aperture"},
-          .storedBytes = storedBytes,
-          .writeEntry = writeEntry,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .storedBytes = occlusionConesBytes,
+          .writeEntry = writeOcclusionConesEntry,
+          .makeReader = makeTechniqueReader<OcclusionConesReader>,
+          .summarize = summarizeOcclusionCones};
 }
 
 }  // namespace prelight

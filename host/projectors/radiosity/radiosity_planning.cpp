@@ -8,9 +8,11 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) { return planRadiosity(input.scene, input.request); }
+std::vector<PlannedPass> radiosityPasses(const PlanInput& input) {
+  return planRadiosity(input.scene, input.request);
+}
 
-void addMemory(const PlanInput& input, Plan& plan) {
+void addRadiosityMemory(const PlanInput& input, Plan& plan) {
   if (!plan.runs(Pass::Radiosity)) return;
   const std::uint64_t bytes =
       std::min(input.request.memory(), radiosityScale(input.scene, input.request).bytes());
@@ -18,12 +20,15 @@ void addMemory(const PlanInput& input, Plan& plan) {
   plan.deviceBytes += bytes / 3;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.radiosity.wanted); }
+void addRadiosityToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.radiosity.wanted); }
 
 }  // namespace
 
 Planning radiosityPlanning() {
-  return {.staticLight = true, .passes = passes, .addMemory = addMemory, .addToKey = addToKey};
+  return {.staticLight = true,
+          .passes = radiosityPasses,
+          .addMemory = addRadiosityMemory,
+          .addToKey = addRadiosityToKey};
 }
 
 }  // namespace prelight

@@ -12,16 +12,16 @@ namespace {
 
 using Json = Technique::Json;
 
-std::size_t storedBytes(const Bake& bake) { return bake.irradiance ? bytesOf(*bake.irradiance) : 0; }
+std::size_t radiosityBytes(const Bake& bake) { return bake.irradiance ? bytesOf(*bake.irradiance) : 0; }
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeRadiosityEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (output.bake.irradiance)
     entry["irradiance"] = appendVectors(output.document, *output.bake.irradiance, ranges);
 }
 
-class Reader final : public TechniqueReader {
+class RadiosityReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+  explicit RadiosityReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
     const auto json = entry.find("irradiance");
@@ -39,7 +39,7 @@ class Reader final : public TechniqueReader {
   ValueReader values_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeRadiosity(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (bake.irradiance)
     found.push_back({"irradiance", "irradiance of static lights", bytesOf(*bake.irradiance), true, true});
 }
@@ -50,10 +50,10 @@ Technique radiosityTechnique() {
   return {.name = "radiosity",
           .members = {"irradiance"},
           .accessors = {"irradiance"},
-          .storedBytes = storedBytes,
-          .writeEntry = writeEntry,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .storedBytes = radiosityBytes,
+          .writeEntry = writeRadiosityEntry,
+          .makeReader = makeTechniqueReader<RadiosityReader>,
+          .summarize = summarizeRadiosity};
 }
 
 }  // namespace prelight

@@ -4,14 +4,14 @@ namespace prelight {
 
 namespace {
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> shPasses(const PlanInput& input) {
   return {planHarmonics(Pass::ShTransfer, input.request.sh.order, input.bounces, "")};
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.sh.order); }
+void addShToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.sh.order); }
 
 }  // namespace
 
-Planning shPlanning() { return {.passes = passes, .addToKey = addToKey}; }
+Planning shPlanning() { return {.passes = shPasses, .addToKey = addShToKey}; }
 
 }  // namespace prelight

@@ -6,7 +6,7 @@ namespace prelight {
 
 namespace {
 
-struct Kind {
+struct ShKind {
   static constexpr auto transfer = &Bake::sh;
   static constexpr const char* key = "sh";
   static constexpr const char* title = "SH";
@@ -14,6 +14,6 @@ struct Kind {
 
 }  // namespace
 
-Technique shTechnique() { return Harmonic<Kind>::technique(); }
+Technique shTechnique() { return Harmonic<ShKind>::technique(); }
 
 }  // namespace prelight

@@ -26,7 +26,7 @@ PlannedPass planVectors(const BakeRequest& request, Pass name, bool needed, cons
   return {name, needed, needed ? reason : lack};
 }
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> vectorOccludersPasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   const double reach = freeReach(input.scene);
   const std::string free =
@@ -42,7 +42,7 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
 }
 
 /// While they are aggregated: objects that a vertex sees, or parts of them (measured, 3 to 8 and 30 to 60).
-void addMemory(const PlanInput& input, Plan& plan) {
+void addVectorOccludersMemory(const PlanInput& input, Plan& plan) {
   if (!input.request.occluders) return;
   const std::uint64_t seen = input.request.occluders.kind == OccluderKind::Auto ? 48 : 8;
   const bool ways = hasGlass(input.scene) || hasShine(input.scene);
@@ -57,7 +57,7 @@ const char* specularLight(const BakeRequest& request) {
   return request.occluders ? "vector occluders alone carry" : nullptr;
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) {
+void addVectorOccludersToKey(const BakeRequest& request, StateHash& hash) {
   hash.value(request.occluders.wanted).value(request.occluders.kind);
   hash.value(request.occluders.records).value(request.occluders.leastFormFactor);
 }
@@ -65,11 +65,11 @@ void addToKey(const BakeRequest& request, StateHash& hash) {
 }  // namespace
 
 Planning vectorOccludersPlanning() {
-  return {.passes = passes,
-          .addMemory = addMemory,
+  return {.passes = vectorOccludersPasses,
+          .addMemory = addVectorOccludersMemory,
           .closestHits = closestHits,
           .specularLight = specularLight,
-          .addToKey = addToKey};
+          .addToKey = addVectorOccludersToKey};
 }
 
 }  // namespace prelight

@@ -11,23 +11,23 @@ namespace {
 
 using Json = Technique::Json;
 
-void writeEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
+void writeVectorOccludersEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (output.occluders != nullptr)
     entry["vo"] = occludersToJson(output.document, *output.occluders, ranges);
   else if (output.bake.occluders)
     entry["vo"] = occludersToJson(output.document, *output.bake.occluders, ranges);
 }
 
-void writeRoot(const BakedOutput& output, Json& root) {
+void writeVectorOccludersRoot(const BakedOutput& output, Json& root) {
   if (output.occluders != nullptr)
     root["vo"] = occluderNames(*output.occluders);
   else if (output.bake.occluders)
     root["vo"] = occluderNames(*output.bake.occluders);
 }
 
-class Reader final : public TechniqueReader {
+class VectorOccludersReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input) {}
+  explicit VectorOccludersReader(const BakedInput& input) : input_(input) {}
 
   void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& /*bake*/) override {
     const auto vo = entry.find("vo");
@@ -45,7 +45,7 @@ class Reader final : public TechniqueReader {
   std::optional<OccluderRows> rows_;
 };
 
-void summarize(const Bake& bake, std::size_t vertices, std::vector<BakedSummary>& found) {
+void summarizeVectorOccluders(const Bake& bake, std::size_t vertices, std::vector<BakedSummary>& found) {
   if (!bake.occluders) return;
   const OccluderTransfer& transfer = *bake.occluders;
   const std::size_t bytes =
@@ -76,10 +76,10 @@ Technique vectorOccludersTechnique() {
   return {.name = "vector_occluders",
           .members = {"vo"},
           .accessors = {"offsets", "occluders", "vectors", "bytes"},
-          .writeEntry = writeEntry,
-          .writeRoot = writeRoot,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .writeEntry = writeVectorOccludersEntry,
+          .writeRoot = writeVectorOccludersRoot,
+          .makeReader = makeTechniqueReader<VectorOccludersReader>,
+          .summarize = summarizeVectorOccluders};
 }
 
 }  // namespace prelight

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int floatType = 5126, byteType = 5121;
-constexpr std::uint64_t maxOrder = 32, maxSide = 1024;
+constexpr int volumeFloat = 5126, volumeByte = 5121;
+constexpr std::uint64_t maxVolumeOrder = 32, maxVolumeSide = 1024;
 
 glm::dvec3 readPoint(const JsonCursor& json) {
   json.expectNumbers(3);
@@ -31,7 +31,7 @@ VolumeGrid readGrid(const JsonCursor& json) {
   VolumeGrid grid;
   json.at("size").expectNumbers(3);
   for (int a = 0; a < 3; ++a)
-    grid.size[a] = readNumber(json.at("size").at(static_cast<std::size_t>(a)), 1, maxSide);
+    grid.size[a] = readNumber(json.at("size").at(static_cast<std::size_t>(a)), 1, maxVolumeSide);
   grid.min = readPoint(json.at("min"));
   grid.max = readPoint(json.at("max"));
   const glm::dvec3 sides = (grid.max - grid.min) / glm::dvec3(grid.size);
@@ -57,9 +57,9 @@ Json volumeToJson(GltfDocument& document, const VolumeTransfer& volume) {
                {"order", volume.order},
                {"channels", volume.channels},
                {"bounces", volume.bounces}};
-  json["coefficients"] = append(volume.coefficients, floatType);
-  if (!volume.direct.empty()) json["direct"] = append(volume.direct, floatType);
-  json["air"] = append(volume.air, byteType);
+  json["coefficients"] = append(volume.coefficients, volumeFloat);
+  if (!volume.direct.empty()) json["direct"] = append(volume.direct, volumeFloat);
+  json["air"] = append(volume.air, volumeByte);
   return json;
 }
 
@@ -67,7 +67,7 @@ VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, 
   json.expectObject();
   VolumeTransfer volume;
   volume.grid = readGrid(json);
-  volume.order = readNumber(json.at("order"), 1, maxOrder);
+  volume.order = readNumber(json.at("order"), 1, maxVolumeOrder);
   volume.channels = readChannels(json);
   volume.bounces = readBounces(json);
   const std::size_t count = volume.grid.count() * volume.columns();

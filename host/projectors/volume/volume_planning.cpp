@@ -12,7 +12,7 @@ std::uint64_t valuesOf(const PlanInput& input) {
   return static_cast<std::uint64_t>(order * order) * (input.bounces ? 4 : 1);
 }
 
-std::vector<PlannedPass> passes(const PlanInput& input) {
+std::vector<PlannedPass> volumePasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
   if (request.volume.size == 0) return {{Pass::Volume, false, "not asked for"}};
   if (request.sh.order == 0)
@@ -24,15 +24,17 @@ std::vector<PlannedPass> passes(const PlanInput& input) {
                        input.bounces ? " and one without bounces" : "", 4 * valuesOf(input))}};
 }
 
-void addMemory(const PlanInput& input, Plan& plan) {
+void addVolumeMemory(const PlanInput& input, Plan& plan) {
   const auto side = static_cast<std::uint64_t>(input.request.volume.size);
   plan.hostBytes += side * side * side * (4 * valuesOf(input) + 1);
 }
 
-void addToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.volume.size); }
+void addVolumeToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.volume.size); }
 
 }  // namespace
 
-Planning volumePlanning() { return {.passes = passes, .addMemory = addMemory, .addToKey = addToKey}; }
+Planning volumePlanning() {
+  return {.passes = volumePasses, .addMemory = addVolumeMemory, .addToKey = addVolumeToKey};
+}
 
 }  // namespace prelight

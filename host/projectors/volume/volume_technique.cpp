@@ -13,13 +13,13 @@ namespace {
 
 using Json = Technique::Json;
 
-void writeRoot(const BakedOutput& output, Json& root) {
+void writeVolumeRoot(const BakedOutput& output, Json& root) {
   if (output.bake.volume) root["volume"] = volumeToJson(output.document, *output.bake.volume);
 }
 
-class Reader final : public TechniqueReader {
+class VolumeReader final : public TechniqueReader {
  public:
-  explicit Reader(const BakedInput& input) : input_(input) {}
+  explicit VolumeReader(const BakedInput& input) : input_(input) {}
 
   void finish(Bake& bake) override {
     if (!input_.extension) return;
@@ -31,7 +31,7 @@ class Reader final : public TechniqueReader {
   const BakedInput& input_;
 };
 
-void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
+void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
   if (!bake.volume) return;
   const VolumeTransfer& transfer = *bake.volume;
   const VolumeGrid& grid = transfer.grid;
@@ -60,9 +60,9 @@ void summarize(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSumm
 Technique volumeTechnique() {
   return {.name = "volume",
           .accessors = {"coefficients", "direct", "air"},
-          .writeRoot = writeRoot,
-          .makeReader = makeTechniqueReader<Reader>,
-          .summarize = summarize};
+          .writeRoot = writeVolumeRoot,
+          .makeReader = makeTechniqueReader<VolumeReader>,
+          .summarize = summarizeVolume};
 }
 
 }  // namespace prelight

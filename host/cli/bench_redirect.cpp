@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/commands.h"
+#include "cli/run_program.h"
 #include "prelight/error.h"
 
 /// The benchmarks are a program of their own, prelight-bench, so that nobody waits for them to be compiled
@@ -25,7 +26,7 @@ namespace {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& program, Context& context) {
+void addBenchRedirect(CLI::App& program, Context& context) {
   CLI::App* app = program.add_subcommand("bench", "Measure speed and error on built-in scenes");
   app->set_help_flag();  // every argument is the other program's
   app->prefix_command()->fallthrough(false);
