@@ -467,7 +467,12 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
-  if (view.shading == Shading::GlobalIllumination) updateSurroundings(view, light);
+  const bool isFull = view.shading == Shading::GlobalIllumination;
+  passed(isFull ? FramePass::ShadowMaps : FramePass::Transfer);
+  if (isFull) {
+    updateSurroundings(view, light);
+    passed(FramePass::EnvironmentMaps);
+  }
   drawScene(view, tile, target, light, transfer, -1);
 }
 
@@ -497,7 +502,10 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
-  if (showsCaustics(view)) look.causticCorner = drawCaustics(view, tile, target, opaque);
+  if (showsCaustics(view)) {
+    look.causticCorner = drawCaustics(view, tile, target, opaque);
+    if (leftOutNode < 0) passed(FramePass::Caustics);
+  }
   const int samples = target.width() / tile.width;
   const int turns =
       leftOutNode >= 0 ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
@@ -510,6 +518,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
 
   glDepthMask(GL_FALSE);
   drawBackground(look.variant);
+  if (leftOutNode < 0) passed(FramePass::Opaque);
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
@@ -518,6 +527,7 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
+  if (leftOutNode < 0) passed(FramePass::Blended);
 }
 
 std::vector<PlannedPass> Renderer::plan(const View& view) {

@@ -8,6 +8,7 @@
 
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
+#include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
@@ -78,6 +79,9 @@ class Renderer {
   /// False: shaders have code for everything that any scene may have; pictures are the same, if slower.
   void specialiseShaders(bool specialise) { specialised_ = specialise; }
 
+  /// Tells of every part of a picture when it has been drawn; empty: nobody.
+  void observePasses(FramePassObserver observer) { observer_ = std::move(observer); }
+
   /// Further pictures of the same view would show more of what has moved.
   bool isBehind() const;
 
@@ -101,6 +105,9 @@ class Renderer {
   const CausticPass* caustics() const { return caustics_.get(); }
 
  private:
+  void passed(FramePass pass) const {
+    if (observer_) observer_(pass);
+  }
   bool usesNeutralSky(const View& view) const;
   OccluderEye eyeOf(const View& view) const;
   const Environment* skyOf(const View& view) const;
@@ -164,6 +171,7 @@ class Renderer {
   int skyWidth_ = 1;
   SurfacePrograms programs_;
   bool specialised_ = true;
+  FramePassObserver observer_;
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
   gl::Texture skyMap_;
