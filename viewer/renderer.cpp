@@ -16,7 +16,7 @@ namespace prelight::viewer {
 namespace {
 
 constexpr float skyDistance = 1e30f;  ///< m, as background.frag has it
-constexpr int draftEmitterSamples = 8;
+constexpr int draftEmitterSamples = 4;
 constexpr int ambientOrder = 3;
 constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
 constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
