@@ -9,8 +9,6 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr int shadowReach = 1, reachInDrafts = 0;  ///< texels, of visibility() of shaders/shadows.glsl
-
 /// Clip space of a tile from that of its picture.
 glm::dmat4 cropTo(const View& view, const Tile& tile, glm::dvec4& pictureFromTile) {
   const double scaleX = static_cast<double>(tile.width) / view.width;
@@ -62,8 +60,7 @@ FrameBlock frameBlockOf(const View& view, const Tile& tile, const CompiledScene&
   setCamera(view, tile, compiled, frame);
   setSky(view, sky, frame);
   const auto single = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return !l.isSample; });
-  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), turns,
-                  view.draft ? reachInDrafts : shadowReach};
+  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), turns, 0};
   return frame;
 }
 

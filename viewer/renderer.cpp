@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "prelight/error.h"
 #include "viewer/draw_order.h"

@@ -9,8 +9,7 @@ layout(std140) uniform Frame {
   vec4 tile;              // picture position -1..1 of this tile: scale xy, offset zw
   vec4 ambient[9];        // sky radiance convolved with the clamped cosine over pi, SH order 3, RGB
   vec4 skyLevels;         // x: map's mip level per octave 0 (level 0 texel angle, log2), y: background's level
-  ivec4 counts;           // x: lights, y: those of them that are not samples, z: samples of a pixel's side, w: texels
-                          // around a point that count in full for the shadows of those, 0 or 1
+  ivec4 counts;           // x: lights, y: those of them that are not samples, z: samples of a pixel's side
 };
 
 const int ambientOpen = 0;
