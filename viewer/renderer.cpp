@@ -9,7 +9,6 @@
 #include "viewer/frame_block.h"
 #include "viewer/light_block.h"
 #include "viewer/surface_uniforms.h"
-#include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
 namespace {
