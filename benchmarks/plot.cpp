@@ -413,14 +413,31 @@ std::string windowPlot(const Results& results, const std::string& subtitle) {
   return drawBarChart(chart);
 }
 
+std::string windowPartsPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"What a frame of the window costs", subtitle, "ms of processor time, all threads", {}, {}};
+  for (const BenchmarkResult& result : results) {
+    if (!result.metric.starts_with("part: ") || result.value < 0.1) continue;
+    const auto [scene, setting] = splitCase(result.case_);
+    const auto [shading, movement] = splitCase(setting);
+    std::vector<Bar>& bars = groupNamed(chart.groups, scene + ", " + shading).bars;
+    if (bars.empty() || bars.back().label != movement) bars.push_back({movement, {}, 0.0, ""});
+    bars.back().parts.push_back({result.value, stageColor(chart.legend, result.metric.substr(6))});
+    double sum = 0.0;
+    for (const Bar::Part& part : bars.back().parts) sum += part.value;
+    bars.back().note = fmt::format("{:.3g} ms", sum);
+  }
+  return drawBarChart(chart);
+}
+
 std::vector<Plot> makePlots(const Results& results, const std::string& subtitle) {
   struct Kind {
     const char* suite;
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 29> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 30> kinds = {{{"cast", "cast", castPlot},
                                            {"window", "window", windowPlot},
+                                           {"window", "window-parts", windowPartsPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},

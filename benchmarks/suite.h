@@ -138,7 +138,7 @@ struct BenchmarkOptions {
   std::uint64_t bakeScalingPeerRays = 180000000;                            ///< of the peer at most
   std::size_t bakeScalingPlaces = 4096;                                     ///< of the surface, of an error
   std::uint32_t bakeScalingTruthSide = 32;  ///< of a square of paths a place, twice
-  std::string onlyCase = {};                ///< cases whose names contain it, of `bake-scaling`; empty: all
+  std::string onlyCase = {};                ///< cases whose names contain it, of `bake-scaling` and `window`; empty: all
   std::filesystem::path program = {};       ///< `prelight`, which `bake-scaling` runs
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything

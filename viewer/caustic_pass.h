@@ -32,6 +32,9 @@ class CausticPass {
 
   void update(const Caustics& caustics, const CompiledScene& scene);
 
+  /// There are no photons: nothing to draw.
+  bool empty() const { return photonCount_ == 0; }
+
   /// What opaque surfaces have to be drawn into by surface_places.frag, cleared to 0, before draw().
   /// The same object while the size stays.
   const gl::Framebuffer& places(int width, int height);

@@ -1,87 +1,23 @@
 #include "viewer/renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
-#include <utility>
 
-#include "basis/sh.h"
 #include "prelight/error.h"
+#include "viewer/draw_order.h"
+#include "viewer/frame_block.h"
 #include "viewer/light_block.h"
-#include "viewer/uniform_blocks.h"
+#include "viewer/surface_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
 
-constexpr float skyDistance = 1e30f;  ///< m, as background.frag has it
-constexpr int draftEmitterSamples = 8;
-constexpr int ambientOrder = 3;
+constexpr float skyDistance = 1e30f;                                ///< m, as background.frag has it
 constexpr std::size_t sampleViewsAPicture = 40, facesAPicture = 2;  ///< of paced updates
 constexpr int turnsInDrafts = 2;  ///< of pixels with samples of lights, as samples of a still picture do
 constexpr int turnsInSurroundings =
     4;  ///< of samples of lights: environment maps show them smaller and blurred
-
-/// Bands that the bake's transfer has at most.
-int largestOrder(const Bake* bake) {
-  int order = ambientOrder;
-  if (bake == nullptr) return order;
-  if (bake->sh) order = std::max(order, bake->sh->order);
-  if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
-  if (bake->chartTransfer) order = std::max(order, bake->chartTransfer->order);
-  if (bake->ch) order = std::max(order, bake->ch->order);
-  if (bake->glossy) order = std::max(order, bake->glossy->order);
-  return order;
-}
-
-gl::Texture constantSky(float radiance) {
-  const glm::vec3 texel(radiance);
-  return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
-}
-
-/// Clip space of a tile from that of its picture.
-glm::dmat4 cropTo(const View& view, const Tile& tile, glm::dvec4& pictureFromTile) {
-  const double scaleX = static_cast<double>(tile.width) / view.width;
-  const double scaleY = static_cast<double>(tile.height) / view.height;
-  const double centerX = (2.0 * tile.x + tile.width) / view.width - 1.0;
-  const double centerY = 1.0 - (2.0 * tile.y + tile.height) / view.height;
-  pictureFromTile = {scaleX, scaleY, centerX, centerY};
-  glm::dmat4 crop(1.0);
-  crop[0][0] = 1.0 / scaleX;
-  crop[1][1] = 1.0 / scaleY;
-  crop[3][0] = -centerX / scaleX;
-  crop[3][1] = -centerY / scaleY;
-  return crop;
-}
-
-void setCamera(const View& view, const Tile& tile, const CompiledScene& compiled, FrameBlock& frame) {
-  const double aspect = static_cast<double>(view.width) / view.height;
-  const CameraMatrices camera = cameraMatrices(view.camera, compiled, aspect);
-  glm::dvec4 pictureFromTile(0.0);
-  const glm::dmat4 crop = cropTo(view, tile, pictureFromTile);
-  frame.clipFromScene = crop * camera.projection * camera.view;
-  frame.eye = glm::vec4(glm::vec3(camera.position), camera.perspective ? 1.0f : 0.0f);
-  frame.forward = glm::vec4(glm::vec3(camera.forward), 0.0f);
-  frame.tile = pictureFromTile;
-  const glm::dmat3 axes(glm::transpose(glm::dmat3(camera.view)));
-  const double halfHeight = std::tan(0.5 * view.camera.yFov);
-  frame.pixelRight = glm::vec4(glm::vec3(axes[0] * halfHeight * aspect), 0.0f);
-  frame.pixelUp = glm::vec4(glm::vec3(axes[1] * halfHeight), 0.0f);
-}
-
-void setSky(const View& view, const SkyCoefficients& sky, int skyWidth, FrameBlock& frame) {
-  frame.skyFromWorld = glm::mat4(glm::dmat4(glm::transpose(skyTurn(view.skyRotation))));
-  const auto coefficients = sky.turned(view.skyRotation, ambientOrder);
-  for (int l = 0; l < ambientOrder; ++l) {
-    const double cosine = sh::clampedCosine(l);
-    for (int i = l * l; i < (l + 1) * (l + 1); ++i)
-      frame.ambient[i] = glm::vec4(cosine * coefficients[i], 0.0);
-  }
-  const double texel = 2.0 * std::numbers::pi / skyWidth;
-  const double pixel = view.camera.perspective ? 2.0 * std::tan(0.5 * view.camera.yFov) / view.height : texel;
-  frame.skyLevels = glm::vec4(std::log2(texel), std::max(0.0, std::log2(pixel / texel)), 0.0, 0.0);
-}
 
 }  // namespace
 
@@ -90,19 +26,10 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       compiled_(inputs.compiled),
       lobe_(lobe),
       scene_(inputs),
-      neutralMap_(constantEnvironment(glm::vec3(1.0f))),
-      neutralSky_(neutralMap_, 1),
-      programs_(inputs.encoding),
-      neutralSkyMap_(constantSky(1.0f)),
-      blackSkyMap_(constantSky(0.0f)) {
+      lights_(compiled_),
+      sky_(inputs, lights_.hasEmitters()),
+      programs_(inputs.encoding) {
   if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
-  if (inputs.environment != nullptr) {
-    const Environment& sky = *inputs.environment;
-    sky_ = SkyCoefficients(sky, largestOrder(inputs.bake));
-    skyMap_ = gl::makeFloatTexture(sky.width, sky.height, sky.radiance);
-    skyWidth_ = sky.width;
-  }
-  sampleLamps();
   for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
@@ -125,26 +52,11 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
   return *globalIllumination_;
 }
 
-/// Drafts have fewer samples, but not fewer than there are triangles to tell apart.
-void Renderer::sampleLamps() {
-  emitters_ = sampleEmitters(compiled_, emitterSamples);
-  const auto triangles = std::count_if(compiled_.triangleMaterials.begin(), compiled_.triangleMaterials.end(),
-                                       [&](std::uint32_t material) {
-                                         const glm::vec3& emission = compiled_.materials[material].emission;
-                                         return std::max({emission.r, emission.g, emission.b}) > 0.0f;
-                                       });
-  const auto fewer = std::clamp<std::ptrdiff_t>(triangles, draftEmitterSamples, emitterSamples);
-  draftEmitters_ = sampleEmitters(compiled_, static_cast<int>(fewer));
-}
-
 /// Those that shaders have to look at: not what the transfer holds where nothing else reflects it.
 std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illumination& light) const {
   std::vector<ShadedLight> lights = light.lights;
   if (view.shading == Shading::GlobalIllumination) return lights;
-  if (view.draft && view.emitters) {
-    std::erase_if(lights, [](const ShadedLight& source) { return source.isSample; });
-    lights.insert(lights.end(), draftEmitters_.begin(), draftEmitters_.end());
-  }
+  if (view.draft && view.emitters) lights_.thinOut(lights);
   if (!specialised_) return lights;
   const DrawingRules rules = rulesFor(view);
   const bool allReflect = rules.reflection == Reflection::Everywhere ||
@@ -180,8 +92,7 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   features.add(Feature::VertexColors, compiled_.hasVertexColors());
   features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
   features.add(Feature::Caustics, showsCaustics(view));
-  const Environment* sky = inputs_.environment;
-  features.add(Feature::SkyMap, sky != nullptr && (sky->width > 1 || sky->height > 1));
+  features.add(Feature::SkyMap, sky_.isMap());
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
     features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot);
@@ -218,8 +129,7 @@ bool Renderer::isBehind() const {
 
 void Renderer::sceneMoved() {
   scene_.fillPositions(compiled_);
-  sampleLamps();
-  if (samples_ != nullptr) samples_->setScene(compiled_);
+  lights_.setScene(compiled_);
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (globalIllumination_ == nullptr) return;
@@ -241,7 +151,8 @@ void Renderer::updateSurroundings(const View& view, const Illumination& light) {
 }
 
 bool Renderer::showsCaustics(const View& view) const {
-  return caustics_ != nullptr && (inputs_.caustics != nullptr || view.shading == Shading::GlobalIllumination);
+  return caustics_ != nullptr && !caustics_->empty() &&
+         (inputs_.caustics != nullptr || view.shading == Shading::GlobalIllumination);
 }
 
 bool Renderer::canShade(Shading shading) const {
@@ -249,29 +160,17 @@ bool Renderer::canShade(Shading shading) const {
   return shading == Shading::Phong || (inputs_.bake != nullptr && infoOf(shading).carriedBy(*inputs_.bake));
 }
 
-bool Renderer::usesNeutralSky(const View& view) const {
-  return inputs_.environment == nullptr && view.lights.empty() && emitters_.empty();
-}
-
-const Environment* Renderer::skyOf(const View& view) const {
-  return usesNeutralSky(view) ? &neutralMap_ : inputs_.environment;
-}
-
 Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
-  light.lights = lightsOf(view);
+  light.lights = lights_.of(view, sky_.seenBy(view).map);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
   light.groupFactors = view.groupFactors;
-  if (usesNeutralSky(view)) {
-    light.sky = &neutralSky_;
-    light.skyMap = &neutralMap_;
-  } else {
-    light.sky = inputs_.environment != nullptr ? &sky_ : &blackSky_;
-    light.skyMap = inputs_.environment;
-  }
+  const SeenSky sky = sky_.seenBy(view);
+  light.sky = sky.coefficients;
+  light.skyMap = sky.map;
   return light;
 }
 
@@ -307,36 +206,10 @@ OccluderEye Renderer::eyeOf(const View& view) const {
   return {-camera.forward, false};
 }
 
-std::vector<ShadedLight> Renderer::lightsOf(const View& view) {
-  std::vector<ShadedLight> lights, samples;
-  for (const Light& light : view.lights) lights.push_back(shadedLight(light, compiled_));
-  if (view.shading == Shading::GlobalIllumination) {
-    if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(compiled_);
-    samples = samples_->of(view.emitters, skyOf(view), view.skyRotation);
-  } else if (view.emitters) {
-    samples = emitters_;
-  }
-  const std::size_t room = maxLights - samples.size();
-  if (lights.size() > room) {
-    const auto strength = [](const ShadedLight& l) { return l.intensity.r + l.intensity.g + l.intensity.b; };
-    std::stable_sort(lights.begin(), lights.end(),
-                     [&](const ShadedLight& a, const ShadedLight& b) { return strength(a) > strength(b); });
-    lights.resize(room);
-  }
-  lights.insert(lights.end(), samples.begin(), samples.end());
-  return lights;
-}
-
 void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
                            int turns) const {
-  FrameBlock frame{};
-  const SkyCoefficients& sky = usesNeutralSky(view) ? neutralSky_ : sky_;
-  setCamera(view, tile, compiled_, frame);
-  setSky(view, sky, skyWidth_, frame);
-  const auto single = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return !l.isSample; });
-  frame.counts = {static_cast<int>(lights.size()), static_cast<int>(single), turns, 0};
+  const FrameBlock frame = frameBlockOf(view, tile, compiled_, sky_.seenBy(view), lights, turns);
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
-
   fillLightBlock(lightBlock_, lights);
   glBindBufferBase(GL_UNIFORM_BUFFER, frameBinding, frameBlock_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, lightBinding, lightBlock_.name());
@@ -346,65 +219,27 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
   gl::bind(trianglesUnit, GL_TEXTURE_BUFFER, scene_.triangles());
   gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
-  const gl::Texture& sky = inputs_.environment != nullptr ? skyMap_
-                           : usesNeutralSky(view)         ? neutralSkyMap_
-                                                          : blackSkyMap_;
-  gl::bind(skyUnit, GL_TEXTURE_2D, sky);
+  gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }
 
-/// `features`: of the program in use.
-void Renderer::setSurface(const Surface& surface, Features features, const gl::Program& p) const {
-  const Material& m = surface.material;
-  const auto bindOrWhite = [&](Feature feature, GLuint unit, TextureHandle texture) {
-    if (features.has(feature)) gl::bind(unit, GL_TEXTURE_2D, texture != nullptr ? *texture : scene_.white());
-  };
-  bindOrWhite(Feature::BaseColorTexture, baseColorUnit, surface.baseColor);
-  bindOrWhite(Feature::MetallicRoughnessTexture, metallicRoughnessUnit, surface.metallicRoughness);
-  bindOrWhite(Feature::EmissiveTexture, emissiveUnit, surface.emissive);
-  bindOrWhite(Feature::NormalTexture, normalTextureUnit, surface.normal);
-  p.set("normalScale", surface.normal != nullptr ? m.normalScale : 0.0f);
-  // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
-  const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
-  const float cutoff = m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f;
-  p.set("baseColorFactor", m.baseColor);
-  p.set("surfaceFactors", glm::vec4(m.metallic, m.roughness, m.transmission, cutoff));
-  p.set("emissionFactor", m.emission);
-  p.set("dielectricF0", glm::min(ratio * ratio * m.specularColor, glm::vec3(1.0f)));
-  p.set("dielectricWeight", m.specular);
-  p.set("alphaBlend", m.alphaMode == AlphaMode::Blend ? 1 : 0);
-  p.set("unlit", m.unlit ? 1 : 0);
-  p.set("glassIor", m.ior);
-  p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
-  p.set("absorption", surface.absorption);
-  p.set("translucency", surface.translucency);
-  p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
-  if (m.doubleSided) {
-    glDisable(GL_CULL_FACE);
-  } else {
-    glEnable(GL_CULL_FACE);
+/// So that what is hidden is not shaded: of surfaces without holes.
+void Renderer::drawDepths(const std::vector<const Batch*>& batches) {
+  glBindVertexArray(scene_.vertexArray().name());
+  programs_.depth().use();
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const Batch* batch : batches) {
+    const Surface& surface = scene_.surfaces()[batch->surface];
+    if (surface.material.alphaMode == AlphaMode::Mask) continue;
+    cullBacksOf(surface);
+    drawTriangles(*batch);
   }
-}
-
-/// What attributes without an array are read as: a white colour, an open sky.
-void Renderer::setDefaults() const {
-  for (const Attribute attribute :
-       {Attribute::Accessibility, Attribute::BentNormal, Attribute::Radiance, Attribute::Glow,
-        Attribute::ChartCoord, Attribute::Reflected, Attribute::Highlight})
-    glDisableVertexAttribArray(static_cast<GLuint>(attribute));
-  glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);
-  glVertexAttrib1f(static_cast<GLuint>(Attribute::Accessibility), 1.0f);
-  glVertexAttrib4f(static_cast<GLuint>(Attribute::BentNormal), 0.0f, 0.0f, 0.0f, 0.0f);
-  glVertexAttrib3f(static_cast<GLuint>(Attribute::Radiance), 0.0f, 0.0f, 0.0f);
-  glVertexAttrib3f(static_cast<GLuint>(Attribute::Glow), 1.0f, 1.0f, 1.0f);
-  glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
-  glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
-  glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
-  glVertexAttrib4f(static_cast<GLuint>(Attribute::Tangent), 0.0f, 0.0f, 0.0f, 0.0f);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBindVertexArray(0);
 }
 
 void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look& look) {
   glBindVertexArray(scene_.vertexArray().name());
-  setDefaults();
+  setAttributeDefaults();
   const gl::Program* used = nullptr;
   for (const Batch* batch : batches) {
     ShaderVariant variant = look.variant;
@@ -416,7 +251,7 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look&
       if (look.transfer != nullptr) look.transfer->bind(program);
       used = &program;
     }
-    setSurface(scene_.surfaces()[batch->surface], variant.features, program);
+    setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);
     if (look.showsSurroundings) surroundings_->set(program, *batch);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     drawTriangles(*batch);
@@ -426,7 +261,7 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look&
 
 /// The colour of a sky that is alike everywhere; it is as far away as surroundings.glsl takes skies to be.
 void Renderer::clearToSky(const View& view) const {
-  const Environment* sky = skyOf(view);
+  const Environment* sky = sky_.seenBy(view).map;
   const glm::vec3 color = sky != nullptr ? sky->radiance.front() : glm::vec3(0.0f);
   glClearColor(color.r, color.g, color.b, skyDistance);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -467,7 +302,12 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
-  if (view.shading == Shading::GlobalIllumination) updateSurroundings(view, light);
+  const bool isFull = view.shading == Shading::GlobalIllumination;
+  passed(isFull ? FramePass::ShadowMaps : FramePass::Transfer);
+  if (isFull) {
+    updateSurroundings(view, light);
+    passed(FramePass::EnvironmentMaps);
+  }
   drawScene(view, tile, target, light, transfer, -1);
 }
 
@@ -476,20 +316,8 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   const bool isFull = view.shading == Shading::GlobalIllumination;
   const std::vector<ShadedLight> lights = shownLights(view, light);
   Look look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer, isFull};
-  std::vector<const Batch*> opaque;
-  std::vector<const Batch*> blended;
-  for (const Batch& batch : scene_.batches()) {
-    if (leftOutNode >= 0 && batch.node == leftOutNode) continue;
-    const Surface& surface = scene_.surfaces()[batch.surface];
-    // Full shading draws what bodies of glass let through itself.
-    const bool body = isFull && surface.isBody();
-    (surface.isBlended() && !body ? blended : opaque).push_back(&batch);
-  }
-  const glm::dvec3 eye = glm::dvec3(view.camera.world[3]) - compiled_.origin;
-  std::stable_sort(blended.begin(), blended.end(), [&](const Batch* a, const Batch* b) {
-    return glm::distance(glm::dvec3(a->center), eye) > glm::distance(glm::dvec3(b->center), eye);
-  });
-
+  const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
+  const DrawOrder order = drawOrderOf(scene_, eye, isFull, leftOutNode);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
@@ -497,7 +325,10 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   glCullFace(GL_BACK);
-  if (showsCaustics(view)) look.causticCorner = drawCaustics(view, tile, target, opaque);
+  if (showsCaustics(view)) {
+    look.causticCorner = drawCaustics(view, tile, target, order.opaque);
+    if (leftOutNode < 0) passed(FramePass::Caustics);
+  }
   const int samples = target.width() / tile.width;
   const int turns =
       leftOutNode >= 0 ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
@@ -506,18 +337,21 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   if (isFull) surroundings_->bind();
   target.bind();
   clearToSky(view);
-  drawBatches(opaque, look);
+  if (drawsDepthsFirst(view.shading, lights.size())) drawDepths(order.opaque);
+  drawBatches(order.opaque, look);
 
   glDepthMask(GL_FALSE);
   drawBackground(look.variant);
+  if (leftOutNode < 0) passed(FramePass::Opaque);
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
   look.causticCorner = glm::ivec4(0);  // those filtered lie on what is opaque
-  drawBatches(blended, look);
+  drawBatches(order.blended, look);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   gl::check("drawing");
+  if (leftOutNode < 0) passed(FramePass::Blended);
 }
 
 std::vector<PlannedPass> Renderer::plan(const View& view) {
@@ -534,7 +368,7 @@ std::vector<PlannedPass> Renderer::plan(const View& view) {
 }
 
 void Renderer::describe(const View& view, Warnings& notes) {
-  if (usesNeutralSky(view)) {
+  if (sky_.isNeutral(view)) {
     notes.emplace_back(
         "the scene has no light, nothing emissive and no sky: lit by a neutral sky of radiance 1");
   }

@@ -8,42 +8,19 @@
 
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
+#include "viewer/drawn_sky.h"
+#include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
 #include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
-#include "viewer/light_samples.h"
 #include "viewer/render_scene.h"
 #include "viewer/surface_programs.h"
 #include "viewer/surroundings.h"
 #include "viewer/techniques.h"
+#include "viewer/view_lights.h"
+#include "viewer/view_state.h"
 
 namespace prelight::viewer {
-
-/// A rectangle of a picture, in pixels from its top left corner.
-struct Tile {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
-
-/// What may change from one picture of a scene to the next.
-struct View {
-  Camera camera;
-  int width = 0;  ///< pixels of the whole picture
-  int height = 0;
-  Shading shading = Shading::Phong;
-  double skyRotation = 0.0;  ///< radians about +Y
-  std::vector<Light> lights;
-  bool emitters = true;
-  bool windowLights = true;
-  std::size_t haarTerms = 0;
-  OccluderOptions occluders;
-  AoCorrection aoCorrection = AoCorrection::None;
-  std::vector<glm::vec3> groupFactors;  ///< [light group]
-  bool draft = false;                   ///< while something moves: fewer samples of large lights
-  std::vector<glm::dvec3> nodeShifts;   ///< m, of MovedScene; the renderer knows them by sceneMoved()
-};
 
 /// Draws a scene with the current OpenGL context; headless pictures and the window share it.
 class Renderer {
@@ -78,6 +55,9 @@ class Renderer {
   /// False: shaders have code for everything that any scene may have; pictures are the same, if slower.
   void specialiseShaders(bool specialise) { specialised_ = specialise; }
 
+  /// Tells of every part of a picture when it has been drawn; empty: nobody.
+  void observePasses(FramePassObserver observer) { observer_ = std::move(observer); }
+
   /// Further pictures of the same view would show more of what has moved.
   bool isBehind() const;
 
@@ -101,11 +81,10 @@ class Renderer {
   const CausticPass* caustics() const { return caustics_.get(); }
 
  private:
-  bool usesNeutralSky(const View& view) const;
+  void passed(FramePass pass) const {
+    if (observer_) observer_(pass);
+  }
   OccluderEye eyeOf(const View& view) const;
-  const Environment* skyOf(const View& view) const;
-  void sampleLamps();
-  std::vector<ShadedLight> lightsOf(const View& view);
   Illumination illuminationOf(const View& view);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
@@ -129,15 +108,14 @@ class Renderer {
     glm::ivec4 causticCorner{0};  ///< of surface.frag
   };
 
+  void drawDepths(const std::vector<const Batch*>& batches);
   void drawBatches(const std::vector<const Batch*>& batches, const Look& look);
-  void setDefaults() const;
   void clearToSky(const View& view) const;
   void drawBackground(const ShaderVariant& variant);
   glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
                           const std::vector<const Batch*>& opaque);
   void makeCaustics(const Caustics& caustics);
   void bindTextures(const View& view) const;
-  void setSurface(const Surface& surface, Features features, const gl::Program& program) const;
 
   /// A technique in OpenGL and the light that it was last lit by.
   struct Drawn {
@@ -151,24 +129,17 @@ class Renderer {
   Lobe lobe_;
   RenderScene scene_;
   std::array<Drawn, shadingCount> drawn_;
-  std::vector<ShadedLight> emitters_, draftEmitters_;
-  std::unique_ptr<LightSamples> samples_;
   std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
   bool paced_ = false;
-  SkyCoefficients sky_;
-  Environment neutralMap_;
-  SkyCoefficients neutralSky_;
-  SkyCoefficients blackSky_;
-  int skyWidth_ = 1;
+  ViewLights lights_;
+  DrawnSky sky_;
   SurfacePrograms programs_;
   bool specialised_ = true;
+  FramePassObserver observer_;
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
-  gl::Texture skyMap_;
-  gl::Texture neutralSkyMap_;
-  gl::Texture blackSkyMap_;
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;
   gl::VertexArray noVertices_;

@@ -30,6 +30,9 @@ class SurfacePrograms {
     return of("fullscreen.vert", "background.frag", variant);
   }
 
+  /// Of the depth of surfaces without holes.
+  const gl::Program& depth() { return of("surface.vert", "depth.frag", {}); }
+
   std::size_t size() const { return programs_.size(); }
 
  private:

@@ -39,7 +39,12 @@ vec3 planeDepth(vec3 way, vec3 normal, float near, float scale, float depthScale
   return vec3(depthScale * normal.xy / (scale * normal.z), 0.5 - depthScale * way.z);
 }
 
-float lit(ivec3 texel, float depth) { return texelFetch(shadowMaps, texel, 0).r > depth ? 0.0 : 1.0; }
+// Which of the two by two texels from `low` on do not stand in the light's way at their depths: (0, 1), (1, 1), (1, 0),
+// (0, 0), the order of textureGather, which is one look-up for four.
+vec4 lit(vec2 low, float layer, vec4 depths) {
+  vec2 corner = (low + 1.0) / vec2(textureSize(shadowMaps, 0).xy);
+  return vec4(lessThanEqual(textureGather(shadowMaps, vec3(corner, layer)), depths));
+}
 
 // Share of a light that reaches a point of a surface, 0 to 1. `normal`: of its triangle, on the light's side.
 // `reach`: texels around the point that count with all their weight, 0 or 1; one more has a share.
@@ -72,14 +77,16 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
   vec2 texel = (0.5 * at + 0.5) * view.w - 0.5;
   vec2 low = clamp(floor(texel), vec2(float(reach)), vec2(view.w - 2.0 - float(reach)));
   vec2 share = clamp(texel - low, 0.0, 1.0);
+  float first = plane.z + dot(slope, low - texel) + bias;
   float sum = 0.0;
-  for (int y = -reach; y <= reach + 1; ++y) {
-    float weightY = y == -reach ? 1.0 - share.y : y == reach + 1 ? share.y : 1.0;
-    for (int x = -reach; x <= reach + 1; ++x) {
-      float weightX = x == -reach ? 1.0 - share.x : x == reach + 1 ? share.x : 1.0;
-      vec2 there = low + vec2(x, y);
-      float depth = plane.z + dot(slope, there - texel) + bias;
-      sum += weightX * weightY * lit(ivec3(ivec2(view.xy + there), int(view.z + 0.5)), depth);
+  for (int y = -reach; y <= reach; y += 2) {
+    vec2 weightsY = vec2(y == -reach ? 1.0 - share.y : 1.0, y + 1 == reach + 1 ? share.y : 1.0);
+    for (int x = -reach; x <= reach; x += 2) {
+      vec2 weightsX = vec2(x == -reach ? 1.0 - share.x : 1.0, x + 1 == reach + 1 ? share.x : 1.0);
+      float depth = first + dot(slope, vec2(x, y));
+      vec4 depths = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
+      vec4 passes = lit(view.xy + low + vec2(x, y), view.z, depths);
+      sum += dot(passes, vec4(weightsX.x * weightsY.y, weightsX.y * weightsY.y, weightsX.y * weightsY.x, weightsX.x * weightsY.x));
     }
   }
   float span = float(2 * reach + 1);

@@ -57,14 +57,13 @@ bool isTransferred(Light light) {
   return throughRule == throughAllLights || (throughRule == throughFarLights && isFar(light));
 }
 
-const bool onlyDiffuseEmitters = hasEmitterLights && !hasPointLights && !hasDirectionalLights && !hasGloss &&
-                                 !hasTranslucency && ambientRule == ambientTransferred &&
-                                 reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
+// Of surfaces that do not show how emissive surfaces are reflected, their samples are summed with fewer operations.
+const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && ambientRule != ambientCone &&
+                                reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
 
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects.
 vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
-  if (onlyDiffuseEmitters) return facingIrradianceOfEmitter(light, vPosition, n) * m.albedo / pi;
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
   if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
@@ -84,8 +83,12 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
 
 vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
-  for (int k = 0; k < counts.x; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
-  return sum;
+  int count = onlyDiffuseSamples ? counts.y : counts.x;
+  for (int k = 0; k < count; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
+  if (!onlyDiffuseSamples) return sum;
+  vec3 irradiance = vec3(0.0);
+  for (int k = counts.y; k < counts.x; ++k) irradiance += facingIrradianceOfEmitter(lights[k], vPosition, n);
+  return sum + irradiance * m.albedo / pi;
 }
 
 // Accessibility with the light that a crease reflects into itself: [1] Akenine-Moller et al., "Real-Time Rendering", 4th

@@ -32,6 +32,8 @@ out float vHighlight;
 out vec2 vNormalCoord;
 out vec4 vTangent;
 
+invariant gl_Position;  // programs with several fragment shaders draw the same places
+
 void main() {
   vPosition = position;
   vNormal = normal;

@@ -1,0 +1,137 @@
+#include "benchmarks/headless_window.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "benchmarks/processor_time.h"
+#include "viewer/view.h"
+
+namespace prelight::benchmarks {
+namespace {
+
+using viewer::FramePass;
+using viewer::Shading;
+
+constexpr int samplesPerAxis = 2;        // of pictures that stand still
+constexpr int mostSettlingFrames = 400;  // until light that follows has settled
+
+constexpr const char* nameOf(FramePass pass) {
+  constexpr std::array<const char*, 6> names = {"transfer", "shadow maps", "environment maps",
+                                                "caustics", "opaque",      "blended"};
+  return names[static_cast<std::size_t>(pass)];
+}
+
+/// As `prelight view` sets it up (cli/drawn_global_illumination.cpp).
+LiveLightOptions followingOptions(int pixels) {
+  LiveLightOptions options;
+  options.photons = 50000;
+  options.texels = static_cast<std::uint32_t>(std::clamp(pixels / 32, 4096, 65536));
+  options.gather.rays = 128;
+  options.gather.texelsPerFrame = 100;
+  options.photonsPerFrame = 4000;
+  options.causticPhotons = 20000;
+  return options;
+}
+
+viewer::View viewOf(const viewer::RenderInputs& inputs, Shading shading, const WindowSettings& settings) {
+  viewer::RenderOptions render;
+  render.shading = shading;
+  render.width = settings.width;
+  render.height = settings.height;
+  return viewer::makeView(inputs, render);
+}
+
+}  // namespace
+
+WindowStage::WindowStage(const std::string& name, Shading shading, const WindowSettings& settings,
+                         const Device& device, const Progress& progress)
+    : scene(loadBuiltinScene(name)), inputs{.scene = scene.scene, .compiled = scene.compiled} {
+  if (shading == Shading::GlobalIllumination) {
+    StopOnly quiet(progress);
+    live.emplace(scene.scene, scene.compiled, nullptr, 0.0,
+                 followingOptions(settings.width * settings.height), std::span<const int>(), device, quiet);
+    globalIllumination = illuminationOf(*live);
+    inputs.globalIllumination = &globalIllumination;
+  } else if (shading != Shading::Phong) {
+    BakeRequest asked, request;
+    asked.sh.order = settings.order;
+    viewer::infoOf(shading).addTo(request, asked);
+    request.effort.rays = settings.rays;
+    bake = timedBake(scene, request, device, progress).bake;
+    inputs.bake = &bake;
+  }
+}
+
+/// What is drawn into: eight bits a channel, as windows have.
+class HeadlessWindow::Screen {
+ public:
+  Screen(int width, int height) {
+    glBindRenderbuffer(GL_RENDERBUFFER, color_.name());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.name());
+  }
+  GLuint name() const { return framebuffer_.name(); }
+
+ private:
+  viewer::gl::Renderbuffer color_;
+  viewer::gl::Object<viewer::gl::FramebufferTraits> framebuffer_;
+};
+
+HeadlessWindow::HeadlessWindow(WindowStage& stage, Shading shading, const WindowSettings& settings)
+    : moved_(stage.scene.scene, stage.scene.compiled),
+      inputs_(stage.inputs.movedTo(moved_.scene())),
+      renderer_(inputs_),
+      light_(stage.live ? std::make_unique<viewer::LiveFollower>(*stage.live, stage.globalIllumination)
+                        : nullptr),
+      follower_(renderer_, moved_, light_.get()),
+      picture_(renderer_, samplesPerAxis),
+      screen_(std::make_unique<Screen>(settings.width, settings.height)),
+      controls_(viewOf(inputs_, shading, settings), stage.scene.compiled, [](Shading) { return true; }) {
+  renderer_.paceUpdates(true);
+}
+
+HeadlessWindow::~HeadlessWindow() = default;
+
+void HeadlessWindow::frame(bool settled) {
+  if (follower_.update(controls_.view()) || renderer_.isBehind()) picture_.invalidate();
+  picture_.update(controls_.view(), controls_.changes(), settled);
+  presenter_.present(picture_.target(), picture_.samples(), screen_->name());
+  viewer::gl::Framebuffer::finish();
+}
+
+PartTimes HeadlessWindow::timedFrame(bool settled) {
+  PartTimes times;
+  double before = processorSeconds();
+  const auto passed = [&](const std::string& part) {
+    viewer::gl::Framebuffer::finish();
+    const double now = processorSeconds();
+    times[part] += 1e3 * (now - before);
+    before = now;
+  };
+  renderer_.observePasses([&](FramePass pass) { passed(nameOf(pass)); });
+  if (follower_.update(controls_.view()) || renderer_.isBehind()) picture_.invalidate();
+  passed("light that follows");
+  picture_.update(controls_.view(), controls_.changes(), settled);
+  presenter_.present(picture_.target(), picture_.samples(), screen_->name());
+  passed("presentation");
+  renderer_.observePasses({});
+  return times;
+}
+
+/// Pictures are not drawn before light has settled: they would be drawn in vain.
+void HeadlessWindow::settle() {
+  follower_.update(controls_.view());
+  for (int i = 0; i < mostSettlingFrames && follower_.isBusy(controls_.view()); ++i)
+    follower_.update(controls_.view());
+  do frame(true);
+  while (renderer_.isBehind());
+}
+
+void HeadlessWindow::still() {
+  picture_.invalidate();
+  frame(true);
+}
+
+}  // namespace prelight::benchmarks

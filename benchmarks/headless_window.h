@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/measure.h"
+#include "gi/update/live_light.h"
+#include "viewer/controls.h"
+#include "viewer/live_follower.h"
+#include "viewer/live_picture.h"
+#include "viewer/moved_scene.h"
+#include "viewer/presenter.h"
+#include "viewer/scene_follower.h"
+
+namespace prelight::benchmarks {
+
+/// Of a window that is measured.
+struct WindowSettings {
+  int width = 1280;  ///< pixels
+  int height = 720;
+  int order = 4;             ///< of SH
+  std::uint64_t rays = 256;  ///< a vertex
+};
+
+/// A built-in scene with what a shading needs of it.
+struct WindowStage {
+  BenchmarkScene scene;
+  Bake bake;
+  std::optional<LiveLight> live;  ///< of full shading
+  GlobalIllumination globalIllumination;
+  viewer::RenderInputs inputs;
+
+  /// Bakes, or computes the light of full shading. The device outlives it. Throws Interrupted.
+  WindowStage(const std::string& name, viewer::Shading shading, const WindowSettings& settings,
+              const Device& device, const Progress& progress);
+};
+
+/// Milliseconds of all threads' processor time, by part of a frame.
+using PartTimes = std::map<std::string, double>;
+
+/// What the window does from one picture to the next, but for its panel, without a display.
+class HeadlessWindow {
+ public:
+  /// The stage outlives it.
+  HeadlessWindow(WindowStage& stage, viewer::Shading shading, const WindowSettings& settings);
+  ~HeadlessWindow();
+
+  viewer::Controls& controls() { return controls_; }
+
+  /// A round of the window's loop. `settled`: the view stands still.
+  void frame(bool settled);
+
+  /// The same, waiting for OpenGL after each part.
+  PartTimes timedFrame(bool settled);
+
+  /// Until nothing changes by itself.
+  void settle();
+
+  /// A frame of the view that stands still, all samples of it.
+  void still();
+
+ private:
+  class Screen;
+
+  viewer::MovedScene moved_;
+  viewer::RenderInputs inputs_;
+  viewer::Renderer renderer_;
+  std::unique_ptr<viewer::LiveFollower> light_;
+  viewer::SceneFollower follower_;
+  viewer::LivePicture picture_;
+  viewer::Presenter presenter_;
+  std::unique_ptr<Screen> screen_;
+  viewer::Controls controls_;
+};
+
+}  // namespace prelight::benchmarks

@@ -1,0 +1,50 @@
+#include "viewer/drawn_sky.h"
+
+#include <algorithm>
+#include <span>
+
+namespace prelight::viewer {
+namespace {
+
+/// Bands that the bake's transfer has at most.
+int largestOrder(const Bake* bake) {
+  int order = ambientOrder;
+  if (bake == nullptr) return order;
+  if (bake->sh) order = std::max(order, bake->sh->order);
+  if (bake->compressedSh) order = std::max(order, bake->compressedSh->order);
+  if (bake->chartTransfer) order = std::max(order, bake->chartTransfer->order);
+  if (bake->ch) order = std::max(order, bake->ch->order);
+  if (bake->glossy) order = std::max(order, bake->glossy->order);
+  return order;
+}
+
+gl::Texture constantSky(float radiance) {
+  const glm::vec3 texel(radiance);
+  return gl::makeFloatTexture(1, 1, std::span(&texel, 1));
+}
+
+}  // namespace
+
+DrawnSky::DrawnSky(const RenderInputs& inputs, bool emits)
+    : environment_(inputs.environment),
+      emits_(emits),
+      neutralMap_(constantEnvironment(glm::vec3(1.0f))),
+      neutral_(neutralMap_, 1),
+      neutralTexture_(constantSky(1.0f)),
+      blackTexture_(constantSky(0.0f)) {
+  if (environment_ == nullptr) return;
+  coefficients_ = SkyCoefficients(*environment_, largestOrder(inputs.bake));
+  texture_ = gl::makeFloatTexture(environment_->width, environment_->height, environment_->radiance);
+}
+
+bool DrawnSky::isNeutral(const View& view) const {
+  return environment_ == nullptr && view.lights.empty() && !emits_;
+}
+
+SeenSky DrawnSky::seenBy(const View& view) const {
+  if (environment_ != nullptr) return {environment_, &coefficients_, &texture_, environment_->width};
+  if (isNeutral(view)) return {&neutralMap_, &neutral_, &neutralTexture_, 1};
+  return {nullptr, &black_, &blackTexture_, 1};
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "prelight/picture.h"
+#include "viewer/gl/texture.h"
+#include "viewer/lighting.h"
+#include "viewer/view_state.h"
+
+namespace prelight::viewer {
+
+constexpr int ambientOrder = 3;  ///< bands of a sky that shaders gather around a normal
+
+/// The sky of a view; what it points to stays as long as the DrawnSky.
+struct SeenSky {
+  const Environment* map = nullptr;  ///< nullptr: black
+  const SkyCoefficients* coefficients = nullptr;
+  const gl::Texture* texture = nullptr;
+  int width = 1;  ///< texels
+};
+
+/// The sky of a scene: the inputs', an even one where nothing else gives light, or none.
+class DrawnSky {
+ public:
+  /// `emits`: something in the scene emits light. The inputs' environment outlives it.
+  DrawnSky(const RenderInputs& inputs, bool emits);
+
+  /// Nothing else lights the view: a sky of radiance 1 does.
+  bool isNeutral(const View& view) const;
+
+  SeenSky seenBy(const View& view) const;
+
+  /// There is one that is not alike everywhere.
+  bool isMap() const {
+    return environment_ != nullptr && (environment_->width > 1 || environment_->height > 1);
+  }
+
+ private:
+  const Environment* environment_;
+  bool emits_;
+  SkyCoefficients coefficients_;
+  Environment neutralMap_;
+  SkyCoefficients neutral_;
+  SkyCoefficients black_;
+  gl::Texture texture_, neutralTexture_, blackTexture_;
+};
+
+}  // namespace prelight::viewer

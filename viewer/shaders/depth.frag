@@ -1,0 +1,4 @@
+#version 410 core
+// Depth alone.
+
+void main() {}

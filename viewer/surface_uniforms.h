@@ -1,0 +1,21 @@
+#pragma once
+
+#include "viewer/gl/program.h"
+#include "viewer/gl/texture.h"
+#include "viewer/render_scene.h"
+#include "viewer/shader_variant.h"
+
+namespace prelight::viewer {
+
+/// Sets what shaders/material.glsl reads of a surface in the program in use, whose features are given;
+/// `white` stands for textures that it has not.
+void setSurface(const Surface& surface, Features features, const gl::Texture& white,
+                const gl::Program& program);
+
+/// Backs of one-sided surfaces are not drawn.
+void cullBacksOf(const Surface& surface);
+
+/// What attributes without an array are read as: a white colour, an open sky.
+void setAttributeDefaults();
+
+}  // namespace prelight::viewer

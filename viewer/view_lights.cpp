@@ -1,0 +1,57 @@
+#include "viewer/view_lights.h"
+
+#include <algorithm>
+
+namespace prelight::viewer {
+namespace {
+
+constexpr int draftEmitterSamples = 4;
+
+}  // namespace
+
+ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene) { sample(); }
+
+void ViewLights::setScene(const CompiledScene& scene) {
+  scene_ = &scene;
+  sample();
+  if (samples_ != nullptr) samples_->setScene(scene);
+}
+
+/// Drafts have fewer samples, but not fewer than there are triangles to tell apart.
+void ViewLights::sample() {
+  emitters_ = sampleEmitters(*scene_, emitterSamples);
+  const auto triangles = std::count_if(scene_->triangleMaterials.begin(), scene_->triangleMaterials.end(),
+                                       [&](std::uint32_t material) {
+                                         const glm::vec3& emission = scene_->materials[material].emission;
+                                         return std::max({emission.r, emission.g, emission.b}) > 0.0f;
+                                       });
+  const auto fewer = std::clamp<std::ptrdiff_t>(triangles, draftEmitterSamples, emitterSamples);
+  draftEmitters_ = sampleEmitters(*scene_, static_cast<int>(fewer));
+}
+
+void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {
+  std::erase_if(lights, [](const ShadedLight& source) { return source.isSample; });
+  lights.insert(lights.end(), draftEmitters_.begin(), draftEmitters_.end());
+}
+
+std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky) {
+  std::vector<ShadedLight> lights, samples;
+  for (const Light& light : view.lights) lights.push_back(shadedLight(light, *scene_));
+  if (view.shading == Shading::GlobalIllumination) {
+    if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_);
+    samples = samples_->of(view.emitters, sky, view.skyRotation);
+  } else if (view.emitters) {
+    samples = emitters_;
+  }
+  const std::size_t room = maxLights - samples.size();
+  if (lights.size() > room) {
+    const auto strength = [](const ShadedLight& l) { return l.intensity.r + l.intensity.g + l.intensity.b; };
+    std::stable_sort(lights.begin(), lights.end(),
+                     [&](const ShadedLight& a, const ShadedLight& b) { return strength(a) > strength(b); });
+    lights.resize(room);
+  }
+  lights.insert(lights.end(), samples.begin(), samples.end());
+  return lights;
+}
+
+}  // namespace prelight::viewer
