@@ -107,7 +107,8 @@ void Caster::generate(std::span<const Receiver> receivers) {
 void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const CastPurpose& purpose) {
   Tracer& tracer = purpose.set == 0 ? tracer_ : options_.setTracers[purpose.set - 1];
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  setParameters(count, 0);
+  const std::uint32_t* row = purpose.storedRow;
+  setParameters(count, row != nullptr ? senders_.value().roomFor(*row, count).firstRow : 0);
   generate(receivers);
   const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
   const bool closest = purpose.storedRow != nullptr || purpose.occluders || options_.marksInside ||
@@ -145,11 +146,9 @@ void Caster::project(std::uint32_t receivers) {
 
 void Caster::store(std::uint32_t receivers, std::uint32_t firstRow) {
   SenderRows& rows = senders_.value();
-  const SenderRows::Place room = rows.roomFor(firstRow, receivers);
-  setParameters(receivers, room.firstRow);
   store_.launch(std::size_t{receivers} * options_.raysPerReceiver, parameters_,
                 tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, receivers_,
-                rays_, hits_, room.buffer, marks_);
+                rays_, hits_, rows.roomFor(firstRow, receivers).buffer, marks_);
   rows.keep(firstRow, receivers);
 }
 

@@ -125,11 +125,6 @@ std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) con
   return solveColumn(equations(lambda), column);
 }
 
-std::vector<float> VertexFit::solve(double lambda, std::span<const float> rightSide, std::size_t columns,
-                                    const SolveLimits& limits) const {
-  return solve(equations(lambda), rightSide, columns, limits);
-}
-
 std::vector<float> VertexFit::solve(const NormalEquations& equations) const {
   return triangleWeights_.empty() ? solve(equations, right_, columns_)
                                   : solve(equations, rightSide(0, columns_), columns_);

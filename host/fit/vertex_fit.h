@@ -53,10 +53,6 @@ class VertexFit {
   void addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
              std::span<const float> values) const;
 
-  /// Solves for another right-hand side [slot][column] with this fit's samples.
-  std::vector<float> solve(double lambda, std::span<const float> rightSide, std::size_t columns,
-                           const SolveLimits& limits = {}) const;
-
   /// The equations that solve() solves, for those who want rows of their inverse or solve them more than
   /// once.
   NormalEquations equations(double lambda) const;

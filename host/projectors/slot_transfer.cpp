@@ -48,17 +48,6 @@ std::vector<std::uint8_t> slotsWithBack(const SceneCast& cast, const FitMesh& me
   return covered;
 }
 
-/// Calls use(slot, first value of its part in [slot][partValues], value of [3][column] at hand) for all
-/// values of a part.
-template <typename Use>
-void forPart(std::size_t slots, std::size_t firstValue, std::size_t values, const Use& use) {
-  const std::size_t count = std::min(partValues, values - firstValue);
-  parallelRanges(slots, slotRange, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot)
-      for (std::size_t i = 0; i < count; ++i) use(slot, slot * partValues + i, firstValue + i);
-  });
-}
-
 double largest(const std::vector<float>& values) {
   double most = 0.0;
   for (const float value : values) most = std::max(most, double(std::abs(value)));
@@ -138,9 +127,14 @@ class TransferBounces {
     });
   }
 
+  /// Calls use(slot, place in [slot][partValues], value of [3][column]) for the values of a part.
   template <typename Use>
   void forValues(std::size_t first, const Use& use) const {
-    forPart(slots_, first, 3 * transfer_.columns(), use);
+    const std::size_t count = std::min(partValues, 3 * transfer_.columns() - first);
+    parallelRanges(slots_, slotRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slot = begin; slot < end; ++slot)
+        for (std::size_t i = 0; i < count; ++i) use(slot, slot * partValues + i, first + i);
+    });
   }
 
   std::size_t placeOf(std::size_t slot, std::size_t value) const {
