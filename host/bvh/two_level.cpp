@@ -14,6 +14,8 @@ namespace {
 
 using device::DeviceInstance;
 
+constexpr std::size_t partsPerInstance = 4;  // that the triangles in no instance are taken into, about
+
 /// What the two layouts differ in.
 template <typename Bvh>
 struct Layout;
@@ -62,18 +64,25 @@ CompiledScene sceneOfShape(const CompiledScene& scene, const CompiledShape& shap
   return alone;
 }
 
-/// Puts a tree behind what there is. Returns its root.
+/// How a tree's nodes name their children once it stands behind another tree.
+struct Shift {
+  std::uint32_t node = 0;
+  std::uint32_t leaf = 0;
+
+  std::uint32_t of(std::uint32_t child) const { return child + (child & PRELIGHT_LEAF_BIT ? leaf : node); }
+};
+
+/// Puts a tree behind what there is.
 template <typename Bvh>
-std::uint32_t append(Bvh& all, Bvh part) {
+Shift append(Bvh& all, Bvh part) {
   auto& leaves = Layout<Bvh>::leaves(all);
   auto& added = Layout<Bvh>::leaves(part);
-  const auto root = static_cast<std::uint32_t>(all.nodes.size());
-  const auto firstLeaf = static_cast<std::uint32_t>(leaves.size());
+  const Shift shift{static_cast<std::uint32_t>(all.nodes.size()), static_cast<std::uint32_t>(leaves.size())};
   for (auto& node : part.nodes)
-    for (std::uint32_t& child : node.child) child += child & PRELIGHT_LEAF_BIT ? firstLeaf : root;
+    for (std::uint32_t& child : node.child) child = shift.of(child);
   all.nodes.insert(all.nodes.end(), part.nodes.begin(), part.nodes.end());
   leaves.insert(leaves.end(), added.begin(), added.end());
-  return root;
+  return shift;
 }
 
 Box boxOf(const CompiledScene& scene, const CompiledInstance& instance) {
@@ -87,11 +96,48 @@ Box boxOf(const CompiledScene& scene, const CompiledInstance& instance) {
 std::vector<Box> upperBoxes(const CompiledScene& scene, const UpperLevel& upper) {
   std::vector<Box> boxes;
   for (const std::uint32_t i : upper.instances) boxes.push_back(boxOf(scene, scene.instances[i]));
-  if (upper.hasOthers) boxes.push_back(upper.others);
   const glm::vec3 most = glm::max(glm::abs(scene.boundsMin), glm::abs(scene.boundsMax));
   const glm::vec3 pad(0x1p-20f * std::max({most.x, most.y, most.z}) + std::numeric_limits<float>::min());
   for (Box& box : boxes) box = {box.lower - pad, box.upper + pad};
+  for (const UpperChild& other : upper.others) boxes.push_back(other.box);
   return boxes;
+}
+
+UpperChild childOf(const device::WideNode& node, int i) {
+  const auto corner = [i](const auto& rows) { return glm::vec3(rows[0][i], rows[1][i], rows[2][i]); };
+  return {{corner(node.lower), corner(node.upper)}, node.child[i]};
+}
+
+UpperChild childOf(const device::NarrowNode& node, int i) {
+  const auto corner = [i](const auto& rows) { return glm::vec3(rows[i][0], rows[i][1], rows[i][2]); };
+  return {{corner(node.lower), corner(node.upper)}, node.child[i]};
+}
+
+/// Takes the largest nodes apart into their children until there are `most` parts. What surrounds instances,
+/// as walls do, would otherwise be met as a whole before or after all of them.
+template <typename Bvh>
+std::vector<UpperChild> openLargest(const Bvh& bvh, const UpperChild& root, std::size_t most) {
+  const auto smaller = [](const UpperChild& a, const UpperChild& b) {
+    return a.box.halfArea() < b.box.halfArea();
+  };
+  std::vector<UpperChild> parts, open{root};
+  while (!open.empty() && parts.size() + open.size() < most) {
+    std::pop_heap(open.begin(), open.end(), smaller);
+    const auto& node = bvh.nodes[open.back().child];
+    open.pop_back();
+    for (int i = 0; i < static_cast<int>(std::size(node.child)); ++i) {
+      const UpperChild child = childOf(node, i);
+      if (!glm::all(glm::lessThanEqual(child.box.lower, child.box.upper))) continue;
+      if (child.child & PRELIGHT_LEAF_BIT) {
+        parts.push_back(child);
+      } else {
+        open.push_back(child);
+        std::push_heap(open.begin(), open.end(), smaller);
+      }
+    }
+  }
+  parts.insert(parts.end(), open.begin(), open.end());
+  return parts;
 }
 
 }  // namespace
@@ -137,7 +183,7 @@ template <typename Bvh>
 Bvh buildUpperLevel(const CompiledScene& scene, const UpperLevel& upper) {
   std::vector<std::uint32_t> children;
   for (std::uint32_t i = 0; i < upper.instances.size(); ++i) children.push_back(Layout<Bvh>::instance(i));
-  if (upper.hasOthers) children.push_back(upper.othersRoot);
+  for (const UpperChild& other : upper.others) children.push_back(other.child);
   const BinaryBvh binary =
       buildOverBoxes(upperBoxes(scene, upper), {.price = LeafPrice::Triangles, .leafSize = 1});
   Bvh top = Layout<Bvh>::makeTop(binary, children);
@@ -151,32 +197,34 @@ TwoLevelBvh<Bvh> buildTwoLevel(const CompiledScene& scene, const TreeContents& c
   TwoLevelBvh<Bvh> tree;
   UpperLevel& upper = tree.upper;
   upper.instances = contents.instances;
+  BvhOptions own = options;
+  own.target = Layout<Bvh>::target;
+  Bvh others;
+  if (!contents.triangles.empty()) {
+    own.triangles = contents.triangles;
+    const BinaryBvh binary = buildBvh(scene, own);
+    others = Layout<Bvh>::make(binary, scene);
+    upper.others =
+        openLargest(others, {binary.nodes[0].bounds, 0u}, partsPerInstance * contents.instances.size());
+  }
   // A node has two children at least.
-  upper.nodeCount = static_cast<std::uint32_t>(contents.instances.size() + 1);
+  upper.nodeCount = static_cast<std::uint32_t>(contents.instances.size() + upper.others.size() + 1);
   tree.bvh.nodes.resize(upper.nodeCount);
-  const auto add = [&](const CompiledScene& from, const BinaryBvh& binary) {
-    Bvh part = Layout<Bvh>::make(binary, from);
+  const auto add = [&](Bvh part) {
     upper.lowerStackSize = std::max(upper.lowerStackSize, part.stackSize);
     return append(tree.bvh, std::move(part));
   };
-  BvhOptions own = options;
-  own.target = Layout<Bvh>::target;
+  const Shift shift = add(std::move(others));
+  for (UpperChild& other : upper.others) other.child = shift.of(other.child);
   own.triangles = {};
   std::map<std::uint32_t, std::uint32_t> rootOf;
   for (const std::uint32_t i : contents.instances) {
     const std::uint32_t shape = scene.instances[i].shape;
     if (!rootOf.contains(shape)) {
       const CompiledScene alone = sceneOfShape(scene, scene.shapes[shape]);
-      rootOf[shape] = add(alone, buildBvh(alone, own));
+      rootOf[shape] = add(Layout<Bvh>::make(buildBvh(alone, own), alone)).node;
     }
     upper.roots.push_back(rootOf[shape]);
-  }
-  if (!contents.triangles.empty()) {
-    own.triangles = contents.triangles;
-    const BinaryBvh binary = buildBvh(scene, own);
-    upper.hasOthers = true;
-    upper.others = binary.nodes[0].bounds;
-    upper.othersRoot = add(scene, binary);
   }
   const Bvh top = buildUpperLevel<Bvh>(scene, upper);
   std::copy(top.nodes.begin(), top.nodes.end(), tree.bvh.nodes.begin());

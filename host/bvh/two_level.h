@@ -23,15 +23,19 @@ struct TreeContents {
 TreeContents divideContents(const CompiledScene& scene, std::span<const std::uint32_t> instances,
                             std::span<const std::uint32_t> triangles);
 
+/// A part of the tree in the scene's space that a leaf of the upper level leads to.
+struct UpperChild {
+  Box box;
+  std::uint32_t child = 0;  ///< as nodes name their children
+};
+
 /// What is needed to make the tree over instances anew when they have moved.
 struct UpperLevel {
   std::vector<std::uint32_t> instances;  ///< into CompiledScene::instances
   std::vector<std::uint32_t> roots;      ///< [instance], of its shape's tree
-  bool hasOthers = false;                ///< there are triangles in no instance
-  Box others;                            ///< they are in here
-  std::uint32_t othersRoot = 0;
-  std::uint32_t nodeCount = 0;       ///< what the tree over the instances may take at most
-  std::uint32_t lowerStackSize = 0;  ///< entries that a traversal of the trees below it needs at most
+  std::vector<UpperChild> others;        ///< they hold the triangles that are in no instance
+  std::uint32_t nodeCount = 0;           ///< what the tree over the instances may take at most
+  std::uint32_t lowerStackSize = 0;      ///< entries that a traversal of the trees below it needs at most
 };
 
 /// A tree with instances. The first nodes are the upper level's.

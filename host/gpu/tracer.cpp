@@ -150,7 +150,7 @@ void Tracer::moveInstances(const CompiledScene& scene, Kept& kept) {
 /// Where all triangles are those of instances, shapes keep their trees.
 void Tracer::moveTree(const CompiledScene& scene, std::span<const std::uint32_t> triangles) {
   const std::uint32_t before = stackBucket(stackSize_);
-  if (upper_.instances.empty() || upper_.hasOthers)
+  if (upper_.instances.empty() || !upper_.others.empty())
     uploadTree(scene, BuildQuality::Balanced, triangles);
   else if (layout_ == BvhLayout::Wide)
     moveInstances<WideBvh>(scene, std::get<WideTree>(tree_));

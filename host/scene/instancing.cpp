@@ -13,7 +13,7 @@ constexpr std::uint32_t leastShape = 32;
 
 /// Below so many triangles saved, and at less than so many drawn for each stored, one tree is as good or
 /// better: docs/bvh.md has the numbers.
-constexpr std::uint64_t leastSaved = 250'000;
+constexpr std::uint64_t leastSaved = 2'000'000;
 constexpr std::uint64_t leastRatio = 2;
 
 }  // namespace
