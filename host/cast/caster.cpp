@@ -13,7 +13,7 @@ using namespace device;
 // Rays of a block: enough to keep all cores busy, few enough that rays and hits stay in cache on a CPU and
 // that a launch stays far below a second anywhere.
 std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerReceiver) {
-  return std::max(1u, (device.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 16) / raysPerReceiver);
+  return std::max(1u, (device.kind == DeviceKind::Gpu ? 1u << 21 : 1u << 17) / raysPerReceiver);
 }
 
 std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene) {

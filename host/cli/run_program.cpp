@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/context.h"
+#include "cli/keep_memory.h"
 #include "cli/printable.h"
 #include "cli/process_limits.h"
 #include "cli/standard_streams.h"
@@ -213,6 +214,7 @@ int runReporting(int argumentCount, char* const* arguments, AddBench addBench) {
 }  // namespace
 
 int runProgram(int argumentCount, char** arguments, AddBench addBench) {
+  keepFreedMemory();
   const auto work = [&] {
     try {
       return runReporting(argumentCount, arguments, addBench);
