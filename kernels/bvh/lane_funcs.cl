@@ -13,7 +13,7 @@
 #if defined(__SSE2__) && __has_builtin(__builtin_ia32_pmovmskb128)
 #define PRELIGHT_SSE2_LANES
 #endif
-#if defined(__AVX512F__) && __has_builtin(__builtin_ia32_cmpps512_mask)
+#if defined(__AVX512F__) && defined(__AVX512VL__) && __has_builtin(__builtin_ia32_cmpps512_mask)
 #define PRELIGHT_AVX512_LANES
 #endif
 #if __has_builtin(__builtin_prefetch)
@@ -63,6 +63,27 @@ uint byteMask16(uchar16 bytes, uint bit) {
   return (uint)(c.x | c.y);
 #endif
 }
+
+// Four keys, the largest first: a sorting network of five comparisons.
+ulong4 descending4(ulong4 k) {
+  ulong4 p = k.zwxy;
+  k = (ulong4)(max(k, p).xy, min(k, p).zw);
+  p = k.yxwz;
+  const ulong4 high = max(k, p), low = min(k, p);
+  k = (ulong4)(high.x, low.y, high.z, low.w);
+  p = k.xzyw;
+  return (ulong4)(max(k, p).xy, min(k, p).zw);
+}
+
+#ifdef PRELIGHT_AVX512_LANES
+// The lanes of the mask moved together, zeros behind them.
+uint8 together8(uint8 v, uint mask) {
+  return as_uint8(__builtin_ia32_compresssi256_mask(as_int8(v), (int8)(0), (uchar)mask));
+}
+ulong8 togetherLong8(ulong8 v, uint mask) {
+  return as_ulong8(__builtin_ia32_compressdi512_mask(as_long8(v), (long8)(0), (uchar)mask));
+}
+#endif
 
 // Index of the lowest bit of a mask that is not 0: written so that compilers see a count of trailing zeros.
 uint lowestLane(uint mask) { return popcount(~mask & (mask - 1u)); }

@@ -53,26 +53,61 @@ void traceBundles(Bvh bvh, Surface surface, Batch* batch) {
     }
 }
 
+// Walks under way by what they visit next. A loop has visits of one kind: mixed ones would be guessed wrongly half of the time.
+typedef struct WalkQueues {
+  uint* nodes;   // [nodeCount], into the walks
+  uint* leaves;  // [leafCount]
+  uint nodeCount, leafCount;
+  uint waiting;  // loose rays of the batch that are not under way yet
+} WalkQueues;
+
+PRELIGHT_INLINE void enqueue(const Walk* walks, uint walk, WalkQueues* q) {
+  const uint leaf = walks[walk].next >> 31;  // written to both, kept in one
+  q->nodes[q->nodeCount] = walk;
+  q->leaves[q->leafCount] = walk;
+  q->nodeCount += 1u - leaf;
+  q->leafCount += leaf;
+}
+
+// A walk that has ended takes the next ray.
+PRELIGHT_INLINE bool restart(const Batch* batch, Walk* walk, WalkQueues* q) {
+  if (q->waiting == 0u) return false;
+  startWalk(walk, batch->loose[--q->waiting]);
+  return true;
+}
+
+PRELIGHT_INLINE void visitNodes(Bvh bvh, Batch* batch, Walk* walks, WalkQueues* q) {
+  const uint count = q->nodeCount;
+  q->nodeCount = 0u;
+  for (uint i = 0; i < count; ++i) {
+    Walk* walk = walks + q->nodes[i];
+    Bundle* b = batch->bundles + walk->ray / PRELIGHT_GROUP;
+    if (stepToNode(bvh, &b->world, &b->rays, walk->ray % PRELIGHT_GROUP, walk, &b->hits) || restart(batch, walk, q))
+      enqueue(walks, (uint)(walk - walks), q);
+  }
+}
+
+PRELIGHT_INLINE void visitLeaves(Bvh bvh, Surface surface, Batch* batch, Walk* walks, WalkQueues* q) {
+  const uint count = q->leafCount;
+  q->leafCount = 0u;
+  for (uint i = 0; i < count; ++i) {
+    Walk* walk = walks + q->leaves[i];
+    Bundle* b = batch->bundles + walk->ray / PRELIGHT_GROUP;
+    if (stepToLeaf(bvh, surface, &b->world, &b->rays, walk->ray % PRELIGHT_GROUP, walk, &b->hits) || restart(batch, walk, q))
+      enqueue(walks, (uint)(walk - walks), q);
+  }
+}
+
 void traceLoose(Bvh bvh, Surface surface, Batch* batch) {
   Walk walks[PRELIGHT_WALKS];
-  uint active[PRELIGHT_WALKS];
-  uint waiting = batch->looseCount, count = 0;
-  while (count < PRELIGHT_WALKS && waiting != 0u) {
-    startWalk(walks + count, batch->loose[--waiting]);
-    active[count] = count;
-    ++count;
+  uint nodes[PRELIGHT_WALKS + 1], leaves[PRELIGHT_WALKS + 1];
+  WalkQueues q = {nodes, leaves, 0u, 0u, batch->looseCount};
+  for (uint i = 0; i < PRELIGHT_WALKS; ++i)
+    if (restart(batch, walks + i, &q)) enqueue(walks, i, &q);
+  while (q.nodeCount + q.leafCount != 0u) {
+    visitNodes(bvh, batch, walks, &q);
+    visitLeaves(bvh, surface, batch, walks, &q);
   }
-  while (count != 0u)
-    for (uint i = 0; i < count;) {
-      Walk* walk = walks + active[i];
-      Bundle* b = batch->bundles + walk->ray / PRELIGHT_GROUP;
-      if (stepWalk(bvh, surface, &b->world, &b->rays, walk->ray % PRELIGHT_GROUP, walk, &b->hits))
-        ++i;
-      else if (waiting != 0u)
-        startWalk(walk, batch->loose[--waiting]);
-      else
-        active[i] = active[--count];
-    }
 }
 
 void writeHits(const Batch* batch, uint count, __global Hit* hits) {
