@@ -80,7 +80,7 @@ PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, floa
 #ifdef PRELIGHT_AVX512_LANES
   const uint count = popcount(mask);
   if (count <= 4u) {
-    vstore4(descending4(togetherLong8(keys8, mask).lo), 0, walk->stack + first);
+    vstore4(descendingLong4(togetherLong8(keys8, mask).lo), 0, walk->stack + first);
     walk->depth = first + count;
     return;
   }
@@ -130,7 +130,7 @@ PRELIGHT_INLINE bool stepToNode(Bvh bvh, const SourceRays* world, RayGroup* g, u
   __global const WideNode* node = bvh.nodes + walk->next;
   const float t = hits->t[lane];
   float8 near8;
-  const uint mask = intersectBoxes(node, g, lane, t, &near8);
+  const uint mask = laneMask8(intersectBoxes(node, g, lane, t, &near8));
   pushChildren(node, mask, near8, walk);
   if (!takeNext(walk, t)) return false;
   prefetchChild(bvh, walk->next);

@@ -7,6 +7,9 @@
 #endif
 #include "bvh/bundle_funcs.cl"
 
+// Groups of rays that are asked for ahead of the one that is prepared.
+#define PRELIGHT_GROUPS_AHEAD 4
+
 // Loose rays that are under way at a time.
 #define PRELIGHT_WALKS 16
 
@@ -23,6 +26,7 @@ void prepareBatch(__global const Ray* rays, uint count, Batch* batch) {
   batch->bundleCount = 0u;
   batch->looseCount = 0u;
   for (uint first = 0; first < count; first += PRELIGHT_GROUP) {
+    prefetchBytes((__global const char*)(rays + first + PRELIGHT_GROUPS_AHEAD * PRELIGHT_GROUP), PRELIGHT_GROUP * sizeof(Ray));
     const uint group = first / PRELIGHT_GROUP;
     const uint n = min(count - first, (uint)PRELIGHT_GROUP);
     Bundle* b = batch->bundles + group;
@@ -42,15 +46,38 @@ void prepareBatch(__global const Ray* rays, uint count, Batch* batch) {
   }
 }
 
+// Bundles under way by what they visit next. A loop has visits of one kind: mixed ones would be guessed wrongly half of the
+// time.
+typedef struct BundleQueues {
+  uint* of[PRELIGHT_VISITS];  // into the bundles
+  uint count[PRELIGHT_VISITS];
+} BundleQueues;
+
+PRELIGHT_INLINE void enqueueBundle(const Batch* batch, uint bundle, BundleQueues* q) {
+  const uint next = nextVisit(batch->bundles + bundle);
+#pragma unroll
+  for (uint visit = 0; visit < PRELIGHT_VISITS; ++visit) {  // written to all, kept in one
+    q->of[visit][q->count[visit]] = bundle;
+    q->count[visit] += next == visit;
+  }
+}
+
 void traceBundles(Bvh bvh, Surface surface, Batch* batch) {
-  uint count = batch->bundleCount;
-  while (count != 0u)
-    for (uint i = 0; i < count;) {
-      if (stepBundle(bvh, surface, batch->bundles + batch->bundle[i]))
-        ++i;
-      else
-        batch->bundle[i] = batch->bundle[--count];
+  uint blocks[PRELIGHT_BATCH_GROUPS + 1], one[PRELIGHT_BATCH_GROUPS + 1], several[PRELIGHT_BATCH_GROUPS + 1],
+      many[PRELIGHT_BATCH_GROUPS + 1];
+  BundleQueues q = {{blocks, one, several, many}, {0u, 0u, 0u, 0u}};
+  for (uint i = 0; i < batch->bundleCount; ++i) enqueueBundle(batch, batch->bundle[i], &q);
+  while (q.count[0] + q.count[1] + q.count[2] + q.count[3] != 0u) {
+#pragma unroll
+    for (uint visit = 0; visit < PRELIGHT_VISITS; ++visit) {
+      const uint count = q.count[visit];
+      q.count[visit] = 0u;
+      for (uint i = 0; i < count; ++i) {
+        const uint bundle = q.of[visit][i];
+        if (stepBundle(bvh, surface, visit, batch->bundles + bundle)) enqueueBundle(batch, bundle, &q);
+      }
     }
+  }
 }
 
 // Walks under way by what they visit next. A loop has visits of one kind: mixed ones would be guessed wrongly half of the time.
@@ -110,18 +137,9 @@ void traceLoose(Bvh bvh, Surface surface, Batch* batch) {
   }
 }
 
-void writeHits(const Batch* batch, uint count, __global Hit* hits) {
-  for (uint i = 0; i < count; ++i) {
-    const HitGroup* found = &batch->bundles[i / PRELIGHT_GROUP].hits;
-    const uint lane = i % PRELIGHT_GROUP;
-#ifdef PRELIGHT_ANY_HIT
-    const Hit hit = {0.0f, found->triangle[lane], 0.0f, 0.0f};
-#else
-    const bool missed = found->triangle[lane] == PRELIGHT_NO_TRIANGLE;
-    const Hit hit = {missed ? 0.0f : found->t[lane], found->triangle[lane], found->u[lane], found->v[lane]};
-#endif
-    hits[i] = hit;
-  }
+PRELIGHT_INLINE void writeHits(const Batch* batch, uint count, __global Hit* hits) {
+  for (uint first = 0; first < count; first += PRELIGHT_GROUP)
+    writeGroup(&batch->bundles[first / PRELIGHT_GROUP].hits, count - first, hits + first);
 }
 
 // A batch of rays a work-item. rays [firstRay + rayCount], those from firstRay on -> hits [rayCount]. The hint keeps compilers from making vectors of
