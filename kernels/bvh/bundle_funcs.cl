@@ -43,7 +43,7 @@ bool sharesOrigin(const RayGroup* g) {
 // Puts the children that some rays meet on the stack.
 PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float8 near8, Bundle* b) {
   uint met = laneMask8(meeting != 0u);
-#ifdef PRELIGHT_AVX512_LANES
+#ifdef PRELIGHT_TOGETHER
   vstore8(together8(vload8(0, node->child), met), 0, b->child + b->depth);
   vstore8(together8(meeting, met), 0, b->meeting + b->depth);
   b->depth += popcount(met);
@@ -77,7 +77,7 @@ PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
 PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float8 near8, Bundle* b) {
   uint met = laneMask8(meeting != 0u);
   const uint first = b->depth;
-#ifdef PRELIGHT_AVX512_LANES
+#ifdef PRELIGHT_TOGETHER
   const uint count = popcount(met);
   if (count <= 4u) {
     // The last bits of a distance give way to the child's place in the node.

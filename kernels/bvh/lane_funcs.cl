@@ -15,6 +15,10 @@
     __has_builtin(__builtin_ia32_compressdi512_mask) && __has_builtin(__builtin_ia32_permvarsi256)
 #define PRELIGHT_AVX512_LANES
 #endif
+#if defined(__AVX2__) && defined(__BMI2__) && __has_builtin(__builtin_ia32_permvarsi256) && \
+    __has_builtin(__builtin_ia32_pdep_di) && __has_builtin(__builtin_ia32_pext_di)
+#define PRELIGHT_AVX2_LANES
+#endif
 #if __has_builtin(__builtin_prefetch)
 #define PRELIGHT_PREFETCH
 #endif
@@ -90,17 +94,24 @@ uint4 descending4(uint4 k) {
   return (uint4)(high.xy, low.zw);
 }
 
+#if defined(PRELIGHT_AVX512_LANES) || defined(PRELIGHT_AVX2_LANES)
+// v[index[i]] at i.
+uint8 permuted8(uint8 v, uint8 index) { return as_uint8(__builtin_ia32_permvarsi256(as_int8(v), as_int8(index))); }
+#endif
+
+// The lanes of a mask moved together, zeros behind them. Where there is no instruction for it, a loop over the mask is quicker.
 #ifdef PRELIGHT_AVX512_LANES
-// The lanes of the mask moved together, zeros behind them.
+#define PRELIGHT_TOGETHER
 uint8 together8(uint8 v, uint mask) {
   return as_uint8(__builtin_ia32_compresssi256_mask(as_int8(v), (int8)(0), (uchar)mask));
 }
-ulong8 togetherLong8(ulong8 v, uint mask) {
-  return as_ulong8(__builtin_ia32_compressdi512_mask(as_long8(v), (long8)(0), (uchar)mask));
+#elif defined(PRELIGHT_AVX2_LANES)
+#define PRELIGHT_TOGETHER
+uint8 together8(uint8 v, uint mask) {
+  const ulong lanes = __builtin_ia32_pdep_di((ulong)mask, 0x0101010101010101ul) * 0xfful;
+  const uint8 moved = permuted8(v, convert_uint8(as_uchar8(__builtin_ia32_pext_di(0x0706050403020100ul, lanes))));
+  return moved & as_uint8((int8)(0, 1, 2, 3, 4, 5, 6, 7) < (int8)((int)popcount(mask)));
 }
-
-// v[index[i]] at i.
-uint8 permuted8(uint8 v, uint8 index) { return as_uint8(__builtin_ia32_permvarsi256(as_int8(v), as_int8(index))); }
 #endif
 
 // Index of the lowest bit of a mask that is not 0: written so that compilers see a count of trailing zeros.

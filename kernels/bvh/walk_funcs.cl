@@ -50,7 +50,7 @@ PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
 
 // Puts the children of the mask on the stack.
 PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
-#ifdef PRELIGHT_AVX512_LANES
+#ifdef PRELIGHT_TOGETHER
   vstore8(together8(vload8(0, node->child), mask), 0, walk->stack + walk->depth);
   walk->depth += popcount(mask);
 #else
@@ -75,16 +75,18 @@ PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
 
 // Puts the children of the mask on the stack, the nearest on top. More than four are rare.
 PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
-  const ulong8 keys8 = (convert_ulong8(as_uint8(near8)) << 32) | convert_ulong8(vload8(0, node->child));
   const uint first = walk->depth;
-#ifdef PRELIGHT_AVX512_LANES
+#ifdef PRELIGHT_TOGETHER
   const uint count = popcount(mask);
   if (count <= 4u) {
-    vstore4(descendingLong4(togetherLong8(keys8, mask).lo), 0, walk->stack + first);
+    const uint8 near = together8(as_uint8(near8), mask), child = together8(vload8(0, node->child), mask);
+    const ulong4 keys = (convert_ulong4(near.lo) << 32) | convert_ulong4(child.lo);
+    vstore4(descendingLong4(keys), 0, walk->stack + first);
     walk->depth = first + count;
     return;
   }
 #endif
+  const ulong8 keys8 = (convert_ulong8(as_uint8(near8)) << 32) | convert_ulong8(vload8(0, node->child));
   ulong keys[PRELIGHT_WIDTH];
   vstore8(keys8, 0, keys);
   for (; mask != 0u; mask &= mask - 1u) {

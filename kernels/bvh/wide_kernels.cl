@@ -11,7 +11,7 @@
 #define PRELIGHT_GROUPS_AHEAD 4
 
 // Loose rays that are under way at a time.
-#define PRELIGHT_WALKS 16
+#define PRELIGHT_WALKS 32
 
 // All rays of a work-item.
 typedef struct Batch {
