@@ -23,30 +23,60 @@ typedef struct TriangleHits {
   float16 t, u, v;
 } TriangleHits;
 
+// A triangle's corners, sheared so that the rays are the z axis, and its edge functions.
+typedef struct ShearedTriangle {
+  float16 ax, ay, bx, by, cx, cy;
+  float16 eu, ev, ew;
+} ShearedTriangle;
+
+PRELIGHT_INLINE ShearedTriangle shearTriangle(const RelativeBlock* block, uint i, const RayGroup* g) {
+#pragma OPENCL FP_CONTRACT OFF
+  const float16 sx = vload16(0, g->shear[0]), sy = vload16(0, g->shear[1]);
+  const float az = block->corner[0][2][i], bz = block->corner[1][2][i], cz = block->corner[2][2][i];
+  ShearedTriangle s;
+  s.ax = (float16)(block->corner[0][0][i]) - sx * az, s.ay = (float16)(block->corner[0][1][i]) - sy * az;
+  s.bx = (float16)(block->corner[1][0][i]) - sx * bz, s.by = (float16)(block->corner[1][1][i]) - sy * bz;
+  s.cx = (float16)(block->corner[2][0][i]) - sx * cz, s.cy = (float16)(block->corner[2][1][i]) - sy * cz;
+  s.eu = s.cx * s.by - s.cy * s.bx;
+  s.ev = s.ax * s.cy - s.ay * s.cx;
+  s.ew = s.bx * s.ay - s.by * s.ax;
+  return s;
+}
+
+// Which of the rays' lines pass through a triangle.
+PRELIGHT_INLINE int16 isInside(const ShearedTriangle* s) {
+  const float16 zero = (float16)(0.0f);
+  const float16 smallest = least16(least16(s->eu, s->ev), s->ew), largest = most16(most16(s->eu, s->ev), s->ew);
+  return (smallest >= zero) | (largest <= zero);
+}
+
+// The mask of the triangles that the lines of some rays pass through. A branch for each triangle would be guessed wrongly.
+PRELIGHT_INLINE uint trianglesInside(const RelativeBlock* block, uint count, const RayGroup* g, int16 rays) {
+  uint inside = 0u;
+  for (uint i = 0; i < count; ++i) {
+    const ShearedTriangle s = shearTriangle(block, i, g);
+    inside |= (laneMask16(isInside(&s) & rays) != 0u ? 1u : 0u) << i;
+  }
+  return inside;
+}
+
 // Which of the rays hit a triangle in [0, tMax]. Those that need the distance to its plane instead are left out and marked.
 PRELIGHT_INLINE int16 intersectTriangle(const RelativeBlock* block, uint i, const RayGroup* g, int16 rays, float16 tMax,
                                         TriangleHits* hits, uint* needles) {
 #pragma OPENCL FP_CONTRACT OFF
-  const float16 sx = vload16(0, g->shear[0]), sy = vload16(0, g->shear[1]), zero = (float16)(0.0f);
+  const float16 zero = (float16)(0.0f);
   const float az = block->corner[0][2][i], bz = block->corner[1][2][i], cz = block->corner[2][2][i];
-  const float16 ax = (float16)(block->corner[0][0][i]) - sx * az, ay = (float16)(block->corner[0][1][i]) - sy * az;
-  const float16 bx = (float16)(block->corner[1][0][i]) - sx * bz, by = (float16)(block->corner[1][1][i]) - sy * bz;
-  const float16 cx = (float16)(block->corner[2][0][i]) - sx * cz, cy = (float16)(block->corner[2][1][i]) - sy * cz;
-  const float16 eu = cx * by - cy * bx;
-  const float16 ev = ax * cy - ay * cx;
-  const float16 ew = bx * ay - by * ax;
-  const float16 smallest = least16(least16(eu, ev), ew), largest = most16(most16(eu, ev), ew);
-  const float16 determinant = eu + ev + ew;
-  int16 hit = ((smallest >= zero) | (largest <= zero)) & (determinant != zero) & rays;
-  if (laneMask16(hit) == 0u) return hit;
+  const ShearedTriangle s = shearTriangle(block, i, g);
+  const float16 determinant = s.eu + s.ev + s.ew;
+  int16 hit = isInside(&s) & (determinant != zero) & rays;
   const float16 inverse = 1.0f / determinant;
-  hits->t = (eu * az + ev * bz + ew * cz) * vload16(0, g->shear[2]) * inverse;
-  hits->u = ev * inverse;
-  hits->v = ew * inverse;
+  hits->t = (s.eu * az + s.ev * bz + s.ew * cz) * vload16(0, g->shear[2]) * inverse;
+  hits->u = s.ev * inverse;
+  hits->v = s.ew * inverse;
   const float lowAb = az < bz ? az : bz, highAb = az > bz ? az : bz;
   const float low = lowAb < cz ? lowAb : cz, high = highAb > cz ? highAb : cz;
   if (low < 0.0f && high > 0.0f) {
-    const float16 extent = fabs(ax) + fabs(bx) + fabs(cx) + fabs(ay) + fabs(by) + fabs(cy);
+    const float16 extent = fabs(s.ax) + fabs(s.bx) + fabs(s.cx) + fabs(s.ay) + fabs(s.by) + fabs(s.cy);
     const int16 cancels = hit & (fabs(determinant) < PRELIGHT_NEEDLE * extent * (extent + high - low));
     *needles |= laneMask16(cancels);
     hit &= ~cancels;
@@ -103,9 +133,10 @@ PRELIGHT_INLINE void visitBlockTogether(Surface surface, __global const Triangle
   const int16 rays = vload16(0, g->axis[2]) == kz;
   const uint16 source = vload16(0, g->source);
   uint needles = 0u;
-  for (uint i = 0; i < PRELIGHT_WIDTH; ++i) {
+  const uint used = popcount(laneMask8(as_int8(vload8(0, block->triangle) != PRELIGHT_NO_TRIANGLE)));
+  for (uint inside = trianglesInside(&relative, used, g, rays); inside != 0u; inside &= inside - 1u) {
+    const uint i = lowestLane(inside);
     const uint triangle = block->triangle[i];
-    if (triangle == PRELIGHT_NO_TRIANGLE) break;
     TriangleHits found;
     const int16 hit = intersectTriangle(&relative, i, g, rays & (source != triangle), vload16(0, hits->t), &found, &needles);
     if (laneMask16(hit) != 0u) acceptTogether(surface, triangle + firstTriangle, hit, &found, hits);
