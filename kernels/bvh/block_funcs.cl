@@ -9,8 +9,8 @@
 // The far end of a box grows by a few ulp (Ize 2013), so that rounding never loses it.
 #define PRELIGHT_BOX_SLACK 1.0000004f
 
-// Entry distances of the eight boxes; returns the mask of those that the ray meets in [0, tMax].
-PRELIGHT_INLINE uint intersectBoxes(__global const WideNode* node, const RayGroup* g, uint lane, float tMax, float8* tNear) {
+// Entry distances of the eight boxes; returns which of them the ray meets in [0, tMax].
+PRELIGHT_INLINE int8 intersectBoxes(__global const WideNode* node, const RayGroup* g, uint lane, float tMax, float8* tNear) {
   __global const float* planes = (__global const float*)node;
   const uint opposite = 3u * PRELIGHT_WIDTH;
   const uint nx = g->entry[0][lane], ny = g->entry[1][lane], nz = g->entry[2][lane];
@@ -24,7 +24,7 @@ PRELIGHT_INLINE uint intersectBoxes(__global const WideNode* node, const RayGrou
   const float8 z0 = (vload8(0, planes + nz) - oz) * iz, z1 = (vload8(0, planes + fz) - oz) * iz;
   *tNear = most8(most8(x0, y0), most8(z0, (float8)(0.0f)));
   const float8 tFar = least8(least8(x1, y1), least8(z1, (float8)(tMax))) * PRELIGHT_BOX_SLACK;
-  return laneMask8(*tNear <= tFar);
+  return *tNear <= tFar;
 }
 
 // Where the triangles of a block are hit; only lanes of the mask that comes with it mean anything.

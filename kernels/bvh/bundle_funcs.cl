@@ -3,33 +3,31 @@
 #ifndef PRELIGHT_BVH_BUNDLE_FUNCS_CL
 #define PRELIGHT_BVH_BUNDLE_FUNCS_CL
 
+#include "bvh/block_group_funcs.cl"
+#include "bvh/node_group_funcs.cl"
 #include "bvh/walk_funcs.cl"
 
-// Bounds of t at a plane x = p for all rays of a bundle, along one axis:
-// entry >= max(lowerEntry (lower - o), upperEntry (upper - o)), exit <= lowerExit (lower - o) + upperExit (upper - o) + exit.
-typedef struct AxisInterval {
-  float lowerEntry, upperEntry;
-  float lowerExit, upperExit, exit;
-} AxisInterval;
-
-// From so many rays on, a bundle's boxes are first tested against the interval of its directions; each ray is then tested
-// against one box after the other where so few boxes are left. Wide cones leave more.
+// From so many rays on, a node's boxes are first tested against the interval of the directions, and all rays against one after
+// the other of those that are left; fewer rays are tested one by one against eight boxes.
 #define PRELIGHT_MANY_RAYS 7
-#define PRELIGHT_FEW_BOXES 2
 
-typedef struct BundleEntry {
-  uint child;
-  uint entry;  // bits of a distance that no ray of the bundle undercuts
-  uint rays;   // mask
-  uint pad;
-} BundleEntry;
+// From so many rays of one dominant axis on, a block's triangles are tested one after the other against all of them.
+#define PRELIGHT_RAYS_TOGETHER 5
+
+#define PRELIGHT_BUNDLE_ROOM (PRELIGHT_STACK_SIZE + PRELIGHT_WIDTH)  // vectors are written past what is used
 
 typedef struct Bundle {
   RayGroup rays;
   HitGroup hits;
-  AxisInterval axis[3];
-  BundleEntry stack[PRELIGHT_STACK_SIZE];  // nearest on top
+  Directions directions;
+  uint child[PRELIGHT_BUNDLE_ROOM];    // a stack, nearest on top
+  uint meeting[PRELIGHT_BUNDLE_ROOM];  // masks of the rays that meet them
+#ifndef PRELIGHT_ANY_HIT
+  uint entry[PRELIGHT_BUNDLE_ROOM];  // bits of distances that no ray of the bundle undercuts
+#endif
   uint depth;
+  uint next;  // what is visited next
+  uint mask;  // the rays that visit it
   Space space;
   SourceRays world;
 } Bundle;
@@ -41,204 +39,203 @@ bool sharesOrigin(const RayGroup* g) {
   return lessOrEqualMask16(apart, (float16)(0.0f)) == 0xffffu;
 }
 
-float least1(float16 v) {
-  const float8 a = least8(v.lo, v.hi);
-  const float4 b = fmin(a.lo, a.hi);
-  return fmin(fmin(b.x, b.y), fmin(b.z, b.w));
-}
-
-AxisInterval boundAxis(const float* inverse) {
-  const float16 v = vload16(0, inverse);
-  const float16 far = (float16)(INFINITY);
-  const float leastPositive = least1(select(far, v, v > 0.0f));
-  const float leastNegative = least1(select(far, -v, v < 0.0f));  // magnitudes
-  AxisInterval a = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-  if (leastPositive < INFINITY) a.lowerEntry = leastPositive;
-  if (leastNegative < INFINITY) a.upperEntry = -leastNegative;
-  if (leastPositive < INFINITY && leastNegative < INFINITY)
-    a.exit = INFINITY;
-  else if (leastPositive < INFINITY)
-    a.upperExit = -least1(-v);
-  else
-    a.lowerExit = least1(v);
-  return a;
-}
-
-// Planes of a node's boxes relative to the bundle's origin, a row a plane: lower x, y, z, upper x, y, z.
-typedef struct RelativeBoxes {
-  float plane[6][PRELIGHT_WIDTH];
-} RelativeBoxes;
-
-// Entry distances that no ray of the bundle undercuts; returns the mask of the boxes that one of them may meet.
-uint intersectInterval(__global const WideNode* node, const Bundle* bundle, RelativeBoxes* boxes, float8* tNear) {
-  float8 entry = (float8)(0.0f), exit = (float8)(INFINITY);
-  int8 there = (int8)(0);
-  for (uint a = 0; a < 3; ++a) {
-    const AxisInterval i = bundle->axis[a];
-    const float8 origin = (float8)(bundle->rays.origin[a][0]);
-    const float8 lower = vload8(0, node->lower[a]) - origin, upper = vload8(0, node->upper[a]) - origin;
-    vstore8(lower, 0, boxes->plane[a]);
-    vstore8(upper, 0, boxes->plane[3 + a]);
-    entry = most8(entry, most8(lower * i.lowerEntry, upper * i.upperEntry));
-    exit = least8(exit, lower * i.lowerExit + upper * i.upperExit + i.exit);
-    there = lower <= upper;
+#ifdef PRELIGHT_ANY_HIT
+// Puts the children that some rays meet on the stack.
+PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float8 near8, Bundle* b) {
+  uint met = laneMask8(meeting != 0u);
+#ifdef PRELIGHT_TOGETHER
+  vstore8(together8(vload8(0, node->child), met), 0, b->child + b->depth);
+  vstore8(together8(meeting, met), 0, b->meeting + b->depth);
+  b->depth += popcount(met);
+#else
+  uint rays[PRELIGHT_WIDTH];
+  vstore8(meeting, 0, rays);
+  for (; met != 0u; met &= met - 1u) {
+    const uint i = lowestLane(met);
+    b->child[b->depth] = node->child[i];
+    b->meeting[b->depth++] = rays[i];
   }
-  *tNear = entry;
-  return laneMask8((entry <= exit * PRELIGHT_BOX_SLACK) & there);
+#endif
 }
 
-// Mask of the rays that meet one of the boxes in [0, t].
-uint intersectBundle(const RelativeBoxes* boxes, uint child, const RayGroup* g, float16 t) {
-  const float16 ix = vload16(0, g->inverse[0]), iy = vload16(0, g->inverse[1]), iz = vload16(0, g->inverse[2]);
-  const float16 x0 = boxes->plane[0][child] * ix, x1 = boxes->plane[3][child] * ix;
-  const float16 y0 = boxes->plane[1][child] * iy, y1 = boxes->plane[4][child] * iy;
-  const float16 z0 = boxes->plane[2][child] * iz, z1 = boxes->plane[5][child] * iz;
-  const float16 entry = most16(most16(least16(x0, x1), least16(y0, y1)), most16(least16(z0, z1), (float16)(0.0f)));
-  const float16 exit = least16(least16(most16(x0, x1), most16(y0, y1)), least16(most16(z0, z1), t));
-  return lessOrEqualMask16(entry, exit * PRELIGHT_BOX_SLACK);
-}
-
-void pushSorted(Bundle* b, uint first, BundleEntry entry) {
-  uint at = b->depth++;
-  while (at > first && b->stack[at - 1].entry < entry.entry) {
-    b->stack[at] = b->stack[at - 1];
-    --at;
+// Takes what is visited next from the stack, and the rays that have no hit yet. False: nothing is left.
+PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
+  const uint open = lessOrEqualMask16((float16)(0.0f), vload16(0, b->hits.t));
+  uint depth = b->depth;
+  while (depth != 0u) {
+    --depth;
+    b->mask = b->meeting[depth] & open;
+    if (b->mask == 0u) continue;
+    b->next = b->child[depth];
+    b->depth = depth;
+    return true;
   }
-  b->stack[at] = entry;
+  return false;
 }
-
-// Children that the only ray left meets.
-PRELIGHT_INLINE void visitWithOne(__global const WideNode* node, Bundle* b, uint mask) {
-  const uint lane = lowestLane(mask);
-  float8 near8;
-  uint children = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &near8);
-  if (children == 0u) return;
-  float near[PRELIGHT_WIDTH];
-  vstore8(near8, 0, near);
+#else
+// Puts the children that some rays meet on the stack, the nearest on top. More than four are rare.
+PRELIGHT_INLINE void pushMet(__global const WideNode* node, uint8 meeting, float8 near8, Bundle* b) {
+  uint met = laneMask8(meeting != 0u);
   const uint first = b->depth;
-  while (children != 0u) {
-    const uint child = lowestLane(children);
-    children &= children - 1u;
-    const BundleEntry entry = {node->child[child], as_uint(near[child]), mask, 0u};
-    pushSorted(b, first, entry);
-  }
-}
-
-// Children that some of the rays meet, each ray tested against the eight boxes.
-PRELIGHT_INLINE void visitWithSeveral(__global const WideNode* node, Bundle* b, uint mask) {
-  uchar met[PRELIGHT_GROUP];  // [ray], mask of children
-  vstore16((uchar16)(0), 0, met);
-  uint children = 0;
-  float8 near8 = (float8)(INFINITY);
-  while (mask != 0u) {
-    const uint lane = lowestLane(mask);
-    mask &= mask - 1u;
-    float8 n;
-    const uint m = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &n);
-    met[lane] = (uchar)m;
-    children |= m;
-    near8 = least8(near8, n);
-  }
-  if (children == 0u) return;
-  const uchar16 metByRay = vload16(0, met);
-  float near[PRELIGHT_WIDTH];
-  vstore8(near8, 0, near);
-  const uint first = b->depth;
-  while (children != 0u) {
-    const uint child = lowestLane(children);
-    children &= children - 1u;
-    const BundleEntry entry = {node->child[child], as_uint(near[child]), byteMask16(metByRay, child), 0u};
-    pushSorted(b, first, entry);
-  }
-}
-
-// Children that some of many rays meet.
-PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b, uint mask, float16 t) {
-  RelativeBoxes boxes;
-  float8 near8;
-  uint children = intersectInterval(node, b, &boxes, &near8);
-  if (popcount(children) > PRELIGHT_FEW_BOXES) {
-    visitWithSeveral(node, b, mask);
+#ifdef PRELIGHT_TOGETHER
+  const uint count = popcount(met);
+  if (count <= 4u) {
+    // The last bits of a distance give way to the child's place in the node.
+    const uint8 place = (uint8)(0, 1, 2, 3, 4, 5, 6, 7);
+    const uint4 keys = descending4(together8((as_uint8(near8) & ~7u) | place, met).lo);
+    const uint8 order = (uint8)(keys & 7u, keys & 7u);
+    vstore4(permuted8(vload8(0, node->child), order).lo, 0, b->child + first);
+    vstore4(permuted8(meeting, order).lo, 0, b->meeting + first);
+    vstore4(keys & ~7u, 0, b->entry + first);
+    b->depth = first + count;
     return;
   }
-  float near[PRELIGHT_WIDTH];
-  vstore8(near8, 0, near);
-  const uint first = b->depth;
-  while (children != 0u) {
-    const uint child = lowestLane(children);
-    children &= children - 1u;
-    const uint meeting = mask & intersectBundle(&boxes, child, &b->rays, t);
-    if (meeting != 0u) {
-      const BundleEntry entry = {node->child[child], as_uint(near[child]), meeting, 0u};
-      pushSorted(b, first, entry);
+#endif
+  uint entry[PRELIGHT_WIDTH], rays[PRELIGHT_WIDTH];
+  vstore8(as_uint8(near8), 0, entry);
+  vstore8(meeting, 0, rays);
+  for (; met != 0u; met &= met - 1u) {
+    const uint i = lowestLane(met);
+    uint at = b->depth++;
+    for (; at > first && b->entry[at - 1u] < entry[i]; --at) {
+      b->child[at] = b->child[at - 1u];
+      b->meeting[at] = b->meeting[at - 1u];
+      b->entry[at] = b->entry[at - 1u];
     }
+    b->child[at] = node->child[i];
+    b->meeting[at] = rays[i];
+    b->entry[at] = entry[i];
   }
+}
+
+// Takes what is visited next from the stack, and the rays that have no hit before it. False: nothing is left.
+PRELIGHT_INLINE bool takeNextOfBundle(Bundle* b) {
+  const float16 most = vload16(0, b->hits.t) * PRELIGHT_BOX_SLACK;
+  uint depth = b->depth;
+  while (depth != 0u) {
+    --depth;
+    b->mask = b->meeting[depth] & lessOrEqualMask16((float16)(as_float(b->entry[depth])), most);
+    if (b->mask == 0u) continue;
+    b->next = b->child[depth];
+    b->depth = depth;
+    return true;
+  }
+  return false;
+}
+#endif
+
+// Children that some of the rays meet, each ray tested against the eight boxes.
+PRELIGHT_INLINE void visitWithSeveral(__global const WideNode* node, Bundle* b) {
+  uint8 meeting = (uint8)(0u);
+  float8 near8 = (float8)(INFINITY);
+  for (uint mask = b->mask; mask != 0u; mask &= mask - 1u) {
+    const uint lane = lowestLane(mask);
+    float8 entry;
+    const int8 met = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &entry);
+    meeting |= as_uint8(met) & (uint8)(1u << lane);
+    near8 = select(near8, least8(near8, entry), met);
+  }
+  pushMet(node, meeting, near8, b);
+}
+
+// The same for the only ray left.
+PRELIGHT_INLINE void visitWithOne(__global const WideNode* node, Bundle* b) {
+  const uint lane = lowestLane(b->mask);
+  float8 near8;
+  const int8 met = intersectBoxes(node, &b->rays, lane, b->hits.t[lane], &near8);
+  pushMet(node, as_uint8(met) & (uint8)(b->mask), near8, b);
+}
+
+// The same for many rays.
+PRELIGHT_INLINE void visitWithMany(__global const WideNode* node, Bundle* b) {
+  const float16 t = vload16(0, b->hits.t);
+  RelativeBoxes boxes;
+  uint8 meeting = (uint8)(0u);
+  float8 near8 = (float8)(INFINITY);
+  for (uint children = intersectInterval(node, &b->rays, &b->directions, &boxes); children != 0u; children &= children - 1u) {
+    const uint child = lowestLane(children);
+    const int8 here = as_int8((uint8)(0, 1, 2, 3, 4, 5, 6, 7) == (uint8)(child));
+    float nearest = 0.0f;
+    const uint rays = b->mask & intersectBox(&boxes, child, &b->rays, t, &nearest);
+    meeting = select(meeting, (uint8)(rays), as_uint8(here));
+    near8 = select(near8, (float8)(nearest), here);
+  }
+  pushMet(node, meeting, near8, b);
+}
+
+PRELIGHT_INLINE void visitBlockOfBundle(Bvh bvh, Surface surface, Bundle* b) {
+  __global const TriangleBlock* block = bvh.blocks + (b->next & ~PRELIGHT_LEAF_BIT);
+  uint single = b->mask;
+  for (uint kz = 0; kz < 3u; ++kz) {
+    const uint mask = b->mask & b->directions.along[kz];
+    if (popcount(mask) < PRELIGHT_RAYS_TOGETHER) continue;
+    visitBlockTogether(surface, block, b->space.firstTriangle, &b->rays, mask, kz, &b->hits);
+    single &= ~mask;
+  }
+  for (; single != 0u; single &= single - 1u)
+    visitBlock(surface, block, b->space.firstTriangle, &b->rays, lowestLane(single), &b->hits);
 }
 
 void startBundle(Bundle* b, uint rays) {
-  for (uint a = 0; a < 3; ++a) b->axis[a] = boundAxis(b->rays.inverse[a]);
-  const BundleEntry root = {0u, 0u, rays, 0u};
-  b->stack[0] = root;
-  b->depth = 1;
+  summarise(&b->rays, &b->directions);
+  b->next = 0u;
+  b->mask = rays;
+  b->depth = 0u;
   b->space = worldSpace();
 }
 
 #ifdef PRELIGHT_INSTANCES
-void boundDirections(Bundle* b) {
-  for (uint a = 0; a < 3; ++a) b->axis[a] = boundAxis(b->rays.inverse[a]);
-}
-
 // Takes the rays to the space of what is visited next. Entering an instance is a visit, after which its root is next: then
 // true.
-PRELIGHT_INLINE bool changeSpaceOfBundle(Bvh bvh, BundleEntry next, uint mask, Bundle* b) {
-  const bool enters = isInstance(next.child);
+PRELIGHT_INLINE bool changeSpaceOfBundle(Bvh bvh, Bundle* b) {
+  const bool enters = isInstance(b->next);
   if (b->depth < b->space.floor) {
     if (!enters) {
       b->rays = b->world.prepared;
-      boundDirections(b);
+      summarise(&b->rays, &b->directions);
     }
     b->space = worldSpace();
   }
   if (!enters) return false;
-  __global const DeviceInstance* instance = bvh.instances + instanceOf(next.child);
+  __global const DeviceInstance* instance = bvh.instances + instanceOf(b->next);
   enterWithGroup(instance, &b->world, &b->rays);
-  boundDirections(b);
-  const BundleEntry root = {instance->root, next.entry, mask, 0u};
-  b->stack[b->depth++] = root;
-  b->space = spaceOf(instance, b->depth);
-  prefetchChild(bvh, root.child);
+  summarise(&b->rays, &b->directions);
+  b->space = spaceOf(instance, b->depth + 1u);
+  b->next = instance->root;
+  prefetchChild(bvh, b->next);
   return true;
 }
 #endif
 
+// What a visit is, as bundles are kept apart by it.
+#define PRELIGHT_VISITS 4
+#define PRELIGHT_VISIT_BLOCK 0u  // or an instance
+#define PRELIGHT_VISIT_WITH_ONE 1u
+#define PRELIGHT_VISIT_WITH_SEVERAL 2u
+#define PRELIGHT_VISIT_WITH_MANY 3u
+
+PRELIGHT_INLINE uint nextVisit(const Bundle* b) {
+  const uint rays = popcount(b->mask);
+  const uint ofMore = rays < PRELIGHT_MANY_RAYS ? PRELIGHT_VISIT_WITH_SEVERAL : PRELIGHT_VISIT_WITH_MANY;
+  const uint ofNode = rays == 1u ? PRELIGHT_VISIT_WITH_ONE : ofMore;
+  return b->next & PRELIGHT_LEAF_BIT ? PRELIGHT_VISIT_BLOCK : ofNode;
+}
+
 // One visit for a bundle. False when there is nothing left to visit.
-PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, Bundle* b) {
-  const float16 t = vload16(0, b->hits.t);
-  BundleEntry top;
-  uint mask;
-  do {
-    if (b->depth == 0u) return false;
-    top = b->stack[--b->depth];
-    mask = top.rays & lessOrEqualMask16((float16)(as_float(top.entry)), t * PRELIGHT_BOX_SLACK);
-  } while (mask == 0u);
+PRELIGHT_INLINE bool stepBundle(Bvh bvh, Surface surface, uint visit, Bundle* b) {
 #ifdef PRELIGHT_INSTANCES
-  if (changeSpaceOfBundle(bvh, top, mask, b)) return true;
+  if (changeSpaceOfBundle(bvh, b)) return true;
 #endif
-  if (top.child & PRELIGHT_LEAF_BIT) {
-    __global const TriangleBlock* block = bvh.blocks + (top.child & ~PRELIGHT_LEAF_BIT);
-    while (mask != 0u) {
-      visitBlock(surface, block, b->space.firstTriangle, &b->rays, lowestLane(mask), &b->hits);
-      mask &= mask - 1u;
-    }
-  } else if ((mask & (mask - 1u)) == 0u) {
-    visitWithOne(bvh.nodes + top.child, b, mask);
-  } else if (popcount(mask) < PRELIGHT_MANY_RAYS) {
-    visitWithSeveral(bvh.nodes + top.child, b, mask);
-  } else {
-    visitWithMany(bvh.nodes + top.child, b, mask, t);
-  }
-  if (b->depth == 0u) return false;
-  prefetchChild(bvh, b->stack[b->depth - 1u].child);
+  if (visit == PRELIGHT_VISIT_BLOCK)
+    visitBlockOfBundle(bvh, surface, b);
+  else if (visit == PRELIGHT_VISIT_WITH_ONE)
+    visitWithOne(bvh.nodes + b->next, b);
+  else if (visit == PRELIGHT_VISIT_WITH_SEVERAL)
+    visitWithSeveral(bvh.nodes + b->next, b);
+  else
+    visitWithMany(bvh.nodes + b->next, b);
+  if (!takeNextOfBundle(b)) return false;
+  prefetchChild(bvh, b->next);
   return true;
 }
 

@@ -27,22 +27,42 @@ typedef struct HitGroup {
 
 float16 safeInverse16(float16 d, float16 least) { return 1.0f / copysign(most16(fabs(d), least), d); }
 
-void loadGroup(__global const Ray* rays, uint count, RayGroup* g, float direction[3][PRELIGHT_GROUP]) {
-  for (uint lane = 0; lane < PRELIGHT_GROUP; ++lane) {
-    __global const Ray* r = rays + min(lane, count - 1u);
-    for (uint a = 0; a < 3; ++a) {
-      g->origin[a][lane] = r->origin[a];
-      direction[a][lane] = r->direction[a];
+// Turns rows of numbers ray by ray into rows of a number each: a riffle of all elements, first half with second, turns the bits
+// of their indices round by one.
+PRELIGHT_INLINE void transposeRays(float16 rows[8]) {
+#pragma unroll
+  for (uint turn = 0; turn < 4u; ++turn) {
+    float16 from[8];
+#pragma unroll
+    for (uint i = 0; i < 8u; ++i) from[i] = rows[i];
+#pragma unroll
+    for (uint i = 0; i < 4u; ++i) {
+      rows[2u * i] = riffledLow16(from[i], from[i + 4u]);
+      rows[2u * i + 1u] = riffledHigh16(from[i], from[i + 4u]);
     }
-    g->tMax[lane] = r->tMax;
-    g->source[lane] = r->sourceTriangle;
   }
+}
+
+PRELIGHT_INLINE void loadGroup(__global const Ray* rays, uint count, RayGroup* g, float direction[3][PRELIGHT_GROUP]) {
+  float16 rows[8];
+#pragma unroll
+  for (uint i = 0; i < 8u; ++i)
+    rows[i] = (float16)(vload8(0, (__global const float*)(rays + min(2u * i, count - 1u))),
+                        vload8(0, (__global const float*)(rays + min(2u * i + 1u, count - 1u))));
+  transposeRays(rows);
+#pragma unroll
+  for (uint a = 0; a < 3; ++a) {
+    vstore16(rows[a], 0, g->origin[a]);
+    vstore16(rows[4u + a], 0, direction[a]);
+  }
+  vstore16(as_uint16(rows[3]), 0, g->source);
+  vstore16(rows[7], 0, g->tMax);
   // An infinite t, from a determinant near 0, is no hit.
   vstore16(least16(vload16(0, g->tMax), (float16)(MAXFLOAT)), 0, g->tMax);
 }
 
 // Shears and axes as in intersect_funcs.cl, sixteen at once.
-void prepareDirections(float16 x, float16 y, float16 z, RayGroup* g) {
+PRELIGHT_INLINE void prepareDirections(float16 x, float16 y, float16 z, RayGroup* g) {
   const int16 xIsLargest = (fabs(x) > fabs(y)) & (fabs(x) > fabs(z));
   const int16 yIsLargest = ~xIsLargest & (fabs(y) > fabs(z));
   const float16 dz = select(select(z, y, yIsLargest), x, xIsLargest);
@@ -66,7 +86,7 @@ void prepareDirections(float16 x, float16 y, float16 z, RayGroup* g) {
   vstore16(select(upper, lower, as_uint16(iz >= 0.0f)) + 2u * PRELIGHT_WIDTH, 0, g->entry[2]);
 }
 
-void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
+PRELIGHT_INLINE void prepareGroup(__global const Ray* rays, uint count, RayGroup* g) {
   float direction[3][PRELIGHT_GROUP];
   loadGroup(rays, count, g, direction);
   prepareDirections(vload16(0, direction[0]), vload16(0, direction[1]), vload16(0, direction[2]), g);
@@ -77,6 +97,31 @@ void clearHits(const RayGroup* g, HitGroup* hits) {
   vstore16((uint16)(PRELIGHT_NO_TRIANGLE), 0, hits->triangle);
   vstore16((float16)(0.0f), 0, hits->u);
   vstore16((float16)(0.0f), 0, hits->v);
+}
+
+// Writes the first `count` of a group's hits.
+PRELIGHT_INLINE void writeGroup(const HitGroup* found, uint count, __global Hit* hits) {
+  const uint16 triangle = vload16(0, found->triangle);
+#ifdef PRELIGHT_ANY_HIT
+  const float16 t = (float16)(0.0f), u = t, v = t;
+#else
+  const float16 t = select(vload16(0, found->t), (float16)(0.0f), as_int16(triangle == PRELIGHT_NO_TRIANGLE));
+  const float16 u = vload16(0, found->u), v = vload16(0, found->v);
+#endif
+  const float16 tu[2] = {riffledLow16(t, u), riffledHigh16(t, u)};
+  const float16 iv[2] = {riffledLow16(as_float16(triangle), v), riffledHigh16(as_float16(triangle), v)};
+  float all[4 * PRELIGHT_GROUP];
+#pragma unroll
+  for (uint i = 0; i < 2u; ++i) {
+    vstore16(riffledLow16(tu[i], iv[i]), 2u * i, all);
+    vstore16(riffledHigh16(tu[i], iv[i]), 2u * i + 1u, all);
+  }
+  if (count >= PRELIGHT_GROUP) {
+#pragma unroll
+    for (uint i = 0; i < 4u; ++i) vstore16(vload16(i, all), i, (__global float*)hits);
+  } else {
+    for (uint i = 0; i < count; ++i) vstore4(vload4(i, all), i, (__global float*)hits);
+  }
 }
 
 #endif

@@ -13,63 +13,94 @@ typedef struct Bvh {
 } Bvh;
 
 // Asks for what a visit of `child` will read.
-void prefetchChild(Bvh bvh, uint child) {
-  if (isInstance(child))
+PRELIGHT_INLINE void prefetchChild(Bvh bvh, uint child) {
+  if (isInstance(child)) {
     prefetchBytes((__global const char*)(bvh.instances + instanceOf(child)), sizeof(DeviceInstance));
-  else if (child & PRELIGHT_LEAF_BIT)
-    prefetchBytes((__global const char*)(bvh.blocks + (child & ~PRELIGHT_LEAF_BIT)), sizeof(TriangleBlock));
-  else
-    prefetchBytes((__global const char*)(bvh.nodes + child), sizeof(WideNode));
+    return;
+  }
+  // Nodes are smaller; asking for as much is quicker than guessing which it is.
+  __global const char* node = (__global const char*)(bvh.nodes + child);
+  __global const char* block = (__global const char*)(bvh.blocks + (child & ~PRELIGHT_LEAF_BIT));
+  prefetchBytes(child & PRELIGHT_LEAF_BIT ? block : node, sizeof(TriangleBlock));
 }
 
-// Entry distances are not negative: they sort as their bits do.
-typedef struct WalkEntry {
-  uint child;
-  uint entry;  // bits of the distance
-} WalkEntry;
+// What is still to be visited: a child and, for closest hits, above its bits those of its entry distance. Distances are not
+// negative: they sort as their bits do.
+#ifdef PRELIGHT_ANY_HIT
+typedef uint WalkEntry;
+#else
+typedef ulong WalkEntry;
+#endif
 
 typedef struct Walk {
-  WalkEntry stack[PRELIGHT_STACK_SIZE];  // nearest on top
+  WalkEntry stack[PRELIGHT_STACK_SIZE + PRELIGHT_WIDTH];  // nearest on top; vectors are written past what is used
   uint depth;
-  uint ray;  // in the batch
+  uint ray;   // in the batch
+  uint next;  // what is visited next
   Space space;
 } Walk;
 
-#define PRELIGHT_NOWHERE 0xffffffffu
-
-// Next of the stack that is not beyond `t`.
-uint popWalk(Walk* walk, float t) {
-  while (walk->depth != 0u) {
-    const WalkEntry top = walk->stack[--walk->depth];
-    if (as_float(top.entry) <= t * PRELIGHT_BOX_SLACK) return top.child;
-  }
-  return PRELIGHT_NOWHERE;
+#ifdef PRELIGHT_ANY_HIT
+// Takes what is visited next from the stack. False when nothing is left, or a hit is known (t < 0).
+PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
+  if (walk->depth == 0u || t < 0.0f) return false;
+  walk->next = walk->stack[--walk->depth];
+  return true;
 }
 
-// Puts the children of the mask on the stack, the nearest on top.
-void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
-  float near[PRELIGHT_WIDTH];
-  vstore8(near8, 0, near);
-  const uint first = walk->depth;
-  while (mask != 0u) {
-    const uint child = lowestLane(mask);
-    mask &= mask - 1u;
-    const WalkEntry entry = {node->child[child], as_uint(near[child])};
-    uint at = walk->depth++;
-#ifndef PRELIGHT_ANY_HIT
-    while (at > first && walk->stack[at - 1u].entry < entry.entry) {
-      walk->stack[at] = walk->stack[at - 1u];
-      --at;
-    }
+// Puts the children of the mask on the stack.
+PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
+#ifdef PRELIGHT_TOGETHER
+  vstore8(together8(vload8(0, node->child), mask), 0, walk->stack + walk->depth);
+  walk->depth += popcount(mask);
+#else
+  for (; mask != 0u; mask &= mask - 1u) walk->stack[walk->depth++] = node->child[lowestLane(mask)];
 #endif
-    walk->stack[at] = entry;
+}
+#else
+// Takes what is visited next, not beyond t, from the stack. False when nothing is left.
+PRELIGHT_INLINE bool takeNext(Walk* walk, float t) {
+  const uint most = as_uint(t * PRELIGHT_BOX_SLACK);
+  uint depth = walk->depth;
+  while (depth != 0u) {
+    const ulong top = walk->stack[--depth];
+    if ((uint)(top >> 32) <= most) {
+      walk->next = (uint)top;
+      walk->depth = depth;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Puts the children of the mask on the stack, the nearest on top. More than four are rare.
+PRELIGHT_INLINE void pushChildren(__global const WideNode* node, uint mask, float8 near8, Walk* walk) {
+  const uint first = walk->depth;
+#ifdef PRELIGHT_TOGETHER
+  const uint count = popcount(mask);
+  if (count <= 4u) {
+    const uint8 near = together8(as_uint8(near8), mask), child = together8(vload8(0, node->child), mask);
+    const ulong4 keys = (convert_ulong4(near.lo) << 32) | convert_ulong4(child.lo);
+    vstore4(descendingLong4(keys), 0, walk->stack + first);
+    walk->depth = first + count;
+    return;
+  }
+#endif
+  const ulong8 keys8 = (convert_ulong8(as_uint8(near8)) << 32) | convert_ulong8(vload8(0, node->child));
+  ulong keys[PRELIGHT_WIDTH];
+  vstore8(keys8, 0, keys);
+  for (; mask != 0u; mask &= mask - 1u) {
+    const ulong key = keys[lowestLane(mask)];
+    uint at = walk->depth++;
+    for (; at > first && walk->stack[at - 1u] < key; --at) walk->stack[at] = walk->stack[at - 1u];
+    walk->stack[at] = key;
   }
 }
+#endif
 
 void startWalk(Walk* walk, uint ray) {
-  const WalkEntry root = {0u, 0u};
-  walk->stack[0] = root;
-  walk->depth = 1u;
+  walk->depth = 0u;
+  walk->next = 0u;
   walk->ray = ray;
   walk->space = worldSpace();
 }
@@ -77,41 +108,46 @@ void startWalk(Walk* walk, uint ray) {
 #ifdef PRELIGHT_INSTANCES
 // Takes the ray to the space of what is visited next. Entering an instance is a visit, after which its root is next: then
 // true.
-PRELIGHT_INLINE bool changeSpace(Bvh bvh, uint next, const SourceRays* world, RayGroup* g, uint lane, Walk* walk) {
-  const bool enters = isInstance(next);
+PRELIGHT_INLINE bool changeSpace(Bvh bvh, const SourceRays* world, RayGroup* g, uint lane, Walk* walk) {
+  const bool enters = isInstance(walk->next);
   if (walk->depth < walk->space.floor) {
     if (!enters) leaveWithLane(world, lane, g);
     walk->space = worldSpace();
   }
   if (!enters) return false;
-  __global const DeviceInstance* instance = bvh.instances + instanceOf(next);
+  __global const DeviceInstance* instance = bvh.instances + instanceOf(walk->next);
   enterWithLane(instance, world, lane, g);
-  const WalkEntry root = {instance->root, 0u};
-  walk->stack[walk->depth++] = root;
-  walk->space = spaceOf(instance, walk->depth);
-  prefetchChild(bvh, root.child);
+  walk->space = spaceOf(instance, walk->depth + 1u);
+  walk->next = instance->root;
+  prefetchChild(bvh, walk->next);
   return true;
 }
 #endif
 
-// One visit. False when there is nothing left to visit.
-PRELIGHT_INLINE bool stepWalk(Bvh bvh, Surface surface, const SourceRays* world, RayGroup* g, uint lane, Walk* walk,
-                              HitGroup* hits) {
-  const uint current = popWalk(walk, hits->t[lane]);
-  if (current == PRELIGHT_NOWHERE) return false;
+// Visits a node. False when there is nothing left to visit.
+PRELIGHT_INLINE bool stepToNode(Bvh bvh, const SourceRays* world, RayGroup* g, uint lane, Walk* walk, const HitGroup* hits) {
 #ifdef PRELIGHT_INSTANCES
-  if (changeSpace(bvh, current, world, g, lane, walk)) return true;
+  changeSpace(bvh, world, g, lane, walk);
 #endif
-  if (current & PRELIGHT_LEAF_BIT) {
-    visitBlock(surface, bvh.blocks + (current & ~PRELIGHT_LEAF_BIT), walk->space.firstTriangle, g, lane, hits);
-  } else {
-    __global const WideNode* node = bvh.nodes + current;
-    float8 near8;
-    const uint mask = intersectBoxes(node, g, lane, hits->t[lane], &near8);
-    pushChildren(node, mask, near8, walk);
-  }
-  if (walk->depth == 0u) return false;
-  prefetchChild(bvh, walk->stack[walk->depth - 1u].child);
+  __global const WideNode* node = bvh.nodes + walk->next;
+  const float t = hits->t[lane];
+  float8 near8;
+  const uint mask = laneMask8(intersectBoxes(node, g, lane, t, &near8));
+  pushChildren(node, mask, near8, walk);
+  if (!takeNext(walk, t)) return false;
+  prefetchChild(bvh, walk->next);
+  return true;
+}
+
+// Visits a block, or enters an instance. False when there is nothing left to visit.
+PRELIGHT_INLINE bool stepToLeaf(Bvh bvh, Surface surface, const SourceRays* world, RayGroup* g, uint lane, Walk* walk,
+                                HitGroup* hits) {
+#ifdef PRELIGHT_INSTANCES
+  if (changeSpace(bvh, world, g, lane, walk)) return true;
+#endif
+  visitBlock(surface, bvh.blocks + (walk->next & ~PRELIGHT_LEAF_BIT), walk->space.firstTriangle, g, lane, hits);
+  if (!takeNext(walk, hits->t[lane])) return false;
+  prefetchChild(bvh, walk->next);
   return true;
 }
 
