@@ -74,7 +74,7 @@ ShadowMaps::ShadowMaps() : program_("shadow.vert", "shadow.frag") {
 ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledScene& compiled, int side) {
   const float radius = radiusOf(compiled);
   Frame frame;
-  frame.side = side;
+  frame.room = frame.side = side;
   frame.position = light.position;
   frame.near = nearShare * radius;
   frame.scale = static_cast<float>(side - 2 * filterBorder) / static_cast<float>(side);
@@ -107,6 +107,16 @@ ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledSc
   return frame;
 }
 
+/// The same light with half as many texels a side, in the corner of the room that it has.
+ShadowMaps::Frame ShadowMaps::coarse(const ShadedLight& light, const CompiledScene& compiled,
+                                     const Frame& fine) {
+  if (fine.views == 0) return fine;
+  Frame frame = frameOf(light, compiled, std::max(std::min(leastSide, fine.side), fine.side / 2));
+  frame.room = fine.room;
+  frame.firstView = fine.firstView;
+  return frame;
+}
+
 std::vector<ShadowMaps::Frame> ShadowMaps::framesOf(std::span<const ShadedLight> lights,
                                                     const CompiledScene& compiled) {
   for (int halvings = 0;; ++halvings) {
@@ -126,21 +136,20 @@ std::vector<ShadowMaps::Frame> ShadowMaps::framesOf(std::span<const ShadedLight>
 void ShadowMaps::makeAtlas() {
   std::vector<glm::ivec2> sizes;
   for (const Frame& frame : frames_)
-    sizes.insert(sizes.end(), static_cast<std::size_t>(frame.views), glm::ivec2(frame.side));
+    sizes.insert(sizes.end(), static_cast<std::size_t>(frame.views), glm::ivec2(frame.room));
   int side = leastSide;
   for (const glm::ivec2& size : sizes) side = std::max(side, size.x);
   atlas_ = packCharts(sizes, std::max(side, sizes.size() > 16 ? directionalSide : side));
   depths_ = gl::makeDepthArray(atlas_.side, std::max(atlas_.layers, 1), "shadow maps");
-  std::vector<glm::vec4> texels;
-  for (std::size_t v = 0; v < sizes.size(); ++v)
-    texels.emplace_back(atlas_.places[v].x, atlas_.places[v].y, atlas_.places[v].layer, sizes[v].x);
-  if (texels.empty()) texels.emplace_back(0.0f);
-  viewTexels_ = gl::makeBufferTexture(texels, "views of lights");
 }
 
 void ShadowMaps::uploadFrames() {
-  std::vector<glm::vec4> texels;
+  std::vector<glm::vec4> texels, views;
   for (const Frame& frame : frames_) {
+    for (int view = 0; view < frame.views; ++view) {
+      const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
+      views.emplace_back(place.x, place.y, place.layer, frame.side);
+    }
     texels.emplace_back(frame.axes[0], static_cast<float>(frame.firstView));
     texels.emplace_back(frame.axes[1], static_cast<float>(frame.views));
     texels.emplace_back(frame.axes[2], frame.near);
@@ -148,6 +157,8 @@ void ShadowMaps::uploadFrames() {
     texels.emplace_back(frame.depthScale, 0.0f, 0.0f, 0.0f);
   }
   if (texels.empty()) texels.emplace_back(0.0f);
+  if (views.empty()) views.emplace_back(0.0f);
+  viewTexels_ = gl::makeBufferTexture(views, "views of lights");
   lightTexels_ = gl::makeBufferTexture(texels, "shadows of lights");
 }
 
@@ -171,42 +182,65 @@ void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view
   });
 }
 
-void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
-                        std::span<const ShadedLight> lights, bool sceneMoved, std::size_t mostSampleViews) {
+/// Which maps have to be drawn, and how.
+std::vector<ShadowMaps::Frame> ShadowMaps::prepare(const CompiledScene& compiled,
+                                                   std::span<const ShadedLight> lights, bool sceneMoved,
+                                                   Effort& effort) {
   std::vector<Frame> wanted = framesOf(lights, compiled);
   const auto sameShape = [](const Frame& a, const Frame& b) {
-    return a.views == b.views && a.side == b.side;
+    return a.views == b.views && a.room == b.room;
   };
   const bool kept =
       wanted.size() == frames_.size() && std::equal(wanted.begin(), wanted.end(), frames_.begin(), sameShape);
-  viewsDrawn_ = 0;
   if (!kept) {
     frames_ = wanted;
     stale_.assign(frames_.size(), true);
     makeAtlas();
     uploadFrames();
-    mostSampleViews = everything;
+    effort.mostSampleViews = everything;
   }
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    if (sceneMoved || frames_[i] != wanted[i]) stale_[i] = true;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    bool shown = frames_[i] == wanted[i];
+    if (effort.draft && !lights[i].isSample) {
+      wanted[i] = coarse(lights[i], compiled, wanted[i]);
+      shown = shown || frames_[i] == wanted[i];
+    }
+    if (sceneMoved || !shown) stale_[i] = true;
+  }
+  return wanted;
+}
+
+void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
+                        std::span<const ShadedLight> lights, bool sceneMoved, Effort effort) {
+  viewsDrawn_ = texelsDrawn_ = 0;
+  const std::vector<Frame> wanted = prepare(compiled, lights, sceneMoved, effort);
   if (!isBehind()) return;
   beginDrawing();
   std::size_t sampleViews = 0;
   for (std::size_t k = 0; k < frames_.size(); ++k) {
     const std::size_t i = (next_ + k) % frames_.size();
-    if (!stale_[i] || (lights[i].isSample && sampleViews >= mostSampleViews)) continue;
+    if (!stale_[i] || (lights[i].isSample && sampleViews >= effort.mostSampleViews)) continue;
     frames_[i] = wanted[i];
     stale_[i] = false;
-    for (int view = 0; view < frames_[i].views; ++view, ++viewsDrawn_) drawView(scene, frames_[i], view);
+    const auto views = static_cast<std::size_t>(frames_[i].views),
+               side = static_cast<std::size_t>(frames_[i].side);
+    for (int view = 0; view < frames_[i].views; ++view) drawView(scene, frames_[i], view);
+    viewsDrawn_ += views;
+    texelsDrawn_ += views * side * side;
     if (!lights[i].isSample) continue;
-    sampleViews += static_cast<std::size_t>(frames_[i].views);
-    if (sampleViews >= mostSampleViews) next_ = i + 1;
+    sampleViews += views;
+    if (sampleViews >= effort.mostSampleViews) next_ = i + 1;
   }
   endDrawing();
   uploadFrames();
 }
 
 bool ShadowMaps::isBehind() const { return std::find(stale_.begin(), stale_.end(), true) != stale_.end(); }
+
+bool ShadowMaps::areCoarse() const {
+  return std::any_of(frames_.begin(), frames_.end(),
+                     [](const Frame& frame) { return frame.side < frame.room; });
+}
 
 void ShadowMaps::beginDrawing() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
