@@ -46,6 +46,7 @@ std::string textOf(const ShaderVariant& variant) {
   std::string text = constant("int", "ambientRule", std::to_string(static_cast<int>(rules.ambient))) +
                      constant("int", "reflectionRule", std::to_string(static_cast<int>(rules.reflection))) +
                      constant("int", "throughRule", std::to_string(static_cast<int>(rules.through))) +
+                     constant("int", "lampCount", std::to_string(variant.lamps)) +
                      constant("interreflection", variant.interreflection);
   for (int i = 0; i < featureCount; ++i)
     text += constant(names[static_cast<std::size_t>(i)], variant.features.has(static_cast<Feature>(i)));

@@ -65,11 +65,16 @@ class Features {
   std::uint32_t bits_ = 0;
 };
 
+/// A program knows the number of its lights that are not samples where they are few, mostLampsKnown at most:
+/// what is read of a light of a known number is read once, not for every pixel.
+constexpr int mostLampsKnown = 4, manyLamps = -1;
+
 /// What a program for surfaces is compiled for. The pictures of two that both have all that is needed are the
 /// same.
 struct ShaderVariant {
   DrawingRules rules;
   bool interreflection = false;  ///< of AO
+  int lamps = manyLamps;         ///< that are not samples
   Features features;
 
   auto operator<=>(const ShaderVariant&) const = default;

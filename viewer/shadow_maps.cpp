@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "viewer/uniform_blocks.h"
+
 namespace prelight::viewer {
 namespace {
 
@@ -144,22 +146,22 @@ void ShadowMaps::makeAtlas() {
 }
 
 void ShadowMaps::uploadFrames() {
-  std::vector<glm::vec4> texels, views;
+  std::vector<ShadowBlock> lights;
+  std::vector<glm::vec4> views;
   for (const Frame& frame : frames_) {
     for (int view = 0; view < frame.views; ++view) {
       const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
       views.emplace_back(place.x, place.y, place.layer, frame.side);
     }
-    texels.emplace_back(frame.axes[0], static_cast<float>(frame.firstView));
-    texels.emplace_back(frame.axes[1], static_cast<float>(frame.views));
-    texels.emplace_back(frame.axes[2], frame.near);
-    texels.emplace_back(frame.position, frame.scale);
-    texels.emplace_back(frame.depthScale, 0.0f, 0.0f, 0.0f);
+    lights.push_back({glm::vec4(frame.axes[0], static_cast<float>(frame.firstView)),
+                      glm::vec4(frame.axes[1], static_cast<float>(frame.views)),
+                      glm::vec4(frame.axes[2], frame.near > 0.0f ? frame.near : -frame.depthScale),
+                      glm::vec4(frame.position, frame.scale)});
   }
-  if (texels.empty()) texels.emplace_back(0.0f);
+  lights.resize(maxLights);
   if (views.empty()) views.emplace_back(0.0f);
   viewTexels_ = gl::makeBufferTexture(views, "views of lights");
-  lightTexels_ = gl::makeBufferTexture(texels, "shadows of lights");
+  lightBlock_.fill(GL_UNIFORM_BUFFER, std::span<const ShadowBlock>(lights), GL_STREAM_DRAW);
 }
 
 void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view) const {
@@ -265,7 +267,7 @@ void ShadowMaps::endDrawing() {
 
 void ShadowMaps::bind() const {
   gl::bind(shadowMapsUnit, GL_TEXTURE_2D_ARRAY, depths_);
-  gl::bind(shadowLightsUnit, GL_TEXTURE_BUFFER, lightTexels_.texture);
+  glBindBufferBase(GL_UNIFORM_BUFFER, shadowBinding, lightBlock_.name());
   gl::bind(shadowViewsUnit, GL_TEXTURE_BUFFER, viewTexels_.texture);
 }
 

@@ -87,7 +87,7 @@ class ShadowMaps {
   gl::Program program_;
   gl::Texture depths_;
   gl::Object<gl::FramebufferTraits> framebuffer_;
-  gl::BufferTexture lightTexels_;
+  gl::Buffer lightBlock_;  ///< `ShadowLights` of shaders/shadows.glsl
   gl::BufferTexture viewTexels_;
   std::vector<Frame> frames_;  ///< [light]
   ChartAtlas atlas_;           ///< [view]

@@ -3,9 +3,16 @@
 // nothing: both are affine in the map's coordinates across a plane, so that the plane of a surface is known exactly at
 // every texel.
 uniform sampler2DArray shadowMaps;
-uniform samplerBuffer shadowLights;  // [light][5]: axes x, y, z and first view, views, near; position and scale; depths
-                                     // a metre
 uniform samplerBuffer shadowViews;   // [view]: corner in texels, layer, side
+
+struct ShadowLight {
+  vec4 axisX;  // w: first view
+  vec4 axisY;  // w: views
+  vec4 axisZ;  // w: nearest depth, m; of a direction: depths a metre, negative
+  vec4 place;  // w: half sides a tangent, or a metre
+};
+
+layout(std140) uniform ShadowLights { ShadowLight shadowLights[240]; };
 
 // Part of a texel, more than rounding in the rasteriser moves the edges of triangles by.
 const float roundedTexels = 0.1;
@@ -49,19 +56,19 @@ vec4 lit(vec2 low, float layer, vec4 depths) {
 // Share of a light that reaches a point of a surface, 0 to 1. `normal`: of its triangle, on the light's side.
 // `reach`: texels around the point that count with all their weight, 0 or 1; one more has a share.
 float visibility(int light, vec3 point, vec3 normal, int reach) {
-  vec4 axisX = texelFetch(shadowLights, 5 * light);
-  vec4 axisY = texelFetch(shadowLights, 5 * light + 1);
+  vec4 axisX = shadowLights[light].axisX;
+  vec4 axisY = shadowLights[light].axisY;
   int views = int(axisY.w + 0.5);
   if (views == 0) return 1.0;
-  vec4 axisZ = texelFetch(shadowLights, 5 * light + 2);
-  vec4 place = texelFetch(shadowLights, 5 * light + 3);
-  float near = axisZ.w;
+  vec4 axisZ = shadowLights[light].axisZ;
+  vec4 place = shadowLights[light].place;
+  float near = max(axisZ.w, 0.0);
   vec3 away = point - place.xyz;
   vec3 way = vec3(dot(axisX.xyz, away), dot(axisY.xyz, away), dot(axisZ.xyz, away));
   vec3 n = vec3(dot(axisX.xyz, normal), dot(axisY.xyz, normal), dot(axisZ.xyz, normal));
   int face = views > 1 ? faceOf(way, n) : 0;
   if (face >= views || (near > 0.0 && way.z <= near)) return 1.0;
-  float depthScale = near > 0.0 ? 0.0 : texelFetch(shadowLights, 5 * light + 4).x;
+  float depthScale = max(-axisZ.w, 0.0);
 
   vec4 view = texelFetch(shadowViews, int(axisX.w + 0.5) + face);
   vec2 at = place.w * way.xy / (near > 0.0 ? way.z : 1.0);

@@ -83,8 +83,15 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
 
 vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
-  int count = onlyDiffuseSamples ? counts.y : counts.x;
-  for (int k = 0; k < count; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
+  // Lamps whose number is known are read once for all pixels.
+  if (lampCount > 0) sum += shadeLight(lights[0], m, n, toEye, specularWeight, cone);
+  if (lampCount > 1) sum += shadeLight(lights[1], m, n, toEye, specularWeight, cone);
+  if (lampCount > 2) sum += shadeLight(lights[2], m, n, toEye, specularWeight, cone);
+  if (lampCount > 3) sum += shadeLight(lights[3], m, n, toEye, specularWeight, cone);
+  if (lampCount < 0 || !onlyDiffuseSamples) {
+    int count = onlyDiffuseSamples ? counts.y : counts.x;
+    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
+  }
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
   for (int k = counts.y; k < counts.x; ++k) irradiance += facingIrradianceOfEmitter(lights[k], vPosition, n);
