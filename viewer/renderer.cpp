@@ -92,8 +92,7 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
   features.add(Feature::Caustics, showsCaustics(view));
   features.add(Feature::SkyMap, sky_.isMap());
-  const auto lamps = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return !l.isSample; });
-  variant.lamps = lamps <= mostLampsKnown ? static_cast<int>(lamps) : manyLamps;
+  variant.lights = fewLights(lights);
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
     features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot);

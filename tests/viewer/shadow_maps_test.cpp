@@ -1,4 +1,5 @@
-// Shadow maps of pictures whose lights move, which are coarser until the view stands still.
+// Shadow maps of pictures whose lights move, which are coarser until the view stands still, and of few and
+// many lamps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,6 +93,24 @@ TEST(DraftShadows, OfAStillLight_StayAsFineAsTheyWere) {
   EXPECT_EQ(viewer::renderView(renderer, view, 1).pixels, still.pixels);
   EXPECT_EQ(renderer.shadowTexelsDrawn(), 0u);
   EXPECT_EQ(renderer.surroundingFacesDrawn(), 0u);
+}
+
+TEST(ShadowMaps, OfFewAndOfManyLamps_AreFoundByShadersThatKnowTheirNumber) {
+  const viewer::gl::EglContext context;
+  FloorBesideMirror floor;
+  for (const int lamps : {1, 2, 4, 5}) {
+    floor.quad.scene.lights.clear();
+    for (int i = 0; i < lamps; ++i)
+      floor.quad.scene.lights.push_back(makeLight(i % 2 == 0 ? LightType::Point : LightType::Directional,
+                                                  glm::vec3(1.0f + static_cast<float>(i), 2.0f, 1.0f),
+                                                  {0.3 * i, 0.1 * i, 2.0}, {0.2 * i, 0.1, -1.0}));
+    viewer::Renderer renderer(floor.inputs());
+    const Picture known = viewer::renderView(renderer, floor.view(), 1);
+    renderer.specialiseShaders(false);
+    const Picture any = viewer::renderView(renderer, floor.view(), 1);
+    EXPECT_GT(largest(any), 0.1);
+    EXPECT_LT(largestDifference(known, any), 1e-5 * largest(any)) << lamps;
+  }
 }
 
 }  // namespace
