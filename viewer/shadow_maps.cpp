@@ -59,50 +59,38 @@ int usualSideOf(const ShadedLight& light) {
   return light.kind == LightKind::Directional ? directionalSide : usualSide;
 }
 
-/// Whether triangles of a surface have holes, and the alpha below which they are: blended ones are taken for
-/// cut out at a half, as rays take them.
-float cutoffOf(const Material& material) {
-  if (material.alphaMode == AlphaMode::Opaque) return -1.0f;
-  return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
-}
-
 }  // namespace
-
-ShadowMaps::ShadowMaps() : program_("shadow.vert", "shadow.frag") {
-  program_.use();
-  program_.set("baseColorTexture", static_cast<int>(baseColorUnit));
-}
 
 ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledScene& compiled, int side) {
   const float radius = radiusOf(compiled);
   Frame frame;
   frame.room = frame.side = side;
-  frame.position = light.position;
-  frame.near = nearShare * radius;
-  frame.scale = static_cast<float>(side - 2 * filterBorder) / static_cast<float>(side);
+  frame.eye.position = light.position;
+  frame.eye.near = nearShare * radius;
+  frame.eye.scale = static_cast<float>(side - 2 * filterBorder) / static_cast<float>(side);
   switch (light.kind) {
     case LightKind::Directional:
-      frame.axes = frameAlong(light.direction);
-      frame.position = 0.5f * (compiled.boundsMin + compiled.boundsMax);
-      frame.near = 0.0f;
-      frame.scale /= 1.001f * radius;
-      frame.depthScale = 0.5f / (1.001f * radius);
+      frame.eye.axes = frameAlong(light.direction);
+      frame.eye.position = 0.5f * (compiled.boundsMin + compiled.boundsMax);
+      frame.eye.near = 0.0f;
+      frame.eye.scale /= 1.001f * radius;
+      frame.eye.depthScale = 0.5f / (1.001f * radius);
       frame.views = 1;
       break;
     case LightKind::Point:
       frame.views = 6;
       break;
     case LightKind::Spot: {
-      frame.axes = frameAlong(light.direction);
+      frame.eye.axes = frameAlong(light.direction);
       // cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
       const double outer =
           std::acos(std::clamp(-double{light.coneOffset} / double{light.coneScale}, -1.0, 1.0));
       frame.views = outer < widestCone ? 1 : 5;
-      if (outer < widestCone) frame.scale /= static_cast<float>(std::tan(outer));
+      if (outer < widestCone) frame.eye.scale /= static_cast<float>(std::tan(outer));
       break;
     }
     case LightKind::Emitter:
-      frame.axes = frameAlong(light.direction);
+      frame.eye.axes = frameAlong(light.direction);
       frame.views = light.twoSided ? 6 : 5;
       break;
   }
@@ -153,10 +141,11 @@ void ShadowMaps::uploadFrames() {
       const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
       views.emplace_back(place.x, place.y, place.layer, frame.side);
     }
-    lights.push_back({glm::vec4(frame.axes[0], static_cast<float>(frame.firstView)),
-                      glm::vec4(frame.axes[1], static_cast<float>(frame.views)),
-                      glm::vec4(frame.axes[2], frame.near > 0.0f ? frame.near : -frame.depthScale),
-                      glm::vec4(frame.position, frame.scale)});
+    lights.push_back(
+        {glm::vec4(frame.eye.axes[0], static_cast<float>(frame.firstView)),
+         glm::vec4(frame.eye.axes[1], static_cast<float>(frame.views)),
+         glm::vec4(frame.eye.axes[2], frame.eye.near > 0.0f ? frame.eye.near : -frame.eye.depthScale),
+         glm::vec4(frame.eye.position, frame.eye.scale)});
   }
   lights.resize(maxLights);
   if (views.empty()) views.emplace_back(0.0f);
@@ -166,22 +155,13 @@ void ShadowMaps::uploadFrames() {
 
 void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view) const {
   const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
-  const glm::mat3 axes = viewFrame(frame.axes, view);
   glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depths_.name(), 0, place.layer);
   glViewport(place.x, place.y, frame.side, frame.side);
   glScissor(place.x, place.y, frame.side, frame.side);
   glClear(GL_DEPTH_BUFFER_BIT);
-  program_.set("axisX", glm::vec4(axes[0], frame.scale));
-  program_.set("axisY", glm::vec4(axes[1], frame.near));
-  program_.set("axisZ", glm::vec4(axes[2], frame.depthScale));
-  program_.set("lightPosition", frame.position);
-  scene.drawOccluders([&](const Surface& surface) {
-    const float cutoff = cutoffOf(surface.material);
-    program_.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, 0.0f, 0.0f));
-    if (cutoff >= 0.0f)
-      gl::bind(baseColorUnit, GL_TEXTURE_2D,
-               surface.baseColor != nullptr ? *surface.baseColor : scene.white());
-  });
+  ShadowEye eye = frame.eye;
+  eye.axes = viewFrame(eye.axes, view);
+  pass_.draw(scene, eye, frame.isCoarse());
 }
 
 /// Which maps have to be drawn, and how.
@@ -240,8 +220,7 @@ void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
 bool ShadowMaps::isBehind() const { return std::find(stale_.begin(), stale_.end(), true) != stale_.end(); }
 
 bool ShadowMaps::areCoarse() const {
-  return std::any_of(frames_.begin(), frames_.end(),
-                     [](const Frame& frame) { return frame.side < frame.room; });
+  return std::any_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.isCoarse(); });
 }
 
 void ShadowMaps::beginDrawing() const {
@@ -255,7 +234,6 @@ void ShadowMaps::beginDrawing() const {
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_GREATER);
   glClearDepth(0.0);
-  program_.use();
 }
 
 void ShadowMaps::endDrawing() {

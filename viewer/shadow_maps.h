@@ -9,10 +9,10 @@
 #include "prelight/compiled_scene.h"
 #include "viewer/chart_atlas.h"
 #include "viewer/gl/buffer.h"
-#include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
 #include "viewer/lighting.h"
 #include "viewer/render_scene.h"
+#include "viewer/shadow_pass.h"
 
 namespace prelight::viewer {
 
@@ -26,8 +26,6 @@ namespace prelight::viewer {
 /// all sizes are drawn alike.
 class ShadowMaps {
  public:
-  ShadowMaps();
-
   static constexpr std::size_t everything = static_cast<std::size_t>(-1);
 
   /// How much an update draws.
@@ -58,18 +56,15 @@ class ShadowMaps {
   std::size_t viewCount() const { return atlas_.places.size(); }
 
  private:
-  /// Where a light looks from and how; rows of `axes` are x, y and z in scene coordinates.
+  /// Where a light looks from and how: its first view.
   struct Frame {
-    glm::mat3 axes{1.0f};
-    glm::vec3 position{0.0f};
-    float scale = 1.0f;       ///< half sides a tangent (perspective) or a metre
-    float near = 0.0f;        ///< m; 0: orthographic
-    float depthScale = 0.0f;  ///< orthographic: depths a metre
+    ShadowEye eye;
     int views = 0;
     int room = 0;  ///< texels a side that the atlas has for a view
     int side = 0;  ///< of them in use
     std::size_t firstView = 0;
 
+    bool isCoarse() const { return side < room; }
     bool operator==(const Frame&) const = default;
   };
 
@@ -84,7 +79,7 @@ class ShadowMaps {
   static void endDrawing();
   void drawView(const RenderScene& scene, const Frame& frame, int view) const;
 
-  gl::Program program_;
+  ShadowPass pass_;
   gl::Texture depths_;
   gl::Object<gl::FramebufferTraits> framebuffer_;
   gl::Buffer lightBlock_;  ///< `ShadowLights` of shaders/shadows.glsl
