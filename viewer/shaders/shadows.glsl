@@ -22,22 +22,17 @@ const float facetTexels = 0.4;
 // The view of a cube that a direction falls into, and the direction in its frame.
 int faceOf(inout vec3 way, inout vec3 normal) {
   vec3 size = abs(way);
-  if (size.z >= max(size.x, size.y)) {
-    float side = way.z >= 0.0 ? 1.0 : -1.0;
-    way.z *= side;
-    normal.z *= side;
-    return side > 0.0 ? 0 : 5;
-  }
-  if (size.x >= size.y) {
-    float side = way.x >= 0.0 ? 1.0 : -1.0;
-    way = vec3(way.yz, side * way.x);
-    normal = vec3(normal.yz, side * normal.x);
-    return side > 0.0 ? 1 : 2;
-  }
-  float side = way.y >= 0.0 ? 1.0 : -1.0;
-  way = vec3(way.zx, side * way.y);
-  normal = vec3(normal.zx, side * normal.y);
-  return side > 0.0 ? 3 : 4;
+  bool alongZ = size.z >= max(size.x, size.y);
+  bool alongX = !alongZ && size.x >= size.y;
+  way = alongZ ? way : alongX ? way.yzx : way.zxy;
+  normal = alongZ ? normal : alongX ? normal.yzx : normal.zxy;
+  bool forward = way.z >= 0.0;
+  float side = forward ? 1.0 : -1.0;
+  way.z *= side;
+  normal.z *= side;
+  if (alongZ) return forward ? 0 : 5;
+  int first = alongX ? 1 : 3;
+  return forward ? first : first + 1;
 }
 
 // Depth of the surface at its place in the map (z), and how it changes a half side along x and y (xy).
@@ -48,8 +43,9 @@ vec3 planeDepth(vec3 way, vec3 normal, float near, float scale, float depthScale
 
 // Which of the two by two texels from `low` on do not stand in the light's way at their depths: (0, 1), (1, 1), (1, 0),
 // (0, 0), the order of textureGather, which is one look-up for four.
-vec4 lit(vec2 low, float layer, vec4 depths) {
-  vec2 corner = (low + 1.0) / vec2(textureSize(shadowMaps, 0).xy);
+// `texel`: of the map, of which it is 1.
+vec4 lit(vec2 low, float layer, vec4 depths, vec2 texel) {
+  vec2 corner = (low + 1.0) * texel;
   return vec4(lessThanEqual(textureGather(shadowMaps, vec3(corner, layer)), depths));
 }
 
@@ -85,6 +81,7 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
   vec2 low = clamp(floor(texel), vec2(float(reach)), vec2(view.w - 2.0 - float(reach)));
   vec2 share = clamp(texel - low, 0.0, 1.0);
   float first = plane.z + dot(slope, low - texel) + bias;
+  vec2 texelOfMap = 1.0 / vec2(textureSize(shadowMaps, 0).xy);
   float sum = 0.0;
   for (int y = -reach; y <= reach; y += 2) {
     vec2 weightsY = vec2(y == -reach ? 1.0 - share.y : 1.0, y + 1 == reach + 1 ? share.y : 1.0);
@@ -92,7 +89,7 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
       vec2 weightsX = vec2(x == -reach ? 1.0 - share.x : 1.0, x + 1 == reach + 1 ? share.x : 1.0);
       float depth = first + dot(slope, vec2(x, y));
       vec4 depths = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-      vec4 passes = lit(view.xy + low + vec2(x, y), view.z, depths);
+      vec4 passes = lit(view.xy + low + vec2(x, y), view.z, depths, texelOfMap);
       sum += dot(passes, vec4(weightsX.x * weightsY.y, weightsX.y * weightsY.y, weightsX.y * weightsY.x, weightsX.x * weightsY.x));
     }
   }
