@@ -111,6 +111,7 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
 vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   int triangle = firstTriangle + gl_PrimitiveID;
   if (ambientRule == ambientEncodedMap) return encodedMapIrradiance(triangle, front, vPosition, n, m);
+  if (!hasNormalTexture) return lightMapIrradiance(triangle, front, vPosition);
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 
