@@ -91,6 +91,7 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   features.add(Feature::VertexColors, compiled_.hasVertexColors());
   features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
   features.add(Feature::Caustics, showsCaustics(view));
+  features.add(Feature::SkyLight, sky_.seenBy(view).map != nullptr);
   features.add(Feature::SkyMap, sky_.isMap());
   variant.lights = fewLights(lights);
   for (const ShadedLight& light : lights) {
@@ -268,7 +269,8 @@ void Renderer::clearToSky(const View& view) const {
 void Renderer::drawBackground(const ShaderVariant& variant) {
   glDisable(GL_CULL_FACE);
   ShaderVariant needed;
-  needed.features.add(Feature::SkyMap, variant.features.has(Feature::SkyMap));
+  for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
+    needed.features.add(feature, variant.features.has(feature));
   if (!needed.features.has(Feature::SkyMap)) return;
   programs_.background(needed).use();
   glBindVertexArray(noVertices_.name());

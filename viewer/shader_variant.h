@@ -32,14 +32,15 @@ enum class Feature : int {
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
   Caustics,
-  SkyMap,  ///< a sky that is not alike everywhere
+  SkyLight,  ///< a sky shines
+  SkyMap,    ///< one that is not alike everywhere
   DirectionalLights,
   PointLights,
   SpotLights,
   EmitterLights,
 };
 
-constexpr int featureCount = 21;
+constexpr int featureCount = 22;
 
 class Features {
  public:

@@ -22,6 +22,7 @@ const bool hasSurroundings = true;
 const bool hasVertexColors = true;
 const bool hasCharts = true;
 const bool hasCaustics = true;
+const bool hasSkyLight = true;
 const bool hasSkyMap = true;
 const bool hasDirectionalLights = true;
 const bool hasPointLights = true;
