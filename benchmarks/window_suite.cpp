@@ -66,14 +66,17 @@ struct Case {
   std::string name() const { return fmt::format("{}/{}", scene, viewer::shadingName(shading)); }
 };
 
-constexpr std::array<Case, 8> cases = {{{"shapes", Shading::Sh},
-                                        {"cornell", Shading::Sh},
-                                        {"rooms", Shading::GlobalIllumination},
-                                        {"shapes", Shading::Phong},
-                                        {"shapes", Shading::Ao},
-                                        {"cornell", Shading::Lights},
-                                        {"cornell", Shading::LightMap},
-                                        {"caustics", Shading::GlobalIllumination}}};
+constexpr std::array<Case, 11> cases = {{{"shapes", Shading::Sh},
+                                         {"cornell", Shading::Sh},
+                                         {"rooms", Shading::GlobalIllumination},
+                                         {"shapes", Shading::Phong},
+                                         {"rooms", Shading::Phong},
+                                         {"shapes", Shading::Ao},
+                                         {"cornell", Shading::Lights},
+                                         {"cornell", Shading::LightMap},
+                                         {"rooms", Shading::LightMap},
+                                         {"cornell", Shading::Vo},
+                                         {"caustics", Shading::GlobalIllumination}}};
 
 /// Frames while something is dragged, then some whose parts are timed.
 Frames move(HeadlessWindow& window, Drag what, int count, const Progress& progress) {

@@ -42,12 +42,11 @@ enum Unit : GLuint {
   lightMapCornersUnit = 10,  ///< the same
   causticsUnit = 11,         ///< shaders/surface.frag
   shadowMapsUnit = 12,       ///< shaders/shadows.glsl
-  shadowLightsUnit = 13,     ///< the same
-  shadowViewsUnit = 14,      ///< the same
-  surroundingsUnit = 15,     ///< shaders/surroundings.glsl
-  insidesUnit = 16,          ///< the same
-  normalTextureUnit = 17,    ///< shaders/normal_map.glsl
-  encodedVerticesUnit = 18,  ///< shaders/encoded_light.glsl
+  shadowViewsUnit = 13,      ///< the same
+  surroundingsUnit = 14,     ///< shaders/surroundings.glsl
+  insidesUnit = 15,          ///< the same
+  normalTextureUnit = 16,    ///< shaders/normal_map.glsl
+  encodedVerticesUnit = 17,  ///< shaders/encoded_light.glsl
 };
 
 /// A value a vertex.

@@ -8,7 +8,7 @@ GlobalIlluminationLighting::GlobalIlluminationLighting(const GlobalIllumination&
     : compiled_(compiled), scene_(scene), indirect_(globalIllumination.indirect, compiled) {}
 
 void GlobalIlluminationLighting::light(const Illumination& light) {
-  shadows_.update(scene_, compiled_, light.lights, moved_, mostSampleViews_);
+  shadows_.update(scene_, compiled_, light.lights, moved_, effort_);
   moved_ = false;
 }
 

@@ -29,8 +29,8 @@ class GlobalIlluminationLighting : public DrawnTransfer {
   /// The scene's vertices are at other places: all shadow maps are drawn anew with the next light().
   void sceneMoved() { moved_ = true; }
 
-  /// Draws at most about so many views of samples with a light().
-  void setMostSampleViews(std::size_t most) { mostSampleViews_ = most; }
+  /// Of the shadow maps that a light() draws.
+  void setShadowEffort(const ShadowMaps::Effort& effort) { effort_ = effort; }
 
   const ShadowMaps& shadows() const { return shadows_; }
 
@@ -40,7 +40,7 @@ class GlobalIlluminationLighting : public DrawnTransfer {
   LightMapLighting indirect_;
   ShadowMaps shadows_;
   bool moved_ = false;
-  std::size_t mostSampleViews_ = ShadowMaps::everything;
+  ShadowMaps::Effort effort_;
 };
 
 }  // namespace prelight::viewer

@@ -44,7 +44,6 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
   if (globalIllumination_ == nullptr) {
     globalIllumination_ =
         std::make_unique<GlobalIlluminationLighting>(*inputs_.globalIllumination, compiled_, scene_);
-    paceUpdates(paced_);
     surroundings_ = std::make_unique<Surroundings>(scene_, compiled_);
     if (caustics_ == nullptr && !inputs_.globalIllumination->photons.empty())
       makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
@@ -92,7 +91,9 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   features.add(Feature::VertexColors, compiled_.hasVertexColors());
   features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
   features.add(Feature::Caustics, showsCaustics(view));
+  features.add(Feature::SkyLight, sky_.seenBy(view).map != nullptr);
   features.add(Feature::SkyMap, sky_.isMap());
+  variant.lights = fewLights(lights);
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
     features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot);
@@ -116,12 +117,6 @@ void Renderer::updateCaustics(const Caustics& caustics) {
     caustics_->update(caustics, compiled_);
 }
 
-void Renderer::paceUpdates(bool pace) {
-  paced_ = pace;
-  if (globalIllumination_ != nullptr)
-    globalIllumination_->setMostSampleViews(pace ? sampleViewsAPicture : ShadowMaps::everything);
-}
-
 bool Renderer::isBehind() const {
   return globalIllumination_ != nullptr &&
          (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
@@ -139,8 +134,10 @@ void Renderer::sceneMoved() {
 
 void Renderer::updateSurroundings(const View& view, const Illumination& light) {
   if (surroundings_->empty()) return;
-  if (surroundedBy_ != light) surroundings_->changed();
+  const bool coarse = globalIllumination_->shadows().areCoarse();
+  if (surroundedBy_ != light || (surroundedCoarsely_ && !coarse)) surroundings_->changed();
   surroundedBy_ = light;
+  surroundedCoarsely_ = coarse;
   const std::size_t most = paced_ ? facesAPicture : static_cast<std::size_t>(-1);
   surroundings_->update(compiled_, most, [&](const Surroundings::Face& face, const gl::Framebuffer& target) {
     View seen = view;
@@ -184,6 +181,7 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
                 "the bake does not carry what it needs", "bake with " + std::string(info.bakeOption));
   }
   if (view.shading == Shading::GlobalIllumination) {
+    globalIllumination().setShadowEffort({paced_ ? sampleViewsAPicture : ShadowMaps::everything, view.draft});
     globalIllumination().light(light);
     return &globalIllumination();
   }
@@ -271,7 +269,8 @@ void Renderer::clearToSky(const View& view) const {
 void Renderer::drawBackground(const ShaderVariant& variant) {
   glDisable(GL_CULL_FACE);
   ShaderVariant needed;
-  needed.features.add(Feature::SkyMap, variant.features.has(Feature::SkyMap));
+  for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
+    needed.features.add(feature, variant.features.has(feature));
   if (!needed.features.has(Feature::SkyMap)) return;
   programs_.background(needed).use();
   glBindVertexArray(noVertices_.name());

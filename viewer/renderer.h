@@ -50,7 +50,7 @@ class Renderer {
   void sceneMoved();
 
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
-  void paceUpdates(bool pace);
+  void paceUpdates(bool pace) { paced_ = pace; }
 
   /// False: shaders have code for everything that any scene may have; pictures are the same, if slower.
   void specialiseShaders(bool specialise) { specialised_ = specialise; }
@@ -70,6 +70,11 @@ class Renderer {
   /// Squares of shadow maps that global illumination drew anew for its last picture.
   std::size_t shadowViewsDrawn() const {
     return globalIllumination_ == nullptr ? 0 : globalIllumination_->shadows().viewsDrawn();
+  }
+
+  /// Their texels.
+  std::size_t shadowTexelsDrawn() const {
+    return globalIllumination_ == nullptr ? 0 : globalIllumination_->shadows().texelsDrawn();
   }
 
   /// Faces of environment maps that it drew anew for its last picture.
@@ -132,6 +137,7 @@ class Renderer {
   std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
+  bool surroundedCoarsely_ = false;  ///< with the shadows of a draft
   bool paced_ = false;
   ViewLights lights_;
   DrawnSky sky_;

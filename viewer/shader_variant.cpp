@@ -25,6 +25,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasVertexColors",
                                                          "hasCharts",
                                                          "hasCaustics",
+                                                         "hasSkyLight",
                                                          "hasSkyMap",
                                                          "hasDirectionalLights",
                                                          "hasPointLights",
@@ -46,10 +47,22 @@ std::string textOf(const ShaderVariant& variant) {
   std::string text = constant("int", "ambientRule", std::to_string(static_cast<int>(rules.ambient))) +
                      constant("int", "reflectionRule", std::to_string(static_cast<int>(rules.reflection))) +
                      constant("int", "throughRule", std::to_string(static_cast<int>(rules.through))) +
+                     constant("int", "lampCount", std::to_string(variant.lights.lamps)) +
+                     constant("int", "sampleCount", std::to_string(variant.lights.samples)) +
                      constant("interreflection", variant.interreflection);
   for (int i = 0; i < featureCount; ++i)
     text += constant(names[static_cast<std::size_t>(i)], variant.features.has(static_cast<Feature>(i)));
   return text;
+}
+
+LightCounts fewLights(std::span<const ShadedLight> lights) {
+  const auto samples = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.isSample; });
+  const auto lamps = static_cast<std::ptrdiff_t>(lights.size()) - samples;
+  LightCounts counts;
+  if (lamps > LightCounts::mostLamps) return counts;
+  counts.lamps = static_cast<int>(lamps);
+  if (samples <= LightCounts::mostSamples) counts.samples = static_cast<int>(samples);
+  return counts;
 }
 
 Features featuresOf(const Surface& surface) {

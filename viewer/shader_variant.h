@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "viewer/lighting.h"
 #include "viewer/techniques.h"
 
 namespace prelight::viewer {
@@ -30,14 +32,15 @@ enum class Feature : int {
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
   Caustics,
-  SkyMap,  ///< a sky that is not alike everywhere
+  SkyLight,  ///< a sky shines
+  SkyMap,    ///< one that is not alike everywhere
   DirectionalLights,
   PointLights,
   SpotLights,
   EmitterLights,
 };
 
-constexpr int featureCount = 21;
+constexpr int featureCount = 22;
 
 class Features {
  public:
@@ -65,11 +68,26 @@ class Features {
   std::uint32_t bits_ = 0;
 };
 
+/// Lights that a program knows the number of, as they are few: what is read of a light of a known number is
+/// read once, not for every pixel.
+struct LightCounts {
+  static constexpr int many = -1;
+  static constexpr int mostLamps = 4, mostSamples = 8;
+
+  int lamps = many;    ///< lights that are not samples
+  int samples = many;  ///< of emissive surfaces; known where lamps are
+
+  auto operator<=>(const LightCounts&) const = default;
+};
+
+LightCounts fewLights(std::span<const ShadedLight> lights);
+
 /// What a program for surfaces is compiled for. The pictures of two that both have all that is needed are the
 /// same.
 struct ShaderVariant {
   DrawingRules rules;
   bool interreflection = false;  ///< of AO
+  LightCounts lights;
   Features features;
 
   auto operator<=>(const ShaderVariant&) const = default;

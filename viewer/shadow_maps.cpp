@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "viewer/uniform_blocks.h"
+
 namespace prelight::viewer {
 namespace {
 
@@ -57,53 +59,51 @@ int usualSideOf(const ShadedLight& light) {
   return light.kind == LightKind::Directional ? directionalSide : usualSide;
 }
 
-/// Whether triangles of a surface have holes, and the alpha below which they are: blended ones are taken for
-/// cut out at a half, as rays take them.
-float cutoffOf(const Material& material) {
-  if (material.alphaMode == AlphaMode::Opaque) return -1.0f;
-  return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
-}
-
 }  // namespace
-
-ShadowMaps::ShadowMaps() : program_("shadow.vert", "shadow.frag") {
-  program_.use();
-  program_.set("baseColorTexture", static_cast<int>(baseColorUnit));
-}
 
 ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledScene& compiled, int side) {
   const float radius = radiusOf(compiled);
   Frame frame;
-  frame.side = side;
-  frame.position = light.position;
-  frame.near = nearShare * radius;
-  frame.scale = static_cast<float>(side - 2 * filterBorder) / static_cast<float>(side);
+  frame.room = frame.side = side;
+  frame.eye.position = light.position;
+  frame.eye.near = nearShare * radius;
+  frame.eye.scale = static_cast<float>(side - 2 * filterBorder) / static_cast<float>(side);
   switch (light.kind) {
     case LightKind::Directional:
-      frame.axes = frameAlong(light.direction);
-      frame.position = 0.5f * (compiled.boundsMin + compiled.boundsMax);
-      frame.near = 0.0f;
-      frame.scale /= 1.001f * radius;
-      frame.depthScale = 0.5f / (1.001f * radius);
+      frame.eye.axes = frameAlong(light.direction);
+      frame.eye.position = 0.5f * (compiled.boundsMin + compiled.boundsMax);
+      frame.eye.near = 0.0f;
+      frame.eye.scale /= 1.001f * radius;
+      frame.eye.depthScale = 0.5f / (1.001f * radius);
       frame.views = 1;
       break;
     case LightKind::Point:
       frame.views = 6;
       break;
     case LightKind::Spot: {
-      frame.axes = frameAlong(light.direction);
+      frame.eye.axes = frameAlong(light.direction);
       // cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
       const double outer =
           std::acos(std::clamp(-double{light.coneOffset} / double{light.coneScale}, -1.0, 1.0));
       frame.views = outer < widestCone ? 1 : 5;
-      if (outer < widestCone) frame.scale /= static_cast<float>(std::tan(outer));
+      if (outer < widestCone) frame.eye.scale /= static_cast<float>(std::tan(outer));
       break;
     }
     case LightKind::Emitter:
-      frame.axes = frameAlong(light.direction);
+      frame.eye.axes = frameAlong(light.direction);
       frame.views = light.twoSided ? 6 : 5;
       break;
   }
+  return frame;
+}
+
+/// The same light with half as many texels a side, in the corner of the room that it has.
+ShadowMaps::Frame ShadowMaps::coarse(const ShadedLight& light, const CompiledScene& compiled,
+                                     const Frame& fine) {
+  if (fine.views == 0) return fine;
+  Frame frame = frameOf(light, compiled, std::max(std::min(leastSide, fine.side), fine.side / 2));
+  frame.room = fine.room;
+  frame.firstView = fine.firstView;
   return frame;
 }
 
@@ -126,87 +126,102 @@ std::vector<ShadowMaps::Frame> ShadowMaps::framesOf(std::span<const ShadedLight>
 void ShadowMaps::makeAtlas() {
   std::vector<glm::ivec2> sizes;
   for (const Frame& frame : frames_)
-    sizes.insert(sizes.end(), static_cast<std::size_t>(frame.views), glm::ivec2(frame.side));
+    sizes.insert(sizes.end(), static_cast<std::size_t>(frame.views), glm::ivec2(frame.room));
   int side = leastSide;
   for (const glm::ivec2& size : sizes) side = std::max(side, size.x);
   atlas_ = packCharts(sizes, std::max(side, sizes.size() > 16 ? directionalSide : side));
   depths_ = gl::makeDepthArray(atlas_.side, std::max(atlas_.layers, 1), "shadow maps");
-  std::vector<glm::vec4> texels;
-  for (std::size_t v = 0; v < sizes.size(); ++v)
-    texels.emplace_back(atlas_.places[v].x, atlas_.places[v].y, atlas_.places[v].layer, sizes[v].x);
-  if (texels.empty()) texels.emplace_back(0.0f);
-  viewTexels_ = gl::makeBufferTexture(texels, "views of lights");
 }
 
 void ShadowMaps::uploadFrames() {
-  std::vector<glm::vec4> texels;
+  std::vector<ShadowBlock> lights;
+  std::vector<glm::vec4> views;
   for (const Frame& frame : frames_) {
-    texels.emplace_back(frame.axes[0], static_cast<float>(frame.firstView));
-    texels.emplace_back(frame.axes[1], static_cast<float>(frame.views));
-    texels.emplace_back(frame.axes[2], frame.near);
-    texels.emplace_back(frame.position, frame.scale);
-    texels.emplace_back(frame.depthScale, 0.0f, 0.0f, 0.0f);
+    for (int view = 0; view < frame.views; ++view) {
+      const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
+      views.emplace_back(place.x, place.y, place.layer, frame.side);
+    }
+    lights.push_back(
+        {glm::vec4(frame.eye.axes[0], static_cast<float>(frame.firstView)),
+         glm::vec4(frame.eye.axes[1], static_cast<float>(frame.views)),
+         glm::vec4(frame.eye.axes[2], frame.eye.near > 0.0f ? frame.eye.near : -frame.eye.depthScale),
+         glm::vec4(frame.eye.position, frame.eye.scale)});
   }
-  if (texels.empty()) texels.emplace_back(0.0f);
-  lightTexels_ = gl::makeBufferTexture(texels, "shadows of lights");
+  lights.resize(maxLights);
+  if (views.empty()) views.emplace_back(0.0f);
+  viewTexels_ = gl::makeBufferTexture(views, "views of lights");
+  lightBlock_.fill(GL_UNIFORM_BUFFER, std::span<const ShadowBlock>(lights), GL_STREAM_DRAW);
 }
 
 void ShadowMaps::drawView(const RenderScene& scene, const Frame& frame, int view) const {
   const ChartAtlas::Place& place = atlas_.places[frame.firstView + static_cast<std::size_t>(view)];
-  const glm::mat3 axes = viewFrame(frame.axes, view);
   glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depths_.name(), 0, place.layer);
   glViewport(place.x, place.y, frame.side, frame.side);
   glScissor(place.x, place.y, frame.side, frame.side);
   glClear(GL_DEPTH_BUFFER_BIT);
-  program_.set("axisX", glm::vec4(axes[0], frame.scale));
-  program_.set("axisY", glm::vec4(axes[1], frame.near));
-  program_.set("axisZ", glm::vec4(axes[2], frame.depthScale));
-  program_.set("lightPosition", frame.position);
-  scene.drawOccluders([&](const Surface& surface) {
-    const float cutoff = cutoffOf(surface.material);
-    program_.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, 0.0f, 0.0f));
-    if (cutoff >= 0.0f)
-      gl::bind(baseColorUnit, GL_TEXTURE_2D,
-               surface.baseColor != nullptr ? *surface.baseColor : scene.white());
-  });
+  ShadowEye eye = frame.eye;
+  eye.axes = viewFrame(eye.axes, view);
+  pass_.draw(scene, eye, frame.isCoarse());
 }
 
-void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
-                        std::span<const ShadedLight> lights, bool sceneMoved, std::size_t mostSampleViews) {
+/// Which maps have to be drawn, and how.
+std::vector<ShadowMaps::Frame> ShadowMaps::prepare(const CompiledScene& compiled,
+                                                   std::span<const ShadedLight> lights, bool sceneMoved,
+                                                   Effort& effort) {
   std::vector<Frame> wanted = framesOf(lights, compiled);
   const auto sameShape = [](const Frame& a, const Frame& b) {
-    return a.views == b.views && a.side == b.side;
+    return a.views == b.views && a.room == b.room;
   };
   const bool kept =
       wanted.size() == frames_.size() && std::equal(wanted.begin(), wanted.end(), frames_.begin(), sameShape);
-  viewsDrawn_ = 0;
   if (!kept) {
     frames_ = wanted;
     stale_.assign(frames_.size(), true);
     makeAtlas();
     uploadFrames();
-    mostSampleViews = everything;
+    effort.mostSampleViews = everything;
   }
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    if (sceneMoved || frames_[i] != wanted[i]) stale_[i] = true;
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    bool shown = frames_[i] == wanted[i];
+    if (effort.draft && !lights[i].isSample) {
+      wanted[i] = coarse(lights[i], compiled, wanted[i]);
+      shown = shown || frames_[i] == wanted[i];
+    }
+    if (sceneMoved || !shown) stale_[i] = true;
+  }
+  return wanted;
+}
+
+void ShadowMaps::update(const RenderScene& scene, const CompiledScene& compiled,
+                        std::span<const ShadedLight> lights, bool sceneMoved, Effort effort) {
+  viewsDrawn_ = texelsDrawn_ = 0;
+  const std::vector<Frame> wanted = prepare(compiled, lights, sceneMoved, effort);
   if (!isBehind()) return;
   beginDrawing();
   std::size_t sampleViews = 0;
   for (std::size_t k = 0; k < frames_.size(); ++k) {
     const std::size_t i = (next_ + k) % frames_.size();
-    if (!stale_[i] || (lights[i].isSample && sampleViews >= mostSampleViews)) continue;
+    if (!stale_[i] || (lights[i].isSample && sampleViews >= effort.mostSampleViews)) continue;
     frames_[i] = wanted[i];
     stale_[i] = false;
-    for (int view = 0; view < frames_[i].views; ++view, ++viewsDrawn_) drawView(scene, frames_[i], view);
+    const auto views = static_cast<std::size_t>(frames_[i].views),
+               side = static_cast<std::size_t>(frames_[i].side);
+    for (int view = 0; view < frames_[i].views; ++view) drawView(scene, frames_[i], view);
+    viewsDrawn_ += views;
+    texelsDrawn_ += views * side * side;
     if (!lights[i].isSample) continue;
-    sampleViews += static_cast<std::size_t>(frames_[i].views);
-    if (sampleViews >= mostSampleViews) next_ = i + 1;
+    sampleViews += views;
+    if (sampleViews >= effort.mostSampleViews) next_ = i + 1;
   }
   endDrawing();
   uploadFrames();
 }
 
 bool ShadowMaps::isBehind() const { return std::find(stale_.begin(), stale_.end(), true) != stale_.end(); }
+
+bool ShadowMaps::areCoarse() const {
+  return std::any_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.isCoarse(); });
+}
 
 void ShadowMaps::beginDrawing() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
@@ -219,7 +234,6 @@ void ShadowMaps::beginDrawing() const {
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_GREATER);
   glClearDepth(0.0);
-  program_.use();
 }
 
 void ShadowMaps::endDrawing() {
@@ -231,7 +245,7 @@ void ShadowMaps::endDrawing() {
 
 void ShadowMaps::bind() const {
   gl::bind(shadowMapsUnit, GL_TEXTURE_2D_ARRAY, depths_);
-  gl::bind(shadowLightsUnit, GL_TEXTURE_BUFFER, lightTexels_.texture);
+  glBindBufferBase(GL_UNIFORM_BUFFER, shadowBinding, lightBlock_.name());
   gl::bind(shadowViewsUnit, GL_TEXTURE_BUFFER, viewTexels_.texture);
 }
 

@@ -9,10 +9,10 @@
 #include "prelight/compiled_scene.h"
 #include "viewer/chart_atlas.h"
 #include "viewer/gl/buffer.h"
-#include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
 #include "viewer/lighting.h"
 #include "viewer/render_scene.h"
+#include "viewer/shadow_pass.h"
 
 namespace prelight::viewer {
 
@@ -26,59 +26,70 @@ namespace prelight::viewer {
 /// all sizes are drawn alike.
 class ShadowMaps {
  public:
-  ShadowMaps();
-
   static constexpr std::size_t everything = static_cast<std::size_t>(-1);
 
+  /// How much an update draws.
+  struct Effort {
+    std::size_t mostSampleViews = everything;  ///< about, of samples of large lights
+    bool draft = false;                        ///< maps that are drawn have half as many texels a side
+  };
+
   /// Draws the maps of lights whose place or direction is another than before; all of them where `sceneMoved`
-  /// or where other kinds of lights are given. Lights without intensity have none. Of samples of large lights
-  /// about `mostSampleViews` views are drawn, the others in later updates, in turns. Changes the framebuffer,
-  /// viewport, program and depth state in use. Throws Error where OpenGL cannot hold the maps.
+  /// or where other kinds of lights are given. Lights without intensity have none. Samples of large lights
+  /// that the effort leaves out are drawn in later updates, in turns; their maps are as fine in drafts. An
+  /// update that is no draft draws anew what drafts have left. Changes the framebuffer, viewport, program and
+  /// depth state in use. Throws Error where OpenGL cannot hold the maps.
   void update(const RenderScene& scene, const CompiledScene& compiled, std::span<const ShadedLight> lights,
-              bool sceneMoved, std::size_t mostSampleViews = everything);
+              bool sceneMoved, Effort effort);
 
   /// Some maps show what was there before.
   bool isBehind() const;
 
+  /// Some maps are those of a draft.
+  bool areCoarse() const;
+
   /// For the lights of the last update, in their order (shaders/shadows.glsl).
   void bind() const;
 
-  std::size_t viewsDrawn() const { return viewsDrawn_; }  ///< squares that the last update drew
+  std::size_t viewsDrawn() const { return viewsDrawn_; }    ///< squares that the last update drew
+  std::size_t texelsDrawn() const { return texelsDrawn_; }  ///< of those squares
   std::size_t viewCount() const { return atlas_.places.size(); }
 
  private:
-  /// Where a light looks from and how; rows of `axes` are x, y and z in scene coordinates.
+  /// Where a light looks from and how: its first view.
   struct Frame {
-    glm::mat3 axes{1.0f};
-    glm::vec3 position{0.0f};
-    float scale = 1.0f;       ///< half sides a tangent (perspective) or a metre
-    float near = 0.0f;        ///< m; 0: orthographic
-    float depthScale = 0.0f;  ///< orthographic: depths a metre
+    ShadowEye eye;
     int views = 0;
-    int side = 0;  ///< texels of a view
+    int room = 0;  ///< texels a side that the atlas has for a view
+    int side = 0;  ///< of them in use
     std::size_t firstView = 0;
 
+    bool isCoarse() const { return side < room; }
     bool operator==(const Frame&) const = default;
   };
 
   static Frame frameOf(const ShadedLight& light, const CompiledScene& compiled, int side);
+  static Frame coarse(const ShadedLight& light, const CompiledScene& compiled, const Frame& fine);
   static std::vector<Frame> framesOf(std::span<const ShadedLight> lights, const CompiledScene& compiled);
+  std::vector<Frame> prepare(const CompiledScene& compiled, std::span<const ShadedLight> lights,
+                             bool sceneMoved, Effort& effort);
   void makeAtlas();
   void uploadFrames();
   void beginDrawing() const;
   static void endDrawing();
   void drawView(const RenderScene& scene, const Frame& frame, int view) const;
 
-  gl::Program program_;
+  ShadowPass pass_;
   gl::Texture depths_;
   gl::Object<gl::FramebufferTraits> framebuffer_;
-  gl::BufferTexture lightTexels_;
+  gl::Buffer lightBlock_;  ///< `ShadowLights` of shaders/shadows.glsl
   gl::BufferTexture viewTexels_;
   std::vector<Frame> frames_;  ///< [light]
   ChartAtlas atlas_;           ///< [view]
   std::vector<bool> stale_;    ///< [light]
   std::size_t next_ = 0;       ///< light that the next update begins with
   std::size_t viewsDrawn_ = 0;
+  std::size_t texelsDrawn_ = 0;
 };
 
 }  // namespace prelight::viewer

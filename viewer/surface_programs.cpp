@@ -12,8 +12,9 @@ namespace {
 void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
   program.bindBlock("Lights", lightBinding);
+  program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 19> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 18> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -27,7 +28,6 @@ void prepare(const gl::Program& program) {
        {"lightMapCorners", lightMapCornersUnit},
        {"caustics", causticsUnit},
        {"shadowMaps", shadowMapsUnit},
-       {"shadowLights", shadowLightsUnit},
        {"shadowViews", shadowViewsUnit},
        {"surroundings", surroundingsUnit},
        {"insides", insidesUnit},

@@ -8,7 +8,7 @@
 namespace prelight::viewer {
 
 /// Where they are bound.
-enum BlockBinding : unsigned { frameBinding = 0, lightBinding = 1 };
+enum BlockBinding : unsigned { frameBinding = 0, lightBinding = 1, shadowBinding = 2 };
 
 /// `Frame` of shaders/frame.glsl.
 struct FrameBlock {
@@ -34,5 +34,14 @@ struct LightBlock {
   glm::vec4 cone;
 };
 static_assert(sizeof(LightBlock) == 64);
+
+/// One of `ShadowLights` of shaders/shadows.glsl.
+struct ShadowBlock {
+  glm::vec4 axisX;  ///< w: first view
+  glm::vec4 axisY;  ///< w: views
+  glm::vec4 axisZ;  ///< w: nearest depth, m; of a direction: depths a metre, negative
+  glm::vec4 place;  ///< w: half sides a tangent, or a metre
+};
+static_assert(sizeof(ShadowBlock) == 64);
 
 }  // namespace prelight::viewer

@@ -93,8 +93,12 @@ std::vector<std::uint32_t> mapsOfPhotons(std::span<const Photon> photons, const 
 }
 
 PhotonMaps makePhotonMaps(std::span<const Photon> photons, const DensitySurface& surface) {
-  const std::vector<std::uint32_t> mapOf = mapsOfPhotons(photons, surface);
-  const std::vector<TreeRange> ranges = rangesOf(mapOf, 2 * std::size_t{surface.regionCount()});
+  return makePhotonMaps(photons, mapsOfPhotons(photons, surface), surface.regionCount());
+}
+
+PhotonMaps makePhotonMaps(std::span<const Photon> photons, std::span<const std::uint32_t> mapOf,
+                          std::size_t regions) {
+  const std::vector<TreeRange> ranges = rangesOf(mapOf, 2 * regions);
   std::vector<TreeItem> items(photons.size());
   std::vector<std::size_t> next;
   for (const TreeRange& range : ranges) next.push_back(range.first);

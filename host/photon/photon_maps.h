@@ -27,4 +27,8 @@ std::vector<std::uint32_t> mapsOfPhotons(std::span<const device::Photon> photons
 /// a photon whose position or power is not finite, whose power is negative or whose triangle there is not.
 PhotonMaps makePhotonMaps(std::span<const device::Photon> photons, const DensitySurface& surface);
 
+/// The same of photons that mapsOfPhotons has put into maps: [photon], of `regions` regions.
+PhotonMaps makePhotonMaps(std::span<const device::Photon> photons, std::span<const std::uint32_t> mapOf,
+                          std::size_t regions);
+
 }  // namespace prelight

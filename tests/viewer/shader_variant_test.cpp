@@ -38,12 +38,13 @@ QuadScene manyMaterials(bool sky) {
   return quad;
 }
 
-void expectSamePictures(const QuadScene& quad, Shading shading) {
+void expectSamePictures(const QuadScene& quad, Shading shading, bool draft = false) {
   const gl::EglContext context;
   const RenderInputs inputs = quad.inputs();
   Renderer renderer(inputs);
   RenderOptions options = square(shading, 65);
-  const View view = makeView(inputs, options);
+  View view = makeView(inputs, options);
+  view.draft = draft;
   const Picture special = renderView(renderer, view, 2);
   renderer.specialiseShaders(false);
   const Picture general = renderView(renderer, view, 2);
@@ -57,8 +58,32 @@ TEST(ShaderVariants, OfWhatASceneNeeds_ShowTheSameAsThoseOfEverything) {
       expectSamePictures(manyMaterials(sky), shading);
 }
 
-// What a lamp brings comes through the transfer, but for its reflection in metal: shaders of other surfaces must not
-// add it again.
+TEST(ShaderVariants, OfFewLamps_ShowTheSameAsThoseOfAnyNumber) {
+  QuadScene quad = manyMaterials(false);
+  for (const int lamps : {0, 1, 3, 4, 5}) {
+    quad.scene.lights.clear();
+    for (int i = 0; i < lamps; ++i)
+      quad.scene.lights.push_back(makeLight(
+          LightType::Point, glm::vec3(1.0f + static_cast<float>(i), 2.0f, 1.0f), {0.3 * i, 0.2 * i, 1.5}));
+    expectSamePictures(quad, Shading::Phong);
+    expectSamePictures(quad, Shading::Phong, true);
+  }
+}
+
+TEST(ShaderVariants, OfLights_KnowFewLampsAndFewSamples) {
+  const auto counts = [](std::size_t lamps, std::size_t samples) {
+    std::vector<ShadedLight> lights(lamps + samples);
+    for (std::size_t i = lamps; i < lights.size(); ++i) lights[i].isSample = true;
+    return fewLights(lights);
+  };
+  EXPECT_EQ(counts(0, 0), (LightCounts{0, 0}));
+  EXPECT_EQ(counts(4, 8), (LightCounts{4, 8}));
+  EXPECT_EQ(counts(4, 9), (LightCounts{4, LightCounts::many}));
+  EXPECT_EQ(counts(5, 1), (LightCounts{LightCounts::many, LightCounts::many}));
+}
+
+// What a lamp brings comes through the transfer, but for its reflection in metal: shaders of other surfaces
+// must not add it again.
 TEST(ShaderVariants, OfLightGroupsBesideMetal_ShowTheSameAsThoseOfEverything) {
   QuadScene quad;
   quad.add(lambertian(glm::vec3(0.8f)), 1.0f);
@@ -85,7 +110,7 @@ TEST(ShaderVariants, Text_NamesEveryFeatureOnce) {
   EXPECT_NE(text.find("const bool hasEmitterLights = false;"), std::string::npos);
   std::size_t lines = 0;
   for (const char c : text) lines += c == '\n' ? 1 : 0;
-  EXPECT_EQ(lines, 4u + featureCount);
+  EXPECT_EQ(lines, 6u + featureCount);
 }
 
 TEST(LivePicture, WhileTheViewMoves_HasOneSample_ThenAllOfTheStillPicture) {

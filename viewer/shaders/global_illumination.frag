@@ -45,7 +45,13 @@ vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool gl
 vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
   vec3 sum = vec3(0.0);
   bool reflects = (hasGloss || hasLayer) && largest(s.metal) + s.layer > 0.0 && s.roughness >= smoothBelow;
-  for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, geometric, n, toEye, reflects, 1);
+  // Lamps whose number is known are read once for all pixels.
+  if (lampCount > 0) sum += shadeLight(0, s, geometric, n, toEye, reflects, 1);
+  if (lampCount > 1) sum += shadeLight(1, s, geometric, n, toEye, reflects, 1);
+  if (lampCount > 2) sum += shadeLight(2, s, geometric, n, toEye, reflects, 1);
+  if (lampCount > 3) sum += shadeLight(3, s, geometric, n, toEye, reflects, 1);
+  if (lampCount < 0)
+    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, geometric, n, toEye, reflects, 1);
   // Pixels take turns with the samples of large lights (Keller and Heidrich 2001, interleaved sampling): those that a
   // pixel of the picture is the mean of have all of them.
   ivec2 turn = ivec2(gl_FragCoord.xy) % counts.z;

@@ -1,22 +1,9 @@
 #version 410 core
-// A vertex as a light sees it.
-layout(location = 0) in vec3 position;
-layout(location = 2) in vec4 texCoords;
-layout(location = 4) in vec4 color;
-
-uniform vec4 axisX;  // w: half sides of the picture a tangent, or a metre
-uniform vec4 axisY;  // w: nearest depth, m; 0: orthographic
-uniform vec4 axisZ;  // w: orthographic: depths a metre
-uniform vec3 lightPosition;
-
-out vec2 vTexCoord;
-out float vAlpha;
+// A vertex as a light sees it, whose depth shadow.frag computes.
+#include "shadow_place.glsl"
 
 void main() {
-  vec3 way = position - lightPosition;
-  vec3 p = vec3(dot(axisX.xyz, way), dot(axisY.xyz, way), dot(axisZ.xyz, way));
-  vTexCoord = texCoords.xy;
-  vAlpha = color.a;
+  vec3 p = placeSeen();
   gl_Position = axisY.w > 0.0 ? vec4(axisX.w * p.xy, p.z - 2.0 * axisY.w, p.z)
                               : vec4(axisX.w * p.xy, 2.0 * axisZ.w * p.z, 1.0);
 }

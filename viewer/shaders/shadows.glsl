@@ -3,9 +3,16 @@
 // nothing: both are affine in the map's coordinates across a plane, so that the plane of a surface is known exactly at
 // every texel.
 uniform sampler2DArray shadowMaps;
-uniform samplerBuffer shadowLights;  // [light][5]: axes x, y, z and first view, views, near; position and scale; depths
-                                     // a metre
 uniform samplerBuffer shadowViews;   // [view]: corner in texels, layer, side
+
+struct ShadowLight {
+  vec4 axisX;  // w: first view
+  vec4 axisY;  // w: views
+  vec4 axisZ;  // w: nearest depth, m; of a direction: depths a metre, negative
+  vec4 place;  // w: half sides a tangent, or a metre
+};
+
+layout(std140) uniform ShadowLights { ShadowLight shadowLights[240]; };
 
 // Part of a texel, more than rounding in the rasteriser moves the edges of triangles by.
 const float roundedTexels = 0.1;
@@ -15,22 +22,17 @@ const float facetTexels = 0.4;
 // The view of a cube that a direction falls into, and the direction in its frame.
 int faceOf(inout vec3 way, inout vec3 normal) {
   vec3 size = abs(way);
-  if (size.z >= max(size.x, size.y)) {
-    float side = way.z >= 0.0 ? 1.0 : -1.0;
-    way.z *= side;
-    normal.z *= side;
-    return side > 0.0 ? 0 : 5;
-  }
-  if (size.x >= size.y) {
-    float side = way.x >= 0.0 ? 1.0 : -1.0;
-    way = vec3(way.yz, side * way.x);
-    normal = vec3(normal.yz, side * normal.x);
-    return side > 0.0 ? 1 : 2;
-  }
-  float side = way.y >= 0.0 ? 1.0 : -1.0;
-  way = vec3(way.zx, side * way.y);
-  normal = vec3(normal.zx, side * normal.y);
-  return side > 0.0 ? 3 : 4;
+  bool alongZ = size.z >= max(size.x, size.y);
+  bool alongX = !alongZ && size.x >= size.y;
+  way = alongZ ? way : alongX ? way.yzx : way.zxy;
+  normal = alongZ ? normal : alongX ? normal.yzx : normal.zxy;
+  bool forward = way.z >= 0.0;
+  float side = forward ? 1.0 : -1.0;
+  way.z *= side;
+  normal.z *= side;
+  if (alongZ) return forward ? 0 : 5;
+  int first = alongX ? 1 : 3;
+  return forward ? first : first + 1;
 }
 
 // Depth of the surface at its place in the map (z), and how it changes a half side along x and y (xy).
@@ -41,27 +43,28 @@ vec3 planeDepth(vec3 way, vec3 normal, float near, float scale, float depthScale
 
 // Which of the two by two texels from `low` on do not stand in the light's way at their depths: (0, 1), (1, 1), (1, 0),
 // (0, 0), the order of textureGather, which is one look-up for four.
-vec4 lit(vec2 low, float layer, vec4 depths) {
-  vec2 corner = (low + 1.0) / vec2(textureSize(shadowMaps, 0).xy);
+// `texel`: of the map, of which it is 1.
+vec4 lit(vec2 low, float layer, vec4 depths, vec2 texel) {
+  vec2 corner = (low + 1.0) * texel;
   return vec4(lessThanEqual(textureGather(shadowMaps, vec3(corner, layer)), depths));
 }
 
 // Share of a light that reaches a point of a surface, 0 to 1. `normal`: of its triangle, on the light's side.
 // `reach`: texels around the point that count with all their weight, 0 or 1; one more has a share.
 float visibility(int light, vec3 point, vec3 normal, int reach) {
-  vec4 axisX = texelFetch(shadowLights, 5 * light);
-  vec4 axisY = texelFetch(shadowLights, 5 * light + 1);
+  vec4 axisX = shadowLights[light].axisX;
+  vec4 axisY = shadowLights[light].axisY;
   int views = int(axisY.w + 0.5);
   if (views == 0) return 1.0;
-  vec4 axisZ = texelFetch(shadowLights, 5 * light + 2);
-  vec4 place = texelFetch(shadowLights, 5 * light + 3);
-  float near = axisZ.w;
+  vec4 axisZ = shadowLights[light].axisZ;
+  vec4 place = shadowLights[light].place;
+  float near = max(axisZ.w, 0.0);
   vec3 away = point - place.xyz;
   vec3 way = vec3(dot(axisX.xyz, away), dot(axisY.xyz, away), dot(axisZ.xyz, away));
   vec3 n = vec3(dot(axisX.xyz, normal), dot(axisY.xyz, normal), dot(axisZ.xyz, normal));
   int face = views > 1 ? faceOf(way, n) : 0;
   if (face >= views || (near > 0.0 && way.z <= near)) return 1.0;
-  float depthScale = near > 0.0 ? 0.0 : texelFetch(shadowLights, 5 * light + 4).x;
+  float depthScale = max(-axisZ.w, 0.0);
 
   vec4 view = texelFetch(shadowViews, int(axisX.w + 0.5) + face);
   vec2 at = place.w * way.xy / (near > 0.0 ? way.z : 1.0);
@@ -78,6 +81,7 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
   vec2 low = clamp(floor(texel), vec2(float(reach)), vec2(view.w - 2.0 - float(reach)));
   vec2 share = clamp(texel - low, 0.0, 1.0);
   float first = plane.z + dot(slope, low - texel) + bias;
+  vec2 texelOfMap = 1.0 / vec2(textureSize(shadowMaps, 0).xy);
   float sum = 0.0;
   for (int y = -reach; y <= reach; y += 2) {
     vec2 weightsY = vec2(y == -reach ? 1.0 - share.y : 1.0, y + 1 == reach + 1 ? share.y : 1.0);
@@ -85,7 +89,7 @@ float visibility(int light, vec3 point, vec3 normal, int reach) {
       vec2 weightsX = vec2(x == -reach ? 1.0 - share.x : 1.0, x + 1 == reach + 1 ? share.x : 1.0);
       float depth = first + dot(slope, vec2(x, y));
       vec4 depths = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-      vec4 passes = lit(view.xy + low + vec2(x, y), view.z, depths);
+      vec4 passes = lit(view.xy + low + vec2(x, y), view.z, depths, texelOfMap);
       sum += dot(passes, vec4(weightsX.x * weightsY.y, weightsX.y * weightsY.y, weightsX.y * weightsY.x, weightsX.x * weightsY.x));
     }
   }

@@ -2,6 +2,7 @@
 uniform sampler2D skyMap;  // equirectangular: centre looks along -Z, u grows towards +X, row 0 is +Y
 
 vec3 skyRadiance(vec3 world, float level) {
+  if (!hasSkyLight) return vec3(0.0);
   if (!hasSkyMap) return texelFetch(skyMap, ivec2(0), 0).rgb;
   vec3 w = mat3(skyFromWorld) * world;
   float u = atan(w.x, -w.z) / (2.0 * pi) + 0.5;
@@ -18,6 +19,7 @@ float levelOfRoughness(float roughness) {
 // Sky radiance over pi times the cosine, gathered around a normal; RGB of ambient[] are premultiplied. `bands` scales
 // the first and the second band of SH.
 vec3 ambientAround(vec3 n, vec2 bands) {
+  if (!hasSkyLight) return vec3(0.0);
   vec3 e = ambient[0].rgb * 0.282094792;
   e += (ambient[1].rgb * n.y + ambient[2].rgb * n.z + ambient[3].rgb * n.x) * 0.488602512 * bands.x;
   e += (ambient[4].rgb * n.x * n.y + ambient[5].rgb * n.y * n.z + ambient[7].rgb * n.x * n.z) * 1.092548431 * bands.y;

@@ -83,11 +83,21 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
 
 vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
-  int count = onlyDiffuseSamples ? counts.y : counts.x;
-  for (int k = 0; k < count; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
+  // Lamps whose number is known are read once for all pixels.
+  if (lampCount > 0) sum += shadeLight(lights[0], m, n, toEye, specularWeight, cone);
+  if (lampCount > 1) sum += shadeLight(lights[1], m, n, toEye, specularWeight, cone);
+  if (lampCount > 2) sum += shadeLight(lights[2], m, n, toEye, specularWeight, cone);
+  if (lampCount > 3) sum += shadeLight(lights[3], m, n, toEye, specularWeight, cone);
+  if (lampCount < 0 || !onlyDiffuseSamples) {
+    int count = onlyDiffuseSamples ? counts.y : counts.x;
+    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
+  }
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
-  for (int k = counts.y; k < counts.x; ++k) irradiance += facingIrradianceOfEmitter(lights[k], vPosition, n);
+  for (int k = 0; k < sampleCount; ++k)  // which compilers write out, as it is short
+    irradiance += facingIrradianceOfEmitter(lights[lampCount + k], vPosition, n);
+  for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k)
+    irradiance += facingIrradianceOfEmitter(lights[k], vPosition, n);
   return sum + irradiance * m.albedo / pi;
 }
 
@@ -101,6 +111,7 @@ vec3 brightenedAccessibility(float accessibility, vec3 albedo) {
 vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   int triangle = firstTriangle + gl_PrimitiveID;
   if (ambientRule == ambientEncodedMap) return encodedMapIrradiance(triangle, front, vPosition, n, m);
+  if (!hasNormalTexture) return lightMapIrradiance(triangle, front, vPosition);
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 

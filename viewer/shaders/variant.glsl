@@ -3,6 +3,8 @@
 const int ambientRule = 0;     // Ambient of techniques.h
 const int reflectionRule = 0;  // Reflection
 const int throughRule = 0;     // Through
+const int lampCount = -1;      // lights that are not samples where they are few, else -1: as many as counts tells
+const int sampleCount = -1;    // those that are, where lamps and samples are few
 const bool interreflection = true;  // in AO
 const bool hasBaseColorTexture = true;
 const bool hasMetallicRoughnessTexture = true;
@@ -20,6 +22,7 @@ const bool hasSurroundings = true;
 const bool hasVertexColors = true;
 const bool hasCharts = true;
 const bool hasCaustics = true;
+const bool hasSkyLight = true;
 const bool hasSkyMap = true;
 const bool hasDirectionalLights = true;
 const bool hasPointLights = true;

@@ -108,9 +108,13 @@ ApproximationFrame LiveApproximation::advance(std::span<const Photon> photons, s
   for (const std::uint32_t s : chosen) wanted[s] = 1;
   const std::vector<std::uint32_t> maps = mapsOfPhotons(photons, surface_);
   std::vector<Photon> landed;
+  std::vector<std::uint32_t> landedMaps;
   for (std::size_t i = 0; i < photons.size(); ++i)
-    if (wanted[maps[i]] != 0) landed.push_back(photons[i]);
-  estimator_.setPhotons(makePhotonMaps(landed, surface_));
+    if (wanted[maps[i]] != 0) {
+      landed.push_back(photons[i]);
+      landedMaps.push_back(maps[i]);
+    }
+  estimator_.setPhotons(makePhotonMaps(landed, landedMaps, surface_.regionCount()));
   std::vector<std::uint32_t> places;
   std::vector<std::size_t> ends;  // [chosen surface], among places
   for (const std::uint32_t s : chosen) {

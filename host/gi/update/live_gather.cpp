@@ -165,15 +165,18 @@ bool LiveGather::waits(std::size_t place, double mean) const {
   return priority(place) > options_.leastChange * (luminance(glm::dvec3(gathered_[place])) + 0.01 * mean);
 }
 
-/// Texels that wait, greatest change first.
-std::vector<std::uint32_t> LiveGather::choose() const {
+/// Texels that are gathered next, greatest change first, and how many wait.
+std::vector<std::uint32_t> LiveGather::choose(std::size_t& waitingCount) const {
   const double mean = meanIrradiance();
   std::vector<std::pair<double, std::uint32_t>> waiting;
   for (std::uint32_t i = 0; i < places_.size(); ++i)
     if (waits(i, mean)) waiting.emplace_back(-priority(i), i);
-  std::sort(waiting.begin(), waiting.end());
+  waitingCount = waiting.size();
+  const std::size_t most = options_.texelsPerFrame > 0 ? options_.texelsPerFrame : waiting.size();
+  const auto end = waiting.begin() + static_cast<std::ptrdiff_t>(std::min(most, waiting.size()));
+  std::partial_sort(waiting.begin(), end, waiting.end());
   std::vector<std::uint32_t> places;
-  for (const auto& entry : waiting) places.push_back(entry.second);
+  for (auto entry = waiting.begin(); entry != end; ++entry) places.push_back(entry->second);
   return places;
 }
 
@@ -218,10 +221,8 @@ void LiveGather::blend(GatherFrame& frame) {
 
 GatherFrame LiveGather::advance(Progress& progress) {
   GatherFrame frame;
-  std::vector<std::uint32_t> places = choose();
-  const std::size_t waiting = places.size();
-  if (options_.texelsPerFrame > 0 && waiting > options_.texelsPerFrame)
-    places.resize(options_.texelsPerFrame);
+  std::size_t waiting = 0;
+  const std::vector<std::uint32_t> places = choose(waiting);
   if (!places.empty()) gather(places, progress);
   if (!movedRegions_.empty() && std::find(first_.begin(), first_.end(), 1) == first_.end()) {
     announceMoved();  // now that their texels have told who sees them

@@ -58,7 +58,7 @@ class LiveGather {
   double priority(std::size_t place) const;
   bool waits(std::size_t place, double mean) const;
   double meanIrradiance() const;
-  std::vector<std::uint32_t> choose() const;
+  std::vector<std::uint32_t> choose(std::size_t& waitingCount) const;
   void gather(std::span<const std::uint32_t> places, Progress& progress);
   void growBy(std::uint32_t triangle);
   void blend(GatherFrame& frame);

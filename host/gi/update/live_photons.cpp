@@ -305,7 +305,11 @@ bool LivePhotons::settled() const {
 }
 
 std::vector<Photon> LivePhotons::photons() const {
+  std::size_t count = 0;
+  for (const Source& stored : stored_)
+    for (const Path& path : stored.paths) count += path.photons.size();
   std::vector<Photon> all;
+  all.reserve(count);
   for (const Source& stored : stored_)
     for (const Path& path : stored.paths) all.insert(all.end(), path.photons.begin(), path.photons.end());
   return all;

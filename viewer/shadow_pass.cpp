@@ -1,0 +1,56 @@
+#include "viewer/shadow_pass.h"
+
+#include "viewer/gl/texture.h"
+
+namespace prelight::viewer {
+namespace {
+
+/// Whether triangles of a surface have holes, and the alpha below which they are: blended ones are taken for
+/// cut out at a half, as rays take them.
+float cutoffOf(const Material& material) {
+  if (material.alphaMode == AlphaMode::Opaque) return -1.0f;
+  return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+}
+
+bool hasClipControl() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"); }
+
+void setEye(const gl::Program& program, const ShadowEye& eye) {
+  program.use();
+  program.set("axisX", glm::vec4(eye.axes[0], eye.scale));
+  program.set("axisY", glm::vec4(eye.axes[1], eye.near));
+  program.set("axisZ", glm::vec4(eye.axes[2], eye.depthScale));
+  program.set("lightPosition", eye.position);
+}
+
+void setHoles(const gl::Program& program, const RenderScene& scene, const Surface& surface) {
+  const float cutoff = cutoffOf(surface.material);
+  program.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, 0.0f, 0.0f));
+  program.set("baseColorTexture", static_cast<int>(baseColorUnit));
+  if (cutoff >= 0.0f)
+    gl::bind(baseColorUnit, GL_TEXTURE_2D, surface.baseColor != nullptr ? *surface.baseColor : scene.white());
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass() : program_("shadow.vert", "shadow.frag") {
+  if (hasClipControl()) clip_ = std::make_unique<ClipPrograms>();
+}
+
+void ShadowPass::draw(const RenderScene& scene, const ShadowEye& eye, bool quick) const {
+  if (!quick || clip_ == nullptr) {
+    setEye(program_, eye);
+    scene.drawOccluders([&](const Surface& surface) { setHoles(program_, scene, surface); });
+    return;
+  }
+  setEye(clip_->holes, eye);
+  setEye(clip_->whole, eye);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  scene.drawOccluders([&](const Surface& surface) {
+    const bool holes = cutoffOf(surface.material) >= 0.0f;
+    (holes ? clip_->holes : clip_->whole).use();
+    if (holes) setHoles(clip_->holes, scene, surface);
+  });
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+}  // namespace prelight::viewer
