@@ -435,7 +435,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 30> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 31> kinds = {{{"cast", "cast", castPlot},
                                            {"window", "window", windowPlot},
                                            {"window", "window-parts", windowPartsPlot},
                                            {"rays", "rays", raysPlot},
@@ -461,6 +461,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"lightmaps", "lightmaps", lightMapsPlot},
                                            {"encodings", "encodings", encodingsPlot},
                                            {"update", "update", updatePlot},
+                                           {"skip", "skip", skipPlot},
                                            {"stability", "stability", stabilityOrderPlot},
                                            {"stability", "stability-count", stabilityCountPlot},
                                            {"stability", "stability-size", stabilitySizePlot},

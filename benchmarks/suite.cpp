@@ -56,6 +56,8 @@ const std::vector<Entry>& entries() {
        runUpdateSuite},
       {{"stability", "errors of every kernel and basis on inputs that are hard on them, against bounds"},
        runStabilitySuite},
+      {{"skip", "rays, launches, bytes and seconds of features that are absent, present in vain, and needed"},
+       runSkipSuite},
 #ifdef PRELIGHT_WITH_VIEWER
       {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
        runTechniquesSuite},
@@ -172,6 +174,7 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.stabilityDensityPhotons = {2000};
   options.stabilityBakeRays = 16;
   options.stabilityScenes = {"caustics"};
+  options.skipEffort = {.rays = 4, .photons = 200, .texelSize = 0.5, .patchSize = 1.0, .side = 8, .samples = 1};
 }
 
 /// Of rays, bakes, pictures and transfer.
@@ -289,7 +292,13 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"stabilityFlownPhotons", options.stabilityFlownPhotons},
           {"stabilityDensityPhotons", options.stabilityDensityPhotons},
           {"stabilityBakeRays", options.stabilityBakeRays},
-          {"stabilityScenes", options.stabilityScenes}};
+          {"stabilityScenes", options.stabilityScenes},
+          {"skipRays", options.skipEffort.rays},
+          {"skipPhotons", options.skipEffort.photons},
+          {"skipTexelSize", options.skipEffort.texelSize},
+          {"skipPatchSize", options.skipEffort.patchSize},
+          {"skipSide", options.skipEffort.side},
+          {"skipSamples", options.skipEffort.samples}};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "benchmarks/skip/setting.h"
 #include "prelight/device.h"
 #include "prelight/progress.h"
 
@@ -125,6 +126,7 @@ struct BenchmarkOptions {
   std::vector<std::size_t> stabilityDensityPhotons = {2000, 20000, 200000};  ///< of a square, ascending
   std::uint64_t stabilityBakeRays = 64;                                      ///< a vertex
   std::vector<std::string> stabilityScenes = {"shapes", "caustics", "cornell"};
+  skip::Effort skipEffort = {};       ///< of what `skip` bakes and draws
   std::filesystem::path folder = {};  ///< where suites write more than charts; empty: nowhere
 
   std::vector<std::uint64_t> bakeScalingTriangles = {10000,   100000,  407000,
@@ -138,8 +140,9 @@ struct BenchmarkOptions {
   std::uint64_t bakeScalingPeerRays = 180000000;                            ///< of the peer at most
   std::size_t bakeScalingPlaces = 4096;                                     ///< of the surface, of an error
   std::uint32_t bakeScalingTruthSide = 32;  ///< of a square of paths a place, twice
-  std::string onlyCase = {};                ///< cases whose names contain it, of `bake-scaling` and `window`; empty: all
-  std::filesystem::path program = {};       ///< `prelight`, which `bake-scaling` runs
+  std::string onlyCase =
+      {};  ///< cases whose names contain it, of `bake-scaling`, `skip` and `window`; empty: all
+  std::filesystem::path program = {};  ///< `prelight`, which `bake-scaling` runs
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything
   /// is.

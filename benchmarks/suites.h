@@ -100,6 +100,11 @@ std::vector<BenchmarkResult> runUpdateSuite(const Device& device, const Benchmar
 std::vector<BenchmarkResult> runStabilitySuite(const Device& device, const BenchmarkOptions& options,
                                                Progress& progress);
 
+/// Rays, launches, bytes and processor time of bakes and pictures with each feature absent, present but not
+/// needed, and needed, and whether the first two give the same bits. Writes its table into options.folder.
+std::vector<BenchmarkResult> runSkipSuite(const Device& device, const BenchmarkOptions& options,
+                                          Progress& progress);
+
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
 /// options.folder. Needs OpenGL.

@@ -75,6 +75,21 @@ std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std
   return drawBarChart(chart);
 }
 
+std::string skipPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Processor time of features that are present but not needed",
+                 subtitle,
+                 "over that without the feature",
+                 {{"not needed", blue}},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "cost") continue;
+    Bar& bar = barNamed(chart, "features", sceneOf(result.case_));
+    bar.parts = {{result.value, blue}};
+    bar.note = fmt::format("{:.2f}", result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string voPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of shadows of vector occluders",
                  subtitle,

@@ -17,6 +17,9 @@ std::string animationPlot(const std::vector<BenchmarkResult>& results, const std
 /// Errors of encodings of incident light, by scene.
 std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// What features cost that are present but not needed.
+std::string skipPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Errors of shadows with lights around each scene.
 std::string voPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

@@ -21,6 +21,8 @@ void DeviceContext::addFile(const std::string& file, const std::string& text) {
 
 double DeviceContext::buildSeconds() const { return opencl_->buildSeconds(); }
 
+DeviceUse DeviceContext::use() const { return opencl_->use(); }
+
 void DeviceContext::finish() { opencl_->finish(); }
 
 }  // namespace prelight

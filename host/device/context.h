@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -9,6 +10,13 @@
 namespace prelight {
 
 class OpenClContext;  // device/opencl_context.h
+
+/// What a device has been asked for since it was opened.
+struct DeviceUse {
+  std::uint64_t launches = 0;   ///< of kernels, without those of no work-item
+  std::uint64_t workItems = 0;  ///< of all launches
+  std::uint64_t bytes = 0;      ///< of all buffers that were made, also those that are gone
+};
 
 /// What buffers and kernels of a device share. Shows nothing of OpenCL.
 class DeviceContext {
@@ -28,6 +36,8 @@ class DeviceContext {
 
   /// Seconds spent building or loading programs so far.
   double buildSeconds() const;
+
+  DeviceUse use() const;
 
   /// Waits for all that has been launched.
   void finish();

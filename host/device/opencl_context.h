@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "device/build_options.h"
+#include "device/context.h"
 #include "device/opencl.h"
 #include "device/program_cache.h"
 #include "prelight/device.h"
@@ -31,6 +32,8 @@ class OpenClContext {
   /// Seconds spent building or loading programs so far.
   double buildSeconds() const { return buildSeconds_; }
 
+  const DeviceUse& use() const { return use_; }
+
   /// Throws Error(OutOfMemory) naming the size when the device cannot hold it.
   cl::Buffer allocate(std::size_t bytes, cl_mem_flags flags);
 
@@ -53,6 +56,7 @@ class OpenClContext {
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;
   std::map<std::string, std::string> ownFiles_;
   double buildSeconds_ = 0.0;
+  DeviceUse use_;
 };
 
 }  // namespace prelight

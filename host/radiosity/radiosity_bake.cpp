@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "radiosity/radiosity_plan.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -42,7 +43,7 @@ RadiosityBake::RadiosityBake(const CompiledScene& scene, const BakeRequest& requ
 std::vector<glm::vec3> RadiosityBake::run(const FitMesh& mesh, Progress& progress, BakeReport& report) {
   radiosity_.cast(progress);
   const RadiosityRequest& shape = request_.radiosity;
-  radiosity_.relight({scene_.lights, shape.environment.get(), shape.skyRotation}, progress);
+  radiosity_.relight({scene_.lights, shiningSky(shape.environment.get()), shape.skyRotation}, progress);
   std::vector<glm::vec3> irradiance = radiosity_.irradianceOfVertices(mesh);
   const RadiosityReport& made = radiosity_.report();
   report.radiosity = made;

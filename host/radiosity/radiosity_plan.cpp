@@ -17,7 +17,7 @@ constexpr std::uint64_t bytesPerEntry = 28;  // counts both ways, both orders, a
 constexpr std::uint32_t leastRays = 64, mostRays = 32768;
 
 bool hasLight(const CompiledScene& scene, const BakeRequest& request) {
-  return request.radiosity.environment != nullptr || hasLights(scene);
+  return shiningSky(request.radiosity.environment.get()) != nullptr || hasLights(scene);
 }
 
 }  // namespace
@@ -50,10 +50,11 @@ void checkRadiosityMemory(const RadiosityScale& scale, const BakeRequest& reques
 }
 
 std::vector<PlannedPass> planRadiosity(const CompiledScene& scene, const BakeRequest& request) {
-  const std::string lack = !request.radiosity ? "not asked for"
-                           : !hasLight(scene, request)
-                               ? "nothing in the scene shines and no sky is given: irradiance is 0"
-                               : "";
+  const std::string lack =
+      !request.radiosity ? "not asked for"
+      : !hasLight(scene, request)
+          ? "nothing in the scene shines and no sky that shines is given: irradiance is 0"
+          : "";
   if (!lack.empty())
     return {{Pass::Radiosity, false, lack}, {Pass::FormFactors, false, "they matter to radiosity alone"}};
   const RadiosityRequest& shape = request.radiosity;

@@ -4,6 +4,11 @@
 
 namespace prelight {
 
+const Environment* shiningSky(const Environment* sky) {
+  if (sky == nullptr) return nullptr;
+  return std::any_of(sky->radiance.begin(), sky->radiance.end(), shines) ? sky : nullptr;
+}
+
 bool hasLights(const CompiledScene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return shines(light.intensity); }) ||

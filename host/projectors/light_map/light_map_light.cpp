@@ -7,6 +7,7 @@
 #include "charts/light_map_charts.h"
 #include "charts/light_map_lookup.h"
 #include "projectors/schedule.h"
+#include "scene/light_sources.h"
 
 namespace prelight {
 
@@ -53,7 +54,8 @@ std::uint64_t usualPhotons(std::size_t texels) {
 LightMapLight::LightMapLight(const CompiledScene& scene, const std::vector<Image>& images,
                              const LightMapLayout& layout, const BakeRequest& request, const Plan& plan,
                              const Device& device, Tracer& tracer, Progress& progress)
-    : lit_{scene, images, scene.lights, request.radiosity.environment.get(), request.radiosity.skyRotation},
+    : lit_{scene, images, scene.lights, shiningSky(request.radiosity.environment.get()),
+           request.radiosity.skyRotation},
       transport_(lit_, tracer),
       surface_(makeDensitySurface(scene, makeSurfaceRegions(scene, usualCreaseAngle))) {
   if (plan.runs(Pass::IndirectLightOfTheMap)) {

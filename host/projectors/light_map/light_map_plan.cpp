@@ -74,14 +74,15 @@ PlannedPass planDirect(const CompiledScene& scene) {
 PlannedPass planSky(const BakeRequest& request) {
   constexpr Pass name = Pass::SkyLightOfTheMap;
   if (!request.radiosity.environment) return {name, false, "there is no sky (RadiosityRequest::environment)"};
+  if (shiningSky(request.radiosity.environment.get()) == nullptr) return {name, false, "the sky is black"};
   return {name, true, "rays by the cosine and by the sky's radiance from every texel"};
 }
 
 bool isLit(const CompiledScene& scene, const BakeRequest& request) {
-  return hasLights(scene) || request.radiosity.environment != nullptr;
+  return hasLights(scene) || shiningSky(request.radiosity.environment.get()) != nullptr;
 }
 
-constexpr const char* unlit = "the scene has no light, nothing emissive and no sky";
+constexpr const char* unlit = "the scene has no light, nothing emissive and no sky that shines";
 
 PlannedPass planIndirect(const CompiledScene& scene, const BakeRequest& request) {
   constexpr Pass name = Pass::IndirectLightOfTheMap;

@@ -13,10 +13,10 @@ LightMapSources::LightMapSources(const CompiledScene& scene, const std::vector<I
     light_.emplace(scene, images, layout, request, plan, device, tracer, progress);
   if (plan.runs(Pass::DirectLightOfTheMap))
     parts_.push_back(&direct_.emplace(scene, tracer, raysEach(request), request.seed, coefficients));
-  else
+  else if (light_ || plan.runs(Pass::SkyLightOfTheMap))  // else every texel is black, hidden or not
     parts_.push_back(&inside_.emplace(scene, tracer, request.seed));
   const RadiosityRequest& lights = request.radiosity;
-  if (lights.environment)
+  if (plan.runs(Pass::SkyLightOfTheMap))
     parts_.push_back(&sky_.emplace(scene, tracer, *lights.environment, lights.skyRotation, raysEach(request),
                                    request.seed));
   if (light_) light_->addTo(parts_);

@@ -74,9 +74,29 @@ bool sameCoordinates(const TextureRef& a, const TextureRef& b) {
 /// What an albedo image is made of; equal keys share one.
 using AlbedoKey = std::tuple<int, int, float, WrapMode, WrapMode>;
 
+/// Of all texels, 0 to 1.
+float leastChannel(const Image& image, std::size_t channel) {
+  std::uint8_t least = 255;
+  for (std::size_t i = channel; i < image.rgba.size(); i += 4) least = std::min(least, image.rgba[i]);
+  return static_cast<float>(least) / 255.0f;
+}
+
+/// [material, then glTF's default one], at most 1.
+std::vector<float> leastVertexAlphas(const Scene& scene) {
+  std::vector<float> least(scene.materials.size() + 1, 1.0f);
+  for (const Mesh& mesh : scene.meshes)
+    for (const Primitive& primitive : mesh.primitives) {
+      float& alpha =
+          primitive.material < 0 ? least.back() : least[static_cast<std::size_t>(primitive.material)];
+      for (const glm::vec4& color : primitive.colors) alpha = std::min(alpha, color.a);
+    }
+  return least;
+}
+
 class MaterialCompiler {
  public:
-  MaterialCompiler(const Scene& scene, Warnings& warnings) : scene_(scene), warnings_(warnings) {}
+  MaterialCompiler(const Scene& scene, Warnings& warnings)
+      : scene_(scene), warnings_(warnings), leastAlphas_(leastVertexAlphas(scene)) {}
 
   void add(const Material& material) {
     CompiledMaterial compiled;
@@ -212,11 +232,24 @@ class MaterialCompiler {
     return std::min(-std::log(std::max(color, 1e-6f)) / distance, 1e30f);
   }
 
+  /// The least alpha that any point of a surface of the material can have.
+  float leastAlpha(const Material& material, std::size_t index) {
+    float alpha = material.baseColor.a * leastAlphas_[index];
+    if (material.baseColorTexture.image < 0) return alpha;
+    const auto [found, isNew] = leastAlphaOf_.try_emplace(material.baseColorTexture.image, 1.0f);
+    if (isNew) found->second = leastChannel(image(material.baseColorTexture), 3);
+    return alpha * found->second;
+  }
+
   /// MASK is cut at its cutoff. BLEND, which light transport cannot blend, at one half. A material that is
-  /// unlit still covers: its holes need the image of its base colour.
+  /// unlit still covers: its holes need the image of its base colour. One that has no hole is opaque, for
+  /// rays pay for every look at one; what rounding might cut stays a mask.
   void setCoverage(const Material& material, CompiledMaterial& compiled, TextureRef& coordinates) {
     if (material.alphaMode == AlphaMode::Opaque) return;
-    compiled.alphaCutoff = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+    const float cutoff = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+    constexpr float rounding = 1e-5f;
+    if (leastAlpha(material, result_.materials.size()) >= cutoff + rounding) return;
+    compiled.alphaCutoff = cutoff;
     compiled.alphaFactor = material.baseColor.a;
     if (material.unlit && material.baseColorTexture.image >= 0) {
       coordinates = material.baseColorTexture;
@@ -229,6 +262,8 @@ class MaterialCompiler {
   CompiledMaterials result_;
   std::map<AlbedoKey, int> imageOf_;
   std::map<int, glm::vec3> meanEmissionOf_;
+  std::vector<float> leastAlphas_;     ///< [material], of vertex colours
+  std::map<int, float> leastAlphaOf_;  ///< of images
 };
 
 }  // namespace

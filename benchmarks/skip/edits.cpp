@@ -1,0 +1,97 @@
+#include "benchmarks/skip/edits.h"
+
+#include <array>
+#include <cstddef>
+
+#include "prelight/error.h"
+#include "prelight/load.h"
+
+namespace prelight::benchmarks::skip {
+
+namespace {
+
+Setting settingOf(const std::string& scene, const Effort& effort) {
+  Setting setting;
+  setting.scene = builtin(scene);
+  setting.bake.effort.rays = effort.rays;
+  return setting;
+}
+
+}  // namespace
+
+Scene builtin(const std::string& name) { return loadBuiltin(name).scene; }
+
+Setting transferOf(const std::string& scene, const Effort& effort) {
+  Setting setting = settingOf(scene, effort);
+  setting.bake.ao = true;
+  setting.bake.sh.order = 3;
+  return setting;
+}
+
+Setting lightMapOf(const std::string& scene, const Effort& effort) {
+  Setting setting = settingOf(scene, effort);
+  setting.bake.lightMap.wanted = true;
+  setting.bake.lightMap.texelSize = effort.texelSize;
+  setting.bake.lightMap.photons = effort.photons;
+  return setting;
+}
+
+Setting radiosityOf(const std::string& scene, const Effort& effort) {
+  Setting setting = settingOf(scene, effort);
+  setting.bake.radiosity.wanted = true;
+  setting.bake.radiosity.patchSize = effort.patchSize;
+  return setting;
+}
+
+Setting pictureOf(const std::string& scene, PictureMethod method, const Effort& effort) {
+  Setting setting = settingOf(scene, effort);
+  setting.picture = PictureWork{method, effort.side, effort.samples};
+  return setting;
+}
+
+void editMaterials(Scene& scene, Presence presence, MaterialEdit edit) {
+  if (presence == Presence::Absent) return;
+  if (presence == Presence::Unneeded) {
+    scene.materials.emplace_back().name = "Of no triangle";
+    edit(scene.materials.back());
+    return;
+  }
+  for (Material& material : scene.materials)
+    if (!material.isEmissive()) edit(material);
+}
+
+int addTexture(Scene& scene, bool flat) {
+  constexpr int side = 4;
+  constexpr std::array<std::array<std::uint8_t, 4>, 2> colors = {{{230, 120, 60, 255}, {60, 120, 230, 255}}};
+  Image image{"Checks", side, side, {}};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const auto& color = colors[flat ? 0 : static_cast<std::size_t>((x + y) % 2)];
+      image.rgba.insert(image.rgba.end(), color.begin(), color.end());
+    }
+  scene.images.push_back(std::move(image));
+  return static_cast<int>(scene.images.size()) - 1;
+}
+
+Light lightInside(const glm::vec3& intensity) {
+  Light light;
+  light.name = "Added light";
+  light.intensity = intensity;
+  light.position = {0.0, 1.7, 0.5};
+  return light;
+}
+
+void takeLightsAway(Scene& scene) {
+  scene.lights.clear();
+  for (Material& material : scene.materials) material.emission = glm::vec3(0.0f);
+}
+
+void blacken(Scene& scene) {
+  for (Material& material : scene.materials) material.baseColor = {0.0f, 0.0f, 0.0f, material.baseColor.a};
+}
+
+std::shared_ptr<const Environment> skyOf(float radiance) {
+  return std::make_shared<const Environment>(constantEnvironment(glm::vec3(radiance)));
+}
+
+}  // namespace prelight::benchmarks::skip

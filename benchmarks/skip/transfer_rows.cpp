@@ -1,0 +1,181 @@
+#include "benchmarks/skip/edits.h"
+#include "benchmarks/skip/rows.h"
+
+namespace prelight::benchmarks::skip {
+
+namespace {
+
+Setting bouncingOf(const std::string& scene, const Effort& effort) {
+  Setting setting = transferOf(scene, effort);
+  setting.bake.bounces = 1;
+  return setting;
+}
+
+Setting bounces(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  setting.bake.bounces = presence == Presence::Absent ? 0 : 1;
+  if (presence == Presence::Unneeded) blacken(setting.scene);
+  return setting;
+}
+
+Setting translucency(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  editMaterials(setting.scene, presence, [](Material& m) { m.diffuseTransmission = 0.5f; });
+  return setting;
+}
+
+Setting translucencyWithoutBounces(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  setting.bake.bounces = presence == Presence::Needed ? 1 : 0;
+  if (presence != Presence::Absent)
+    editMaterials(setting.scene, Presence::Needed, [](Material& m) { m.diffuseTransmission = 0.5f; });
+  return setting;
+}
+
+void mask(Material& m) { m.alphaMode = AlphaMode::Mask; }
+
+Setting alphaOfNoTriangle(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  editMaterials(setting.scene, presence, mask);
+  return setting;
+}
+
+/// A mask without holes is not needed; here, every other texel is one.
+Setting alphaWithoutHoles(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  if (presence == Presence::Absent) return setting;
+  const int image = addTexture(setting.scene, false);
+  for (Material& m : setting.scene.materials) {
+    mask(m);
+    m.baseColorTexture.image = image;
+  }
+  if (presence == Presence::Needed) {
+    std::vector<std::uint8_t>& rgba = setting.scene.images.back().rgba;
+    for (std::size_t i = 3; i < rgba.size(); i += 8) rgba[i] = 0;
+  }
+  return setting;
+}
+
+Setting texture(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  const int image = presence == Presence::Absent ? -1 : addTexture(setting.scene, false);
+  if (presence == Presence::Unneeded) setting.scene.materials.emplace_back().baseColorTexture.image = image;
+  if (presence == Presence::Needed)
+    for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  return setting;
+}
+
+Setting textureWithoutBounces(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  setting.bake.bounces = presence == Presence::Needed ? 1 : 0;
+  if (presence == Presence::Absent) return setting;
+  const int image = addTexture(setting.scene, false);
+  for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  return setting;
+}
+
+Setting vertexColors(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  if (presence == Presence::Absent) return setting;
+  const glm::vec4 color = presence == Presence::Needed ? glm::vec4(0.5f, 0.8f, 0.3f, 1.0f) : glm::vec4(1.0f);
+  for (Mesh& mesh : setting.scene.meshes)
+    for (Primitive& primitive : mesh.primitives) primitive.colors.assign(primitive.positions.size(), color);
+  return setting;
+}
+
+Setting shadowSets(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  if (presence == Presence::Unneeded) setting.bake.shadowSets = {{{"*"}, {"*"}}};
+  if (presence == Presence::Needed) setting.bake.shadowSets = {{{"Floor"}, {"*box", "Floor"}}};
+  return setting;
+}
+
+Setting farLimit(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  if (presence != Presence::Absent)
+    setting.bake.limits.farthest = presence == Presence::Needed ? 0.5 : 1000.0;
+  return setting;
+}
+
+Setting occludersOf(const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  setting.bake.occluders.wanted = true;
+  return setting;
+}
+
+Setting glassOfOccluders(Presence presence, const Effort& effort) {
+  Setting setting = occludersOf(effort);
+  editMaterials(setting.scene, presence, [](Material& m) {
+    m.transmission = 1.0f;
+    m.thickness = 1.0f;
+    m.roughness = 0.0f;
+  });
+  return setting;
+}
+
+Setting shineOfOccluders(Presence presence, const Effort& effort) {
+  Setting setting = occludersOf(effort);
+  editMaterials(setting.scene, presence, [](Material& m) {
+    m.metallic = 1.0f;
+    m.roughness = 0.0f;
+  });
+  return setting;
+}
+
+/// Of a group of its own, which a light that gives none has no need of.
+Setting lightOfGroups(Presence presence, const Effort& effort) {
+  Setting setting = transferOf("cornell", effort);
+  setting.bake.lightGroups.wanted = true;
+  if (presence != Presence::Absent)
+    setting.scene.lights.push_back(lightInside(glm::vec3(presence == Presence::Needed ? 1.0f : 0.0f)));
+  return setting;
+}
+
+/// As many again as the scene has.
+Setting looseVertices(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  if (presence == Presence::Absent) return setting;
+  for (Mesh& mesh : setting.scene.meshes)
+    for (Primitive& primitive : mesh.primitives) {
+      const auto first = static_cast<std::uint32_t>(primitive.positions.size());
+      const auto twice = [](auto& values) {
+        const auto once = values;
+        values.insert(values.end(), once.begin(), once.end());
+      };
+      twice(primitive.positions);
+      twice(primitive.normals);
+      twice(primitive.tangents);
+      twice(primitive.texCoords0);
+      twice(primitive.texCoords1);
+      if (presence == Presence::Needed)
+        for (std::size_t t = 0; t < primitive.triangles.size(); t += 2) primitive.triangles[t] += first;
+    }
+  return setting;
+}
+
+}  // namespace
+
+std::vector<Row> transferRows() {
+  const char* noTriangle = "of a material that no triangle has";
+  return {
+      {"bounces", "every surface is black", "surfaces as they are", bounces},
+      {"translucency", noTriangle, "of every surface", translucency},
+      {"translucency, no bounces", "of every surface, which only bounces come through", "with a bounce",
+       translucencyWithoutBounces},
+      {"alpha mask", noTriangle, "of every surface", alphaOfNoTriangle},
+      {"holes of an alpha mask", "of every surface, each texel opaque", "half of the texels are holes",
+       alphaWithoutHoles},
+      {"base-colour texture", noTriangle, "of every surface", texture},
+      {"base-colour texture, no bounces", "of every surface, which only bounces read", "with a bounce",
+       textureWithoutBounces},
+      {"vertex colours", "all white", "coloured", vertexColors},
+      {"shadow sets", "every node sees every other", "the floor sees two boxes", shadowSets},
+      {"occlusion distance", "1000 m, farther than anything", "0.5 m", farLimit},
+      {"glass seen by vector occluders", noTriangle, "of every surface", glassOfOccluders},
+      {"shine seen by vector occluders", noTriangle, "of every surface", shineOfOccluders},
+      {"light of a group", "it is black", "it shines", lightOfGroups},
+      {"vertices of no triangle", "as many again", "triangles have them", looseVertices},
+  };
+}
+
+}  // namespace prelight::benchmarks::skip
