@@ -17,6 +17,15 @@ Setting settingOf(const std::string& scene, const Effort& effort) {
   return setting;
 }
 
+/// Texture coordinates where there are none, two texels a metre and more.
+void addTexCoords(Scene& scene) {
+  for (Mesh& mesh : scene.meshes)
+    for (Primitive& primitive : mesh.primitives)
+      if (primitive.texCoords0.empty())
+        for (const glm::vec3& p : primitive.positions)
+          primitive.texCoords0.emplace_back(p.x + 0.37f * p.z, p.y + 0.61f * p.z);
+}
+
 }  // namespace
 
 Scene builtin(const std::string& name) { return loadBuiltin(name).scene; }
@@ -70,6 +79,7 @@ int addTexture(Scene& scene, bool flat) {
       image.rgba.insert(image.rgba.end(), color.begin(), color.end());
     }
   scene.images.push_back(std::move(image));
+  addTexCoords(scene);
   return static_cast<int>(scene.images.size()) - 1;
 }
 

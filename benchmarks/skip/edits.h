@@ -31,7 +31,8 @@ using MaterialEdit = void (*)(Material&);
 /// triangle has, to a scene that stays as it is.
 void editMaterials(Scene& scene, Presence presence, MaterialEdit edit);
 
-/// Adds a texture of a few colours (of one, where `flat`), all of them opaque; its index.
+/// Adds a texture of a few colours (of one, where `flat`), all of them opaque, and texture coordinates
+/// where there are none; its index.
 int addTexture(Scene& scene, bool flat);
 
 /// A point light below the ceiling of `cornell` and of scenes in the same room.

@@ -37,7 +37,7 @@ struct Effort {
   std::uint64_t rays = 256;  ///< a vertex, texel or element
   std::uint64_t photons = 100000;
   double texelSize = 0.06;     ///< m, of light maps
-  double patchSize = 0.0;  ///< m, of radiosity; 0: chosen
+  double patchSize = 0.0;      ///< m, of radiosity; 0: chosen
   int side = 192;              ///< pixels of pictures
   std::uint32_t samples = 16;  ///< a pixel
 };

@@ -34,12 +34,6 @@ Setting translucencyWithoutBounces(Presence presence, const Effort& effort) {
 
 void mask(Material& m) { m.alphaMode = AlphaMode::Mask; }
 
-Setting alphaOfNoTriangle(Presence presence, const Effort& effort) {
-  Setting setting = transferOf("cornell", effort);
-  editMaterials(setting.scene, presence, mask);
-  return setting;
-}
-
 /// A mask without holes is not needed; here, every other texel is one.
 Setting alphaWithoutHoles(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
@@ -162,7 +156,6 @@ std::vector<Row> transferRows() {
       {"translucency", noTriangle, "of every surface", translucency},
       {"translucency, no bounces", "of every surface, which only bounces come through", "with a bounce",
        translucencyWithoutBounces},
-      {"alpha mask", noTriangle, "of every surface", alphaOfNoTriangle},
       {"holes of an alpha mask", "of every surface, each texel opaque", "half of the texels are holes",
        alphaWithoutHoles},
       {"base-colour texture", noTriangle, "of every surface", texture},

@@ -105,6 +105,22 @@ TEST(Plan, Radiosity_NeedsLightAndSurfacesThatReflect) {
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::FormFactors));
 }
 
+TEST(Plan, BlackSky_IsAsGoodAsNone) {
+  BakeRequest request;
+  request.radiosity.wanted = request.lightMap.wanted = true;
+  const CompiledScene scene = test::ground(4, 1.0f);
+  request.radiosity.environment = std::make_shared<Environment>(constantEnvironment(glm::vec3(0.0f)));
+  const Plan dark = makePlan(Scene(), scene, request);
+  for (const Pass pass : {Pass::Radiosity, Pass::SkyLightOfTheMap, Pass::IndirectLightOfTheMap})
+    EXPECT_FALSE(dark.runs(pass)) << nameOf(pass);
+  EXPECT_NE(reasonOf(dark, Pass::SkyLightOfTheMap).find("black"), std::string::npos);
+  request.radiosity.environment =
+      std::make_shared<Environment>(constantEnvironment(glm::vec3(0.0f, 0.0f, 1e-3f)));
+  const Plan lit = makePlan(Scene(), scene, request);
+  for (const Pass pass : {Pass::Radiosity, Pass::SkyLightOfTheMap, Pass::IndirectLightOfTheMap})
+    EXPECT_TRUE(lit.runs(pass)) << nameOf(pass);
+}
+
 TEST(Plan, NormalMapOfAnyTriangle_AsksForDirectionsOfTheMap) {
   BakeRequest request;
   request.lightMap.wanted = true;

@@ -313,11 +313,40 @@ TEST(CompileMaterials, AlphaModes_BecomeCutoffs) {
   scene.materials[1].alphaMode = AlphaMode::Mask;
   scene.materials[1].alphaCutoff = 0.25f;
   scene.materials[2].alphaMode = AlphaMode::Blend;
+  for (Material& material : scene.materials) material.baseColor.a = 0.2f;
   Warnings warnings;
   const auto materials = compileMaterials(scene, warnings).materials;
   EXPECT_LT(materials[0].alphaCutoff, 0.0f);
   EXPECT_EQ(materials[1].alphaCutoff, 0.25f);
   EXPECT_EQ(materials[2].alphaCutoff, 0.5f);
+}
+
+/// A masked material with a texture of two texels and a triangle whose vertices have an alpha.
+Scene maskedScene(float factor, std::uint8_t texel, float vertex) {
+  Scene scene;
+  scene.images = {{"two texels", 2, 1, {255, 255, 255, 255, 255, 255, 255, texel}}};
+  Material& material = scene.materials.emplace_back();
+  material.alphaMode = AlphaMode::Mask;
+  material.baseColor.a = factor;
+  material.baseColorTexture.image = 0;
+  Primitive primitive;
+  primitive.material = 0;
+  primitive.colors = {glm::vec4(1.0f), glm::vec4(1.0f), glm::vec4(1.0f, 1.0f, 1.0f, vertex)};
+  scene.meshes = {{"triangle", {primitive}}};
+  return scene;
+}
+
+TEST(CompileMaterials, MaskThatNoPointFallsBelow_IsOpaque) {
+  Warnings warnings;
+  const auto cutoff = [&](const Scene& scene) {
+    return compileMaterials(scene, warnings).materials[0].alphaCutoff;
+  };
+  EXPECT_LT(cutoff(maskedScene(1.0f, 255, 1.0f)), 0.0f);
+  EXPECT_LT(cutoff(maskedScene(0.9f, 204, 0.8f)), 0.0f);  // 0.576 at least
+  EXPECT_EQ(cutoff(maskedScene(0.4f, 255, 1.0f)), 0.5f);
+  EXPECT_EQ(cutoff(maskedScene(1.0f, 100, 1.0f)), 0.5f);
+  EXPECT_EQ(cutoff(maskedScene(1.0f, 255, 0.4f)), 0.5f);
+  EXPECT_EQ(cutoff(maskedScene(0.8f, 204, 0.7f)), 0.5f);  // 0.448, though each of the three is above
 }
 
 TEST(Srgb, EveryByte_SurvivesTheRoundTrip) {
