@@ -53,17 +53,17 @@ CompiledScene repeatedGround(int cells, int drawings) {
 }
 
 TEST(Plan, MeshDrawnOften_IsStoredOnceAndSaysSo) {
-  const CompiledScene scene = repeatedGround(100, 30);
+  const CompiledScene scene = repeatedGround(100, 110);
   const Plan plan = makePlan(Scene(), scene, requestOfMany());
   EXPECT_TRUE(plan.runs(Pass::Instances));
-  EXPECT_NE(reasonOf(plan, Pass::Instances).find("20000 of the scene's 600000"), std::string::npos);
-  EXPECT_NE(reasonOf(plan, Pass::Instances).find("30 drawings of 1 meshes"), std::string::npos);
+  EXPECT_NE(reasonOf(plan, Pass::Instances).find("20000 of the scene's 2200000"), std::string::npos);
+  EXPECT_NE(reasonOf(plan, Pass::Instances).find("110 drawings of 1 meshes"), std::string::npos);
   CompiledScene alone = scene;
   alone.shapes.clear();
   alone.instances.clear();
   const Plan flat = makePlan(Scene(), alone, requestOfMany());
   EXPECT_FALSE(flat.runs(Pass::Instances));
-  EXPECT_LT(plan.deviceBytes + 580000u * 100u, flat.deviceBytes + 1u);
+  EXPECT_LT(plan.deviceBytes + 2180000u * 100u, flat.deviceBytes + 1u);
 }
 
 TEST(Plan, FewTrianglesSaved_KeepOneTree) {
