@@ -175,10 +175,10 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
-  app->add_option(
-         "--case", command->onlyCase,
-         "only cases of `bake-scaling` and `window` whose names contain this; of `bake-scaling` the one "
-         "that is named in full, however long it takes")
+  app->add_option("--case", command->onlyCase,
+                  "only cases of `bake-scaling`, `skip` and `window` whose names contain this; of "
+                  "`bake-scaling` the one "
+                  "that is named in full, however long it takes")
       ->type_name("TEXT");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },

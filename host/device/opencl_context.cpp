@@ -113,7 +113,7 @@ cl::Buffer OpenClContext::allocate(std::size_t bytes, cl_mem_flags flags) {
                  "choose another DeviceOptions::selector, a lower Effort::rays or BakeRequest::maxMemory");
   };
   if (bytes > info_.maxAllocation) throw fail();
-  use_.bytes += bytes;
+  bytes_ += bytes;
   try {
     if (info_.kind == DeviceKind::Cpu && bytes >= hugePageSize)
       return allocateOnHugePages(context_, flags, bytes);
@@ -127,8 +127,8 @@ cl::Buffer OpenClContext::allocate(std::size_t bytes, cl_mem_flags flags) {
 void OpenClContext::launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize) {
   if (items == 0) return;
   const std::size_t rounded = (items + groupSize - 1) / groupSize * groupSize;
-  ++use_.launches;
-  use_.workItems += items;
+  ++launches_;
+  workItems_ += items;
   try {
     queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rounded), cl::NDRange(groupSize));
   } catch (const cl::Error& error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -32,7 +33,7 @@ class OpenClContext {
   /// Seconds spent building or loading programs so far.
   double buildSeconds() const { return buildSeconds_; }
 
-  const DeviceUse& use() const { return use_; }
+  DeviceUse use() const { return {launches_, workItems_, bytes_}; }
 
   /// Throws Error(OutOfMemory) naming the size when the device cannot hold it.
   cl::Buffer allocate(std::size_t bytes, cl_mem_flags flags);
@@ -56,7 +57,8 @@ class OpenClContext {
   std::map<std::pair<std::string, std::string>, cl::Program> programs_;
   std::map<std::string, std::string> ownFiles_;
   double buildSeconds_ = 0.0;
-  DeviceUse use_;
+  /// Stages that overlap launch at the same time.
+  std::atomic<std::uint64_t> launches_ = 0, workItems_ = 0, bytes_ = 0;
 };
 
 }  // namespace prelight
