@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/prefetch.h"
 #include "prelight/compiled_scene.h"
 #include "receivers/fit_mesh.h"
 
@@ -28,6 +29,9 @@ class Baseline {
   float value(std::size_t slot, std::size_t column) const {
     return signs_[column] * (*rows_)[slot * columns_ + column];
   }
+
+  /// Asks for the memory of a slot's values, which are soon read.
+  void prefetchRow(std::size_t slot) const { prefetch(&(*rows_)[slot * columns_], columns_); }
 
  private:
   int shOrder_;

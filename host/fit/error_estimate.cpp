@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/prefetch.h"
 
 namespace prelight {
 
@@ -53,9 +54,19 @@ double valueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
 template <typename Value>
 void addRecords(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
                 const Value& value, Deviations& sums) {
+  constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
+  const auto ask = [&](std::size_t i) {
+    if (i + trianglesAhead < records.size())
+      prefetch(&mesh.triangles[records[i + trianglesAhead].sample.triangle]);
+    if (i + slotsAhead >= records.size()) return;
+    for (const std::uint32_t slot : mesh.triangles[records[i + slotsAhead].sample.triangle])
+      prefetch(&sums[slot * errorGroups], errorGroups);
+  };
   parallelRanges(errorGroups, errorGroups / 2, [&](std::size_t begin, std::size_t end) {
-    for (const SampleRecord& record : records) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      const SampleRecord& record = records[i];
       if (record.group < begin || record.group >= end) continue;
+      ask(i);
       const auto& slots = mesh.triangles[record.sample.triangle];
       const auto b = cornerWeights(record.sample);
       const double weighted = fit.weightOf(record.sample) * value(record, slots, b);

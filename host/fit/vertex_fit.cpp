@@ -2,11 +2,16 @@
 
 #include <cmath>
 
+#include "base/prefetch.h"
 #include "fit/extend_fit.h"
 
 namespace prelight {
 
 namespace {
+
+/// Samples ahead of the one at hand whose triangles are asked for, and whose slots are: they lie anywhere in
+/// memory, and would be waited for.
+constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
 
 /// Samples of one triangle that follow one another.
 struct Run {
@@ -15,12 +20,14 @@ struct Run {
   std::vector<double> right;  ///< [corner][column]
 };
 
-/// Calls use(run) for every run of the samples, whose values are [sample][column].
-template <typename Value, typename Use>
+/// Calls use(run) for every run of the samples, whose values are [sample][column], and ask(i) before sample
+/// i.
+template <typename Value, typename Ask, typename Use>
 void forRuns(std::span<const SurfaceSample> samples, std::span<const Value> values, std::size_t columns,
-             const Use& use) {
+             const Ask& ask, const Use& use) {
   Run run;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    ask(i);
     if (i == 0 || samples[i].triangle != run.triangle) {
       if (i > 0) use(run);
       run.triangle = samples[i].triangle;
@@ -60,7 +67,17 @@ std::size_t VertexFit::rowOf(std::size_t triangle, std::size_t corner) const {
 }
 
 void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const double> values) {
-  forRuns(samples, values, columns_, [&](const Run& run) {
+  const auto ask = [&](std::size_t i) {
+    if (i + trianglesAhead < samples.size()) {
+      const std::uint32_t triangle = samples[i + trianglesAhead].triangle;
+      prefetch(&mesh_->triangles[triangle]);
+      prefetch(&mass_[triangle]);
+    }
+    if (i + slotsAhead >= samples.size()) return;
+    for (std::size_t k = 0; k < 3; ++k)
+      prefetch(&right_[rowOf(samples[i + slotsAhead].triangle, k) * columns_], columns_);
+  };
+  forRuns(samples, values, columns_, ask, [&](const Run& run) {
     for (std::size_t k = 0; k < 6; ++k) mass_[run.triangle][k] += static_cast<float>(run.mass[k]);
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t c = 0; c < columns_; ++c)
@@ -71,7 +88,14 @@ void VertexFit::add(std::span<const SurfaceSample> samples, std::span<const doub
 void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample> samples,
                       std::span<const float> values) const {
   const std::size_t columns = values.size() / samples.size();
-  forRuns(samples, values, columns, [&](const Run& run) {
+  const auto ask = [&](std::size_t i) {
+    if (i + trianglesAhead < samples.size())
+      prefetch(&mesh_->triangles[samples[i + trianglesAhead].triangle]);
+    if (i + slotsAhead >= samples.size()) return;
+    for (const std::uint32_t slot : mesh_->triangles[samples[i + slotsAhead].triangle])
+      prefetch(&rightSide[slot * columns], columns);
+  };
+  forRuns(samples, values, columns, ask, [&](const Run& run) {
     const double scale = scaleOf(run.triangle);
     for (std::size_t k = 0; k < 3; ++k) {
       float* right = &rightSide[mesh_->triangles[run.triangle][k] * columns];

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/prefetch.h"
 #include "fit/adaptive_smoothing.h"
 
 namespace prelight {
@@ -42,7 +43,10 @@ void SideSums::add(const CastBlock& block) {
   rows_.clear();
   bentSamples_.clear();
   bentRows_.clear();
-  for (std::size_t i = 0; i < block.samples.size(); ++i) addReceiver(block, i);
+  for (std::size_t i = 0; i < block.samples.size(); ++i) {
+    askFor(block.samples, i);
+    addReceiver(block, i);
+  }
   fit_.add(block.samples, rows_);
   if (bentFit_) bentFit_->add(bentSamples_, bentRows_);
   if (lightFit_) {
@@ -66,6 +70,18 @@ void SideSums::stiffen() {
   const std::vector<float> ao = fit_.solveColumn(equations, 0);
   const ErrorEstimate error = errorOf(equations, ao, 1);
   fit_.stiffen(stiffnessOf(mesh_, equations.laplacian(ao), error.slots));
+}
+
+// What samples after the i-th are added to lies anywhere in memory, and would be waited for.
+void SideSums::askFor(std::span<const SurfaceSample> samples, std::size_t i) const {
+  constexpr std::size_t trianglesAhead = 12, slotsAhead = 6;
+  if (i + trianglesAhead < samples.size()) prefetch(&mesh_.triangles[samples[i + trianglesAhead].triangle]);
+  if (i + slotsAhead >= samples.size()) return;
+  for (const std::uint32_t slot : mesh_.triangles[samples[i + slotsAhead].triangle]) {
+    baseline_.prefetchRow(slot);
+    prefetch(&seen_[slot]);
+    prefetch(&slotRays_[slot]);
+  }
 }
 
 // The kernel's values are those of the blocked part; what an open hemisphere has is added in closed form,

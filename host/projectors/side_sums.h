@@ -87,6 +87,7 @@ class SideSums {
   VertexFit plainFit(std::size_t columns) const;
   ErrorEstimate errorOf(const NormalEquations& equations, std::span<const float> values,
                         std::size_t columns) const;
+  void askFor(std::span<const SurfaceSample> samples, std::size_t i) const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
   void markSlots(const SurfaceSample& sample, double open);

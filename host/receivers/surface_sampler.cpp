@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/prefetch.h"
 #include "receivers/sampling.h"
 
 namespace prelight {
@@ -174,30 +175,65 @@ device::Receiver receiverAt(const CompiledScene& scene, const SurfaceSample& sam
 }
 
 void SurfaceSampler::pass(double receivers, std::uint32_t raysPerReceiver, const Sink& sink) {
+  constexpr std::size_t trianglesAhead = 4;
   // Systematic sampling: a comb of unit spacing over the running sum of expected counts, shifted a pass.
-  const double shift = sampling::sobol(position_.passes, seed_).x;
-  double sum = shift;
+  double sum = sampling::sobol(position_.passes, seed_).x;
   const std::uint32_t replicate = position_.passes % replicates_;
   ++position_.passes;
-  for (const std::uint32_t t : surface_->order) {
+  for (std::size_t first = 0; first < surface_->order.size(); first += pickedAtOnce) {
+    pick(first, receivers, sum);
+    for (std::size_t i = 0; i < picked_.size(); ++i) {
+      if (i + trianglesAhead < picked_.size()) askFor(picked_[i + trianglesAhead].triangle);
+      placeOn(picked_[i], replicate, raysPerReceiver, sink);
+    }
+  }
+}
+
+void SurfaceSampler::pick(std::size_t first, double receivers, double& sum) {
+  constexpr std::size_t ahead = 32;
+  const std::vector<std::uint32_t>& order = surface_->order;
+  picked_.clear();
+  for (std::size_t i = first; i < std::min(order.size(), first + pickedAtOnce); ++i) {
+    if (i + ahead < order.size()) {
+      prefetch(&active_[order[i + ahead]]);
+      prefetch(&thinned_[order[i + ahead]]);
+      prefetch(&surface_->shares[order[i + ahead]]);
+    }
+    const std::uint32_t t = order[i];
     if (!active_[t]) continue;
-    const double share = shareOf(t);
-    const double expected = receivers * share;
     const auto before = static_cast<std::uint64_t>(sum);
-    sum += expected;
+    sum += receivers * shareOf(t);
     const auto chosen = static_cast<std::uint64_t>(sum) - before;
     if (chosen == 0) continue;
-    const std::uint32_t sequence = t * replicates_ + replicate;
-    choosePlaces(sequence, chosen);
-    const double inset = insetOf(scene_, t, surface_->areas[t]);
-    for (const Place& chosenPlace : places_) {
-      const glm::dvec2 b = insetBy(inset, sampling::uniformTriangle(chosenPlace.point));
-      const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
-                                 static_cast<float>(surface_->areas[t] / (surface_->totalArea * share))};
-      device::Receiver receiver = receiverAt(scene_, sample, side_);
-      setSequence(sequence, chosenPlace.index, raysPerReceiver, receiver);
-      sink(sample, receiver);
-    }
+    picked_.push_back({t, chosen});
+    prefetch(&scene_.triangles[t]);
+    prefetch(&surface_->areas[t]);
+    prefetch(&scene_.triangleFlat[t]);
+    prefetch(&position_.taken[std::size_t{t} * replicates_]);
+  }
+}
+
+void SurfaceSampler::askFor(std::uint32_t triangle) const {
+  const auto& t = scene_.triangles[triangle];
+  for (const std::uint32_t v : {t.x, t.y, t.z}) {
+    prefetch(&scene_.positions[v]);
+    prefetch(&scene_.normals[v]);
+  }
+}
+
+void SurfaceSampler::placeOn(const Picked& picked, std::uint32_t replicate, std::uint32_t raysPerReceiver,
+                             const Sink& sink) {
+  const std::uint32_t t = picked.triangle;
+  const std::uint32_t sequence = t * replicates_ + replicate;
+  choosePlaces(sequence, picked.receivers);
+  const double inset = insetOf(scene_, t, surface_->areas[t]);
+  for (const Place& chosenPlace : places_) {
+    const glm::dvec2 b = insetBy(inset, sampling::uniformTriangle(chosenPlace.point));
+    const SurfaceSample sample{t, static_cast<float>(b.x), static_cast<float>(b.y),
+                               static_cast<float>(surface_->areas[t] / (surface_->totalArea * shareOf(t)))};
+    device::Receiver receiver = receiverAt(scene_, sample, side_);
+    setSequence(sequence, chosenPlace.index, raysPerReceiver, receiver);
+    sink(sample, receiver);
   }
 }
 

@@ -103,10 +103,25 @@ class SurfaceSampler {
     glm::dvec2 point{};
   };
 
+  /// A triangle that a pass places receivers on.
+  struct Picked {
+    std::uint32_t triangle = 0;
+    std::uint64_t receivers = 0;
+  };
+
+  /// Triangles of the order that are looked through before receivers are placed on those picked among them:
+  /// what these read lies anywhere in memory, and has come by then.
+  static constexpr std::size_t pickedAtOnce = 256;
+
   static std::shared_ptr<Surface> surfaceOf(const CompiledScene& scene);
   double shareOf(std::size_t triangle) const {
     return surface_->shares[triangle] / (thinned_[triangle] ? thinning : 1.0);
   }
+  /// Of the order's triangles from `first` on; `sum` is the running one of the pass.
+  void pick(std::size_t first, double receivers, double& sum);
+  void askFor(std::uint32_t triangle) const;
+  void placeOn(const Picked& picked, std::uint32_t replicate, std::uint32_t raysPerReceiver,
+               const Sink& sink);
   void choosePlaces(std::uint32_t sequence, std::uint64_t count);
   void setSequence(std::uint32_t sequence, std::uint32_t index, std::uint32_t raysPerReceiver,
                    device::Receiver& receiver) const;
@@ -119,7 +134,8 @@ class SurfaceSampler {
   std::uint32_t replicates_;
   std::vector<std::uint8_t> thinned_;
   Position position_;
-  std::vector<Place> places_;  ///< of the triangle at hand
+  std::vector<Picked> picked_;  ///< of the stretch of the order at hand
+  std::vector<Place> places_;   ///< of the triangle at hand
 };
 
 }  // namespace prelight

@@ -3,6 +3,7 @@
 #define PRELIGHT_BVH_LANE_FUNCS_CL
 
 #include "core/inline.h"
+#include "core/prefetch_funcs.cl"
 
 // x86 turns a comparison into a mask with an instruction that OpenCL C has no name for. Where the compiler offers it,
 // it is taken; PRELIGHT_PORTABLE_LANES keeps to the language, as other devices do.
@@ -18,9 +19,6 @@
 #if defined(__AVX2__) && defined(__BMI2__) && __has_builtin(__builtin_ia32_permvarsi256) && \
     __has_builtin(__builtin_ia32_pdep_di) && __has_builtin(__builtin_ia32_pext_di)
 #define PRELIGHT_AVX2_LANES
-#endif
-#if __has_builtin(__builtin_prefetch)
-#define PRELIGHT_PREFETCH
 #endif
 #endif
 
@@ -116,12 +114,5 @@ uint8 together8(uint8 v, uint mask) {
 
 // Index of the lowest bit of a mask that is not 0: written so that compilers see a count of trailing zeros.
 uint lowestLane(uint mask) { return popcount(~mask & (mask - 1u)); }
-
-// Asks for the cache lines of `bytes` from `address` on.
-void prefetchBytes(__global const char* address, uint bytes) {
-#ifdef PRELIGHT_PREFETCH
-  for (uint at = 0; at < bytes; at += 64) __builtin_prefetch(address + at);
-#endif
-}
 
 #endif

@@ -1,5 +1,6 @@
 // Rows of stored transport: what each receiver's rays hit, kept so that bounces need no new rays.
 #include "bvh/alpha_funcs.cl"
+#include "core/prefetch_funcs.cl"
 #include "core/sampling_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
@@ -10,6 +11,9 @@
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
 #endif
+
+// Rays ahead of the one at hand whose triangle is asked for: it lies anywhere in memory.
+#define PRELIGHT_RAYS_AHEAD 24
 
 #ifdef PRELIGHT_GLOSSY_ORDER
 #define PRELIGHT_SH_ORDER PRELIGHT_GLOSSY_ORDER
@@ -42,6 +46,15 @@ bool pickTransmission(Surface s, uint triangle, float blocked, float pick, float
 }
 #endif
 
+// Asks for what storeSenders() reads of a triangle.
+PRELIGHT_INLINE void askForTriangle(Surface surface, __global const float* geometricNormals, uint triangle) {
+#if defined(PRELIGHT_PREFETCH) && !defined(PRELIGHT_SHARED_SURFACE)
+  if (triangle == PRELIGHT_NO_TRIANGLE) return;
+  prefetchBytes((__global const char*)(surface.triangles + triangle), sizeof(DeviceTriangle));
+  prefetchBytes((__global const char*)(geometricNormals + 3 * (size_t)triangle), sizeof(float));
+#endif
+}
+
 // A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows from firstStored on; marks
 // [triangle] is set to 1 where the transfer of a back is needed: it reflects to the receiver, or lets light through to the
 // front. The hit's value will be interpolated from three vertices: taking one of them with its barycentric weight as
@@ -51,8 +64,9 @@ __kernel void storeSenders(__constant const CastParameters* parameters, __consta
                            __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
                            __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
                            __global Sender* senders, __global uchar* marks) {
-  const size_t i = get_global_id(0);
-  if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
+  const size_t i = get_global_id(0), count = (size_t)parameters->receiverCount * parameters->raysPerReceiver;
+  if (i >= count) return;
+  askForTriangle(surfaceOf(layout, surfaceLines), geometricNormals, hits[min(i + PRELIGHT_RAYS_AHEAD, count - 1)].triangle);
   const Hit hit = hits[i];
   Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/prefetch.h"
+
 namespace prelight {
 
 namespace {
@@ -20,14 +22,6 @@ constexpr std::size_t largestFarStep = 4;
 
 /// Rows of rays that are asked for before they are needed.
 constexpr std::size_t rowsAhead = 3;
-
-/// Asks for memory that is soon read.
-void prefetch([[maybe_unused]] std::span<const std::uint32_t> values) {
-#ifdef __GNUC__
-  constexpr std::size_t line = 64 / sizeof(std::uint32_t);
-  for (std::size_t i = 0; i < values.size(); i += line) __builtin_prefetch(&values[i]);
-#endif
-}
 
 /// Indices of items in the order of their keys, and where each key's begin: [key + 1].
 void bucket(const std::vector<std::uint32_t>& keys, std::size_t keyCount, std::vector<std::uint32_t>& start,
@@ -159,7 +153,10 @@ void TexelTransfer::addRays(Workspace& work) const {
   const TexelRows& texelRows = side_.texelRows();
   for (std::size_t i = 0; i < work.rows.size(); ++i) {
     // Rows lie anywhere in memory, and their rays would be waited for.
-    if (i + rowsAhead < work.rows.size()) prefetch(texelRows.codes(work.rows[i + rowsAhead].row));
+    if (i + rowsAhead < work.rows.size()) {
+      const auto soon = texelRows.codes(work.rows[i + rowsAhead].row);
+      prefetch(soon.data(), soon.size());
+    }
     const auto codes = texelRows.codes(work.rows[i].row);
     addRow(codes, work.rows[i].weight / static_cast<float>(codes.size()), work);
   }
