@@ -47,21 +47,17 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       translucent_(scene.hasDiffuseTransmission()),
       valueCount_(4 + static_cast<std::uint32_t>(options.shOrder * options.shOrder)),
       blockSize_(receiversPerBlock(device_.info(), options.raysPerReceiver)),
-      parameters_(device_, 1),
-      shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))),
-      receivers_(device_, blockSize_),
-      rays_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
-      hits_(device_, std::size_t{blockSize_} * options.raysPerReceiver),
-      values_(device_, std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, PRELIGHT_PART_VALUES)) {
+      shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))) {
+  // Lights and occluders have rays of their own, in buffers of one block.
+  const bool alone = options_.lights != nullptr || options_.occluders != nullptr || options_.marksInside;
+  const std::size_t places = options_.overlaps && !alone ? DeviceLane::count : 1;
+  for (std::size_t i = 0; i < places; ++i) blocks_.push_back(makeBlock({i}));
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
   generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, tracer_, blockSize_, options_.incidentOrder);
-  if (options_.texelFaceSize > 0) {
-    texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
-    texels_ = Buffer<std::uint32_t>(device_, rays_.size());
-  }
+  if (options_.texelFaceSize > 0) texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
   if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
     geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
   if (options_.occluders != nullptr)
@@ -79,6 +75,21 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   senders_.emplace(device_, options_.raysPerReceiver, options_.rowsInMemory, blockSize_);
   marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
   marks_.fill(0);
+  device_.finish();  // before the other lane marks any
+}
+
+Caster::Block Caster::makeBlock(DeviceLane lane) const {
+  const std::size_t rays = std::size_t{blockSize_} * options_.raysPerReceiver;
+  Block block;
+  block.lane = lane;
+  block.parameters = {device_, 1, lane};
+  block.receivers = {device_, blockSize_, lane};
+  block.rays = {device_, rays, lane};
+  block.hits = {device_, rays, lane};
+  block.values = {device_, std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, PRELIGHT_PART_VALUES),
+                  lane};
+  if (options_.texelFaceSize > 0) block.texels = {device_, rays, lane};
+  return block;
 }
 
 BuildOptions Caster::transportOptions(std::size_t columns) const {
@@ -87,7 +98,7 @@ BuildOptions Caster::transportOptions(std::size_t columns) const {
       .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
 }
 
-void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
+void Caster::setParameters(Block& block, std::uint32_t receivers, std::uint32_t firstStored) {
   const CastParameters parameters{receivers,
                                   options_.raysPerReceiver,
                                   valueCount_,
@@ -96,60 +107,72 @@ void Caster::setParameters(std::uint32_t receivers, std::uint32_t firstStored) {
                                   static_cast<float>(options_.limits.nearest),
                                   static_cast<float>(reachOf(options_.limits)),
                                   static_cast<float>(options_.limits.obscurance)};
-  parameters_.write(std::span(&parameters, 1));
+  block.parameters.write(std::span(&parameters, 1));
 }
 
-void Caster::generate(std::span<const Receiver> receivers) {
-  receivers_.write(receivers);
-  generate_.launch(receivers.size() * options_.raysPerReceiver / 8, parameters_, receivers_, rays_);
+void Caster::generate(Block& block, std::span<const Receiver> receivers) {
+  block.receivers.write(receivers);
+  generate_.launch({receivers.size() * options_.raysPerReceiver / 8, block.lane}, block.parameters,
+                   block.receivers, block.rays);
 }
 
-void Caster::cast(std::span<const Receiver> receivers, CastValues& values, const CastPurpose& purpose) {
-  Tracer& tracer = purpose.set == 0 ? tracer_ : options_.setTracers[purpose.set - 1];
-  const auto count = static_cast<std::uint32_t>(receivers.size());
+void Caster::start(std::size_t place, std::span<const Receiver> receivers, const CastPurpose& purpose) {
+  Block& block = blocks_[place];
+  Tracer& tracer = tracerOf(purpose.set);
+  block.count = static_cast<std::uint32_t>(receivers.size());
+  block.set = purpose.set;
+  block.occluders = purpose.occluders;
   const std::uint32_t* row = purpose.storedRow;
-  setParameters(count, row != nullptr ? senders_.value().roomFor(*row, count).firstRow : 0);
-  generate(receivers);
-  const std::size_t rayCount = std::size_t{count} * options_.raysPerReceiver;
-  const bool closest = purpose.storedRow != nullptr || purpose.occluders || options_.marksInside ||
+  setParameters(block, block.count,
+                row != nullptr ? senders_.value().roomFor(*row, block.count).firstRow : 0);
+  generate(block, receivers);
+  const std::size_t rayCount = std::size_t{block.count} * options_.raysPerReceiver;
+  const bool closest = row != nullptr || purpose.occluders || options_.marksInside ||
                        options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
-  closest ? tracer.traceClosest(rays_, hits_, rayCount) : tracer.traceAny(rays_, hits_, rayCount);
-  if (purpose.storedRow != nullptr) store(count, *purpose.storedRow);
-  project(count);
-  values.values.resize(std::size_t{count} * valueCount_);
-  values_.read(std::span(values.values));
-  if (options_.texelFaceSize > 0) codeTexels(count, values.texels);
-  if (options_.marksInside) markInside(count, values.inside);
-  const CastBlockBuffers block{parameters_, receivers_, rays_, hits_};
-  if (lights_) lights_->cast(block, count, tracer, purpose.set, values.lights);
-  if (purpose.occluders) occluders_.value().cast(block, count, tracer, values.occluders);
+  closest ? tracer.traceClosest(block.rays, block.hits, rayCount, 0, block.lane)
+          : tracer.traceAny(block.rays, block.hits, rayCount, 0, block.lane);
+  if (row != nullptr) store(block, *row);
+  project_.launch({block.count, block.lane}, block.parameters, shTable_, block.rays, block.hits,
+                  block.values);
+  if (options_.texelFaceSize > 0) codeTexels(block);
 }
 
-void Caster::markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside) {
-  insideMarks_.launch(receivers, parameters_, receivers_, rays_, hits_, geometricNormals_, twoSided_,
-                      inside_);
-  inside.resize(receivers);
+void Caster::finish(std::size_t place, CastValues& values) {
+  const Block& block = blocks_[place];
+  values.values.resize(std::size_t{block.count} * valueCount_);
+  block.values.read(std::span(values.values));
+  if (options_.texelFaceSize > 0) {
+    values.texels.resize(std::size_t{block.count} * options_.raysPerReceiver);
+    block.texels.read(std::span(values.texels));
+  }
+  if (options_.marksInside) markInside(block, values.inside);
+  const CastBlockBuffers buffers{block.parameters, block.receivers, block.rays, block.hits};
+  Tracer& tracer = tracerOf(block.set);
+  if (lights_) lights_->cast(buffers, block.count, tracer, block.set, values.lights);
+  if (block.occluders) occluders_.value().cast(buffers, block.count, tracer, values.occluders);
+}
+
+void Caster::markInside(const Block& block, std::vector<std::uint8_t>& inside) {
+  insideMarks_.launch(block.count, block.parameters, block.receivers, block.rays, block.hits,
+                      geometricNormals_, twoSided_, inside_);
+  inside.resize(block.count);
   inside_.read(std::span(inside));
 }
 
-void Caster::codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels) {
-  const std::size_t rayCount = std::size_t{receivers} * options_.raysPerReceiver;
-  texelCodes_.launch(rayCount, parameters_, static_cast<std::uint32_t>(options_.texelFaceSize), rays_, hits_,
-                     texels_);
-  texels.resize(rayCount);
-  texels_.read(std::span(texels));
+void Caster::codeTexels(Block& block) {
+  texelCodes_.launch({std::size_t{block.count} * options_.raysPerReceiver, block.lane}, block.parameters,
+                     static_cast<std::uint32_t>(options_.texelFaceSize), block.rays, block.hits,
+                     block.texels);
 }
 
-void Caster::project(std::uint32_t receivers) {
-  project_.launch(receivers, parameters_, shTable_, rays_, hits_, values_);
-}
-
-void Caster::store(std::uint32_t receivers, std::uint32_t firstRow) {
+void Caster::store(const Block& block, std::uint32_t firstRow) {
   SenderRows& rows = senders_.value();
-  store_.launch(std::size_t{receivers} * options_.raysPerReceiver, parameters_,
-                tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, receivers_,
-                rays_, hits_, rows.roomFor(firstRow, receivers).buffer, marks_);
-  rows.keep(firstRow, receivers);
+  store_.launch({std::size_t{block.count} * options_.raysPerReceiver, block.lane}, block.parameters,
+                tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, block.receivers,
+                block.rays, block.hits, rows.roomFor(firstRow, block.count).buffer, marks_);
+  if (rows.inMemory(firstRow, block.count)) return;
+  device_.finish();  // the file's rows are read in another lane
+  rows.keep(firstRow, block.count);
 }
 
 void Caster::save(StateWriter& state, std::uint32_t rows) const {
@@ -199,10 +222,12 @@ void Caster::setTransfer(std::span<const float> transfer, std::size_t first) {
 void Caster::gather(std::uint32_t first, std::uint32_t count, const TransferPart& part,
                     std::vector<float>& values) {
   const SenderRows::Place rows = senders_.value().rows(first, count);
-  setParameters(count, rows.firstRow);
-  gather_.launch(count, parameters_, part.firstValue, part.firstPlace, rows.buffer, transfer_, values_);
+  Block& block = blocks_.front();
+  setParameters(block, count, rows.firstRow);
+  gather_.launch(count, block.parameters, part.firstValue, part.firstPlace, rows.buffer, transfer_,
+                 block.values);
   values.resize(std::size_t{count} * PRELIGHT_PART_VALUES);
-  values_.read(std::span(values));
+  block.values.read(std::span(values));
 }
 
 void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t first, int order,
@@ -215,9 +240,10 @@ void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t fir
   if (glossyValues_.size() < blockSize_ * width) glossyValues_ = Buffer<float>(device_, blockSize_ * width);
   const auto count = static_cast<std::uint32_t>(receivers.size());
   const SenderRows::Place rows = senders_.value().rows(first, count);
-  setParameters(count, rows.firstRow);
-  generate(receivers);
-  glossy_.launch(count, parameters_, glossyTable_, rays_, rows.buffer, transfer_, glossyValues_);
+  Block& block = blocks_.front();
+  setParameters(block, count, rows.firstRow);
+  generate(block, receivers);
+  glossy_.launch(count, block.parameters, glossyTable_, block.rays, rows.buffer, transfer_, glossyValues_);
   values.resize(count * width);
   glossyValues_.read(std::span(values));
 }

@@ -40,6 +40,7 @@ struct CastOptions {
   const OccluderGroups* occluders =
       nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
   bool marksInside = false;           ///< tell which receivers lie inside objects
+  bool overlaps = false;              ///< two blocks may be under way, where these options allow it
   const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
 };
@@ -86,7 +87,16 @@ class Caster {
   std::uint32_t valueCount() const { return valueCount_; }
 
   /// Casts a block of receivers of one set of occluders.
-  void cast(std::span<const device::Receiver> receivers, CastValues& values, const CastPurpose& purpose);
+  void cast(std::span<const device::Receiver> receivers, CastValues& values, const CastPurpose& purpose) {
+    start(0, receivers, purpose);
+    finish(0, values);
+  }
+
+  /// The same in two halves: what start() gives the device to do for a block, finish() waits for. As many
+  /// blocks as there are places may be under way, each in a place of its own.
+  void start(std::size_t place, std::span<const device::Receiver> receivers, const CastPurpose& purpose);
+  void finish(std::size_t place, CastValues& values);
+  std::size_t places() const { return blocks_.size(); }
 
   /// AO of every vertex, which what occluders send is damped by. Only with CastOptions::occluders.
   void setAccessibility(const CompiledScene& scene, std::span<const float> accessibility) {
@@ -126,13 +136,28 @@ class Caster {
                     std::size_t columns, std::vector<float>& values);
 
  private:
-  void setParameters(std::uint32_t receivers, std::uint32_t firstStored);
+  /// What the device has of a block under way.
+  struct Block {
+    DeviceLane lane;
+    Buffer<device::CastParameters> parameters;
+    Buffer<device::Receiver> receivers;
+    Buffer<device::Ray> rays;
+    Buffer<device::Hit> hits;
+    Buffer<float> values;
+    Buffer<std::uint32_t> texels;
+    std::uint32_t count = 0;  ///< receivers
+    std::uint32_t set = 0;
+    bool occluders = false;
+  };
+
+  Block makeBlock(DeviceLane lane) const;
+  Tracer& tracerOf(std::uint32_t set) const { return set == 0 ? tracer_ : options_.setTracers[set - 1]; }
+  void setParameters(Block& block, std::uint32_t receivers, std::uint32_t firstStored);
   BuildOptions transportOptions(std::size_t columns) const;
-  void generate(std::span<const device::Receiver> receivers);
-  void markInside(std::uint32_t receivers, std::vector<std::uint8_t>& inside);
-  void codeTexels(std::uint32_t receivers, std::vector<std::uint32_t>& texels);
-  void project(std::uint32_t receivers);
-  void store(std::uint32_t receivers, std::uint32_t firstRow);
+  void generate(Block& block, std::span<const device::Receiver> receivers);
+  void markInside(const Block& block, std::vector<std::uint8_t>& inside);
+  void codeTexels(Block& block);
+  void store(const Block& block, std::uint32_t firstRow);
 
   Tracer& tracer_;
   DeviceContext& device_;
@@ -141,19 +166,14 @@ class Caster {
   bool translucent_;
   std::uint32_t valueCount_;
   std::uint32_t blockSize_;
-  Buffer<device::CastParameters> parameters_;
+  std::vector<Block> blocks_;  ///< [place]; the first one for all else, too
   Buffer<float> shTable_;
-  Buffer<device::Receiver> receivers_;
-  Buffer<device::Ray> rays_;
-  Buffer<device::Hit> hits_;
-  Buffer<float> values_;
   Buffer<float> geometricNormals_;
   std::optional<SenderRows> senders_;  ///< where rows may be kept
   Buffer<std::uint8_t> marks_;
   Buffer<std::uint8_t> twoSided_;
   Buffer<std::uint8_t> inside_;
   Buffer<float> transfer_;
-  Buffer<std::uint32_t> texels_;
   std::optional<LightCaster> lights_;
   std::optional<OccluderCaster> occluders_;
   using Parameters = Buffer<device::CastParameters>;

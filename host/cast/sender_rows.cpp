@@ -14,14 +14,14 @@ SenderRows::SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uin
       block_(device, std::size_t{blockRows} * raysPerRow) {}
 
 void SenderRows::keep(std::uint32_t first, std::uint32_t count) {
-  if (fits(first, count)) return;
+  if (inMemory(first, count)) return;
   host_.resize(std::size_t{count} * raysPerRow_);
   block_.read(std::span(host_));
   write(first, host_);
 }
 
 SenderRows::Place SenderRows::rows(std::uint32_t first, std::uint32_t count) {
-  if (fits(first, count)) return {memory_, first};
+  if (inMemory(first, count)) return {memory_, first};
   host_.resize(std::size_t{count} * raysPerRow_);
   read(first, host_);
   block_.write(std::span<const Sender>(host_));

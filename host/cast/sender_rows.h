@@ -11,12 +11,13 @@
 
 namespace prelight {
 
-/// Rows of senders, one a receiver, [row][ray]. The first of them stay in the device's memory, those that it was given
-/// no room for lie in a file.
+/// Rows of senders, one a receiver, [row][ray]. The first of them stay in the device's memory, those that it
+/// was given no room for lie in a file.
 class SenderRows {
  public:
   /// At most `blockRows` rows are stored or read at once; as many in memory as `inMemory`.
-  SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uint32_t inMemory, std::uint32_t blockRows);
+  SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uint32_t inMemory,
+             std::uint32_t blockRows);
 
   /// Rows as a kernel finds them.
   struct Place {
@@ -26,9 +27,12 @@ class SenderRows {
 
   /// Where a kernel puts rows [first, first + count); they are kept with keep().
   Place roomFor(std::uint32_t first, std::uint32_t count) {
-    return fits(first, count) ? Place{memory_, first} : Place{block_, 0};
+    return inMemory(first, count) ? Place{memory_, first} : Place{block_, 0};
   }
   void keep(std::uint32_t first, std::uint32_t count);
+
+  /// Whether rows stay where a kernel puts them: keep() has nothing to do.
+  bool inMemory(std::uint32_t first, std::uint32_t count) const { return first + count <= inMemory_; }
 
   /// Where a kernel finds rows [first, first + count), until the next call.
   Place rows(std::uint32_t first, std::uint32_t count);
@@ -38,7 +42,6 @@ class SenderRows {
   void write(std::uint32_t first, std::span<const device::Sender> senders);
 
  private:
-  bool fits(std::uint32_t first, std::uint32_t count) const { return first + count <= inMemory_; }
   std::size_t sendersInMemory(std::uint32_t first, std::size_t senders) const;
 
   std::uint32_t raysPerRow_;

@@ -19,10 +19,13 @@ class Buffer {
   /// None: has no memory at all.
   Buffer() = default;
 
-  Buffer(DeviceContext& device, std::size_t size) : Buffer(device, size, false) {}
+  /// Its copies, reads and fills are commands of `lane`.
+  Buffer(DeviceContext& device, std::size_t size, DeviceLane lane = {}) : Buffer(device, size, false, lane) {}
 
   /// Kernels only read it.
-  Buffer(DeviceContext& device, std::span<const T> data) : Buffer(device, data.size(), true) { write(data); }
+  Buffer(DeviceContext& device, std::span<const T> data) : Buffer(device, data.size(), true, {}) {
+    write(data);
+  }
 
   std::size_t size() const { return size_; }
   std::size_t bytes() const { return bytesOf(size_); }
@@ -62,8 +65,8 @@ class Buffer {
   }
 
  private:
-  Buffer(DeviceContext& device, std::size_t size, bool readOnly)
-      : size_(size), memory_(std::make_shared<DeviceMemory>(device, bytesOf(size), readOnly)) {}
+  Buffer(DeviceContext& device, std::size_t size, bool readOnly, DeviceLane lane)
+      : size_(size), memory_(std::make_shared<DeviceMemory>(device, bytesOf(size), readOnly, lane)) {}
 
   static std::size_t bytesOf(std::size_t size) { return (size == 0 ? 1 : size) * sizeof(T); }
 

@@ -5,9 +5,9 @@
 
 namespace prelight {
 
-DeviceMemory::DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOnly)
+DeviceMemory::DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOnly, DeviceLane lane)
     : opencl_(std::make_unique<OpenCl>(
-          OpenCl{device.opencl().queue(),
+          OpenCl{device.opencl().queue(lane),
                  device.opencl().allocate(bytes, readOnly ? CL_MEM_READ_ONLY : CL_MEM_READ_WRITE)})) {}
 
 DeviceMemory::~DeviceMemory() = default;

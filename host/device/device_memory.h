@@ -4,16 +4,17 @@
 #include <memory>
 
 #include "device/context.h"
+#include "device/device_lane.h"
 
 namespace prelight {
 
-/// Bytes on a device, which buffers share. Operations take their turn with launches.
+/// Bytes on a device, which buffers share. Operations take their turn with the launches of a lane.
 class DeviceMemory {
  public:
   struct OpenCl;  // device/opencl_memory.h
 
   /// `readOnly`: for kernels. Throws Error(OutOfMemory) naming the size when the device cannot hold it.
-  DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOnly);
+  DeviceMemory(DeviceContext& device, std::size_t bytes, bool readOnly, DeviceLane lane);
   ~DeviceMemory();
   DeviceMemory(const DeviceMemory&) = delete;
   DeviceMemory& operator=(const DeviceMemory&) = delete;

@@ -88,6 +88,8 @@ void BuiltKernel::setMemory(std::uint32_t index, const DeviceMemory* memory) {
   opencl_->kernel.setArg(index, memory != nullptr ? memory->opencl().buffer : none);
 }
 
-void BuiltKernel::launch(WorkSize size) { opencl_->context.launch(opencl_->kernel, size.items, size.group); }
+void BuiltKernel::launch(WorkSize size) {
+  opencl_->context.launch(opencl_->kernel, size.items, size.group, size.lane);
+}
 
 }  // namespace prelight

@@ -12,12 +12,15 @@
 
 namespace prelight {
 
-/// Work-items of a launch, rounded up to groups; kernels check their bound.
+/// Work-items of a launch, rounded up to groups; kernels check their bound. And where they are launched.
 struct WorkSize {
-  WorkSize(std::size_t itemCount, std::size_t groupSize = 64) : items(itemCount), group(groupSize) {}
+  WorkSize(std::size_t itemCount, std::size_t groupSize = 64, DeviceLane where = {})
+      : items(itemCount), group(groupSize), lane(where) {}
+  WorkSize(std::size_t itemCount, DeviceLane where) : WorkSize(itemCount, 64, where) {}
 
   std::size_t items;
   std::size_t group;
+  DeviceLane lane;
 };
 
 /// What a program passes for a parameter of a kernel.

@@ -54,10 +54,11 @@ OpenClContext::OpenClContext(const cl::Device& device, DeviceInfo info, const De
     : device_(device),
       info_(std::move(info)),
       context_(device_),
-      queue_(context_, device_),
       cache_(cacheFolder(options)),
       dumpFolder_(options.dumpKernels),
-      portableKernels_(options.portableKernels) {}
+      portableKernels_(options.portableKernels) {
+  for (cl::CommandQueue& queue : queues_) queue = cl::CommandQueue(context_, device_);
+}
 
 const cl::Program& OpenClContext::program(const std::string& file, const BuildOptions& wanted) {
   const BuildOptions options = BuildOptions(wanted).defineIf(portableKernels_, "PRELIGHT_PORTABLE_LANES");
@@ -124,13 +125,14 @@ cl::Buffer OpenClContext::allocate(std::size_t bytes, cl_mem_flags flags) {
   }
 }
 
-void OpenClContext::launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize) {
+void OpenClContext::launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize,
+                           DeviceLane lane) {
   if (items == 0) return;
   const std::size_t rounded = (items + groupSize - 1) / groupSize * groupSize;
   ++launches_;
   workItems_ += items;
   try {
-    queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rounded), cl::NDRange(groupSize));
+    queue(lane).enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(rounded), cl::NDRange(groupSize));
   } catch (const cl::Error& error) {
     throw Error(isOutOfMemory(error) ? ExitCode::OutOfMemory : ExitCode::RuntimeFailure, info_.name,
                 fmt::format("kernel {} failed to launch: {} ({})", kernel.getInfo<CL_KERNEL_FUNCTION_NAME>(),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <map>
@@ -8,20 +9,21 @@
 
 #include "device/build_options.h"
 #include "device/context.h"
+#include "device/device_lane.h"
 #include "device/opencl.h"
 #include "device/program_cache.h"
 #include "prelight/device.h"
 
 namespace prelight {
 
-/// What a DeviceContext hides: context, in-order queue, programs. Headers that show cl:: types are for
+/// What a DeviceContext hides: context, in-order queues, programs. Headers that show cl:: types are for
 /// host/device alone.
 class OpenClContext {
  public:
   OpenClContext(const cl::Device& device, DeviceInfo info, const DeviceOptions& options);
 
   const DeviceInfo& info() const { return info_; }
-  const cl::CommandQueue& queue() const { return queue_; }
+  const cl::CommandQueue& queue(DeviceLane lane) const { return queues_[lane.number]; }
 
   /// The program of an embedded kernel file ("bvh/wide_kernels.cl"), built once per option set.
   /// Throws Error(RuntimeFailure) with device, options and build log when it does not build.
@@ -39,9 +41,12 @@ class OpenClContext {
   cl::Buffer allocate(std::size_t bytes, cl_mem_flags flags);
 
   /// Runs `kernel` over `items` work-items, rounded up to groups of `groupSize`; kernels check their bound.
-  void launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize);
+  void launch(const cl::Kernel& kernel, std::size_t items, std::size_t groupSize, DeviceLane lane);
 
-  void finish() { queue_.finish(); }
+  /// Of all lanes.
+  void finish() {
+    for (cl::CommandQueue& queue : queues_) queue.finish();
+  }
 
  private:
   std::string expand(const std::string& file) const;
@@ -50,7 +55,7 @@ class OpenClContext {
   cl::Device device_;
   DeviceInfo info_;
   cl::Context context_;
-  cl::CommandQueue queue_;
+  std::array<cl::CommandQueue, DeviceLane::count> queues_;
   ProgramCache cache_;
   std::filesystem::path dumpFolder_;
   bool portableKernels_;

@@ -160,19 +160,20 @@ void Tracer::moveTree(const CompiledScene& scene, std::span<const std::uint32_t>
 }
 
 void Tracer::trace(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count,
-                   std::size_t first) {
-  traceTree(query, rays, hits, count, first);
+                   std::size_t first, DeviceLane lane) {
+  traceTree(query, rays, hits, count, first, lane);
   if (!separated_ || count == 0) return;
   if (separatedHits_.size() < count) separatedHits_ = Buffer<Hit>(*context_, count);
-  separated_->traceTree(query, rays, separatedHits_, count, first);
-  keepNearer_.launch(count, static_cast<std::uint32_t>(count), separatedHits_, hits);
+  separated_->traceTree(query, rays, separatedHits_, count, first, lane);
+  keepNearer_.launch({count, lane}, static_cast<std::uint32_t>(count), separatedHits_, hits);
 }
 
 void Tracer::traceTree(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count,
-                       std::size_t first) {
+                       std::size_t first, DeviceLane lane) {
   if (treeless_) return hits.fill({0.0f, PRELIGHT_NO_TRIANGLE, 0.0f, 0.0f});
   const bool wide = layout_ == BvhLayout::Wide;
-  const WorkSize size = wide ? WorkSize((count + PRELIGHT_BATCH - 1) / PRELIGHT_BATCH, 1) : WorkSize(count);
+  const WorkSize size =
+      wide ? WorkSize((count + PRELIGHT_BATCH - 1) / PRELIGHT_BATCH, 1, lane) : WorkSize(count, lane);
   std::visit(
       [&](auto& tree) {
         auto& kernel = query == Query::Any ? tree.any : tree.closest;
@@ -185,12 +186,14 @@ void Tracer::traceTree(Query query, const Buffer<Ray>& rays, Buffer<Hit>& hits, 
       tree_);
 }
 
-void Tracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count, std::size_t first) {
-  trace(Query::Closest, rays, hits, count, first);
+void Tracer::traceClosest(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count, std::size_t first,
+                          DeviceLane lane) {
+  trace(Query::Closest, rays, hits, count, first, lane);
 }
 
-void Tracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count, std::size_t first) {
-  trace(Query::Any, rays, hits, count, first);
+void Tracer::traceAny(const Buffer<Ray>& rays, Buffer<Hit>& hits, std::size_t count, std::size_t first,
+                      DeviceLane lane) {
+  trace(Query::Any, rays, hits, count, first, lane);
 }
 
 std::vector<Hit> Tracer::traceFromHost(Query query, std::span<const Ray> rays) {
@@ -201,7 +204,7 @@ std::vector<Hit> Tracer::traceFromHost(Query query, std::span<const Ray> rays) {
   for (std::size_t first = 0; first < rays.size(); first += block) {
     const std::size_t count = std::min(block, rays.size() - first);
     rayBuffer.write(rays.subspan(first, count));
-    trace(query, rayBuffer, hitBuffer, count, 0);
+    trace(query, rayBuffer, hitBuffer, count, 0, {});
     hitBuffer.read(std::span(all).subspan(first, count));
   }
   return all;

@@ -51,13 +51,14 @@ class Tracer {
   /// Closest hits on separated triangles alone.
   std::vector<device::Hit> traceSeparated(std::span<const device::Ray> rays);
 
-  /// Closest hit of each of `count` rays from `first` on; hits start at 0.
+  /// Closest hit of each of `count` rays from `first` on; hits start at 0. Where triangles are separated, two
+  /// lanes must not be traced in at a time.
   void traceClosest(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
-                    std::size_t first = 0);
+                    std::size_t first = 0, DeviceLane lane = {});
 
   /// As traceClosest, but a hit carries no more than that there is one (triangle 0).
   void traceAny(const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
-                std::size_t first = 0);
+                std::size_t first = 0, DeviceLane lane = {});
 
   /// For tests and tools: uploads, traces, downloads.
   std::vector<device::Hit> traceClosest(std::span<const device::Ray> rays);
@@ -105,9 +106,9 @@ class Tracer {
   void dropKernels();
   BuildOptions traceOptions(Query query) const;
   void trace(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
-             std::size_t first);
+             std::size_t first, DeviceLane lane);
   void traceTree(Query query, const Buffer<device::Ray>& rays, Buffer<device::Hit>& hits, std::size_t count,
-                 std::size_t first);
+                 std::size_t first, DeviceLane lane);
   std::vector<device::Hit> traceFromHost(Query query, std::span<const device::Ray> rays);
 
   DeviceContext* context_;

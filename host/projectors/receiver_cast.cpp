@@ -42,6 +42,7 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.setTracers = context.setTracers;
   options.limits = context.request.limits;
   options.occluders = needs.occluders;
+  options.overlaps = true;
   return options;
 }
 

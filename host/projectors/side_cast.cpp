@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace prelight {
 
@@ -30,7 +31,8 @@ SideCast::SideCast(const CompiledScene& scene, const FitMesh& mesh, Caster& cast
       projections_(projectionsOf(projections, sampler.side())),
       sampler_(std::move(sampler)),
       sums_(scene, mesh, schedule, projections_, std::move(baseline), sampler_.areas()),
-      blocks_(BackgroundWork::placesFor(waitingBlocks) + BackgroundWork::placesFor(waitingBlocks) - 1),
+      blocks_(2 * BackgroundWork::placesFor(
+                      waitingBlocks)),  // all that wait or are worked on, and the one that is started
       adding_(waitingBlocks),
       casting_(waitingBlocks) {}
 
@@ -136,6 +138,7 @@ void SideCast::sortPendingBySet() {
 }
 
 void SideCast::finishBlocks() const {
+  casting_.add([this] { finishStarted(); });
   casting_.finish();
   adding_.finish();
 }
@@ -173,13 +176,25 @@ void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
   // Bounces read the records of stored rows, so a row is kept only where its record is.
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
                       receivers_ + count <= SideSums::mostRecords;
-  caster_.cast(block.receivers, block.values, {stores ? &row : nullptr, set, block.occluders});
+  const std::size_t place = nextPlace_++ % caster_.places();
+  caster_.start(place, block.receivers, {stores ? &row : nullptr, set, block.occluders});
+  finishStarted();
+  started_ = [this, &block, place] {
+    caster_.finish(place, block.values);
+    adding_.add([this, &block] { sums_.add(block); });
+  };
+  if (caster_.places() == 1) finishStarted();
   if (stores) storedCount_ += count;
   if (stores && projections_.receivers)
     storedReceivers_.insert(storedReceivers_.end(), block.receivers.begin(), block.receivers.end());
-  adding_.add([this, &block] { sums_.add(block); });
   receivers_ += count;
   doneInPass_ += count;
+}
+
+// One block is always under way while another is waited for: its kernels fill the cores where those of the
+// other run out of work.
+void SideCast::finishStarted() const {
+  if (const std::function<void()> finish = std::exchange(started_, nullptr)) finish();
 }
 
 // Where every ray around escaped, the closed form is most likely the answer, and where every one was blocked,

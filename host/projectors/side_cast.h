@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -91,6 +92,7 @@ class SideCast {
   void sortPendingBySet();
   void handOver(std::size_t first, std::size_t count, std::uint32_t set);
   void castBlock(CastBlock& block, std::uint32_t set);
+  void finishStarted() const;
   void finishBlocks() const;
   std::uint32_t setOf(const SurfaceSample& sample) const;
   void thinPlainTriangles();
@@ -121,6 +123,9 @@ class SideCast {
   std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
   std::vector<CastBlock> blocks_;       ///< used in turns
   std::size_t nextBlock_ = 0;
+  std::size_t nextPlace_ = 0;  ///< of the caster's, for the next block
+  mutable std::function<void()>
+      started_;  ///< waits for the block that the device has been given and hands it to adding_; or empty
   mutable BackgroundWork adding_;   ///< of blocks to the sums; after what it uses, so that it ends before
   mutable BackgroundWork casting_;  ///< of blocks that it hands to adding_
 };
