@@ -221,13 +221,20 @@ void Caster::setTransfer(std::span<const float> transfer, std::size_t first) {
 
 void Caster::gather(std::uint32_t first, std::uint32_t count, const TransferPart& part,
                     std::vector<float>& values) {
-  const SenderRows::Place rows = senders_.value().rows(first, count);
+  SenderRows& senders = senders_.value();
   Block& block = blocks_.front();
-  setParameters(block, count, rows.firstRow);
-  gather_.launch(count, block.parameters, part.firstValue, part.firstPlace, rows.buffer, transfer_,
-                 block.values);
+  const std::size_t room = std::size_t{rowsPerGather()} * PRELIGHT_PART_VALUES;
+  if (gatheredValues_.size() < room) gatheredValues_ = Buffer<float>(device_, room);
   values.resize(std::size_t{count} * PRELIGHT_PART_VALUES);
-  block.values.read(std::span(values));
+  for (std::uint32_t done = 0, some = 0; done < count; done += some) {
+    some = senders.inMemory(first + done, count - done) ? count - done : std::min(blockSize_, count - done);
+    const SenderRows::Place rows = senders.rows(first + done, some);
+    setParameters(block, some, rows.firstRow);
+    gather_.launch(some, block.parameters, part.firstValue, part.firstPlace, rows.buffer, transfer_,
+                   gatheredValues_);
+    gatheredValues_.read(std::span(values).subspan(std::size_t{done} * PRELIGHT_PART_VALUES,
+                                                   std::size_t{some} * PRELIGHT_PART_VALUES));
+  }
 }
 
 void Caster::gatherGlossy(std::span<const Receiver> receivers, std::uint32_t first, int order,

@@ -125,8 +125,11 @@ class Caster {
   void setTransfer(std::span<const float> transfer, std::size_t first = 0);
   void resizeTransfer(std::size_t values);
 
-  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count), at most a block,
-  /// and for a part of a vertex's values [3][bounceColumns]: [row][PRELIGHT_PART_VALUES].
+  /// Rows that gather() takes at most: several blocks, for a row is far less work than its rays were.
+  std::uint32_t rowsPerGather() const { return 4 * blockSize_; }
+
+  /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count), and for a part
+  /// of a vertex's values [3][bounceColumns]: [row][PRELIGHT_PART_VALUES].
   void gather(std::uint32_t first, std::uint32_t count, const TransferPart& part, std::vector<float>& values);
 
   /// The same into transfer matrices: mean of Y_i(direction) x albedo x transfer, [row][i][3][columns] with i
@@ -192,6 +195,7 @@ class Caster {
   Kernel<Parameters, Floats, Rays, Buffer<device::Sender>, Floats, Floats> glossy_;
   Buffer<float> glossyTable_;
   Buffer<float> glossyValues_;
+  Buffer<float> gatheredValues_;
 };
 
 }  // namespace prelight

@@ -38,7 +38,7 @@ std::vector<float> Bounce::receiveBacks(std::uint32_t firstValue, Progress& prog
 std::vector<float> Bounce::receive(const StoredRows& rows, const SideCast& side, std::uint32_t firstValue,
                                    Progress& progress) {
   return rows.fit(
-      PRELIGHT_PART_VALUES,
+      PRELIGHT_PART_VALUES, caster_.rowsPerGather(),
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
         caster_.gather(side.storedFirst() + first, count, {firstValue, 0}, values);
       },

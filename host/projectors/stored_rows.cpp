@@ -21,27 +21,36 @@ StoredRows::StoredRows(const Caster& caster, const SideCast& side)
       part_(fitOfPart(side)),
       equations_(samples().equations(defaultSmoothing)) {}
 
-std::vector<float> StoredRows::fit(std::size_t columns, const GatherRows& gather, Progress& progress) const {
+std::vector<float> StoredRows::fit(std::size_t columns, std::uint32_t most, const GatherRows& gather,
+                                   Progress& progress) const {
   constexpr std::size_t waiting = 1;
   std::vector<float> right(side_.slotCount() * columns, 0.0f);
-  std::vector<std::vector<float>> blocks(BackgroundWork::placesFor(waiting));
-  std::vector<SurfaceSample> rows;
+  std::vector<std::vector<float>> parts(BackgroundWork::placesFor(waiting));
   {
     BackgroundWork adding(waiting);
-    for (std::uint32_t first = 0; first < side_.storedCount(); first += caster_.blockSize()) {
+    for (std::uint32_t first = 0; first < side_.storedCount(); first += most) {
       progress.check();
-      const std::uint32_t count = std::min(caster_.blockSize(), side_.storedCount() - first);
-      std::vector<float>& values = blocks[first / caster_.blockSize() % blocks.size()];
-      gather(first, count, values);
-      adding.add([&, first, count] {
-        rows.clear();
-        for (std::uint32_t i = 0; i < count; ++i) rows.push_back(side_.records()[first + i].sample);
-        samples().addTo(right, rows, values);
-      });
+      std::vector<float>& values = parts[first / most % parts.size()];
+      gather(first, std::min(most, side_.storedCount() - first), values);
+      adding.add([&, first] { add(first, values, columns, right); });
     }
     adding.finish();
   }
   return samples().solve(equations_, right, columns);
+}
+
+/// Block by block, as they were cast, whatever was gathered at once: sums round at the end of a block.
+void StoredRows::add(std::uint32_t first, std::span<const float> values, std::size_t columns,
+                     std::span<float> right) const {
+  std::vector<SurfaceSample> rows;
+  while (!values.empty()) {
+    const std::size_t count = std::min<std::size_t>(caster_.blockSize(), values.size() / columns);
+    rows.clear();
+    for (std::size_t i = 0; i < count; ++i) rows.push_back(side_.records()[first + i].sample);
+    samples().addTo(right, rows, values.first(count * columns));
+    first += static_cast<std::uint32_t>(count);
+    values = values.subspan(count * columns);
+  }
 }
 
 }  // namespace prelight

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cast/caster.h"
@@ -23,10 +24,14 @@ class StoredRows {
   StoredRows(const Caster& caster, const SideCast& side);
 
   /// Values of the slots, [slot][column], fitted to what `gather` makes of the rows, which are told apart by
-  /// their number among the side's own. The device gathers while the host adds up the block before.
-  std::vector<float> fit(std::size_t columns, const GatherRows& gather, Progress& progress) const;
+  /// their number among the side's own; `most` at once. The device gathers while the host adds up those
+  /// before.
+  std::vector<float> fit(std::size_t columns, std::uint32_t most, const GatherRows& gather,
+                         Progress& progress) const;
 
  private:
+  void add(std::uint32_t first, std::span<const float> values, std::size_t columns,
+           std::span<float> right) const;
   const VertexFit& samples() const { return part_ ? *part_ : side_.fit(); }
 
   const Caster& caster_;

@@ -54,7 +54,7 @@ std::vector<float> fitPart(Caster& caster, const SideCast& front, const StoredRo
                            Progress& progress) {
   const std::size_t width = static_cast<std::size_t>(order * order) * 3 * lightColumns;
   return rows.fit(
-      width,
+      width, caster.blockSize(),
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
         caster.gatherGlossy(std::span(front.storedReceivers()).subspan(first, count),
                             front.storedFirst() + first, order, lightColumns, values);
@@ -82,8 +82,7 @@ std::vector<float> makeGlossyMatrices(const CompiledScene& scene, const FitMesh&
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < 3; ++c)
           for (std::size_t j = 0; j < lightColumns && first + j < n; ++j)
-            matrices[((s * 3 + c) * n + i) * n + first + j] +=
-                part[((s * n + i) * 3 + c) * lightColumns + j];
+            matrices[((s * 3 + c) * n + i) * n + first + j] += part[((s * n + i) * 3 + c) * lightColumns + j];
     progress.report("glossy", double(std::min(n, first + lightColumns)) / double(n));
   }
   return matrices;
