@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "basis/sh_table.h"
 #include "receivers/surface_sampler.h"
 #include "scene/lobes.h"
@@ -25,12 +26,13 @@ std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene) {
 }
 
 std::vector<float> orientedNormals(const CompiledScene& scene) {
-  std::vector<float> normals;
-  normals.reserve(3 * std::size_t{scene.triangleCount()});
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    const glm::vec3 n(orientedNormal(scene, t));
-    normals.insert(normals.end(), {n.x, n.y, n.z});
-  }
+  std::vector<float> normals(3 * std::size_t{scene.triangleCount()});
+  parallelRanges(scene.triangleCount(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const glm::vec3 n(orientedNormal(scene, static_cast<std::uint32_t>(t)));
+      std::copy_n(&n.x, 3, &normals[3 * t]);
+    }
+  });
   return normals;
 }
 

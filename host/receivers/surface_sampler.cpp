@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/prefetch.h"
 #include "receivers/sampling.h"
 
@@ -58,28 +59,50 @@ std::uint64_t mortonCode(const glm::dvec2& u) {
   return spread(cell.x, bits, 2) << 1 | spread(cell.y, bits, 2);
 }
 
+constexpr std::size_t triangleRange = 4096;
+
+/// std::sort on all cores, for values that are all different.
+template <typename T>
+void sortRanges(std::vector<T>& values) {
+  constexpr std::size_t range = std::size_t{1} << 15;
+  const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+  parallelRanges(values.size(), range,
+                 [&](std::size_t begin, std::size_t end) { std::sort(at(begin), at(end)); });
+  for (std::size_t sorted = range; sorted < values.size(); sorted *= 2)
+    parallelRanges(values.size(), 2 * sorted, [&](std::size_t begin, std::size_t end) {
+      std::inplace_merge(at(begin), at(std::min(begin + sorted, end)), at(end));
+    });
+}
+
 /// Triangles by the Morton code of their centroids in a cube around all; equal codes keep their order.
 std::vector<std::uint32_t> mortonOrder(const CompiledScene& scene) {
   constexpr unsigned bits = 16;
-  std::vector<glm::vec3> centroids;
+  const std::size_t count = scene.triangles.size();
+  std::vector<glm::vec3> centroids(count);
+  parallelRanges(count, triangleRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& t = scene.triangles[i];
+      centroids[i] = scene.positions[t.x] / 3.0f + scene.positions[t.y] / 3.0f + scene.positions[t.z] / 3.0f;
+    }
+  });
   glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-  for (const auto& t : scene.triangles) {
-    centroids.push_back(scene.positions[t.x] / 3.0f + scene.positions[t.y] / 3.0f +
-                        scene.positions[t.z] / 3.0f);
-    low = glm::min(low, centroids.back());
-    high = glm::max(high, centroids.back());
+  for (const glm::vec3& centroid : centroids) {
+    low = glm::min(low, centroid);
+    high = glm::max(high, centroid);
   }
   const glm::dvec3 extent = glm::dvec3(high) - glm::dvec3(low);
   const double size = std::max({extent.x, extent.y, extent.z, 1e-300});
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
-  for (std::uint32_t t = 0; t < centroids.size(); ++t) {
-    const glm::uvec3 cell((glm::dvec3(centroids[t]) - glm::dvec3(low)) / size * double((1u << bits) - 1));
-    keys.emplace_back(spread(cell.x, bits, 3) << 2 | spread(cell.y, bits, 3) << 1 | spread(cell.z, bits, 3),
-                      t);
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<std::uint32_t> order;
-  for (const auto& key : keys) order.push_back(key.second);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(count);
+  parallelRanges(count, triangleRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const glm::uvec3 cell((glm::dvec3(centroids[t]) - glm::dvec3(low)) / size * double((1u << bits) - 1));
+      keys[t] = {spread(cell.x, bits, 3) << 2 | spread(cell.y, bits, 3) << 1 | spread(cell.z, bits, 3),
+                 static_cast<std::uint32_t>(t)};
+    }
+  });
+  sortRanges(keys);
+  std::vector<std::uint32_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[i] = keys[i].second;
   return order;
 }
 
@@ -94,10 +117,11 @@ std::uint32_t seedOf(std::uint64_t seed, Side side) {
 std::shared_ptr<SurfaceSampler::Surface> SurfaceSampler::surfaceOf(const CompiledScene& scene) {
   auto surface = std::make_shared<Surface>();
   surface->areas.resize(scene.triangleCount());
-  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
-    surface->areas[t] = 0.5 * glm::length(geometricNormal(scene, t));
-    surface->totalArea += surface->areas[t];
-  }
+  parallelRanges(surface->areas.size(), triangleRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      surface->areas[t] = 0.5 * glm::length(geometricNormal(scene, static_cast<std::uint32_t>(t)));
+  });
+  for (const double area : surface->areas) surface->totalArea += area;
   surface->shares.reserve(surface->areas.size());
   for (const double area : surface->areas)
     surface->shares.push_back(0.5 *
