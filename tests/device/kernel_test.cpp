@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <bit>
 #include <glm/glm.hpp>
 
@@ -46,6 +47,25 @@ TEST(Kernel, TypedArguments_ReachTheDevice) {
   Scale kernel(context(), test::probeFile(text), {}, "scale");
   kernel.launch(3, std::uint32_t{3}, 4.0f, in, out);
   EXPECT_THAT(out.read(), testing::ElementsAre(4.0f, -8.0f, 2.0f));
+}
+
+// Each launch needs what the one before it in its lane has made.
+TEST(Kernel, CommandsOfALane_KeepTheirOrder) {
+  Scale kernel(context(), test::probeFile(text), {}, "scale");
+  constexpr std::size_t size = 1 << 16;
+  const std::vector<float> ones(size, 1.0f);
+  std::vector<std::array<Buffer<float>, 2>> turns;
+  for (std::size_t lane = 0; lane < DeviceLane::count; ++lane) {
+    turns.push_back(
+        {Buffer<float>(context(), size, DeviceLane{lane}), Buffer<float>(context(), size, DeviceLane{lane})});
+    turns.back()[0].write(std::span<const float>(ones));
+  }
+  for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t lane = 0; lane < turns.size(); ++lane)
+      kernel.launch({size, DeviceLane{lane}}, static_cast<std::uint32_t>(size), lane == 0 ? 2.0f : 0.5f,
+                    turns[lane][i % 2], turns[lane][(i + 1) % 2]);
+  EXPECT_EQ(turns[0][0].read(), std::vector<float>(size, 0x1p24f));
+  EXPECT_EQ(turns[1][0].read(), std::vector<float>(size, 0x1p-24f));
 }
 
 /// Expects an error that says what is wrong when a kernel of these types is made.

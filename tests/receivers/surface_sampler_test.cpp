@@ -36,6 +36,42 @@ TEST(SurfaceSampler, PlacesOnEdges_AreMovedOffByMoreThanRounding) {
   }
 }
 
+/// Bits of three numbers in turns, the highest of the first one in front.
+std::uint64_t interleaved(const glm::uvec3& cell) {
+  std::uint64_t code = 0;
+  for (int bit = 15; bit >= 0; --bit)
+    for (int axis = 0; axis < 3; ++axis) code = code << 1 | ((cell[axis] >> bit) & 1u);
+  return code;
+}
+
+// More triangles than are sorted at once; a ground's centroids lie within the square of half-edge 1.
+TEST(SurfaceSampler, Triangles_ComeAlongAMortonCurveEachOnce) {
+  const CompiledScene scene = test::ground(200, 1.0f);
+  std::vector<std::uint32_t> order;
+  SurfaceSampler(scene, 5, Side::Front)
+      .pass(2.0 * scene.triangleCount(), 16, [&](const SurfaceSample& sample, const auto&) {
+        if (order.empty() || order.back() != sample.triangle) order.push_back(sample.triangle);
+      });
+  ASSERT_EQ(order.size(), scene.triangleCount());
+  const auto centroid = [&](std::uint32_t triangle) {
+    const auto& t = scene.triangles[triangle];
+    return scene.positions[t.x] / 3.0f + scene.positions[t.y] / 3.0f + scene.positions[t.z] / 3.0f;
+  };
+  glm::vec3 low(2.0f), high(-2.0f);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    low = glm::min(low, centroid(t));
+    high = glm::max(high, centroid(t));
+  }
+  const glm::dvec3 extent = glm::dvec3(high) - glm::dvec3(low);
+  std::uint64_t before = 0;
+  for (const std::uint32_t t : order) {
+    const std::uint64_t code = interleaved(
+        glm::uvec3((glm::dvec3(centroid(t)) - glm::dvec3(low)) / std::max(extent.x, extent.z) * 65535.0));
+    ASSERT_GE(code, before) << t;
+    before = code;
+  }
+}
+
 // One corner's normal outweighs the other two, which point to the other side.
 TEST(OrientedNormal, CornersThatDisagree_CountTogether) {
   for (int corner = 0; corner < 3; ++corner) {

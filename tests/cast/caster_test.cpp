@@ -1,0 +1,139 @@
+#include "cast/caster.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "receivers/surface_sampler.h"
+#include "support/devices.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+using device::Receiver;
+
+constexpr std::uint32_t directions = 256;  // of a receiver
+
+/// Receivers all over a scene's fronts, at least `count`.
+std::vector<Receiver> receiversOn(const CompiledScene& scene, std::size_t count) {
+  std::vector<Receiver> receivers;
+  SurfaceSampler sampler(scene, 7, Side::Front);
+  while (receivers.size() < count)
+    sampler.pass(static_cast<double>(count), directions,
+                 [&](const SurfaceSample&, const Receiver& receiver) { receivers.push_back(receiver); });
+  return receivers;
+}
+
+/// Blocks of different sizes, cast one after the other.
+std::vector<std::span<const Receiver>> blocksOf(std::span<const Receiver> receivers, std::size_t size) {
+  std::vector<std::span<const Receiver>> blocks;
+  for (std::size_t first = 0; first < receivers.size(); first += blocks.back().size())
+    blocks.push_back(receivers.subspan(first, std::min(receivers.size() - first, size - blocks.size() % 3)));
+  return blocks;
+}
+
+CompiledScene ballOnGround() {
+  CompiledScene scene = test::ground(8, 2.0f);
+  test::append(scene, test::sphere(8, 0.8f, {0.0f, 0.9f, 0.0f}));
+  return scene;
+}
+
+TEST(Caster, BlocksUnderWay_SeeWhatTheySeeAlone) {
+  const CompiledScene scene = ballOnGround();
+  Tracer tracer(scene, test::sharedDevice());
+  CastOptions options;
+  options.shOrder = 3;
+  options.raysPerReceiver = directions;
+  options.texelFaceSize = 8;
+  Caster alone(scene, tracer, options);
+  options.overlaps = true;
+  Caster overlapping(scene, tracer, options);
+  ASSERT_EQ(overlapping.places(), 2u);
+  const std::vector<Receiver> receivers = receiversOn(scene, 7 * std::size_t{100});
+  const auto blocks = blocksOf(receivers, 100);
+  std::vector<CastValues> seen(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    overlapping.start(i % 2, blocks[i], {});
+    if (i > 0) overlapping.finish((i - 1) % 2, seen[i - 1]);
+  }
+  overlapping.finish((blocks.size() - 1) % 2, seen.back());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    CastValues values;
+    alone.cast(blocks[i], values, {});
+    EXPECT_EQ(seen[i].values, values.values) << i;
+    EXPECT_EQ(seen[i].texels, values.texels) << i;
+  }
+}
+
+/// Rows of a closed room, of which some are in memory and the rest in a file, stored with two blocks under
+/// way.
+class StoredRoom : public ::testing::Test {
+ protected:
+  StoredRoom()
+      : scene_(test::box(4, {-1, -1, -1}, {1, 1, 1}, true)),
+        tracer_(scene_, test::sharedDevice()),
+        caster_(scene_, tracer_, optionsOf(receiversPerBlock(test::sharedDevice().info(), directions))) {
+    const std::vector<Receiver> receivers = receiversOn(scene_, 3 * std::size_t{caster_.blockSize()});
+    const auto blocks = blocksOf(receivers, caster_.blockSize());
+    CastValues values;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      caster_.start(i % 2, blocks[i], {&rows_});
+      if (i > 0) caster_.finish((i - 1) % 2, values);
+      rows_ += static_cast<std::uint32_t>(blocks[i].size());
+    }
+    caster_.finish((blocks.size() - 1) % 2, values);
+  }
+
+  static CastOptions optionsOf(std::uint32_t block) {
+    CastOptions options;
+    options.raysPerReceiver = directions;
+    options.storedReceivers = 8 * block;
+    options.rowsInMemory = block + block / 2;
+    options.bounceColumns = 1;
+    options.overlaps = true;
+    return options;
+  }
+
+  void send(const std::function<float(std::size_t place)>& value) {
+    std::vector<float> transfer(std::size_t{scene_.vertexCount()} * PRELIGHT_PART_VALUES);
+    for (std::size_t i = 0; i < transfer.size(); ++i) transfer[i] = value(i);
+    caster_.resizeTransfer(transfer.size());
+    caster_.setTransfer(transfer);
+  }
+
+  CompiledScene scene_;
+  Tracer tracer_;
+  Caster caster_;
+  std::uint32_t rows_ = 0;
+};
+
+// All that a receiver in a closed white room sees sends the same.
+TEST_F(StoredRoom, EvenTransfer_ComesBackInEveryRow) {
+  send([](std::size_t) { return 0.75f; });
+  std::vector<float> values;
+  caster_.gather(0, rows_, {}, values);
+  ASSERT_EQ(values.size(), std::size_t{rows_} * PRELIGHT_PART_VALUES);
+  for (std::size_t row = 0; row < rows_; ++row)
+    for (std::size_t c = 0; c < 3; ++c)
+      ASSERT_NEAR(values[row * PRELIGHT_PART_VALUES + c], 0.75f, 1e-5f) << row;
+}
+
+TEST_F(StoredRoom, RowsGatheredAtOnce_AreThoseOfEachBlock) {
+  std::mt19937 random(3);
+  send([&](std::size_t) { return std::uniform_real_distribution<float>()(random); });
+  ASSERT_GT(rows_, 2 * caster_.blockSize());
+  ASSERT_LE(rows_, caster_.rowsPerGather());
+  std::vector<float> atOnce, part;
+  caster_.gather(0, rows_, {}, atOnce);
+  for (std::uint32_t first = 0; first < rows_; first += 100) {
+    const std::uint32_t count = std::min(100u, rows_ - first);
+    caster_.gather(first, count, {}, part);
+    const auto* begin = &atOnce[std::size_t{first} * PRELIGHT_PART_VALUES];
+    ASSERT_EQ(std::vector<float>(begin, begin + part.size()), part) << first;
+  }
+}
+
+}  // namespace
+}  // namespace prelight
