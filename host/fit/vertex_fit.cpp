@@ -1,6 +1,8 @@
 #include "fit/vertex_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fit/extend_fit.h"
 
@@ -134,10 +136,13 @@ std::vector<float> VertexFit::solveColumn(const NormalEquations& equations, std:
   return solve(equations, rightSide(column, 1), 1);
 }
 
-std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const float> rightSide,
+std::vector<float> VertexFit::solve(const NormalEquations& equations, std::vector<float> rightSide,
                                     std::size_t columns, const SolveLimits& limits) const {
-  std::vector<float> values(rightSide.size(), 0.0f);
-  conjugateGradients(equations, rightSide, columns, values, limits);
+  std::vector<float> values = std::move(rightSide);
+  conjugateGradients(equations, values, columns, limits);
+  for (std::uint32_t slot = 0; slot < mesh_->slotCount(); ++slot)
+    if (equations.rowOf(slot) == NormalEquations::noRow)
+      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(slot * columns), columns, 0.0f);
   extendFit(*mesh_, equations, extent_, columns, values);
   return values;
 }

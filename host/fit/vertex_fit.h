@@ -58,10 +58,10 @@ class VertexFit {
   NormalEquations equations(double lambda) const;
 
   /// Solves equations() for this fit's columns, [slot][column]; for one of them, [slot]; for another
-  /// right-hand side, [slot][column].
+  /// right-hand side, [slot][column], in whose memory the solution comes.
   std::vector<float> solve(const NormalEquations& equations) const;
   std::vector<float> solveColumn(const NormalEquations& equations, std::size_t column) const;
-  std::vector<float> solve(const NormalEquations& equations, std::span<const float> rightSide,
+  std::vector<float> solve(const NormalEquations& equations, std::vector<float> rightSide,
                            std::size_t columns, const SolveLimits& limits = {}) const;
 
   /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).

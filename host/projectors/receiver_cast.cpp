@@ -113,6 +113,7 @@ void ReceiverCast::run(Progress& progress) {
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
   context_.clock.mark("cast");
   if (!keepsTrees_) dropTrees(context_);
+  cast_.finish();
   FittedSide fitted = front().solve();
   fitted_ = std::move(fitted.values);
   context_.report.aoErrorRms = fitted.error.rms;

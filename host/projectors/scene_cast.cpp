@@ -31,16 +31,17 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
              Baseline(scene, mesh, projections.shOrder)) {}
 
 void SceneCast::run(Progress& progress) {
-  if (!frontDone_) {
-    front_.run(progress, 0, capacity_);
-    front_.finish();
-  }
+  if (!frontDone_) front_.run(progress, 0, capacity_);
   frontDone_ = true;
   for (; projections_.backs && capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
     if (!goesOn && !markFreshBacks()) return;
     back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
   }
+}
+
+void SceneCast::finish() {
+  front_.finish();
   if (back_) back_->finish();
 }
 

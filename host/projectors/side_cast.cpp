@@ -39,8 +39,6 @@ void SideCast::start() {
   round_ = passInRound_ = 0;
   sums_.soften();
   receiversPerPass_ = schedule_.receiversPerPass;
-  if (!schedule_.error && !schedule_.deadline)
-    sums_.expect(schedule_.passes * sampler_.expected(schedule_.receiversPerPass));
 }
 
 void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {

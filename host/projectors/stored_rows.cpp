@@ -25,6 +25,7 @@ std::vector<float> StoredRows::fit(std::size_t columns, const GatherRows& gather
   constexpr std::size_t waiting = 1;
   std::vector<float> right(side_.slotCount() * columns, 0.0f);
   std::vector<std::vector<float>> blocks(BackgroundWork::placesFor(waiting));
+  std::vector<SampleRecord> records;
   std::vector<SurfaceSample> rows;
   {
     BackgroundWork adding(waiting);
@@ -34,14 +35,16 @@ std::vector<float> StoredRows::fit(std::size_t columns, const GatherRows& gather
       std::vector<float>& values = blocks[first / caster_.blockSize() % blocks.size()];
       gather(first, count, values);
       adding.add([&, first, count] {
+        records.resize(count);
+        side_.records().read(first, records);
         rows.clear();
-        for (std::uint32_t i = 0; i < count; ++i) rows.push_back(side_.records()[first + i].sample);
+        for (const SampleRecord& record : records) rows.push_back(record.sample);
         samples().addTo(right, rows, values);
       });
     }
     adding.finish();
   }
-  return samples().solve(equations_, right, columns);
+  return samples().solve(equations_, std::move(right), columns);
 }
 
 }  // namespace prelight
