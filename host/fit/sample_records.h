@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -36,6 +37,9 @@ class SampleRecords {
 
   void add(const SampleRecord& record);
   std::size_t size() const { return size_; }
+  std::uint64_t bytesInMemory() const {
+    return std::min(blocks_.size(), blocksInMemory_) * blockSize * sizeof(SampleRecord);
+  }
 
   /// Fills `records` from number `first` on.
   void read(std::size_t first, std::span<SampleRecord> records) const;

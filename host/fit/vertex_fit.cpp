@@ -83,13 +83,47 @@ void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample>
   });
 }
 
+std::vector<TriangleMass> VertexFit::parkedMass() const {
+  std::vector<TriangleMass> mass(mesh_->triangles.size());
+  parked_->read(0, std::as_writable_bytes(std::span(mass)));
+  return mass;
+}
+
+std::vector<float> VertexFit::parkedRight() const {
+  std::vector<float> right(mesh_->slotCount() * columns_);
+  parked_->read(massBytes(), std::as_writable_bytes(std::span(right)));
+  return right;
+}
+
+void VertexFit::park() {
+  if (parked_ || !triangleWeights_.empty()) return;
+  parked_ = std::make_shared<SpillFile>();
+  parked_->write(0, std::as_bytes(std::span(mass_)));
+  parked_->write(massBytes(), std::as_bytes(std::span(right_)));
+  mass_ = {};
+  right_ = {};
+}
+
+void VertexFit::fetch() {
+  if (!parked_) return;
+  mass_ = parkedMass();
+  right_ = parkedRight();
+  parked_.reset();
+}
+
 void VertexFit::save(StateWriter& state) const {
+  if (parked_) {
+    VertexFit fetched = *this;
+    fetched.fetch();
+    return fetched.save(state);
+  }
   state.values(mass_);
   state.values(right_);
   state.values(stiffness_);
 }
 
 void VertexFit::load(StateReader& state) {
+  fetch();
   state.sameSize(mass_);
   state.sameSize(right_);
   state.values(stiffness_);
@@ -108,10 +142,12 @@ double VertexFit::scaleOf(std::size_t triangle) const {
 
 /// Columns [firstColumn, firstColumn + count) of the equations' right side, [slot][count].
 std::vector<float> VertexFit::rightSide(std::size_t firstColumn, std::size_t count) const {
+  const std::vector<float> read = parked_ ? parkedRight() : std::vector<float>();
+  const std::vector<float>& sums = parked_ ? read : right_;
   std::vector<float> right(mesh_->slotCount() * count, 0.0f);
   const auto addRow = [&](std::size_t slot, double scale, std::size_t row) {
     for (std::size_t c = 0; c < count; ++c)
-      right[slot * count + c] += static_cast<float>(scale * right_[row * columns_ + firstColumn + c]);
+      right[slot * count + c] += static_cast<float>(scale * sums[row * columns_ + firstColumn + c]);
   };
   if (triangleWeights_.empty())
     for (std::size_t slot = 0; slot < mesh_->slotCount(); ++slot) addRow(slot, 1.0, slot);
@@ -128,6 +164,7 @@ std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) con
 }
 
 std::vector<float> VertexFit::solve(const NormalEquations& equations) const {
+  if (parked_) return solve(equations, parkedRight(), columns_);
   return triangleWeights_.empty() ? solve(equations, right_, columns_)
                                   : solve(equations, rightSide(0, columns_), columns_);
 }
@@ -148,6 +185,7 @@ std::vector<float> VertexFit::solve(const NormalEquations& equations, std::vecto
 }
 
 NormalEquations VertexFit::equations(double lambda) const {
+  if (parked_) return {*mesh_, parkedMass(), lambda, stiffness_};
   if (triangleWeights_.empty()) return {*mesh_, mass_, lambda, stiffness_};
   std::vector<TriangleMass> mass = mass_;
   for (std::size_t t = 0; t < mass.size(); ++t) {

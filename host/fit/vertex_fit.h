@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/spill_file.h"
 #include "base/state_file.h"
 #include "fit/conjugate_gradients.h"
 #include "fit/normal_equations.h"
@@ -38,6 +40,11 @@ class VertexFit {
 
   void save(StateWriter& state) const;
   void load(StateReader& state);
+
+  /// Moves the sums to a file, from where what solves reads them for as long as it takes, until fetch()
+  /// brings them back for further samples. Fits with triangle weights stay: those are read sample by sample.
+  void park();
+  void fetch();
 
   /// What a sample weighs in the fit.
   double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
@@ -73,6 +80,9 @@ class VertexFit {
   const std::vector<std::uint8_t>& extent() const { return extent_; }
 
  private:
+  std::size_t massBytes() const { return mesh_->triangles.size() * sizeof(TriangleMass); }
+  std::vector<TriangleMass> parkedMass() const;
+  std::vector<float> parkedRight() const;
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
@@ -84,6 +94,7 @@ class VertexFit {
   std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
   std::vector<TriangleMass> mass_;       ///< [triangle]
   std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f
+  std::shared_ptr<SpillFile> parked_;    ///< has the mass and then the right side, which are empty meanwhile
 };
 
 /// The strength that served best over the built-in scenes, see docs/accuracy.md.

@@ -45,6 +45,7 @@ void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t 
   storedFirst_ = storedFirst;
   storedCapacity_ = storedCapacity;
   if (!running_) start();
+  sums_.unpark();
   for (bool ended = false; !ended;) {
     for (; passInRound_ < schedule_.passes; ++passInRound_) {
       // The first round is owed: without it, there would be nothing to fit.

@@ -40,6 +40,9 @@ class SideCast {
     sums_.stiffen();
   }
 
+  /// Between runs: what was summed up lies in a file until the next.
+  void park() { sums_.park(); }
+
   /// True between the start of a run and its end, so also after one that was interrupted.
   bool running() const { return running_; }
 

@@ -26,12 +26,25 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       areas_(areas),
       baseline_(std::move(baseline)),
       fit_(plainFit(baseline_.columns())),
+      records_(projections.recordBytes),
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.occluders) occluders_.emplace(mesh);
+}
+
+void SideSums::park() {
+  fit_.park();
+  if (bentFit_) bentFit_->park();
+  if (lightFit_) lightFit_->park();
+}
+
+void SideSums::unpark() {
+  fit_.fetch();
+  if (bentFit_) bentFit_->fetch();
+  if (lightFit_) lightFit_->fetch();
 }
 
 void SideSums::add(const CastBlock& block) {

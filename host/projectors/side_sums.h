@@ -65,6 +65,11 @@ class SideSums {
   /// A fit of the first `count` records alone, of AO: for right-hand sides of other columns.
   VertexFit fitOf(std::size_t count) const;
 
+  /// Sums go to a file until they are needed: the fits are solved from there, and unpark() readies them for
+  /// further blocks.
+  void park();
+  void unpark();
+
   /// The fit's solution, and the standard error of its AO.
   FittedSide solve() const;
   ErrorEstimate estimateError() const;
