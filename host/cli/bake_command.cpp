@@ -217,7 +217,7 @@ void checkMapOptions(const BakeRequest& request) {
 
 /// Poses and charts are made of the meshes as the file has them; all else of the compiled scene.
 void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
-  if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = {};
+  if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
 }
 
 void runBake(const BakeCommand& command, Context& context) {

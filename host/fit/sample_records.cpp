@@ -20,7 +20,7 @@ void SampleRecords::moveToFile(std::size_t block) {
   if (!file_) file_ = std::make_shared<SpillFile>();
   std::vector<SampleRecord>& records = blocks_[block].records;
   file_->write(block * blockSize * sizeof(SampleRecord), std::as_bytes(std::span(records)));
-  records = {};
+  records = std::vector<SampleRecord>();  // {} would keep the memory
 }
 
 std::span<const SampleRecord> SampleRecords::blockOf(std::size_t block,

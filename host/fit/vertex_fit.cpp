@@ -100,8 +100,8 @@ void VertexFit::park() {
   parked_ = std::make_shared<SpillFile>();
   parked_->write(0, std::as_bytes(std::span(mass_)));
   parked_->write(massBytes(), std::as_bytes(std::span(right_)));
-  mass_ = {};
-  right_ = {};
+  mass_ = std::vector<TriangleMass>();  // {} would keep the memory
+  right_ = std::vector<float>();
 }
 
 void VertexFit::fetch() {
