@@ -1,8 +1,10 @@
 #include "bake/estimate_memory.h"
 
 #include <algorithm>
+#include <array>
 
 #include "plan/cast_orders.h"
+#include "plan/tree_use.h"
 #include "projectors/schedule.h"
 #include "projectors/side_sums.h"
 
@@ -11,68 +13,124 @@ namespace prelight {
 namespace {
 
 constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
-constexpr std::uint64_t programBytes = 80 * megabyte;  // the program, the device's compiler and libraries
+constexpr std::uint64_t programBytes = 110 * megabyte;  // the program, the device's compiler and libraries
 constexpr std::uint64_t imageReaderBytes = 110 * megabyte;  // what is loaded where there are images
 constexpr std::uint64_t blockBytes = 16 * megabyte;         // rays, hits and values on their way
-constexpr std::uint64_t leastTransport = 16 * megabyte;
-constexpr std::uint64_t treeBytesPerTriangle = 80;  // nodes and blocks, measured 65 to 95
+constexpr std::uint64_t leastInMemory = 16 * megabyte;      // of what may lie in a file
 constexpr double shareOfBacks = 0.5;  // of the receivers: how many backs are seen is not known yet
+
+// What a bake keeps to where it is not told, besides what it writes.
+constexpr std::uint64_t usualBytes = 300 * megabyte;
+constexpr std::uint64_t usualBytesPerTriangle = 400;
 
 /// What bytes are counted by.
 struct Sizes {
   std::uint64_t vertices, triangles, coefficients, receivers;
-  bool bounces;
+  bool bounces, ao;
+
+  std::uint64_t columns() const { return 1 + coefficients; }
+  std::uint64_t sides() const { return bounces ? 2 : 1; }
 };
 
 Sizes sizesOf(const PlanInput& input) {
   const auto order = static_cast<std::uint64_t>(castOrder(input.request));
   const Schedule schedule = makeSchedule(input.request, input.scene.vertexCount(), {});
   const std::uint64_t receivers = plannedRays(input.scene, input.request) / schedule.raysPerReceiver;
-  return {input.scene.vertexCount(), input.scene.triangleCount(), order * order,
-          std::min<std::uint64_t>(receivers, SideSums::mostRecords), input.bounces};
+  return {input.scene.vertexCount(),
+          input.scene.triangleCount(),
+          order * order,
+          std::min<std::uint64_t>(receivers, SideSums::mostRecords),
+          input.bounces,
+          input.request.ao};
 }
 
-/// The parsed file and the compiled scene.
-std::uint64_t sceneBytes(const Sizes& n) { return 72 * n.vertices + 40 * n.triangles; }
+/// The file and the compiled scene.
+std::uint64_t sceneBytes(const Sizes& n) { return (32 + 24) * n.vertices + (17 + 12) * n.triangles; }
 
-/// FitMesh, and where receivers go.
+/// FitMesh, where receivers go, and the values of open ones.
 std::uint64_t surfaceBytes(const Sizes& n) {
-  return 56 * n.vertices + 24 * n.triangles + 20 * n.triangles + (n.bounces ? 2 : 1) * 6 * n.triangles;
+  return (56 + 4 * n.columns()) * n.vertices + (24 + 20 + 10 * n.sides()) * n.triangles;
 }
 
-/// SideSums of the front and, with bounces, the back, with all records.
+/// A side's sums while its receivers add to them.
 std::uint64_t sumBytes(const Sizes& n, bool bentNormal) {
-  const std::uint64_t baseline = 4 * (1 + n.coefficients) * n.vertices;
-  const std::uint64_t side = 24 * n.triangles + (4 * (1 + n.coefficients) + 9) * n.vertices;
-  const std::uint64_t bent = bentNormal ? 24 * n.triangles + 12 * n.vertices : 0;
-  const double records = double(n.receivers) * (n.bounces ? 1.0 + shareOfBacks : 1.0);
-  return baseline + side * (n.bounces ? 2 : 1) + bent +
-         sizeof(SampleRecord) * static_cast<std::uint64_t>(records);
+  return 24 * n.triangles + 4 * n.columns() * n.vertices +
+         (bentNormal ? 24 * n.triangles + 12 * n.vertices : 0);
 }
 
-/// What is in memory besides while the fit is solved or light bounces, whichever is more.
-std::uint64_t solvingBytes(const Sizes& n) {
-  const std::uint64_t equations = 108 * n.vertices, solver = 5 * 32 * n.vertices, part = 32 * n.vertices;
-  const std::uint64_t fitted = 4 * (1 + n.coefficients) * n.vertices;
-  const std::uint64_t fit = equations + solver + 6 * part + fitted;
-  if (!n.bounces) return fit;
-  return std::max(fit, 2 * equations + solver + 4 * part + 2 * fitted + 12 * n.coefficients * n.vertices);
+/// What is kept of the sums to the end.
+std::uint64_t keptSumBytes(const Sizes& n) { return 13 * n.vertices * n.sides(); }
+
+std::uint64_t recordBytes(const Sizes& n) {
+  const double receivers = double(n.receivers) * (n.bounces ? 1.0 + shareOfBacks : 1.0);
+  return sizeof(SampleRecord) * static_cast<std::uint64_t>(receivers);
 }
 
 std::uint64_t treeBytes(const Instancing& instancing) {
   return instancing.storedTriangles * treeBytesPerTriangle;
 }
 
-/// Whether the trees are kept after the cast, for rays of techniques.
-bool keepsTrees(const BakeRequest& request) {
-  return request.volume.size > 0 || request.chartTransfer.size > 0 || request.lightMap || request.radiosity;
+/// Beyond what is there all the time.
+struct Stage {
+  std::uint64_t host, device;
+
+  std::uint64_t sum() const { return host + device; }
+};
+
+constexpr std::uint64_t equationBytes = 108, solverBytes = 5 * 32, fourColumns = 16;  // a vertex
+
+/// Rays are cast, errors estimated, light bounces. `parks`: sums that wait are in a file.
+std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
+                              bool parks) {
+  const std::uint64_t front = sumBytes(n, n.ao), back = n.bounces ? sumBytes(n, false) : 0;
+  const std::uint64_t kept = keepsTrees(input.request) ? treeBytes(instancing) : 0;
+  const std::uint64_t waiting = parks ? 0 : front + back;
+  const std::uint64_t fitted = 4 * n.columns() * n.vertices;
+  const Stage cast{parks ? std::max(front, back) : front + back, treeBytes(instancing)};
+  // Deviations of eight groups, five vectors of four at a time, and the solver's.
+  const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * fourColumns) * n.vertices,
+                     kept};
+  if (!n.bounces) return {cast, errors, {}};
+  const std::uint64_t part = 4 * PRELIGHT_PART_VALUES;
+  const Stage bounce{
+      waiting + 2 * fitted + (equationBytes + solverBytes + part + 12 * n.coefficients) * n.vertices,
+      kept + 2 * part * n.vertices};
+  return {cast, errors, bounce};
+}
+
+Stage largest(const std::array<Stage, 3>& stages) {
+  return *std::max_element(stages.begin(), stages.end(),
+                           [](const Stage& a, const Stage& b) { return a.sum() < b.sum(); });
 }
 
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
   std::uint64_t texels = 0;
   for (const Image& image : input.scene.albedoImages) texels += 2 * image.rgba.size();
-  return treeBytes(instancing) + instancing.storedTriangles * 16 + input.scene.triangleCount() * 13 +
-         instancing.storedVertices * 24 + texels;
+  return instancing.storedTriangles * 16 + input.scene.triangleCount() * 13 + instancing.storedVertices * 24 +
+         texels;
+}
+
+/// What is allowed, or usual.
+std::uint64_t boundOf(const PlanInput& input, const Sizes& n) {
+  const std::uint64_t written =
+      (24 + 12 + 4 * n.coefficients * (n.bounces ? 3 : 1)) * n.vertices + 12 * n.triangles;
+  return input.request.maxMemory.value_or(usualBytes + usualBytesPerTriangle * n.triangles + written);
+}
+
+/// What may lie in files takes what the rest leaves: first records, which are read most often.
+void shareRest(const PlanInput& input, const Sizes& n, std::uint64_t bound, Plan& plan) {
+  const std::uint64_t others = plan.hostBytes + plan.deviceBytes;
+  std::uint64_t left = bound - std::min(bound, others);
+  const auto take = [&](std::uint64_t wanted) {
+    const std::uint64_t taken = std::min(wanted, std::max(leastInMemory, left));
+    left -= std::min(left, taken);
+    return taken;
+  };
+  plan.recordBytes = take(recordBytes(n));
+  plan.hostBytes += plan.recordBytes;
+  if (!n.bounces) return;
+  plan.transportBytes = take(plannedRays(input.scene, input.request) * senderBytes);
+  plan.deviceBytes += plan.transportBytes;
 }
 
 }  // namespace
@@ -81,17 +139,20 @@ void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& 
   const Sizes n = sizesOf(input);
   plan.hostBytes += programBytes + sceneBytes(n) + (input.source.images.empty() ? 0 : imageReaderBytes);
   plan.deviceBytes += deviceSceneBytes(input, instancing);
-  if (!input.request.castsReceivers()) return;
-  const std::uint64_t reused = keepsTrees(input.request) ? 0 : treeBytes(instancing);
-  plan.hostBytes +=
-      surfaceBytes(n) + sumBytes(n, input.request.ao) + solvingBytes(n) - std::min(solvingBytes(n), reused);
+  if (!input.request.castsReceivers()) {
+    plan.deviceBytes += treeBytes(instancing);
+    return;
+  }
+  plan.hostBytes += surfaceBytes(n) + keptSumBytes(n);
   plan.deviceBytes += blockBytes;
-  if (!n.bounces) return;
-  plan.deviceBytes += 2 * 4 * PRELIGHT_PART_VALUES * n.vertices;
-  const std::uint64_t wanted = plannedRays(input.scene, input.request) * senderBytes;
-  const std::uint64_t others = plan.hostBytes + plan.deviceBytes, allowed = input.request.memory();
-  plan.transportBytes = std::min(wanted, std::max(leastTransport, allowed - std::min(allowed, others)));
-  plan.deviceBytes += plan.transportBytes;
+  const std::uint64_t bound = boundOf(input, n);
+  const std::uint64_t inMemory = plan.hostBytes + plan.deviceBytes + recordBytes(n) +
+                                 largest(stagesOf(n, input, instancing, false)).sum();
+  plan.parks = inMemory > bound;
+  const Stage most = largest(stagesOf(n, input, instancing, plan.parks));
+  plan.hostBytes += most.host;
+  plan.deviceBytes += most.device;
+  shareRest(input, n, bound, plan);
 }
 
 }  // namespace prelight

@@ -6,6 +6,7 @@
 
 #include "bake/estimate_memory.h"
 #include "plan/shadow_sets.h"
+#include "plan/tree_use.h"
 #include "projectors/registry/plannings.h"
 #include "scene/instancing.h"
 #include "scene/light_sources.h"
@@ -13,8 +14,6 @@
 namespace prelight {
 
 namespace {
-
-constexpr std::uint64_t bvhBytesPerTriangle = 100;  // nodes and blocks, measured 70 to 95 on built-in scenes
 
 PlannedPass planTranslucent(const CompiledScene& scene, bool bounces) {
   if (!scene.hasDiffuseTransmission())
@@ -47,7 +46,7 @@ PlannedPass planShadowSets(const ShadowSets& sets, const BakeRequest& request) {
   if (shown < sets.sets.size()) text += fmt::format(" and {} more", sets.sets.size() - shown);
   return {Pass::ShadowSets, true,
           text + fmt::format(", about {} kB besides the whole scene's",
-                             (sets.treeTriangles() * bvhBytesPerTriangle + 999) / 1000)};
+                             (sets.treeTriangles() * treeBytesPerTriangle + 999) / 1000)};
 }
 
 PlannedPass planInstances(const Instancing& instancing) {
@@ -132,7 +131,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       if (technique.addMemory != nullptr) technique.addMemory(input, plan);
     estimateMemory(input, instancing, plan);
   }
-  plan.deviceBytes += sets.treeTriangles() * bvhBytesPerTriangle;
+  plan.deviceBytes += sets.treeTriangles() * treeBytesPerTriangle;
   return plan;
 }
 

@@ -215,6 +215,11 @@ void checkMapOptions(const BakeRequest& request) {
     if (given) throw UsageError(option, "it is of light maps, and none is asked for", "add --lightmap");
 }
 
+/// Poses and charts are made of the meshes as the file has them; all else of the compiled scene.
+void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
+  if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   checkMapOptions(command.bake.request);
   Session session(context);
@@ -228,6 +233,7 @@ void runBake(const BakeCommand& command, Context& context) {
   DeviceOptions deviceOptions = session.deviceOptions();
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
+  dropUnusedMeshes(request, animation.has_value(), loaded.scene);
   const StopSignals::SafePoints safePoints(context.signals);
   BakeStateFile state(command.output, command.resume, session.console(), context.signals);
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)

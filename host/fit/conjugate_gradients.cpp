@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t rowRange = 1024;
 constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
 
-/// A power of two that brings the largest of a column's values to about 1, so that no square leaves the range of
-/// single precision. `values` are those of all columns from this one on.
+/// A power of two that brings the largest of a column's values to about 1, so that no square leaves the range
+/// of single precision. `values` are those of all columns from this one on.
 float scaleOf(std::span<const float> values, std::size_t columns) {
   float largest = 0.0f;
   for (std::size_t i = 0; i < values.size(); i += columns) largest = std::max(largest, std::abs(values[i]));
@@ -38,25 +38,22 @@ class BlockSolver {
         bend_(x_.size()),
         partial_((rows_ + rowRange - 1) / rowRange) {}
 
-  /// Columns [first, first + count) of right and x, which have `columns` in all.
-  void run(std::span<const float> right, std::vector<float>& x, std::size_t columns, std::size_t first,
-           std::size_t count) {
+  /// Columns [first, first + count) of right sides, which have `columns` in all, become their solutions.
+  void run(std::span<float> values, std::size_t columns, std::size_t first, std::size_t count) {
     const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
     std::array<float, W> scale;
     scale.fill(1.0f);
-    for (std::size_t c = 0; c < count; ++c) scale[c] = scaleOf(right.subspan(first + c), columns);
+    for (std::size_t c = 0; c < count; ++c) scale[c] = scaleOf(values.subspan(first + c), columns);
     runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
-      forRows(member, [&](std::size_t i) {
-        for (std::size_t c = 0; c < W; ++c) x_[i * W + c] = c < count ? scale[c] * x[place(i) + c] : 0.0f;
-      });
+      forRows(member, [&](std::size_t i) { std::fill_n(&x_[i * W], W, 0.0f); });
       member.wait();
       solve(member, [&](std::size_t i, std::size_t c) {
-        return c < count ? static_cast<float>(equations_.factor(i) * scale[c] * right[place(i) + c]) : 0.0f;
+        return c < count ? static_cast<float>(equations_.factor(i) * scale[c] * values[place(i) + c]) : 0.0f;
       });
       // Sums beyond what single precision holds have no solution: 0 is as good as any, and harms nobody.
       forRows(member, [&](std::size_t i) {
         for (std::size_t c = 0; c < count; ++c)
-          x[place(i) + c] = std::isfinite(x_[i * W + c]) ? x_[i * W + c] / scale[c] : 0.0f;
+          values[place(i) + c] = std::isfinite(x_[i * W + c]) ? x_[i * W + c] / scale[c] : 0.0f;
       });
     });
   }
@@ -171,27 +168,26 @@ class BlockSolver {
   const SolveLimits& limits_;
   std::size_t rows_;
   std::vector<float> x_, residual_, direction_, image_, bend_;  ///< [row][column of the block]
-  std::vector<Sums> partial_;                                           ///< [range]
+  std::vector<Sums> partial_;                                   ///< [range]
 };
 
 template <std::size_t W>
-std::size_t solveBlocks(const NormalEquations& equations, std::span<const float> right, std::size_t columns,
-                        std::size_t first, std::size_t least, std::vector<float>& x,
-                        const SolveLimits& limits) {
+std::size_t solveBlocks(const NormalEquations& equations, std::span<float> values, std::size_t columns,
+                        std::size_t first, std::size_t least, const SolveLimits& limits) {
   if (columns - first < least) return first;
   BlockSolver<W> solver(equations, limits);
   for (; columns - first >= least; first += std::min(W, columns - first))
-    solver.run(right, x, columns, first, std::min(W, columns - first));
+    solver.run(values, columns, first, std::min(W, columns - first));
   return first;
 }
 
 }  // namespace
 
-void conjugateGradients(const NormalEquations& equations, std::span<const float> right, std::size_t columns,
-                        std::vector<float>& x, const SolveLimits& limits) {
-  std::size_t first = solveBlocks<8>(equations, right, columns, 0, 5, x, limits);
-  first = solveBlocks<4>(equations, right, columns, first, 2, x, limits);
-  solveBlocks<1>(equations, right, columns, first, 1, x, limits);
+void conjugateGradients(const NormalEquations& equations, std::span<float> values, std::size_t columns,
+                        const SolveLimits& limits) {
+  std::size_t first = solveBlocks<8>(equations, values, columns, 0, 5, limits);
+  first = solveBlocks<4>(equations, values, columns, first, 2, limits);
+  solveBlocks<1>(equations, values, columns, first, 1, limits);
 }
 
 }  // namespace prelight

@@ -15,12 +15,12 @@ struct SolveLimits {
   std::size_t threads = hardwareThreads();
 };
 
-/// Solves the equations of all sampled slots for every column of `right`, [slot][column], each on its own
-/// step sizes: conjugate gradients in single precision with Jacobi's preconditioner and sums in double
-/// precision. The recursive residual is replaced by the true one at the end, and the iteration begun anew
-/// should they have parted. `x`, [slot][column], holds the first guess and then the solution; slots without
-/// samples are neither read nor written. The result does not depend on the number of threads.
-void conjugateGradients(const NormalEquations& equations, std::span<const float> right, std::size_t columns,
-                        std::vector<float>& x, const SolveLimits& limits = {});
+/// Solves the equations of all sampled slots for every column of `values`, [slot][column], right sides that
+/// become their solutions, each on its own step sizes: conjugate gradients from 0 in single precision with
+/// Jacobi's preconditioner and sums in double precision. The recursive residual is replaced by the true one
+/// at the end, and the iteration begun anew should they have parted. Slots without samples are neither read
+/// nor written. The result does not depend on the number of threads.
+void conjugateGradients(const NormalEquations& equations, std::span<float> values, std::size_t columns,
+                        const SolveLimits& limits = {});
 
 }  // namespace prelight

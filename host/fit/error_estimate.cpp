@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "base/prefetch.h"
 
 namespace prelight {
 
@@ -27,6 +26,12 @@ std::vector<double> neighbourMean(const FitMesh& mesh, const std::vector<double>
 
 /// [slot][group], deviations of AO whose squares sum to its variance.
 using Deviations = std::vector<float>;
+
+/// Groups are solved for so many at a time, in half the memory.
+constexpr std::uint32_t groupsAtOnce = 4;
+
+/// [slot][groupsAtOnce], of groups from the one at hand on.
+using Part = std::vector<float>;
 
 constexpr std::size_t slotGrain = 4096;
 
@@ -49,75 +54,33 @@ Deviations centred(std::vector<float> values, double factor) {
 /// What is fitted: AO relative to an open receiver's.
 double valueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
 
-/// Adds what each record weighs times its value to its three slots, in its group's column. Groups are dealt
-/// to threads.
-template <typename Value>
-void addRecords(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
-                const Value& value, Deviations& sums) {
-  constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
-  const auto ask = [&](std::size_t i) {
-    if (i + trianglesAhead < records.size())
-      prefetch(&mesh.triangles[records[i + trianglesAhead].sample.triangle]);
-    if (i + slotsAhead >= records.size()) return;
-    for (const std::uint32_t slot : mesh.triangles[records[i + slotsAhead].sample.triangle])
-      prefetch(&sums[slot * errorGroups], errorGroups);
-  };
-  parallelRanges(errorGroups, errorGroups / 2, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      const SampleRecord& record = records[i];
-      if (record.group < begin || record.group >= end) continue;
-      ask(i);
-      const auto& slots = mesh.triangles[record.sample.triangle];
-      const auto b = cornerWeights(record.sample);
-      const double weighted = fit.weightOf(record.sample) * value(record, slots, b);
-      for (std::size_t k = 0; k < 3; ++k)
-        sums[slots[k] * errorGroups + record.group] += static_cast<float>(b[k] * weighted);
-    }
-  });
-}
-
-/// [slot][group], the residuals' part of the normal equations: what a group alone adds to the right side
-/// beyond what the fit to all records explains.
-Deviations scoresOf(const FitMesh& mesh, const VertexFit& fit, const std::vector<SampleRecord>& records,
-                    std::span<const float> values, std::size_t columns) {
-  Deviations scores(std::size_t{mesh.slotCount()} * errorGroups, 0.0f);
-  addRecords(
-      mesh, fit, records,
-      [&](const SampleRecord& record, const auto& slots, const auto& b) {
-        return valueOf(record) - (b[0] * values[slots[0] * columns] + b[1] * values[slots[1] * columns] +
-                                  b[2] * values[slots[2] * columns]);
-      },
-      scores);
-  return scores;
-}
-
-using GroupSums = std::array<double, errorGroups>;
+using GroupSums = std::array<double, groupsAtOnce>;
 
 /// Sums over the slots of a b, a group.
-GroupSums dots(const Deviations& a, const Deviations& b) {
-  std::vector<GroupSums> parts((a.size() / errorGroups + slotGrain - 1) / slotGrain, GroupSums{});
-  parallelRanges(a.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
+GroupSums dots(const Part& a, const Part& b) {
+  std::vector<GroupSums> parts((a.size() / groupsAtOnce + slotGrain - 1) / slotGrain, GroupSums{});
+  parallelRanges(a.size() / groupsAtOnce, slotGrain, [&](std::size_t begin, std::size_t end) {
     GroupSums& part = parts[begin / slotGrain];
-    for (std::size_t i = begin * errorGroups; i < end * errorGroups; ++i)
-      part[i % errorGroups] += double(a[i]) * b[i];
+    for (std::size_t i = begin * groupsAtOnce; i < end * groupsAtOnce; ++i)
+      part[i % groupsAtOnce] += double(a[i]) * b[i];
   });
   GroupSums sums{};
   for (const GroupSums& part : parts)
-    for (std::size_t g = 0; g < errorGroups; ++g) sums[g] += part[g];
+    for (std::size_t g = 0; g < groupsAtOnce; ++g) sums[g] += part[g];
   return sums;
 }
 
 /// a = factor[group] a + more[group] b
-void combine(Deviations& a, const GroupSums& factor, const GroupSums& more, const Deviations& b) {
-  parallelRanges(a.size() / errorGroups, slotGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * errorGroups; i < end * errorGroups; ++i)
-      a[i] = static_cast<float>(factor[i % errorGroups] * a[i] + more[i % errorGroups] * b[i]);
+void combine(Part& a, const GroupSums& factor, const GroupSums& more, const Part& b) {
+  parallelRanges(a.size() / groupsAtOnce, slotGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * groupsAtOnce; i < end * groupsAtOnce; ++i)
+      a[i] = static_cast<float>(factor[i % groupsAtOnce] * a[i] + more[i % groupsAtOnce] * b[i]);
   });
 }
 
 GroupSums ratios(const GroupSums& a, const GroupSums& b) {
   GroupSums quotients{};
-  for (std::size_t g = 0; g < errorGroups; ++g) quotients[g] = b[g] > 0.0 ? a[g] / b[g] : 0.0;
+  for (std::size_t g = 0; g < groupsAtOnce; ++g) quotients[g] = b[g] > 0.0 ? a[g] / b[g] : 0.0;
   return quotients;
 }
 
@@ -134,36 +97,49 @@ GroupSums negative(GroupSums sums) {
   return sums;
 }
 
-/// The fit's equations A, solved for the groups' right sides.
+/// The fit's equations A, solved for the right sides of groupsAtOnce groups.
 class GroupSolver {
  public:
-  GroupSolver(const FitMesh& mesh, const VertexFit& fit, const NormalEquations& equations,
-              const std::vector<SampleRecord>& records)
-      : mesh_(mesh), fit_(fit), equations_(equations), records_(records) {}
+  GroupSolver(const FitMesh& mesh, const AoFit& all, const SampleRecords& records, std::uint32_t firstGroup)
+      : mesh_(mesh), all_(all), records_(records), firstGroup_(firstGroup) {}
 
-  Deviations solve(const Deviations& right) const {
-    return fit_.solve(equations_, right, errorGroups, roughly());
+  /// The residuals' part of the normal equations: what a group alone adds to the right side beyond what the
+  /// fit to all records explains.
+  Part scores() const {
+    Part scores(std::size_t{mesh_.slotCount()} * groupsAtOnce, 0.0f);
+    const auto fitted = [&](std::uint32_t slot) { return double(all_.values[slot * all_.columns]); };
+    addRecords(
+        [&](const SampleRecord& record, const auto& slots, const auto& b) {
+          return valueOf(record) -
+                 (b[0] * fitted(slots[0]) + b[1] * fitted(slots[1]) + b[2] * fitted(slots[2]));
+        },
+        scores);
+    return scores;
+  }
+
+  Part solve(Part right) const {
+    return all_.fit.solve(all_.equations, std::move(right), groupsAtOnce, roughly());
   }
 
   /// How far leaving each group out moves the fit: (A - M) x = score, with M what the group's records have in
   /// A. Solved by conjugate gradients with A as the preconditioner, since M is about an eighth of it; A times
   /// a direction follows from how the direction is made. `first` is solve(scores).
-  Deviations withoutGroups(Deviations scores, const Deviations& first) const {
+  Part withoutGroups(Part scores, Part first) const {
     constexpr int mostSteps = 5;
     constexpr double enough = 2e-3;  // of the energy is left, as expected from what the step before has left
-    Deviations moved(scores.size(), 0.0f), direction = first, ofAll = scores;
     GroupSums energy = dots(scores, first);
+    Part moved(scores.size(), 0.0f), direction = std::move(first), ofAll = scores;
     const double start = total(energy);
     bool last = false;
     for (int step = 1;; ++step) {
       {
-        const Deviations image = imageOf(direction, ofAll);
+        const Part image = imageOf(direction, ofAll);
         const GroupSums length = ratios(energy, dots(direction, image));
         combine(moved, filled(1.0), length, direction);
         combine(scores, filled(1.0), negative(length), image);
       }
       if (last || step == mostSteps) return moved;
-      const Deviations rest = solve(scores);
+      const Part rest = solve(scores);
       const GroupSums left = dots(scores, rest), turn = ratios(left, energy);
       combine(direction, turn, filled(1.0), rest);
       combine(ofAll, turn, filled(1.0), scores);
@@ -173,23 +149,67 @@ class GroupSolver {
   }
 
  private:
+  /// Adds what each record weighs times its value to its three slots, in its group's column. Groups are dealt
+  /// to threads.
+  template <typename Value>
+  void addRecords(const Value& value, Part& sums) const {
+    parallelRanges(groupsAtOnce, groupsAtOnce / 2, [&](std::size_t begin, std::size_t end) {
+      const auto groupAt = [&](std::size_t place) { return firstGroup_ + static_cast<std::uint32_t>(place); };
+      records_.forGroups(groupAt(begin), groupAt(end), [&](const SampleRecord& record) {
+        const auto& slots = mesh_.triangles[record.sample.triangle];
+        const auto b = cornerWeights(record.sample);
+        const double weighted = all_.fit.weightOf(record.sample) * value(record, slots, b);
+        for (std::size_t k = 0; k < 3; ++k)
+          sums[placeOf(slots[k], record)] += static_cast<float>(b[k] * weighted);
+      });
+    });
+  }
+
+  std::size_t placeOf(std::uint32_t slot, const SampleRecord& record) const {
+    return std::size_t{slot} * groupsAtOnce + record.group - firstGroup_;
+  }
+
   /// (A - M) of, given A of.
-  Deviations imageOf(const Deviations& of, Deviations ofAll) const {
+  Part imageOf(const Part& of, Part ofAll) const {
     addRecords(
-        mesh_, fit_, records_,
         [&](const SampleRecord& record, const auto& slots, const auto& b) {
-          const auto value = [&](std::size_t k) { return of[slots[k] * errorGroups + record.group]; };
-          return -(b[0] * value(0) + b[1] * value(1) + b[2] * value(2));
+          const auto at = [&](std::size_t k) { return of[placeOf(slots[k], record)]; };
+          return -(b[0] * at(0) + b[1] * at(1) + b[2] * at(2));
         },
         ofAll);
     return ofAll;
   }
 
   const FitMesh& mesh_;
-  const VertexFit& fit_;
-  const NormalEquations& equations_;
-  const std::vector<SampleRecord>& records_;
+  const AoFit& all_;
+  const SampleRecords& records_;
+  std::uint32_t firstGroup_;
 };
+
+/// What groups move the fit by, from below and from above.
+struct Bracket {
+  Deviations low, high;
+};
+
+void copyGroups(const Part& part, std::uint32_t firstGroup, Deviations& all) {
+  for (std::size_t i = 0; i < part.size(); ++i)
+    all[i / groupsAtOnce * errorGroups + firstGroup + i % groupsAtOnce] = part[i];
+}
+
+Bracket bracketOf(const FitMesh& mesh, const AoFit& all, const SampleRecords& records) {
+  constexpr double groups = errorGroups;
+  const std::size_t size = std::size_t{mesh.slotCount()} * errorGroups;
+  Bracket bracket{Deviations(size), Deviations(size)};
+  for (std::uint32_t first = 0; first < errorGroups; first += groupsAtOnce) {
+    const GroupSolver solver(mesh, all, records, first);
+    Part scores = solver.scores(), low = solver.solve(scores);
+    copyGroups(low, first, bracket.low);
+    copyGroups(solver.withoutGroups(std::move(scores), std::move(low)), first, bracket.high);
+  }
+  bracket.high = centred(std::move(bracket.high), std::sqrt((groups - 1.0) / groups));
+  bracket.low = centred(std::move(bracket.low), std::sqrt(groups / (groups - 1.0)));
+  return bracket;
+}
 
 /// Mean square over the surface of the interpolated deviations. The mean of a linear function's square over a
 /// triangle is (a^2 + b^2 + c^2 + ab + bc + ca) / 6.
@@ -248,15 +268,8 @@ std::vector<double> variances(const Deviations& deviations) {
 }  // namespace
 
 ErrorEstimate estimateAoError(const FitMesh& mesh, const AoFit& all, const std::vector<double>& areas,
-                              const std::vector<SampleRecord>& records, std::uint64_t receivers,
-                              bool independent) {
-  constexpr double groups = errorGroups;
-  const GroupSolver solver(mesh, all.fit, all.equations, records);
-  Deviations scores = scoresOf(mesh, all.fit, records, all.values, all.columns);
-  Deviations low = solver.solve(scores);
-  const Deviations high =
-      centred(solver.withoutGroups(std::move(scores), low), std::sqrt((groups - 1.0) / groups));
-  low = centred(std::move(low), std::sqrt(groups / (groups - 1.0)));
+                              const SampleRecords& records, std::uint64_t receivers, bool independent) {
+  const auto [low, high] = bracketOf(mesh, all, records);
   // The receivers without a record make the variance smaller in proportion.
   double share = receivers > 0 ? static_cast<double>(records.size()) / static_cast<double>(receivers) : 1.0;
   if (!independent) share *= complementFactor(mesh, areas, low);

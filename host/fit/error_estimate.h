@@ -4,21 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "fit/sample_records.h"
 #include "fit/vertex_fit.h"
 #include "receivers/fit_mesh.h"
-#include "receivers/surface_sampler.h"
 
 namespace prelight {
-
-/// What is kept of a receiver after its block: its place, and its open fraction for the error estimate.
-struct SampleRecord {
-  SurfaceSample sample;
-  float open = 0.0f;
-  std::uint32_t group = 0;  ///< of the error estimate, below errorGroups
-};
-
-/// Passes are dealt to this many groups, whose scatter gives the standard error.
-constexpr std::uint32_t errorGroups = 8;
 
 /// A fit whose first column is AO less 1, its equations and their solution, which outlive the estimate.
 struct AoFit {
@@ -42,7 +32,6 @@ struct ErrorEstimate {
 /// as HC2 = r^2 / (1 - h), whose mean is sigma^2 (MacKinnon and White 1985). `all` is the fit to the records;
 /// `areas` are the triangles', m2; of `receivers` in all, the records are a representative part.
 ErrorEstimate estimateAoError(const FitMesh& mesh, const AoFit& all, const std::vector<double>& areas,
-                              const std::vector<SampleRecord>& records, std::uint64_t receivers,
-                              bool independent);
+                              const SampleRecords& records, std::uint64_t receivers, bool independent);
 
 }  // namespace prelight

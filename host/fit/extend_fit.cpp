@@ -46,8 +46,7 @@ void extendFit(const FitMesh& mesh, const NormalEquations& equations, std::span<
         count += 1.0;
         for (std::size_t c = 0; c < columns; ++c) sum[c] += x[other * columns + c];
       }
-      for (std::size_t c = 0; c < columns; ++c)
-        x[slot * columns + c] = static_cast<float>(sum[c] / count);
+      for (std::size_t c = 0; c < columns; ++c) x[slot * columns + c] = static_cast<float>(sum[c] / count);
       known[slot] = 1;
     }
 }

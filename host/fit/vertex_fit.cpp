@@ -1,6 +1,8 @@
 #include "fit/vertex_fit.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/prefetch.h"
 #include "fit/extend_fit.h"
@@ -105,13 +107,47 @@ void VertexFit::addTo(std::span<float> rightSide, std::span<const SurfaceSample>
   });
 }
 
+std::vector<TriangleMass> VertexFit::parkedMass() const {
+  std::vector<TriangleMass> mass(mesh_->triangles.size());
+  parked_->read(0, std::as_writable_bytes(std::span(mass)));
+  return mass;
+}
+
+std::vector<float> VertexFit::parkedRight() const {
+  std::vector<float> right(mesh_->slotCount() * columns_);
+  parked_->read(massBytes(), std::as_writable_bytes(std::span(right)));
+  return right;
+}
+
+void VertexFit::park() {
+  if (parked_ || !triangleWeights_.empty()) return;
+  parked_ = std::make_shared<SpillFile>();
+  parked_->write(0, std::as_bytes(std::span(mass_)));
+  parked_->write(massBytes(), std::as_bytes(std::span(right_)));
+  mass_ = std::vector<TriangleMass>();  // {} would keep the memory
+  right_ = std::vector<float>();
+}
+
+void VertexFit::fetch() {
+  if (!parked_) return;
+  mass_ = parkedMass();
+  right_ = parkedRight();
+  parked_.reset();
+}
+
 void VertexFit::save(StateWriter& state) const {
+  if (parked_) {
+    VertexFit fetched = *this;
+    fetched.fetch();
+    return fetched.save(state);
+  }
   state.values(mass_);
   state.values(right_);
   state.values(stiffness_);
 }
 
 void VertexFit::load(StateReader& state) {
+  fetch();
   state.sameSize(mass_);
   state.sameSize(right_);
   state.values(stiffness_);
@@ -130,10 +166,12 @@ double VertexFit::scaleOf(std::size_t triangle) const {
 
 /// Columns [firstColumn, firstColumn + count) of the equations' right side, [slot][count].
 std::vector<float> VertexFit::rightSide(std::size_t firstColumn, std::size_t count) const {
+  const std::vector<float> read = parked_ ? parkedRight() : std::vector<float>();
+  const std::vector<float>& sums = parked_ ? read : right_;
   std::vector<float> right(mesh_->slotCount() * count, 0.0f);
   const auto addRow = [&](std::size_t slot, double scale, std::size_t row) {
     for (std::size_t c = 0; c < count; ++c)
-      right[slot * count + c] += static_cast<float>(scale * right_[row * columns_ + firstColumn + c]);
+      right[slot * count + c] += static_cast<float>(scale * sums[row * columns_ + firstColumn + c]);
   };
   if (triangleWeights_.empty())
     for (std::size_t slot = 0; slot < mesh_->slotCount(); ++slot) addRow(slot, 1.0, slot);
@@ -150,6 +188,7 @@ std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) con
 }
 
 std::vector<float> VertexFit::solve(const NormalEquations& equations) const {
+  if (parked_) return solve(equations, parkedRight(), columns_);
   return triangleWeights_.empty() ? solve(equations, right_, columns_)
                                   : solve(equations, rightSide(0, columns_), columns_);
 }
@@ -158,15 +197,19 @@ std::vector<float> VertexFit::solveColumn(const NormalEquations& equations, std:
   return solve(equations, rightSide(column, 1), 1);
 }
 
-std::vector<float> VertexFit::solve(const NormalEquations& equations, std::span<const float> rightSide,
+std::vector<float> VertexFit::solve(const NormalEquations& equations, std::vector<float> rightSide,
                                     std::size_t columns, const SolveLimits& limits) const {
-  std::vector<float> values(rightSide.size(), 0.0f);
-  conjugateGradients(equations, rightSide, columns, values, limits);
+  std::vector<float> values = std::move(rightSide);
+  conjugateGradients(equations, values, columns, limits);
+  for (std::uint32_t slot = 0; slot < mesh_->slotCount(); ++slot)
+    if (equations.rowOf(slot) == NormalEquations::noRow)
+      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(slot * columns), columns, 0.0f);
   extendFit(*mesh_, equations, extent_, columns, values);
   return values;
 }
 
 NormalEquations VertexFit::equations(double lambda) const {
+  if (parked_) return {*mesh_, parkedMass(), lambda, stiffness_};
   if (triangleWeights_.empty()) return {*mesh_, mass_, lambda, stiffness_};
   std::vector<TriangleMass> mass = mass_;
   for (std::size_t t = 0; t < mass.size(); ++t) {

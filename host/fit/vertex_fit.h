@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "base/spill_file.h"
 #include "base/state_file.h"
 #include "fit/conjugate_gradients.h"
 #include "fit/normal_equations.h"
@@ -39,6 +41,11 @@ class VertexFit {
   void save(StateWriter& state) const;
   void load(StateReader& state);
 
+  /// Moves the sums to a file, from where what solves reads them for as long as it takes, until fetch()
+  /// brings them back for further samples. Fits with triangle weights stay: those are read sample by sample.
+  void park();
+  void fetch();
+
   /// What a sample weighs in the fit.
   double weightOf(const SurfaceSample& sample) const { return sample.weight * scaleOf(sample.triangle); }
 
@@ -58,10 +65,10 @@ class VertexFit {
   NormalEquations equations(double lambda) const;
 
   /// Solves equations() for this fit's columns, [slot][column]; for one of them, [slot]; for another
-  /// right-hand side, [slot][column].
+  /// right-hand side, [slot][column], in whose memory the solution comes.
   std::vector<float> solve(const NormalEquations& equations) const;
   std::vector<float> solveColumn(const NormalEquations& equations, std::size_t column) const;
-  std::vector<float> solve(const NormalEquations& equations, std::span<const float> rightSide,
+  std::vector<float> solve(const NormalEquations& equations, std::vector<float> rightSide,
                            std::size_t columns, const SolveLimits& limits = {}) const;
 
   /// Smooths each slot as many times as strongly from now on, [slot], > 0 (see stiffnessOf()).
@@ -73,6 +80,9 @@ class VertexFit {
   const std::vector<std::uint8_t>& extent() const { return extent_; }
 
  private:
+  std::size_t massBytes() const { return mesh_->triangles.size() * sizeof(TriangleMass); }
+  std::vector<TriangleMass> parkedMass() const;
+  std::vector<float> parkedRight() const;
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
@@ -84,6 +94,7 @@ class VertexFit {
   std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
   std::vector<TriangleMass> mass_;       ///< [triangle]
   std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f
+  std::shared_ptr<SpillFile> parked_;    ///< has the mass and then the right side, which are empty meanwhile
 };
 
 /// The strength that served best over the built-in scenes, see docs/accuracy.md.

@@ -15,7 +15,9 @@ nlohmann::ordered_json toJson(const Plan& plan) {
            {{"hostBytes", plan.hostBytes},
             {"deviceBytes", plan.deviceBytes},
             {"transportBytes", plan.transportBytes},
-            {"texelBytes", plan.texelBytes}}}};
+            {"texelBytes", plan.texelBytes},
+            {"recordBytes", plan.recordBytes},
+            {"parks", plan.parks}}}};
 }
 
 Plan planFromJson(const JsonCursor& json) {
@@ -29,6 +31,8 @@ Plan planFromJson(const JsonCursor& json) {
     plan.deviceBytes = memory->unsignedOr("deviceBytes", 0);
     plan.transportBytes = memory->unsignedOr("transportBytes", 0);
     plan.texelBytes = memory->unsignedOr("texelBytes", 0);
+    plan.recordBytes = memory->unsignedOr("recordBytes", 0);
+    plan.parks = memory->boolOr("parks", false);
   }
   return plan;
 }

@@ -18,6 +18,8 @@ struct Projections {
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only
   bool occluders = false;            ///< means of what is seen of each, fronts only
   std::uint32_t occluderCount = 0;   ///< where they are told apart
+  std::uint64_t recordBytes = 0;     ///< of records that are kept in memory, of both sides together
+  bool parks = false;                ///< sums that wait lie in a file
   const ShadowSets* sets = nullptr;  ///< of occluders; nullptr: all see everything
 };
 

@@ -49,7 +49,6 @@ struct CastNeeds {
   int texelFaceSize = 0;                      ///< of a cube map that rays are kept on; 0: they are not
   bool receivers = false;                     ///< where bounces are: keep those of stored rows
   bool reflected = false;  ///< where bounces are: keep what surfaces reflect (SlotTransfer)
-  bool trees = false;      ///< keep them for rays of its own after the cast
 };
 
 /// What a technique does in a bake. Projectors are made before the first ray and run one after the other.

@@ -6,6 +6,7 @@
 
 #include "basis/cube_map.h"
 #include "plan/cast_orders.h"
+#include "plan/tree_use.h"
 
 namespace prelight {
 
@@ -56,6 +57,8 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
     projections.texelRows = context.plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
     projections.texelCount = cubeTexelCount(needs.texelFaceSize);
   }
+  projections.recordBytes = context.plan.recordBytes;
+  projections.parks = context.plan.parks;
   projections.backs = context.plan.runs(Pass::Bounces);
   projections.receivers = needs.receivers && context.plan.runs(Pass::Bounces);
   projections.occluders = needs.occluders != nullptr;
@@ -102,7 +105,6 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
     : context_(context),
       bounces_(context.plan.runs(Pass::Bounces) ? context.request.bounces : 0),
       keepsReflected_(needs.reflected),
-      keepsTrees_(needs.trees),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
       capacity_(storedCapacity(context)),
       caster_(context.scene, context.tracer, castOptions(context, needs, schedule_, capacity_)),
@@ -113,7 +115,8 @@ void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
   context_.clock.mark("cast");
-  if (!keepsTrees_) dropTrees(context_);
+  if (!keepsTrees(context_.request)) dropTrees(context_);
+  cast_.finish();
   FittedSide fitted = front().solve();
   fitted_ = std::move(fitted.values);
   context_.report.aoErrorRms = fitted.error.rms;

@@ -47,7 +47,6 @@ class ReceiverCast {
   const BakeContext& context_;
   int bounces_;
   bool keepsReflected_;  ///< see SlotTransfer
-  bool keepsTrees_;      ///< for rays after the cast
   Schedule schedule_;
   std::uint32_t capacity_;  ///< rows of senders
   Caster caster_;

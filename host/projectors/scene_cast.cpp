@@ -31,21 +31,26 @@ SceneCast::SceneCast(const CompiledScene& scene, const FitMesh& mesh, Caster& ca
              Baseline(scene, mesh, projections.shOrder)) {}
 
 void SceneCast::run(Progress& progress) {
-  if (!frontDone_) {
-    front_.run(progress, 0, capacity_);
-    front_.finish();
-  }
+  if (!frontDone_) front_.run(progress, 0, capacity_);
+  if (projections_.parks) front_.park();
   frontDone_ = true;
   for (; projections_.backs && capacity_ > 0 && backRounds_ < maxBackRounds; ++backRounds_) {
     const bool goesOn = back_ && back_->running();
     if (!goesOn && !markFreshBacks()) return;
     back_->run(progress, front_.storedCount(), capacity_ - front_.storedCount());
   }
+}
+
+void SceneCast::finish() {
+  if (projections_.parks && back_) back_->park();
   if (back_) back_->finish();
+  front_.finish();
 }
 
 void SceneCast::makeBack() {
-  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections_,
+  Projections projections = projections_;
+  projections.recordBytes -= std::min(projections.recordBytes, front_.records().bytesInMemory());
+  back_ = std::make_unique<SideCast>(scene_, mesh_, caster_, schedule_, projections,
                                      SurfaceSampler(front_.sampler(), schedule_.seed, Side::Back),
                                      front_.baseline().ofBacks());
   backSeen_.assign(scene_.triangleCount(), 0);

@@ -26,6 +26,9 @@ class SceneCast {
   /// Throws Interrupted; run() again goes on.
   void run(Progress& progress);
 
+  /// After run(), and without the trees that it took: the fits are ready to be solved.
+  void finish();
+
   const SideCast& front() const { return front_; }
 
   /// nullptr when no back is seen.

@@ -41,14 +41,13 @@ void SideCast::start() {
   round_ = passInRound_ = 0;
   sums_.soften();
   receiversPerPass_ = schedule_.receiversPerPass;
-  if (!schedule_.error && !schedule_.deadline)
-    sums_.expect(schedule_.passes * sampler_.expected(schedule_.receiversPerPass));
 }
 
 void SideCast::run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity) {
   storedFirst_ = storedFirst;
   storedCapacity_ = storedCapacity;
   if (!running_) start();
+  sums_.unpark();
   for (bool ended = false; !ended;) {
     for (; passInRound_ < schedule_.passes; ++passInRound_) {
       // The first round is owed: without it, there would be nothing to fit.

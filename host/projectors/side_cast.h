@@ -35,8 +35,14 @@ class SideCast {
   /// load(), goes on where the saved run was interrupted.
   void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
 
-  /// Ends the last run: the fit is ready to be solved.
-  void finish() { sums_.stiffen(); }
+  /// Ends the last run, as often as is wanted: the fit is ready to be solved.
+  void finish() {
+    sums_.soften();
+    sums_.stiffen();
+  }
+
+  /// Between runs: what was summed up lies in a file until the next.
+  void park() { sums_.park(); }
 
   /// True between the start of a run and its end, so also after one that was interrupted.
   bool running() const { return running_; }
@@ -69,7 +75,7 @@ class SideCast {
   VertexFit fitOfStoredRows() const { return sums_.fitOf(storedCount_); }
 
   const Baseline& baseline() const { return sums_.baseline(); }
-  const std::vector<SampleRecord>& records() const { return sums_.records(); }
+  const SampleRecords& records() const { return sums_.records(); }
   std::uint32_t storedFirst() const { return storedFirst_; }
   std::uint32_t storedCount() const { return storedCount_; }
 

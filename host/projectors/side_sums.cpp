@@ -27,6 +27,7 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       areas_(areas),
       baseline_(std::move(baseline)),
       fit_(plainFit(baseline_.columns())),
+      records_(projections.recordBytes),
       seen_(mesh.slotCount(), 0),
       slotRays_(mesh.slotCount(), 0),
       residual_(baseline_.columns()) {
@@ -35,8 +36,16 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
-void SideSums::expect(double receivers) {
-  records_.reserve(std::min(mostRecords, records_.size() + static_cast<std::size_t>(1.01 * receivers)));
+void SideSums::park() {
+  fit_.park();
+  if (bentFit_) bentFit_->park();
+  if (lightFit_) lightFit_->park();
+}
+
+void SideSums::unpark() {
+  fit_.fetch();
+  if (bentFit_) bentFit_->fetch();
+  if (lightFit_) lightFit_->fetch();
 }
 
 void SideSums::add(const CastBlock& block) {
@@ -110,7 +119,7 @@ void SideSums::addReceiver(const CastBlock& block, std::size_t i) {
   if (block.occluders) occluders_.value().add(sample, receiver, block.values.occluders, i);
   markSlots(sample, open);
   if (records_.size() == mostRecords) return;
-  records_.push_back({sample, values[0], block.group});
+  records_.add({sample, values[0], block.group});
   if (projections_.texelRows > 0)
     texelRows_.add(
         std::span(block.values.texels).subspan(i * schedule_.raysPerReceiver, schedule_.raysPerReceiver),
@@ -160,8 +169,12 @@ VertexFit SideSums::fitOf(std::size_t count) const {
   VertexFit fit = plainFit(1);
   fit.stiffen(fit_.stiffness());
   fit.extendTo(fit_.extent());
-  for (std::size_t i = 0; i < count; ++i)
-    fit.add(records_[i].sample, std::array{double(records_[i].open) - 1.0});
+  std::size_t left = count;
+  records_.forAll([&](const SampleRecord& record) {
+    if (left == 0) return;
+    fit.add(record.sample, std::array{double(record.open) - 1.0});
+    --left;
+  });
   return fit;
 }
 
@@ -206,7 +219,7 @@ void SideSums::save(StateWriter& state) const {
   if (lightFit_) lightFit_->save(state);
   if (occluders_) occluders_->save(state);
   texelRows_.save(state);
-  state.values(records_);
+  records_.save(state);
   state.values(seen_);
   state.values(slotRays_);
   state.value(receivers_);
@@ -218,7 +231,7 @@ void SideSums::load(StateReader& state) {
   if (lightFit_) lightFit_->load(state);
   if (occluders_) occluders_->load(state, projections_.occluderCount);
   texelRows_.load(state);
-  state.values(records_);
+  records_.load(state);
   state.sameSize(seen_);
   state.sameSize(slotRays_);
   state.value(receivers_);
@@ -229,12 +242,12 @@ void SideSums::check(const StateReader& state) const {
   state.require(records_.size() == std::min<std::uint64_t>(receivers_, mostRecords));
   texelRows_.check(state, projections_.texelRows > 0 ? records_.size() : 0, schedule_.raysPerReceiver,
                    projections_.texelCount);
-  for (const SampleRecord& record : records_) {
+  records_.forAll([&](const SampleRecord& record) {
     const SurfaceSample& sample = record.sample;
     state.require(sample.triangle < mesh_.triangles.size() && record.group < errorGroups);
     state.require(isShare(sample.b1) && isShare(sample.b2) && isShare(record.open));
     state.require(std::isfinite(sample.weight) && sample.weight >= 0.0f);
-  }
+  });
   for (const std::uint8_t seen : seen_) state.require(seen <= 3);
 }
 

@@ -43,10 +43,6 @@ class SideSums {
   SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedule& schedule,
            const Projections& projections, Baseline baseline, const std::vector<double>& areas);
 
-  /// Makes room for about that many further receivers: growing by doubling would hold two copies of the
-  /// largest array of a bake.
-  void expect(double receivers);
-
   /// Adds a block of receivers; the result depends on the order of blocks.
   void add(const CastBlock& block);
 
@@ -64,10 +60,15 @@ class SideSums {
   const OccluderMeans& occluders() const { return occluders_.value(); }
   const TexelRows& texelRows() const { return texelRows_; }
   const Baseline& baseline() const { return baseline_; }
-  const std::vector<SampleRecord>& records() const { return records_; }
+  const SampleRecords& records() const { return records_; }
 
   /// A fit of the first `count` records alone, of AO: for right-hand sides of other columns.
   VertexFit fitOf(std::size_t count) const;
+
+  /// Sums go to a file until they are needed: the fits are solved from there, and unpark() readies them for
+  /// further blocks.
+  void park();
+  void unpark();
 
   /// The fit's solution, and the standard error of its AO.
   FittedSide solve() const;
@@ -103,7 +104,7 @@ class SideSums {
   std::optional<VertexFit> bentFit_;
   std::optional<VertexFit> lightFit_;
   std::optional<OccluderMeans> occluders_;
-  std::vector<SampleRecord> records_;
+  SampleRecords records_;
   TexelRows texelRows_;
   std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
   std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it

@@ -36,17 +36,20 @@ std::vector<float> StoredRows::fit(std::size_t columns, std::uint32_t most, cons
     }
     adding.finish();
   }
-  return samples().solve(equations_, right, columns);
+  return samples().solve(equations_, std::move(right), columns);
 }
 
 /// Block by block, as they were cast, whatever was gathered at once: sums round at the end of a block.
 void StoredRows::add(std::uint32_t first, std::span<const float> values, std::size_t columns,
                      std::span<float> right) const {
+  std::vector<SampleRecord> records;
   std::vector<SurfaceSample> rows;
   while (!values.empty()) {
     const std::size_t count = std::min<std::size_t>(caster_.blockSize(), values.size() / columns);
+    records.resize(count);
+    side_.records().read(first, records);
     rows.clear();
-    for (std::size_t i = 0; i < count; ++i) rows.push_back(side_.records()[first + i].sample);
+    for (const SampleRecord& record : records) rows.push_back(record.sample);
     samples().addTo(right, rows, values.first(count * columns));
     first += static_cast<std::uint32_t>(count);
     values = values.subspan(count * columns);

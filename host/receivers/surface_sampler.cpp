@@ -160,13 +160,6 @@ void SurfaceSampler::coverComponents(const FitMesh& mesh, double receivers, doub
   for (std::size_t t = 0; t < shares.size(); ++t) shares[t] *= std::max(1.0, least / (receivers * sumOf(t)));
 }
 
-double SurfaceSampler::expected(double receivers) const {
-  double sum = 0.0;
-  for (std::size_t t = 0; t < active_.size(); ++t)
-    if (active_[t]) sum += shareOf(t);
-  return receivers * sum;
-}
-
 glm::dvec3 orientedNormal(const CompiledScene& scene, std::uint32_t triangle) {
   const glm::dvec3 normal = glm::normalize(geometricNormal(scene, triangle));
   const auto& t = scene.triangles[triangle];

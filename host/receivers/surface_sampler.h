@@ -78,9 +78,6 @@ class SurfaceSampler {
   /// [triangle], m2.
   const std::vector<double>& areas() const { return surface_->areas; }
 
-  /// Of `receivers` that a pass is asked for, how many it will yield, about.
-  double expected(double receivers) const;
-
   using Sink = std::function<void(const SurfaceSample&, const device::Receiver&)>;
 
   /// Yields about `receivers` receivers, fewer by the share of inactive and of thinned triangles.

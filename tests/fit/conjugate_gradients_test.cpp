@@ -64,8 +64,8 @@ TEST(ConjugateGradients, EveryColumn_SolvesTheDenseEquations) {
   const FitMesh mesh = makeFitMesh(test::sphere(10, 1.0f, {}));
   const std::vector<TriangleMass> mass = randomMass(mesh, [](std::size_t) { return true; });
   const std::vector<float> right = randomRight(mesh.slotCount() * columns);
-  std::vector<float> x(right.size(), 0.0f);
-  conjugateGradients(NormalEquations(mesh, mass, 0.1), right, columns, x);
+  std::vector<float> x = right;
+  conjugateGradients(NormalEquations(mesh, mass, 0.1), x, columns);
   const Eigen::MatrixXd dense = denseEquations(mesh, mass, 0.1);
   for (std::size_t c = 0; c < columns; ++c) {
     Eigen::VectorXd b(mesh.slotCount());
@@ -82,10 +82,9 @@ TEST(ConjugateGradients, AnyNumberOfThreads_GivesTheSameBits) {
   const std::vector<TriangleMass> mass = randomMass(mesh, [](std::size_t) { return true; });
   const NormalEquations equations(mesh, mass, defaultSmoothing);
   ASSERT_GT(equations.rows(), 3000u) << "several ranges of rows";
-  const std::vector<float> right = randomRight(mesh.slotCount() * columns);
-  std::vector<float> alone(right.size(), 0.0f), together(right.size(), 0.0f);
-  conjugateGradients(equations, right, columns, alone, {.threads = 1});
-  conjugateGradients(equations, right, columns, together, {.threads = 3});
+  std::vector<float> alone = randomRight(mesh.slotCount() * columns), together = alone;
+  conjugateGradients(equations, alone, columns, {.threads = 1});
+  conjugateGradients(equations, together, columns, {.threads = 3});
   EXPECT_EQ(alone, together);
 }
 
@@ -94,24 +93,24 @@ TEST(ConjugateGradients, TinyAndHugeRightSides_AreSolvedAlike) {
   const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
   const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
   const std::vector<float> right = randomRight(mesh.slotCount());
-  std::vector<float> expected(right.size(), 0.0f);
-  conjugateGradients(equations, right, 1, expected);
+  std::vector<float> expected = right;
+  conjugateGradients(equations, expected, 1);
   for (const float factor : {0x1p-90f, 0x1p90f}) {
-    std::vector<float> scaled = right, x(right.size(), 0.0f);
-    for (float& value : scaled) value *= factor;
-    conjugateGradients(equations, scaled, 1, x);
+    std::vector<float> x = right;
+    for (float& value : x) value *= factor;
+    conjugateGradients(equations, x, 1);
     for (std::size_t s = 0; s < x.size(); ++s) EXPECT_EQ(x[s], factor * expected[s]);
   }
 }
 
-TEST(ConjugateGradients, SlotsWithoutSamples_KeepTheirGuess) {
+TEST(ConjugateGradients, SlotsWithoutSamples_KeepWhatTheyHold) {
   const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
   const std::vector<TriangleMass> mass =
       randomMass(mesh, [&](std::size_t t) { return t < mesh.triangles.size() / 2; });
   const NormalEquations equations(mesh, mass, defaultSmoothing);
   ASSERT_LT(equations.rows(), mesh.slotCount());
   std::vector<float> x(mesh.slotCount(), 7.0f);
-  conjugateGradients(equations, randomRight(mesh.slotCount()), 1, x);
+  conjugateGradients(equations, x, 1);
   for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
     EXPECT_EQ(x[s] == 7.0f, equations.rowOf(s) == NormalEquations::noRow) << s;
 }

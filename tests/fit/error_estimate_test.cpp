@@ -26,10 +26,12 @@ std::vector<SampleRecord> noisyRecords(std::size_t count, std::mt19937& random) 
 
 ErrorEstimate estimateOf(const FitMesh& mesh, VertexFit fit, const std::vector<SampleRecord>& records,
                          std::uint64_t receivers) {
+  SampleRecords kept;
+  for (const SampleRecord& record : records) kept.add(record);
   for (const SampleRecord& record : records) fit.add(record.sample, std::array{double(record.open) - 1.0});
   const NormalEquations equations = fit.equations(defaultSmoothing);
   const std::vector<float> values = fit.solve(equations);
-  return estimateAoError(mesh, {fit, equations, values}, {0.5}, records, receivers, true);
+  return estimateAoError(mesh, {fit, equations, values}, {0.5}, kept, receivers, true);
 }
 
 /// Next to no smoothing, which would pull values to one another and lessen the error.

@@ -136,6 +136,8 @@ struct Plan {
   std::uint64_t deviceBytes = 0;
   std::uint64_t transportBytes = 0;  ///< part of the above: stored hits that feed the bounces
   std::uint64_t texelBytes = 0;      ///< part of the above: rays that are kept texel by texel
+  std::uint64_t recordBytes = 0;     ///< part of the above: records of receivers, for errors and bounces
+  bool parks = false;                ///< sums lie in a temporary file while they are not needed
 
   bool runs(Pass pass) const;
   bool operator==(const Plan&) const = default;

@@ -68,11 +68,13 @@ TexelTransfer::TexelTransfer(const CompiledScene& scene, const FitMesh& mesh, co
   for (int level = 0; level < levels_; ++level)
     levelStart_.push_back(levelStart_.back() + cubeTexelCount(faceSize >> level));
   std::vector<std::uint32_t> triangles;
-  for (const SampleRecord& record : side.records()) triangles.push_back(record.sample.triangle);
+  std::vector<SampleRecord> records(side.records().size());
+  side.records().read(0, records);
+  for (const SampleRecord& record : records) triangles.push_back(record.sample.triangle);
   std::vector<std::uint32_t> order;
   bucket(triangles, mesh.triangles.size(), receiverStart_, order);
   for (const std::uint32_t record : order) {
-    const SurfaceSample& sample = side.records()[record].sample;
+    const SurfaceSample& sample = records[record].sample;
     const double weight = side.fit().weightOf(sample);
     const auto b = cornerWeights(sample);
     receivers_.push_back({{static_cast<float>(weight * b[0]), static_cast<float>(weight * b[1]),

@@ -17,7 +17,6 @@ class LightMapProjector final : public Projector {
   explicit LightMapProjector(const BakeContext& context) : context_(context) {}
 
   std::string_view stage() const override { return "light map"; }
-  void addNeeds(CastNeeds& needs) const override { needs.trees = true; }
 
   void prepare(Progress& progress) override {
     BakeReport& report = context_.report;

@@ -16,7 +16,6 @@ class RadiosityProjector final : public Projector {
   }
 
   std::string_view stage() const override { return {}; }
-  void addNeeds(CastNeeds& needs) const override { needs.trees = true; }
 
   /// Without light that the plan could solve for, all is dark.
   void run(ReceiverCast* /*cast*/, Bake& bake, Progress& progress) override {

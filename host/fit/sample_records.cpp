@@ -1,0 +1,65 @@
+#include "fit/sample_records.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+void SampleRecords::add(const SampleRecord& record) {
+  if (size_ % blockSize == 0) {
+    // A block is moved when the next begins: until then it grows.
+    if (blocks_.size() > blocksInMemory_) moveToFile(blocks_.size() - 1);
+    blocks_.emplace_back().records.reserve(blockSize);
+  }
+  Block& block = blocks_.back();
+  block.records.push_back(record);
+  block.groups |= 1u << record.group;
+  ++size_;
+}
+
+void SampleRecords::moveToFile(std::size_t block) {
+  if (!file_) file_ = std::make_shared<SpillFile>();
+  std::vector<SampleRecord>& records = blocks_[block].records;
+  file_->write(block * blockSize * sizeof(SampleRecord), std::as_bytes(std::span(records)));
+  records = std::vector<SampleRecord>();  // {} would keep the memory
+}
+
+std::span<const SampleRecord> SampleRecords::blockOf(std::size_t block,
+                                                     std::vector<SampleRecord>& read) const {
+  if (!blocks_[block].records.empty()) return blocks_[block].records;
+  read.resize(countOf(block));
+  file_->read(block * blockSize * sizeof(SampleRecord), std::as_writable_bytes(std::span(read)));
+  return read;
+}
+
+void SampleRecords::read(std::size_t first, std::span<SampleRecord> records) const {
+  while (!records.empty()) {
+    const std::size_t block = first / blockSize, at = first % blockSize;
+    const std::size_t count = std::min(records.size(), countOf(block) - at);
+    const std::vector<SampleRecord>& kept = blocks_[block].records;
+    if (!kept.empty())
+      std::copy_n(kept.begin() + static_cast<std::ptrdiff_t>(at), count, records.begin());
+    else
+      file_->read(first * sizeof(SampleRecord), std::as_writable_bytes(records.first(count)));
+    first += count;
+    records = records.subspan(count);
+  }
+}
+
+void SampleRecords::save(StateWriter& state) const {
+  state.value(std::uint64_t{size_});
+  std::vector<SampleRecord> read;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) state.bytes(std::as_bytes(blockOf(b, read)));
+}
+
+void SampleRecords::load(StateReader& state) {
+  std::vector<SampleRecord> all;
+  state.values(all);
+  size_ = 0;
+  blocks_.clear();
+  for (const SampleRecord& record : all) {
+    state.require(record.group < errorGroups);
+    add(record);
+  }
+}
+
+}  // namespace prelight

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/spill_file.h"
+#include "base/state_file.h"
+#include "receivers/surface_sampler.h"
+
+namespace prelight {
+
+/// What is kept of a receiver after its block: its place, and its open fraction for the error estimate.
+struct SampleRecord {
+  SurfaceSample sample;
+  float open = 0.0f;
+  std::uint32_t group = 0;  ///< of the error estimate, below errorGroups
+};
+
+/// Passes are dealt to this many groups, whose scatter gives the standard error.
+constexpr std::uint32_t errorGroups = 8;
+
+/// Records in the order in which they were added, in blocks: the first of them in memory, the others in a
+/// file. Any number of threads may read at once.
+class SampleRecords {
+ public:
+  static constexpr std::size_t blockSize = std::size_t{1} << 16;
+
+  SampleRecords() = default;
+
+  /// About `bytes` of them are kept in memory, a block at least.
+  explicit SampleRecords(std::uint64_t bytes)
+      : blocksInMemory_(bytes / (blockSize * sizeof(SampleRecord)) + 1) {}
+
+  void add(const SampleRecord& record);
+  std::size_t size() const { return size_; }
+  std::uint64_t bytesInMemory() const {
+    return std::min(blocks_.size(), blocksInMemory_) * blockSize * sizeof(SampleRecord);
+  }
+
+  /// Fills `records` from number `first` on.
+  void read(std::size_t first, std::span<SampleRecord> records) const;
+
+  /// Calls use(record) for those of groups [begin, end), in their order.
+  template <typename Use>
+  void forGroups(std::uint32_t begin, std::uint32_t end, const Use& use) const {
+    std::vector<SampleRecord> read;
+    const std::uint32_t wanted = (1u << end) - (1u << begin);
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      if ((blocks_[b].groups & wanted) != 0)
+        for (const SampleRecord& record : blockOf(b, read))
+          if (record.group >= begin && record.group < end) use(record);
+  }
+  template <typename Use>
+  void forAll(const Use& use) const {
+    forGroups(0, errorGroups, use);
+  }
+
+  void save(StateWriter& state) const;
+
+  /// Those added before go. Leaves it to the caller to check what was read.
+  void load(StateReader& state);
+
+ private:
+  struct Block {
+    std::vector<SampleRecord> records;  ///< empty: in the file
+    std::uint32_t groups = 0;           ///< a bit each that has records here
+  };
+
+  std::size_t countOf(std::size_t block) const { return std::min(blockSize, size_ - block * blockSize); }
+  std::span<const SampleRecord> blockOf(std::size_t block, std::vector<SampleRecord>& read) const;
+  void moveToFile(std::size_t block);
+
+  std::size_t blocksInMemory_ = std::numeric_limits<std::size_t>::max();
+  std::size_t size_ = 0;
+  std::vector<Block> blocks_;
+  std::shared_ptr<SpillFile>
+      file_;  ///< made when it is needed; a block stands where it would if all were in it
+};
+
+}  // namespace prelight
