@@ -20,15 +20,14 @@ Setting bounces(Presence presence, const Effort& effort) {
 
 Setting translucency(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
-  editMaterials(setting.scene, presence, [](Material& m) { m.diffuseTransmission = 0.5f; });
+  editMaterials(setting.scene, presence, translucent);
   return setting;
 }
 
 Setting translucencyWithoutBounces(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.bounces = presence == Presence::Needed ? 1 : 0;
-  if (presence != Presence::Absent)
-    editMaterials(setting.scene, Presence::Needed, [](Material& m) { m.diffuseTransmission = 0.5f; });
+  if (presence != Presence::Absent) editMaterials(setting.scene, Presence::Needed, translucent);
   return setting;
 }
 
@@ -52,19 +51,15 @@ Setting alphaWithoutHoles(Presence presence, const Effort& effort) {
 
 Setting texture(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
-  const int image = presence == Presence::Absent ? -1 : addTexture(setting.scene, false);
-  if (presence == Presence::Unneeded) setting.scene.materials.emplace_back().baseColorTexture.image = image;
-  if (presence == Presence::Needed)
-    for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  giveTexture(setting.scene, presence, &Material::baseColorTexture, false);
   return setting;
 }
 
 Setting textureWithoutBounces(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.bounces = presence == Presence::Needed ? 1 : 0;
-  if (presence == Presence::Absent) return setting;
-  const int image = addTexture(setting.scene, false);
-  for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  if (presence != Presence::Absent)
+    giveTexture(setting.scene, Presence::Needed, &Material::baseColorTexture, false);
   return setting;
 }
 
@@ -97,22 +92,10 @@ Setting occludersOf(const Effort& effort) {
   return setting;
 }
 
-Setting glassOfOccluders(Presence presence, const Effort& effort) {
+template <MaterialEdit edit>
+Setting materialOfOccluders(Presence presence, const Effort& effort) {
   Setting setting = occludersOf(effort);
-  editMaterials(setting.scene, presence, [](Material& m) {
-    m.transmission = 1.0f;
-    m.thickness = 1.0f;
-    m.roughness = 0.0f;
-  });
-  return setting;
-}
-
-Setting shineOfOccluders(Presence presence, const Effort& effort) {
-  Setting setting = occludersOf(effort);
-  editMaterials(setting.scene, presence, [](Material& m) {
-    m.metallic = 1.0f;
-    m.roughness = 0.0f;
-  });
+  editMaterials(setting.scene, presence, edit);
   return setting;
 }
 
@@ -120,8 +103,7 @@ Setting shineOfOccluders(Presence presence, const Effort& effort) {
 Setting lightOfGroups(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.lightGroups.wanted = true;
-  if (presence != Presence::Absent)
-    setting.scene.lights.push_back(lightInside(glm::vec3(presence == Presence::Needed ? 1.0f : 0.0f)));
+  addLight(setting.scene, presence);
   return setting;
 }
 
@@ -150,22 +132,21 @@ Setting looseVertices(Presence presence, const Effort& effort) {
 }  // namespace
 
 std::vector<Row> transferRows() {
-  const char* noTriangle = "of a material that no triangle has";
   return {
       {"bounces", "every surface is black", "surfaces as they are", bounces},
-      {"translucency", noTriangle, "of every surface", translucency},
+      {"translucency", ofNoTriangle, "of every surface", translucency},
       {"translucency, no bounces", "of every surface, which only bounces come through", "with a bounce",
        translucencyWithoutBounces},
       {"holes of an alpha mask", "of every surface, each texel opaque", "half of the texels are holes",
        alphaWithoutHoles},
-      {"base-colour texture", noTriangle, "of every surface", texture},
+      {"base-colour texture", ofNoTriangle, "of every surface", texture},
       {"base-colour texture, no bounces", "of every surface, which only bounces read", "with a bounce",
        textureWithoutBounces},
       {"vertex colours", "all white", "coloured", vertexColors},
       {"shadow sets", "every node sees every other", "the floor sees two boxes", shadowSets},
       {"occlusion distance", "1000 m, farther than anything", "0.5 m", farLimit},
-      {"glass seen by vector occluders", noTriangle, "of every surface", glassOfOccluders},
-      {"shine seen by vector occluders", noTriangle, "of every surface", shineOfOccluders},
+      {"glass seen by vector occluders", ofNoTriangle, "of every surface", materialOfOccluders<glass>},
+      {"shine seen by vector occluders", ofNoTriangle, "of every surface", materialOfOccluders<mirror>},
       {"light of a group", "it is black", "it shines", lightOfGroups},
       {"vertices of no triangle", "as many again", "triangles have them", looseVertices},
   };

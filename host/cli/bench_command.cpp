@@ -177,8 +177,7 @@ void addBenchCommand(CLI::App& program, Context& context) {
       ->type_name("MAP");
   app->add_option("--case", command->onlyCase,
                   "only cases of `bake-scaling`, `skip` and `window` whose names contain this; of "
-                  "`bake-scaling` the one "
-                  "that is named in full, however long it takes")
+                  "`bake-scaling` the one that is named in full, however long it takes")
       ->type_name("TEXT");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },
