@@ -18,6 +18,41 @@ Setting bounces(Presence presence, const Effort& effort) {
   return setting;
 }
 
+void wantCh(BakeRequest& request) { request.ch.order = 3; }
+void wantHaar(BakeRequest& request) { request.haar.size = 4; }
+void wantGlossy(BakeRequest& request) { request.glossy.order = 2; }
+void wantVolume(BakeRequest& request) { request.volume.size = 4; }
+void wantCharts(BakeRequest& request) { request.chartTransfer.size = 8; }
+
+template <void (*want)(BakeRequest&)>
+Setting bouncesWith(Presence presence, const Effort& effort) {
+  Setting setting = bounces(presence, effort);
+  want(setting.bake);
+  return setting;
+}
+
+/// Images, which no material has where they are not needed.
+Setting images(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  if (presence == Presence::Unneeded) addTexture(setting.scene, false);
+  if (presence == Presence::Needed) giveTexture(setting.scene, presence, &Material::baseColorTexture, false);
+  return setting;
+}
+
+/// A second box, whose mesh no node has where it is not needed.
+Setting meshes(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  if (presence == Presence::Absent) return setting;
+  const MeshNode last = setting.scene.meshNodes.back();
+  setting.scene.meshes.push_back(setting.scene.meshes[static_cast<std::size_t>(last.mesh)]);
+  if (presence == Presence::Unneeded) return setting;
+  MeshNode& drawn = setting.scene.meshNodes.back();
+  drawn.mesh = static_cast<int>(setting.scene.meshes.size()) - 1;
+  for (Primitive& primitive : setting.scene.meshes.back().primitives)
+    for (glm::vec3& position : primitive.positions) position *= 0.5f;
+  return setting;
+}
+
 Setting translucency(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
   editMaterials(setting.scene, presence, translucent);
@@ -132,8 +167,16 @@ Setting looseVertices(Presence presence, const Effort& effort) {
 }  // namespace
 
 std::vector<Row> transferRows() {
+  const char *black = "every surface is black", *asTheyAre = "surfaces as they are";
   return {
-      {"bounces", "every surface is black", "surfaces as they are", bounces},
+      {"bounces", black, asTheyAre, bounces},
+      {"bounces, CH", black, asTheyAre, bouncesWith<wantCh>},
+      {"bounces, Haar wavelets", black, asTheyAre, bouncesWith<wantHaar>},
+      {"bounces, glossy transfer", black, asTheyAre, bouncesWith<wantGlossy>},
+      {"bounces, volume", black, asTheyAre, bouncesWith<wantVolume>},
+      {"bounces, charts", black, asTheyAre, bouncesWith<wantCharts>},
+      {"images", "no material has them", "of every surface", images},
+      {"meshes", "no node has them", "drawn in place of another", meshes},
       {"translucency", ofNoTriangle, "of every surface", translucency},
       {"translucency, no bounces", "of every surface, which only bounces come through", "with a bounce",
        translucencyWithoutBounces},
