@@ -41,8 +41,6 @@ std::vector<float> valuesOf(const CompiledScene& scene, const Bake& bake) {
   if (bake.haar) append(bake.haar->values, values);
   if (bake.glossy) append(usedRows(scene, bake.glossy->matrices), values);
   if (bake.volume) append(bake.volume->coefficients, values);
-  if (bake.chartTransfer)
-    for (const ChartTransfer::Map& map : bake.chartTransfer->maps) append(map.coefficients, values);
   if (bake.lightGroups) append(bake.lightGroups->coefficients, values);
   if (bake.occluders) append(bake.occluders->vectors, values);
   if (bake.lightMap) append(bake.lightMap->values, values);

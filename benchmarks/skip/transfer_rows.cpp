@@ -22,7 +22,6 @@ void wantCh(BakeRequest& request) { request.ch.order = 3; }
 void wantHaar(BakeRequest& request) { request.haar.size = 4; }
 void wantGlossy(BakeRequest& request) { request.glossy.order = 2; }
 void wantVolume(BakeRequest& request) { request.volume.size = 4; }
-void wantCharts(BakeRequest& request) { request.chartTransfer.size = 8; }
 
 template <void (*want)(BakeRequest&)>
 Setting bouncesWith(Presence presence, const Effort& effort) {
@@ -174,7 +173,6 @@ std::vector<Row> transferRows() {
       {"bounces, Haar wavelets", black, asTheyAre, bouncesWith<wantHaar>},
       {"bounces, glossy transfer", black, asTheyAre, bouncesWith<wantGlossy>},
       {"bounces, volume", black, asTheyAre, bouncesWith<wantVolume>},
-      {"bounces, charts", black, asTheyAre, bouncesWith<wantCharts>},
       {"images", "no material has them", "of every surface", images},
       {"meshes", "no node has them", "drawn in place of another", meshes},
       {"translucency", ofNoTriangle, "of every surface", translucency},
