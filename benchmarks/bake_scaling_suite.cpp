@@ -43,6 +43,10 @@ double medianOf(const std::vector<ProcessCost>& runs, const Value& value) {
   return median(values);
 }
 
+constexpr const char* smallRoom = "cornell";
+
+std::string ballsOf(std::uint64_t triangles) { return "balls " + sizeName(triangles); }
+
 class ScalingRun {
  public:
   ScalingRun(const Device& device, const BenchmarkOptions& options, Progress& progress)
@@ -51,13 +55,13 @@ class ScalingRun {
   std::vector<BenchmarkResult> run() {
     StepCounter steps(progress_, "bench bake-scaling", 1 + options_.bakeScalingTriangles.size());
     measure(
-        "cornell", [] { return makeBuiltinScene("cornell"); }, true);
+        smallRoom, [] { return makeBuiltinScene("cornell"); }, true);
     steps.advance();
     stages_.clear();  // it is not one of those that grow
     const std::vector<std::uint64_t>& compared = options_.bakeScalingPeerTriangles;
     for (const std::uint64_t triangles : options_.bakeScalingTriangles) {
       measure(
-          "balls " + sizeName(triangles), [&] { return makeBumpyBalls(triangles); },
+          ballsOf(triangles), [&] { return makeBumpyBalls(triangles); },
           std::find(compared.begin(), compared.end(), triangles) != compared.end());
       steps.advance();
     }
@@ -235,8 +239,18 @@ class ScalingRun {
 
 }  // namespace
 
+bool hasBakeScalingCase(const BenchmarkOptions& options) {
+  std::vector<std::string> scenes = {smallRoom};
+  for (const std::uint64_t triangles : options.bakeScalingTriangles) scenes.push_back(ballsOf(triangles));
+  return std::any_of(scenes.begin(), scenes.end(),
+                     [&](const std::string& scene) { return !scalingCases(scene, 0, options).empty(); });
+}
+
 std::vector<BenchmarkResult> runBakeScalingSuite(const Device& device, const BenchmarkOptions& options,
                                                  Progress& progress) {
+  if (!hasBakeScalingCase(options))
+    throw UsageError("--case " + options.onlyCase, "no case of `bake-scaling` has such a name",
+                     "they are like \"balls 100k/--ao/64 rays\"");
   if (options.program.empty())
     throw UsageError("BenchmarkOptions::program", "bake-scaling runs the program, and none is named",
                      "name the built `prelight`");

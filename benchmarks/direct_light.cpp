@@ -16,21 +16,21 @@ constexpr double rayOffset = 1e-5;  // of the bounds' diagonal, along the normal
 /// In [0,1), alike on every machine, unlike the distributions of the standard library.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-struct Receiver {
+struct LitPlace {
   glm::dvec3 position;
   glm::dvec3 normal;
 };
 
-double cosineTo(const Receiver& receiver, const glm::dvec3& light) {
+double cosineTo(const LitPlace& receiver, const glm::dvec3& light) {
   return std::max(glm::dot(receiver.normal, glm::normalize(light - receiver.position)), 0.0);
 }
 
 /// [receiver], 1 where nothing lies between it and the light.
-std::vector<std::uint8_t> traceShadows(Tracer& tracer, const std::vector<Receiver>& receivers,
+std::vector<std::uint8_t> traceShadows(Tracer& tracer, const std::vector<LitPlace>& receivers,
                                        const glm::dvec3& light, double offset) {
   std::vector<device::Ray> rays;
   rays.reserve(receivers.size());
-  for (const Receiver& receiver : receivers) {
+  for (const LitPlace& receiver : receivers) {
     const glm::dvec3 path = light - receiver.position;
     const double distance = glm::length(path);
     const glm::vec3 from(receiver.position + offset * receiver.normal), way(path / distance);
@@ -52,7 +52,7 @@ DirectLight::DirectLight(const CompiledScene& scene, Tracer& tracer, std::vector
     : scene_(scene), lights_(std::move(lights)) {
   chooseSamples(points, seed);
   const double offset = rayOffset * glm::distance(scene.boundsMin, scene.boundsMax);
-  std::vector<Receiver> places, vertices;
+  std::vector<LitPlace> places, vertices;
   for (const Sample& sample : samples_) places.push_back({sample.position, sample.normal});
   for (std::uint32_t v = 0; v < scene.vertexCount(); ++v)
     vertices.push_back({glm::dvec3(scene.positions[v]), glm::dvec3(scene.normals[v])});
@@ -91,7 +91,7 @@ double DirectLight::error(const Visibility& visibility) const {
     for (std::size_t light = begin; light < end; ++light) {
       std::vector<double> shown;
       for (std::uint32_t v = 0; v < scene_.vertexCount(); ++v) {
-        const Receiver vertex{glm::dvec3(scene_.positions[v]), glm::dvec3(scene_.normals[v])};
+        const LitPlace vertex{glm::dvec3(scene_.positions[v]), glm::dvec3(scene_.normals[v])};
         const double cosine = cosineTo(vertex, lights_[light]);
         shown.push_back(cosine > 0.0 ? cosine * visibility(light, v) : 0.0);
       }

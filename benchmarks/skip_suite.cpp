@@ -18,8 +18,6 @@ std::vector<skip::Row> skipRows(const std::string& named) {
   std::vector<skip::Row> chosen;
   for (const skip::Row& row : skip::rows())
     if (row.name.find(named) != std::string::npos) chosen.push_back(row);
-  if (chosen.empty())
-    throw UsageError("--case " + named, "no case of `skip` has such a name", "give a part of a row's name");
   return chosen;
 }
 
@@ -44,9 +42,14 @@ void addResults(const skip::MeasuredRow& measured, std::vector<BenchmarkResult>&
 
 }  // namespace
 
+bool hasSkipCase(const BenchmarkOptions& options) { return !skipRows(options.onlyCase).empty(); }
+
 std::vector<BenchmarkResult> runSkipSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress) {
   const std::vector<skip::Row> rows = skipRows(options.onlyCase);
+  if (rows.empty())
+    throw UsageError("--case " + options.onlyCase, "no case of `skip` has such a name",
+                     "give a part of a row's name");
   StepCounter steps(progress, "bench skip", rows.size());
   std::vector<BenchmarkResult> results;
   std::vector<skip::MeasuredRow> measured;

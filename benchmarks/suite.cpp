@@ -13,6 +13,7 @@ namespace {
 struct Entry {
   BenchmarkSuite suite;
   std::vector<BenchmarkResult> (*run)(const Device&, const BenchmarkOptions&, Progress&);
+  bool (*hasChosenCase)(const BenchmarkOptions&) = nullptr;  ///< null: its cases are not chosen from
 };
 
 const std::vector<Entry>& entries() {
@@ -27,7 +28,8 @@ const std::vector<Entry>& entries() {
       {{"bake", "seconds of each stage of a bake of AO, of AO and SH, and of both with a bounce"},
        runBakeSuite},
       {{"bake-scaling", "seconds, memory and share of tracing of whole bakes, from 10 k triangles to 10 M"},
-       runBakeScalingSuite},
+       runBakeScalingSuite,
+       hasBakeScalingCase},
       {{"error", "error of AO against time, and the error that a bake reports against the measured one"},
        runErrorSuite},
       {{"reference", "error of the reference renderer against time, and the error that it reports"},
@@ -57,11 +59,14 @@ const std::vector<Entry>& entries() {
       {{"stability", "errors of every kernel and basis on inputs that are hard on them, against bounds"},
        runStabilitySuite},
       {{"skip", "rays, launches, bytes and seconds of features that are absent, present in vain, and needed"},
-       runSkipSuite},
+       runSkipSuite,
+       hasSkipCase},
 #ifdef PRELIGHT_WITH_VIEWER
       {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
        runTechniquesSuite},
-      {{"window", "milliseconds of a window's frames while the camera or a light moves"}, runWindowSuite},
+      {{"window", "milliseconds of a window's frames while the camera or a light moves"},
+       runWindowSuite,
+       hasWindowCase},
 #endif
   };
   return list;
@@ -174,7 +179,8 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.stabilityDensityPhotons = {2000};
   options.stabilityBakeRays = 16;
   options.stabilityScenes = {"caustics"};
-  options.skipEffort = {.rays = 4, .photons = 200, .texelSize = 0.5, .patchSize = 1.0, .side = 8, .samples = 1};
+  options.skipEffort = {
+      .rays = 4, .photons = 200, .texelSize = 0.5, .patchSize = 1.0, .side = 8, .samples = 1};
 }
 
 /// Of rays, bakes, pictures and transfer.
@@ -325,6 +331,13 @@ const std::vector<BenchmarkSuite>& suites() {
     return all;
   }();
   return list;
+}
+
+bool hasChosenCase(const std::string& suite, const BenchmarkOptions& options) {
+  if (options.onlyCase.empty()) return true;
+  const auto found = std::find_if(entries().begin(), entries().end(),
+                                  [&](const Entry& entry) { return entry.suite.name == suite; });
+  return found != entries().end() && found->hasChosenCase != nullptr && found->hasChosenCase(options);
 }
 
 std::vector<BenchmarkResult> runSuite(const std::string& name, const Device& device,

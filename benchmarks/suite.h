@@ -158,6 +158,9 @@ struct BenchmarkSuite {
 
 const std::vector<BenchmarkSuite>& suites();
 
+/// Whether a suite has a case that BenchmarkOptions::onlyCase chooses: where it is empty, every suite has.
+bool hasChosenCase(const std::string& suite, const BenchmarkOptions& options);
+
 /// Measures one suite on a device. Throws UsageError for a name that suites() does not list, Interrupted when
 /// `progress` asks to stop, and what the library throws.
 std::vector<BenchmarkResult> runSuite(const std::string& name, const Device& device,

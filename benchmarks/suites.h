@@ -36,6 +36,9 @@ std::vector<BenchmarkResult> runBakeSuite(const Device& device, const BenchmarkO
 std::vector<BenchmarkResult> runBakeScalingSuite(const Device& device, const BenchmarkOptions& options,
                                                  Progress& progress);
 
+/// Whether BenchmarkOptions::onlyCase leaves it a case; the same below.
+bool hasBakeScalingCase(const BenchmarkOptions& options);
+
 /// Error and time of AO for growing numbers of rays, and the error that the bake itself reports.
 std::vector<BenchmarkResult> runErrorSuite(const Device& device, const BenchmarkOptions& options,
                                            Progress& progress);
@@ -104,6 +107,7 @@ std::vector<BenchmarkResult> runStabilitySuite(const Device& device, const Bench
 /// needed, and needed, and whether the first two give the same bits. Writes its table into options.folder.
 std::vector<BenchmarkResult> runSkipSuite(const Device& device, const BenchmarkOptions& options,
                                           Progress& progress);
+bool hasSkipCase(const BenchmarkOptions& options);
 
 /// Every technique's seconds and bytes, its frames a second, and what its pictures differ by from path-traced
 /// ones, beside the numbers of Sherif's thesis (2013, Table 7.1). Writes tables and pictures into
@@ -115,5 +119,6 @@ std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const Benc
 /// when nothing does. Needs OpenGL.
 std::vector<BenchmarkResult> runWindowSuite(const Device& device, const BenchmarkOptions& options,
                                             Progress& progress);
+bool hasWindowCase(const BenchmarkOptions& options);
 
 }  // namespace prelight::benchmarks

@@ -76,16 +76,25 @@ std::string encodingsPlot(const std::vector<BenchmarkResult>& results, const std
 }
 
 std::string skipPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
-  BarChart chart{"Processor time of features that are present but not needed",
+  BarChart chart{"Cost of features that are present but not needed",
                  subtitle,
-                 "over that without the feature",
-                 {{"not needed", blue}},
+                 "processor time over that without the feature",
+                 {{"present, not needed", blue}, {"absent", grey}},
                  {}};
+  const auto timeOf = [&](const std::string& name) {
+    for (const BenchmarkResult& result : results)
+      if (result.case_ == name && result.metric == "processor time") return result.value;
+    return 0.0;
+  };
   for (const BenchmarkResult& result : results) {
     if (result.metric != "cost") continue;
-    Bar& bar = barNamed(chart, "features", sceneOf(result.case_));
+    const std::string feature = sceneOf(result.case_);
+    Bar& bar = barNamed(chart, "", feature);
     bar.parts = {{result.value, blue}};
+    bar.peer = 1.0;
     bar.note = fmt::format("{:.2f}", result.value);
+    if (const double absent = timeOf(feature + "/absent"); absent > 0.0)
+      bar.note += fmt::format("; needed {:.2f}", timeOf(feature + "/needed") / absent);
   }
   return drawBarChart(chart);
 }

@@ -114,13 +114,20 @@ void measureCase(const Case& chosen, const Device& device, const BenchmarkOption
   report(name + "/still", still, results);
 }
 
+std::vector<Case> chosenCases(const BenchmarkOptions& options) {
+  std::vector<Case> chosen;
+  std::copy_if(cases.begin(), cases.end(), std::back_inserter(chosen),
+               [&](const Case& some) { return some.name().find(options.onlyCase) != std::string::npos; });
+  return chosen;
+}
+
 }  // namespace
+
+bool hasWindowCase(const BenchmarkOptions& options) { return !chosenCases(options).empty(); }
 
 std::vector<BenchmarkResult> runWindowSuite(const Device& device, const BenchmarkOptions& options,
                                             Progress& progress) {
-  std::vector<Case> wanted;
-  std::copy_if(cases.begin(), cases.end(), std::back_inserter(wanted),
-               [&](const Case& some) { return some.name().find(options.onlyCase) != std::string::npos; });
+  const std::vector<Case> wanted = chosenCases(options);
   if (wanted.empty()) {
     std::string names;
     for (const Case& some : cases) names += (names.empty() ? "" : ", ") + some.name();

@@ -37,6 +37,10 @@ std::vector<float> valuesOf(const CompiledScene& scene, const Bake& bake) {
   append(usedRows(scene, bake.ao), values);
   append(usedRows(scene, bake.bentNormals), values);
   if (bake.sh) append(usedRows(scene, bake.sh->coefficients), values);
+  if (bake.ch) append(usedRows(scene, bake.ch->coefficients), values);
+  if (bake.haar) append(bake.haar->values, values);
+  if (bake.glossy) append(usedRows(scene, bake.glossy->matrices), values);
+  if (bake.volume) append(bake.volume->coefficients, values);
   if (bake.lightGroups) append(bake.lightGroups->coefficients, values);
   if (bake.occluders) append(bake.occluders->vectors, values);
   if (bake.lightMap) append(bake.lightMap->values, values);

@@ -69,6 +69,19 @@ void editMaterials(Scene& scene, Presence presence, MaterialEdit edit) {
     if (!material.isEmissive()) edit(material);
 }
 
+void mirror(Material& material) {
+  material.metallic = 1.0f;
+  material.roughness = 0.0f;
+}
+
+void glass(Material& material) {
+  material.transmission = 1.0f;
+  material.thickness = 1.0f;
+  material.roughness = 0.0f;
+}
+
+void translucent(Material& material) { material.diffuseTransmission = 0.5f; }
+
 int addTexture(Scene& scene, bool flat) {
   constexpr int side = 4;
   constexpr std::array<std::array<std::uint8_t, 4>, 2> colors = {{{230, 120, 60, 255}, {60, 120, 230, 255}}};
@@ -83,12 +96,23 @@ int addTexture(Scene& scene, bool flat) {
   return static_cast<int>(scene.images.size()) - 1;
 }
 
-Light lightInside(const glm::vec3& intensity) {
+void giveTexture(Scene& scene, Presence presence, TextureRef Material::*texture, bool flat) {
+  if (presence == Presence::Absent) return;
+  const int image = addTexture(scene, flat);
+  if (presence == Presence::Unneeded) {
+    (scene.materials.emplace_back().*texture).image = image;
+    return;
+  }
+  for (Material& material : scene.materials) (material.*texture).image = image;
+}
+
+void addLight(Scene& scene, Presence presence) {
+  if (presence == Presence::Absent) return;
   Light light;
   light.name = "Added light";
-  light.intensity = intensity;
+  light.intensity = glm::vec3(presence == Presence::Needed ? 1.0f : 0.0f);
   light.position = {0.0, 1.7, 0.5};
-  return light;
+  scene.lights.push_back(light);
 }
 
 void takeLightsAway(Scene& scene) {
@@ -100,7 +124,9 @@ void blacken(Scene& scene) {
   for (Material& material : scene.materials) material.baseColor = {0.0f, 0.0f, 0.0f, material.baseColor.a};
 }
 
-std::shared_ptr<const Environment> skyOf(float radiance) {
+std::shared_ptr<const Environment> skyOf(Presence presence) {
+  if (presence == Presence::Absent) return nullptr;
+  const float radiance = presence == Presence::Needed ? 1.0f : 0.0f;
   return std::make_shared<const Environment>(constantEnvironment(glm::vec3(radiance)));
 }
 

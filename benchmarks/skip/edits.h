@@ -31,16 +31,30 @@ using MaterialEdit = void (*)(Material&);
 /// triangle has, to a scene that stays as it is.
 void editMaterials(Scene& scene, Presence presence, MaterialEdit edit);
 
+/// How a row says that editMaterials() leaves a feature not needed.
+inline constexpr const char* ofNoTriangle = "of a material that no triangle has";
+
+/// MaterialEdits.
+void mirror(Material& material);
+void glass(Material& material);
+void translucent(Material& material);
+
 /// Adds a texture of a few colours (of one, where `flat`), all of them opaque, and texture coordinates
 /// where there are none; its index.
 int addTexture(Scene& scene, bool flat);
 
-/// A point light below the ceiling of `cornell` and of scenes in the same room.
-Light lightInside(const glm::vec3& intensity);
+/// Gives a texture (see addTexture()) to every material, or where it is not needed to one more, which no
+/// triangle has.
+void giveTexture(Scene& scene, Presence presence, TextureRef Material::*texture, bool flat);
+
+/// Adds a point light below the ceiling of `cornell` and of scenes in the same room, black where it is not
+/// needed.
+void addLight(Scene& scene, Presence presence);
 
 void takeLightsAway(Scene& scene);
 void blacken(Scene& scene);  ///< every material: nothing is reflected
 
-std::shared_ptr<const Environment> skyOf(float radiance);
+/// White, black where it is not needed, null where it is absent.
+std::shared_ptr<const Environment> skyOf(Presence presence);
 
 }  // namespace prelight::benchmarks::skip

@@ -14,20 +14,9 @@ Setting withMaterials(Presence presence, const Effort& effort, MaterialEdit edit
   return setting;
 }
 
-void mirror(Material& m) {
-  m.metallic = 1.0f;
-  m.roughness = 0.0f;
-}
-
 void gloss(Material& m) {
   m.metallic = 1.0f;
   m.roughness = 0.5f;
-}
-
-void glass(Material& m) {
-  m.transmission = 1.0f;
-  m.thickness = 1.0f;
-  m.roughness = 0.0f;
 }
 
 void tintedGlass(Material& m) {
@@ -36,8 +25,6 @@ void tintedGlass(Material& m) {
   m.attenuationDistance = 1.0f;
 }
 
-void translucent(Material& m) { m.diffuseTransmission = 0.5f; }
-
 template <PictureMethod method, MaterialEdit edit>
 Setting material(Presence presence, const Effort& effort) {
   return withMaterials<method>(presence, effort, edit);
@@ -45,26 +32,21 @@ Setting material(Presence presence, const Effort& effort) {
 
 Setting textureOfPicture(Presence presence, const Effort& effort) {
   Setting setting = pictureOf("cornell", traced, effort);
-  if (presence == Presence::Absent) return setting;
-  const int image = addTexture(setting.scene, false);
-  if (presence == Presence::Unneeded) setting.scene.materials.emplace_back().baseColorTexture.image = image;
-  if (presence == Presence::Needed)
-    for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  giveTexture(setting.scene, presence, &Material::baseColorTexture, false);
   return setting;
 }
 
 template <PictureMethod method>
 Setting lightOfPicture(Presence presence, const Effort& effort) {
   Setting setting = pictureOf("cornell", method, effort);
-  if (presence != Presence::Absent)
-    setting.scene.lights.push_back(lightInside(glm::vec3(presence == Presence::Needed ? 1.0f : 0.0f)));
+  addLight(setting.scene, presence);
   return setting;
 }
 
 template <PictureMethod method>
 Setting skyOfPicture(Presence presence, const Effort& effort) {
   Setting setting = pictureOf("cornell", method, effort);
-  if (presence != Presence::Absent) setting.sky = skyOf(presence == Presence::Needed ? 1.0f : 0.0f);
+  setting.sky = skyOf(presence);
   return setting;
 }
 
@@ -83,22 +65,21 @@ Setting onlyLightOfPicture(Presence presence, const Effort& effort) {
 }  // namespace
 
 std::vector<Row> pictureRows() {
-  const char* noTriangle = "of a material that no triangle has";
   const char* all = "of every surface";
   const char* black = "it is black, the lamp shines";
   return {
-      {"mirrors, path tracing", noTriangle, all, material<traced, mirror>},
-      {"glossy lobes, path tracing", noTriangle, all, material<traced, gloss>},
-      {"glass, path tracing", noTriangle, all, material<traced, glass>},
-      {"absorption, path tracing", noTriangle, all, material<traced, tintedGlass>},
-      {"translucency, path tracing", noTriangle, all, material<traced, translucent>},
-      {"texture, path tracing", noTriangle, all, textureOfPicture},
-      {"emission, path tracing", noTriangle, all, emission},
+      {"mirrors, path tracing", ofNoTriangle, all, material<traced, mirror>},
+      {"glossy lobes, path tracing", ofNoTriangle, all, material<traced, gloss>},
+      {"glass, path tracing", ofNoTriangle, all, material<traced, glass>},
+      {"absorption, path tracing", ofNoTriangle, all, material<traced, tintedGlass>},
+      {"translucency, path tracing", ofNoTriangle, all, material<traced, translucent>},
+      {"texture, path tracing", ofNoTriangle, all, textureOfPicture},
+      {"emission, path tracing", ofNoTriangle, all, emission},
       {"light, path tracing", black, "it shines", lightOfPicture<traced>},
       {"sky, path tracing", black, "it shines", skyOfPicture<traced>},
-      {"mirrors, global illumination", noTriangle, all, material<gathered, mirror>},
-      {"glass, global illumination", noTriangle, all, material<gathered, glass>},
-      {"translucency, global illumination", noTriangle, all, material<gathered, translucent>},
+      {"mirrors, global illumination", ofNoTriangle, all, material<gathered, mirror>},
+      {"glass, global illumination", ofNoTriangle, all, material<gathered, glass>},
+      {"translucency, global illumination", ofNoTriangle, all, material<gathered, translucent>},
       {"light, global illumination", black, "it shines", lightOfPicture<gathered>},
       {"sky, global illumination", black, "it shines", skyOfPicture<gathered>},
       {"only light, global illumination", "it is black", "it shines", onlyLightOfPicture},

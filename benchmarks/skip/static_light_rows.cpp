@@ -5,40 +5,28 @@ namespace prelight::benchmarks::skip {
 
 namespace {
 
-void addLight(Setting& setting, Presence presence) {
-  if (presence != Presence::Absent)
-    setting.scene.lights.push_back(lightInside(glm::vec3(presence == Presence::Needed ? 1.0f : 0.0f)));
-}
+/// Whether a setting has the lights of its scene.
+enum class Others : bool { Dark, Shining };
 
-void addSky(Setting& setting, Presence presence) {
-  if (presence != Presence::Absent)
-    setting.bake.radiosity.environment = skyOf(presence == Presence::Needed ? 1.0f : 0.0f);
-}
+using MakeSetting = Setting (*)(const std::string& scene, const Effort& effort);
 
-Setting lightOfMap(Presence presence, const Effort& effort) {
-  Setting setting = lightMapOf("cornell", effort);
-  addLight(setting, presence);
+Setting roomOf(MakeSetting make, Others others, const Effort& effort) {
+  Setting setting = make("cornell", effort);
+  if (others == Others::Dark) takeLightsAway(setting.scene);
   return setting;
 }
 
-Setting skyOfMap(Presence presence, const Effort& effort) {
-  Setting setting = lightMapOf("cornell", effort);
-  addSky(setting, presence);
+template <MakeSetting make, Others others>
+Setting light(Presence presence, const Effort& effort) {
+  Setting setting = roomOf(make, others, effort);
+  addLight(setting.scene, presence);
   return setting;
 }
 
-/// No light is absent; one that gives none is not needed.
-Setting onlyLightOfMap(Presence presence, const Effort& effort) {
-  Setting setting = lightMapOf("cornell", effort);
-  takeLightsAway(setting.scene);
-  addLight(setting, presence);
-  return setting;
-}
-
-Setting onlySkyOfMap(Presence presence, const Effort& effort) {
-  Setting setting = lightMapOf("cornell", effort);
-  takeLightsAway(setting.scene);
-  addSky(setting, presence);
+template <MakeSetting make, Others others>
+Setting sky(Presence presence, const Effort& effort) {
+  Setting setting = roomOf(make, others, effort);
+  setting.bake.radiosity.environment = skyOf(presence);
   return setting;
 }
 
@@ -50,46 +38,26 @@ Setting causticsOfMap(Presence presence, const Effort& effort) {
 
 Setting normalMapOfMap(Presence presence, const Effort& effort) {
   Setting setting = lightMapOf("cornell", effort);
-  if (presence == Presence::Absent) return setting;
-  const int image = addTexture(setting.scene, true);
-  if (presence == Presence::Unneeded) setting.scene.materials.emplace_back().normalTexture.image = image;
-  if (presence == Presence::Needed)
-    for (Material& m : setting.scene.materials) m.normalTexture.image = image;
-  return setting;
-}
-
-Setting lightOfRadiosity(Presence presence, const Effort& effort) {
-  Setting setting = radiosityOf("cornell", effort);
-  addLight(setting, presence);
-  return setting;
-}
-
-Setting skyOfRadiosity(Presence presence, const Effort& effort) {
-  Setting setting = radiosityOf("cornell", effort);
-  addSky(setting, presence);
-  return setting;
-}
-
-Setting onlySkyOfRadiosity(Presence presence, const Effort& effort) {
-  Setting setting = radiosityOf("cornell", effort);
-  takeLightsAway(setting.scene);
-  addSky(setting, presence);
+  giveTexture(setting.scene, presence, &Material::normalTexture, true);
   return setting;
 }
 
 }  // namespace
 
 std::vector<Row> staticLightRows() {
+  constexpr MakeSetting map = lightMapOf, radiosity = radiosityOf;
+  constexpr Others dark = Others::Dark, shining = Others::Shining;
+  const char* blackBeside = "it is black, the lamp shines";
   return {
-      {"light of a light map", "it is black, the lamp shines", "it shines", lightOfMap},
-      {"sky of a light map", "it is black, the lamp shines", "it shines", skyOfMap},
-      {"only light of a light map", "it is black", "it shines", onlyLightOfMap},
-      {"only sky of a light map", "it is black", "it shines", onlySkyOfMap},
+      {"light of a light map", blackBeside, "it shines", light<map, shining>},
+      {"sky of a light map", blackBeside, "it shines", sky<map, shining>},
+      {"only light of a light map", "it is black", "it shines", light<map, dark>},
+      {"only sky of a light map", "it is black", "it shines", sky<map, dark>},
       {"caustics of a light map", "nothing reflects or refracts", "a glass sphere, a mirror", causticsOfMap},
-      {"normal map of a light map", "of a material that no triangle has", "of every surface", normalMapOfMap},
-      {"light of radiosity", "it is black, the lamp shines", "it shines", lightOfRadiosity},
-      {"sky of radiosity", "it is black, the lamp shines", "it shines", skyOfRadiosity},
-      {"only sky of radiosity", "it is black", "it shines", onlySkyOfRadiosity},
+      {"normal map of a light map", ofNoTriangle, "of every surface", normalMapOfMap},
+      {"light of radiosity", blackBeside, "it shines", light<radiosity, shining>},
+      {"sky of radiosity", blackBeside, "it shines", sky<radiosity, shining>},
+      {"only sky of radiosity", "it is black", "it shines", sky<radiosity, dark>},
   };
 }
 

@@ -18,17 +18,50 @@ Setting bounces(Presence presence, const Effort& effort) {
   return setting;
 }
 
+void wantCh(BakeRequest& request) { request.ch.order = 3; }
+void wantHaar(BakeRequest& request) { request.haar.size = 4; }
+void wantGlossy(BakeRequest& request) { request.glossy.order = 2; }
+void wantVolume(BakeRequest& request) { request.volume.size = 4; }
+
+template <void (*want)(BakeRequest&)>
+Setting bouncesWith(Presence presence, const Effort& effort) {
+  Setting setting = bounces(presence, effort);
+  want(setting.bake);
+  return setting;
+}
+
+/// Images, which no material has where they are not needed.
+Setting images(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  if (presence == Presence::Unneeded) addTexture(setting.scene, false);
+  if (presence == Presence::Needed) giveTexture(setting.scene, presence, &Material::baseColorTexture, false);
+  return setting;
+}
+
+/// A second box, whose mesh no node has where it is not needed.
+Setting meshes(Presence presence, const Effort& effort) {
+  Setting setting = bouncingOf("cornell", effort);
+  if (presence == Presence::Absent) return setting;
+  const MeshNode last = setting.scene.meshNodes.back();
+  setting.scene.meshes.push_back(setting.scene.meshes[static_cast<std::size_t>(last.mesh)]);
+  if (presence == Presence::Unneeded) return setting;
+  MeshNode& drawn = setting.scene.meshNodes.back();
+  drawn.mesh = static_cast<int>(setting.scene.meshes.size()) - 1;
+  for (Primitive& primitive : setting.scene.meshes.back().primitives)
+    for (glm::vec3& position : primitive.positions) position *= 0.5f;
+  return setting;
+}
+
 Setting translucency(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
-  editMaterials(setting.scene, presence, [](Material& m) { m.diffuseTransmission = 0.5f; });
+  editMaterials(setting.scene, presence, translucent);
   return setting;
 }
 
 Setting translucencyWithoutBounces(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.bounces = presence == Presence::Needed ? 1 : 0;
-  if (presence != Presence::Absent)
-    editMaterials(setting.scene, Presence::Needed, [](Material& m) { m.diffuseTransmission = 0.5f; });
+  if (presence != Presence::Absent) editMaterials(setting.scene, Presence::Needed, translucent);
   return setting;
 }
 
@@ -52,19 +85,15 @@ Setting alphaWithoutHoles(Presence presence, const Effort& effort) {
 
 Setting texture(Presence presence, const Effort& effort) {
   Setting setting = bouncingOf("cornell", effort);
-  const int image = presence == Presence::Absent ? -1 : addTexture(setting.scene, false);
-  if (presence == Presence::Unneeded) setting.scene.materials.emplace_back().baseColorTexture.image = image;
-  if (presence == Presence::Needed)
-    for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  giveTexture(setting.scene, presence, &Material::baseColorTexture, false);
   return setting;
 }
 
 Setting textureWithoutBounces(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.bounces = presence == Presence::Needed ? 1 : 0;
-  if (presence == Presence::Absent) return setting;
-  const int image = addTexture(setting.scene, false);
-  for (Material& m : setting.scene.materials) m.baseColorTexture.image = image;
+  if (presence != Presence::Absent)
+    giveTexture(setting.scene, Presence::Needed, &Material::baseColorTexture, false);
   return setting;
 }
 
@@ -97,22 +126,10 @@ Setting occludersOf(const Effort& effort) {
   return setting;
 }
 
-Setting glassOfOccluders(Presence presence, const Effort& effort) {
+template <MaterialEdit edit>
+Setting materialOfOccluders(Presence presence, const Effort& effort) {
   Setting setting = occludersOf(effort);
-  editMaterials(setting.scene, presence, [](Material& m) {
-    m.transmission = 1.0f;
-    m.thickness = 1.0f;
-    m.roughness = 0.0f;
-  });
-  return setting;
-}
-
-Setting shineOfOccluders(Presence presence, const Effort& effort) {
-  Setting setting = occludersOf(effort);
-  editMaterials(setting.scene, presence, [](Material& m) {
-    m.metallic = 1.0f;
-    m.roughness = 0.0f;
-  });
+  editMaterials(setting.scene, presence, edit);
   return setting;
 }
 
@@ -120,8 +137,7 @@ Setting shineOfOccluders(Presence presence, const Effort& effort) {
 Setting lightOfGroups(Presence presence, const Effort& effort) {
   Setting setting = transferOf("cornell", effort);
   setting.bake.lightGroups.wanted = true;
-  if (presence != Presence::Absent)
-    setting.scene.lights.push_back(lightInside(glm::vec3(presence == Presence::Needed ? 1.0f : 0.0f)));
+  addLight(setting.scene, presence);
   return setting;
 }
 
@@ -150,22 +166,28 @@ Setting looseVertices(Presence presence, const Effort& effort) {
 }  // namespace
 
 std::vector<Row> transferRows() {
-  const char* noTriangle = "of a material that no triangle has";
+  const char *black = "every surface is black", *asTheyAre = "surfaces as they are";
   return {
-      {"bounces", "every surface is black", "surfaces as they are", bounces},
-      {"translucency", noTriangle, "of every surface", translucency},
+      {"bounces", black, asTheyAre, bounces},
+      {"bounces, CH", black, asTheyAre, bouncesWith<wantCh>},
+      {"bounces, Haar wavelets", black, asTheyAre, bouncesWith<wantHaar>},
+      {"bounces, glossy transfer", black, asTheyAre, bouncesWith<wantGlossy>},
+      {"bounces, volume", black, asTheyAre, bouncesWith<wantVolume>},
+      {"images", "no material has them", "of every surface", images},
+      {"meshes", "no node has them", "drawn in place of another", meshes},
+      {"translucency", ofNoTriangle, "of every surface", translucency},
       {"translucency, no bounces", "of every surface, which only bounces come through", "with a bounce",
        translucencyWithoutBounces},
       {"holes of an alpha mask", "of every surface, each texel opaque", "half of the texels are holes",
        alphaWithoutHoles},
-      {"base-colour texture", noTriangle, "of every surface", texture},
+      {"base-colour texture", ofNoTriangle, "of every surface", texture},
       {"base-colour texture, no bounces", "of every surface, which only bounces read", "with a bounce",
        textureWithoutBounces},
       {"vertex colours", "all white", "coloured", vertexColors},
       {"shadow sets", "every node sees every other", "the floor sees two boxes", shadowSets},
       {"occlusion distance", "1000 m, farther than anything", "0.5 m", farLimit},
-      {"glass seen by vector occluders", noTriangle, "of every surface", glassOfOccluders},
-      {"shine seen by vector occluders", noTriangle, "of every surface", shineOfOccluders},
+      {"glass seen by vector occluders", ofNoTriangle, "of every surface", materialOfOccluders<glass>},
+      {"shine seen by vector occluders", ofNoTriangle, "of every surface", materialOfOccluders<mirror>},
       {"light of a group", "it is black", "it shines", lightOfGroups},
       {"vertices of no triangle", "as many again", "triangles have them", looseVertices},
   };

@@ -1,4 +1,5 @@
 #include "bake/baker.h"
+#include "bake/make_plan.h"
 
 #include <chrono>
 #include <future>
@@ -139,15 +140,21 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);
-  const BakeContext context{scene, source, charts,     request, plan,  device, mesh,
+  const BakeRequest carried = carriedOut(request, plan.runs(Pass::Bounces));
+  const BakeContext context{scene, source, charts,     carried, plan,  device, mesh,
                             sets,  tracer, setTracers, start,   clock, report};
   ProjectorsRun run(context);
   run.prepare(saved, progress);
   saved.reset();
   Bake bake = runSaving(run, progress, checkpoint);
-  bake.info = {
-      std::string("Prelight ") + PRELIGHT_VERSION,    request.seed, report.rays,        report.aoErrorRms,
-      plan.runs(Pass::Bounces) ? request.bounces : 0, plan,         device.info().name, secondsSince(start)};
+  bake.info = {std::string("Prelight ") + PRELIGHT_VERSION,
+               request.seed,
+               report.rays,
+               report.aoErrorRms,
+               carried.bounces,
+               plan,
+               device.info().name,
+               secondsSince(start)};
   return bake;
 }
 

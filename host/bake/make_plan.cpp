@@ -94,6 +94,11 @@ PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& te
 
 }  // namespace
 
+BakeRequest carriedOut(BakeRequest request, bool bounces) {
+  if (!bounces) request.bounces = 0;
+  return request;
+}
+
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request) {
   Plan plan;
   const bool anything = compiled.triangleCount() > 0 && request.anything();
@@ -101,7 +106,8 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
   const PlannedPass bounces =
       anything ? planBounces(compiled, request) : PlannedPass{Pass::Bounces, false, nothing};
-  const PlanInput input{scene, compiled, request, bounces.runs};
+  const BakeRequest planned = carriedOut(request, bounces.runs);
+  const PlanInput input{scene, compiled, planned, bounces.runs};
   const std::vector<Planning> techniques = plannings(PlanningOrder::Plan);
   const auto add = [&](const PlannedPass& pass) {
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.pass, false, nothing});

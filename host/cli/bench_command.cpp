@@ -55,6 +55,18 @@ std::vector<std::string> chosenSuites(const std::string& suite) {
   return {suite};
 }
 
+/// All suites are measured: those without a case that is chosen are left out.
+std::vector<std::string> suitesWithCases(const std::vector<std::string>& suites,
+                                         const BenchmarkOptions& options) {
+  std::vector<std::string> kept;
+  std::copy_if(suites.begin(), suites.end(), std::back_inserter(kept),
+               [&](const std::string& suite) { return benchmarks::hasChosenCase(suite, options); });
+  if (kept.empty())
+    throw UsageError("--case " + options.onlyCase, "no suite has a case of such a name",
+                     "`prelight bench window --case x` names its cases, docs/skipping.md those of `skip`");
+  return kept;
+}
+
 void checkBenchOutputs(const BenchCommand& command) {
   const std::vector<std::string> known = knownSuites();
   if (std::find(known.begin(), known.end(), command.json) != known.end())
@@ -114,7 +126,7 @@ void checkBounds(const std::vector<BenchmarkResult>& results) {
 
 void runBench(const BenchCommand& command, Context& context) {
   Session session(context);
-  const std::vector<std::string> suites = chosenSuites(command.suite);
+  std::vector<std::string> suites = chosenSuites(command.suite);
   checkBenchOutputs(command);
   BenchmarkOptions options = command.quick ? BenchmarkOptions::quick() : BenchmarkOptions();
   options.skies = command.skies;
@@ -128,6 +140,7 @@ void runBench(const BenchCommand& command, Context& context) {
     options.techniqueHeight = command.size->height;
     options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
   }
+  if (command.suite.empty()) suites = suitesWithCases(suites, options);
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
   const std::string peer = benchmarks::embreeVersion();
@@ -177,8 +190,7 @@ void addBenchCommand(CLI::App& program, Context& context) {
       ->type_name("MAP");
   app->add_option("--case", command->onlyCase,
                   "only cases of `bake-scaling`, `skip` and `window` whose names contain this; of "
-                  "`bake-scaling` the one "
-                  "that is named in full, however long it takes")
+                  "`bake-scaling` the one that is named in full, however long it takes")
       ->type_name("TEXT");
   addWholeNumber(
       *app, "--rays", {1, BakeRequest::maxRays}, [command](std::uint64_t n) { command->rays = n; },

@@ -1,5 +1,6 @@
 #include "gpu/shade_features.h"
 
+#include "gpu/surface_arrays.h"
 #include "scene/lobes.h"
 
 namespace prelight {
@@ -34,8 +35,7 @@ ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& l
   f.punctual = !lights.punctual.empty();
   f.emitters = !lights.emitters.empty();
   f.sky = !lights.sky.empty();
-  std::vector<bool> used(scene.materials.size(), false);
-  for (const std::uint32_t material : scene.triangleMaterials) used[material] = true;
+  const std::vector<bool> used = usedMaterials(scene);
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) addMaterial(scene.materials[i], f);
   return f;

@@ -18,7 +18,7 @@ glm::u16vec4 linearTexel(const std::uint8_t* srgb) {
 }
 
 DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image>& images,
-                              const std::vector<std::uint32_t>& offsets) {
+                              const std::vector<std::uint32_t>& offsets, bool used) {
   DeviceMaterial d{};
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
   d.alphaCutoff = m.alphaCutoff;
@@ -30,7 +30,7 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
   d.texelOffset = PRELIGHT_NO_TEXTURE;
   d.wrapS = deviceWrap(m.wrapS);
   d.wrapT = deviceWrap(m.wrapT);
-  if (m.albedoImage >= 0) {
+  if (used && m.albedoImage >= 0) {
     const auto image = static_cast<std::size_t>(m.albedoImage);
     d.texelOffset = offsets[image];
     d.width = static_cast<std::uint32_t>(images[image].width);
@@ -41,16 +41,28 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
 
 }  // namespace
 
+std::vector<bool> usedMaterials(const CompiledScene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  for (const std::uint32_t material : scene.triangleMaterials) used[material] = true;
+  return used;
+}
+
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene) {
   SurfaceArrays arrays;
+  const std::vector<bool> used = usedMaterials(scene);
+  std::vector<bool> lookedUp(scene.albedoImages.size(), false);
+  for (std::size_t m = 0; m < used.size(); ++m)
+    if (const int image = scene.materials[m].albedoImage; used[m] && image >= 0)
+      lookedUp[static_cast<std::size_t>(image)] = true;
   std::vector<std::uint32_t> offsets;
-  for (const Image& image : scene.albedoImages) {
+  for (std::size_t index = 0; index < lookedUp.size(); ++index) {
+    const Image& image = scene.albedoImages[index];
     offsets.push_back(static_cast<std::uint32_t>(arrays.texels.size()));
-    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
+    for (std::size_t i = 0; lookedUp[index] && i + 3 < image.rgba.size(); i += 4)
       arrays.texels.push_back(linearTexel(&image.rgba[i]));
   }
-  for (const auto& material : scene.materials)
-    arrays.materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
+  for (std::size_t m = 0; m < used.size(); ++m)
+    arrays.materials.push_back(deviceMaterial(scene.materials[m], scene.albedoImages, offsets, used[m]));
   return arrays;
 }
 

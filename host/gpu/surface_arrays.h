@@ -14,6 +14,9 @@ struct SurfaceArrays {
   std::vector<glm::u16vec4> texels;  ///< linear RGBA in 1/65535, of all images one after the other
 };
 
+/// [material] whether a triangle has it. What the others look up is not uploaded.
+std::vector<bool> usedMaterials(const CompiledScene& scene);
+
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene);
 
 }  // namespace prelight

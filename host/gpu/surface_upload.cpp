@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "gpu/surface_arrays.h"
 #include "scene/compile/compile_parts.h"
 #include "scene/compile/device_wrap.h"
 #include "scene/lobes.h"
@@ -130,11 +131,16 @@ std::vector<ShadeMaterial> makeShadeMaterials(const CompiledScene& scene, bool t
 
 Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images) {
   LayerUpload upload(images);
+  const std::vector<bool> used = usedMaterials(scene);
   Layers layers;
-  for (const CompiledMaterial& m : scene.materials) {
-    layers.materials.push_back(upload.add(m.baseColorTexture, true));
-    layers.materials.push_back(upload.add(m.surfaceTexture, false));
-    layers.materials.push_back(upload.add(m.emissionTexture, true));
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CompiledMaterial& m = scene.materials[i];
+    const auto layerOf = [&](const LayerTexture& texture, bool srgb) {
+      return upload.add(used[i] ? texture : LayerTexture{}, srgb);
+    };
+    layers.materials.push_back(layerOf(m.baseColorTexture, true));
+    layers.materials.push_back(layerOf(m.surfaceTexture, false));
+    layers.materials.push_back(layerOf(m.emissionTexture, true));
     layers.materials.push_back(throughLayer(m));
   }
   layers.texels = upload.take();

@@ -39,6 +39,21 @@ TEST_P(SkippedWork, FeaturePresentInVain_ChangesNoBitAndTakesNoRayAndNoLaunch) {
   EXPECT_EQ(unneeded.workItems, absent.workItems);
 }
 
+/// Texels, and the texture coordinates of every vertex with them: all that is uploaded is the material.
+TEST(SkippedUploads, TextureThatNoTriangleHas_StaysOnTheHost) {
+  Progress ignored;
+  const skip::Effort effort = BenchmarkOptions::quick().skipEffort;
+  constexpr std::uint64_t materialBytes = 1024;  // at most, in all arrays together
+  for (const skip::Row& row : skip::rows()) {
+    if (row.name != "base-colour texture" && row.name != "images" && row.name != "texture, path tracing" &&
+        row.name != "normal map of a light map")
+      continue;
+    const Outcome absent = carryOut(row.make(Presence::Absent, effort), test::sharedDevice(), ignored);
+    const Outcome unneeded = carryOut(row.make(Presence::Unneeded, effort), test::sharedDevice(), ignored);
+    EXPECT_LE(unneeded.deviceBytes, absent.deviceBytes + materialBytes) << row.name;
+  }
+}
+
 TEST_P(SkippedWork, FeatureThatIsNeeded_ChangesValues) {
   Progress ignored;
   const skip::Effort effort = BenchmarkOptions::quick().skipEffort;

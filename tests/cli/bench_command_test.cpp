@@ -157,6 +157,24 @@ TEST_F(CliBench, Update_SendsAFewPhotonsAgain_AndSettlesToTheWhole) {
   EXPECT_EQ(metrics["difference"].size(), 4u);
 }
 
+TEST_F(CliBench, CaseWithoutASuite_RunsTheSuitesThatHaveIt_AndNoOther) {
+  prelightDone({"bench", "--case", "caustics of a light map", "--quick", "--quiet", "--json", "chosen.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("chosen.json"));
+  expectReport(report);
+  EXPECT_EQ(report["options"]["suites"], nlohmann::json({"skip"}));
+  for (const auto& entry : report["results"])
+    EXPECT_THAT(entry["case"].get<std::string>(), StartsWith("caustics of a light map/"));
+}
+
+TEST_F(CliBench, CaseOfNoSuite_IsRefused) {
+  for (const std::vector<std::string>& suite : {std::vector<std::string>{}, {"skip"}, {"bake-scaling"}}) {
+    std::vector<std::string> words = {"bench"};
+    words.insert(words.end(), suite.begin(), suite.end());
+    words.insert(words.end(), {"--case", "no such case", "--quick"});
+    expectFailure(2, words, {"--case no such case"});
+  }
+}
+
 TEST_F(CliBench, Stability_EveryBound_Holds) {
   prelightDone({"bench", "stability", "--quick", "--quiet", "--json", "stability.json", "--plot", "plots"});
   const nlohmann::json report = nlohmann::json::parse(readFile("stability.json"));
