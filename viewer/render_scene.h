@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -17,18 +18,36 @@ namespace prelight::viewer {
 /// A texture of a material; null is one white texel.
 using TextureHandle = const gl::Texture*;
 
+/// What textures of a surface tell.
+enum class TextureSlot : std::uint8_t {
+  BaseColor,
+  MetallicRoughness,
+  Emissive,
+  Normal,
+  Transmission,
+  Specular,
+  SpecularColor
+};
+
+constexpr std::size_t surfaceTextures = 7;
+
+struct SurfaceTexture {
+  TextureHandle texture = nullptr;
+  TextureRef use;
+};
+
 /// How the triangles of a batch look.
 struct Surface {
   Material material;
-  TextureHandle baseColor = nullptr;
-  TextureHandle metallicRoughness = nullptr;
-  TextureHandle emissive = nullptr;
-  TextureHandle normal = nullptr;  ///< nullptr: the surface has no bumps
+  std::array<SurfaceTexture, surfaceTextures> textures;
 
   glm::vec3 absorption{0.0f};    ///< inside a body, 1/m
   glm::vec4 translucency{0.0f};  ///< light that comes through diffusely: colour x share, share
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
+
+  const SurfaceTexture& at(TextureSlot slot) const { return textures[static_cast<std::size_t>(slot)]; }
+  bool has(TextureSlot slot) const { return at(slot).texture != nullptr; }
 
   /// Glass with an inside.
   bool isBody() const { return material.transmission > 0.0f && material.thickness > 0.0f; }
@@ -81,8 +100,8 @@ class RenderScene {
   };
 
   void makeSurfaces(const RenderInputs& inputs);
-  TextureHandle texture(const Scene& scene, const TextureRef& use, bool srgb);
-  TextureHandle normalTexture(const NormalMaps& maps, const Material& material, std::size_t index);
+  SurfaceTexture texture(const Scene& scene, const TextureRef& use, bool srgb);
+  SurfaceTexture normalTexture(const NormalMaps& maps, const TextureRef& use, std::size_t material);
   void makeBatches(const CompiledScene& compiled);
   void makeVertices(const RenderInputs& inputs);
   template <typename T>

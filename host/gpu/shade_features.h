@@ -15,7 +15,7 @@ struct ShadeFeatures {
   bool mirror = false;
   bool glossy = false;
   bool absorption = false;
-  bool layerTextures = false;
+  bool textures = false;
   bool translucent = false;  ///< some surface lets light through diffusely
   bool scatters = false;     ///< some surface sends light on
 

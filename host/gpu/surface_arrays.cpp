@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/compile/compile_parts.h"
-#include "scene/compile/device_wrap.h"
+#include "gpu/texture_upload.h"
 
 namespace prelight {
 
@@ -12,30 +11,21 @@ namespace {
 
 using device::DeviceMaterial;
 
-glm::u16vec4 linearTexel(const std::uint8_t* srgb) {
-  const glm::vec3 linear(linearFromSrgb(srgb[0]), linearFromSrgb(srgb[1]), linearFromSrgb(srgb[2]));
-  return {glm::u16vec3(glm::round(65535.0f * linear)), static_cast<std::uint16_t>(257 * srgb[3])};
-}
-
-DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image>& images,
-                              const std::vector<std::uint32_t>& offsets) {
+DeviceMaterial deviceMaterial(const CompiledMaterial& m, bool drawn, TextureUpload& textures) {
   DeviceMaterial d{};
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
   d.alphaCutoff = m.alphaCutoff;
   d.alphaFactor = m.alphaFactor;
+  d.metallic = m.metallic;
+  d.glass = m.transmission;
   for (int c = 0; c < 3; ++c)
     d.transmission |=
         static_cast<std::uint32_t>(std::lround(1023.0f * std::clamp(m.diffuseTransmission[c], 0.0f, 1.0f)))
         << (10 * c);
-  d.texelOffset = PRELIGHT_NO_TEXTURE;
-  d.wrapS = deviceWrap(m.wrapS);
-  d.wrapT = deviceWrap(m.wrapT);
-  if (m.albedoImage >= 0) {
-    const auto image = static_cast<std::size_t>(m.albedoImage);
-    d.texelOffset = offsets[image];
-    d.width = static_cast<std::uint32_t>(images[image].width);
-    d.height = static_cast<std::uint32_t>(images[image].height);
-  }
+  const auto [color, metal, glass] = drawn ? m.albedoTextures() : std::array<TextureRef, 3>();
+  d.colorTexture = textures.add(color, true);
+  d.metallicTexture = textures.add(metal, false);
+  d.glassTexture = textures.add(glass, false);
   return d;
 }
 
@@ -43,15 +33,21 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, const std::vector<Image
 
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene) {
   SurfaceArrays arrays;
-  std::vector<std::uint32_t> offsets;
-  for (const Image& image : scene.albedoImages) {
-    offsets.push_back(static_cast<std::uint32_t>(arrays.texels.size()));
-    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4)
-      arrays.texels.push_back(linearTexel(&image.rgba[i]));
-  }
-  for (const auto& material : scene.materials)
-    arrays.materials.push_back(deviceMaterial(material, scene.albedoImages, offsets));
+  TextureUpload textures(scene.images);
+  std::vector<bool> drawn(scene.materials.size(), false);
+  for (const std::uint32_t material : scene.triangleMaterials) drawn[material] = true;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    arrays.materials.push_back(deviceMaterial(scene.materials[m], drawn[m], textures));
+  arrays.textures = textures.takeTextures();
+  arrays.texels = textures.takeTexels();
   return arrays;
+}
+
+bool albedoHasShares(const CompiledScene& scene) {
+  return std::any_of(scene.triangleMaterials.begin(), scene.triangleMaterials.end(), [&](std::uint32_t m) {
+    const auto [color, metal, glass] = scene.materials[m].albedoTextures();
+    return metal.image >= 0 || glass.image >= 0;
+  });
 }
 
 }  // namespace prelight

@@ -11,12 +11,10 @@
 #include "shared/shade_types.h"
 
 typedef struct PathScene {
-  Surface surface;  // its materials hold base colours without textures
+  Surface surface;  // its materials hold base colours
   __global const float* vertices;  // [vertex][6] position, normal
   __global const uchar* flat;      // [stored triangle] 1: no shading normals
   __global const ShadeMaterial* materials;
-  __global const DeviceMaterial* layers;    // [material][PRELIGHT_LAYERS] textures: PRELIGHT_LAYER_* of transport/material_funcs.cl
-  __global const ushort4* layerTexels;
 } PathScene;
 
 typedef struct Interaction {

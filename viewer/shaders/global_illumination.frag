@@ -15,7 +15,6 @@
 in vec3 vPosition;
 in vec3 vNormal;
 in vec4 vTexCoords;
-in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 
 uniform sampler2D caustics;   // irradiance of every pixel
@@ -78,7 +77,7 @@ vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 
 }
 
 void main() {
-  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   outTransmitted = vec4(vec3(1.0 - alpha), 1.0);

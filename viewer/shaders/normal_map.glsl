@@ -1,5 +1,7 @@
-// Normals that a texture bumps; needs variant.glsl.
+// Normals that a texture bumps; needs variant.glsl and material.glsl.
 uniform sampler2D normalTexture;
+uniform vec4 normalU;
+uniform vec4 normalV;
 uniform float normalScale;  // of the texture's x and y; 0: there is none
 
 // Unit normal of a front around its own, n, at coordinates of the texture; the tangent is the file's or, where that is

@@ -22,7 +22,6 @@
 in vec3 vPosition;
 in vec3 vNormal;
 in vec4 vTexCoords;
-in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 in float vAccessibility;
 in vec4 vBentNormal;
@@ -31,7 +30,6 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
-in vec2 vNormalCoord;
 in vec4 vTangent;
 
 uniform sampler2D caustics;   // irradiance of every pixel
@@ -118,7 +116,7 @@ vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
 vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 mapped = mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
+    vec3 mapped = mappedNormal(side * n, vPosition, texturePlace(vTexCoords, normalU, normalV), vTangent);
     // That of vertices is of their fronts; backs show the same.
     if (ambientRule == ambientEncodedVertices) {
       return m.albedo / pi * encodedVertexIrradiance(firstTriangle + gl_PrimitiveID, vPosition, side * n, mapped);
@@ -144,7 +142,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
 }
 
 void main() {
-  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   if (hasUnlit && unlit != 0) {

@@ -121,7 +121,7 @@ class ChartMaker {
     if (use.image < 0 || coords.empty()) return std::nullopt;
     const std::optional<std::size_t> image = imageOf(use.image);
     if (!image) return std::nullopt;
-    NormalMap map{*image, use.wrapS, use.wrapT, material.normalScale, {}, {}};
+    NormalMap map{*image, use, material.normalScale, {}, {}};
     for (const glm::vec2& uv : coords) map.coords.emplace_back(use.transform * glm::vec3(uv, 1.0f));
     // A mirroring transform turns the bitangent around, which the cross product would not.
     const float mirror = glm::determinant(placed.world) < 0.0 ? -1.0f : 1.0f;
@@ -219,7 +219,7 @@ glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const 
       scene.triangles[triangle] - glm::uvec3(scene.primitives[chart.primitive].firstVertex);
   const glm::vec2 uv = interpolate(map.coords, corners, weights);
   glm::dvec3 tangentSpace =
-      2.0 * glm::dvec3(sampleImage(charts.images[map.image], uv, map.wrapS, map.wrapT)) - 1.0;
+      2.0 * glm::dvec3(sampleImage(charts.images[map.image], map.use, uv)) - 1.0;
   tangentSpace.x *= map.scale;
   tangentSpace.y *= map.scale;
   const glm::dvec4 tangent = map.tangents.empty()
