@@ -104,9 +104,8 @@ SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, b
   for (const LoadedTexture& loaded : textures_) {
     if (loaded.srgb == srgb && sameTexture(loaded.use, use)) return {loaded.texture.get(), use};
   }
-  textures_.push_back({use, srgb,
-                       std::make_unique<gl::Texture>(
-                           gl::makeImageTexture(scene.images[use.image], srgb, use))});
+  textures_.push_back(
+      {use, srgb, std::make_unique<gl::Texture>(gl::makeImageTexture(scene.images[use.image], srgb, use))});
   return {textures_.back().texture.get(), use};
 }
 
@@ -114,8 +113,7 @@ SurfaceTexture RenderScene::normalTexture(const NormalMaps& maps, const TextureR
                                           std::size_t material) {
   if (material >= maps.imageOf.size() || maps.imageOf[material] < 0) return {};
   const Image& image = maps.images[static_cast<std::size_t>(maps.imageOf[material])];
-  normalTextures_.push_back(
-      std::make_unique<gl::Texture>(gl::makeImageTexture(image, false, use)));
+  normalTextures_.push_back(std::make_unique<gl::Texture>(gl::makeImageTexture(image, false, use)));
   return {normalTextures_.back().get(), use};
 }
 

@@ -50,8 +50,7 @@ std::vector<glm::vec4> tangents(const Scene& scene, const CompiledScene& compile
     const float mirror = glm::determinant(world) < 0.0 ? -1.0f : 1.0f;
     for (std::uint32_t i = 0; i < range.vertexCount && i < primitive->tangents.size(); ++i) {
       const glm::vec4& tangent = primitive->tangents[i];
-      result[range.firstVertex + i] =
-          glm::vec4(glm::vec3(world * glm::dvec3(tangent)), mirror * tangent.w);
+      result[range.firstVertex + i] = glm::vec4(glm::vec3(world * glm::dvec3(tangent)), mirror * tangent.w);
     }
   }
   return result;

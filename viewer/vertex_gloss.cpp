@@ -12,7 +12,8 @@ namespace {
 glm::vec4 lookUpTexel(const Scene& scene, const TextureRef& texture, const glm::vec4& coords) {
   if (texture.image < 0 || static_cast<std::size_t>(texture.image) >= scene.images.size())
     return glm::vec4(1.0f);
-  return sampleImage(scene.images[static_cast<std::size_t>(texture.image)], texture, texturePlace(texture, coords));
+  return sampleImage(scene.images[static_cast<std::size_t>(texture.image)], texture,
+                     texturePlace(texture, coords));
 }
 
 glm::vec3 decodeSrgb(const glm::vec3& v) {
@@ -23,8 +24,7 @@ glm::vec3 decodeSrgb(const glm::vec3& v) {
 /// readMaterial() of shaders/material.glsl.
 glm::vec4 glossOf(const Scene& scene, const Material& m, const glm::vec4& coords,
                   const glm::vec4& vertexColor, bool all) {
-  const glm::vec3 base = glm::vec3(m.baseColor) *
-                         decodeSrgb(lookUpTexel(scene, m.baseColorTexture, coords)) *
+  const glm::vec3 base = glm::vec3(m.baseColor) * decodeSrgb(lookUpTexel(scene, m.baseColorTexture, coords)) *
                          glm::vec3(vertexColor);
   const glm::vec4 factors = lookUpTexel(scene, m.metallicRoughnessTexture, coords);
   const float metallic = m.metallic * factors.b, roughness = m.roughness * factors.g;

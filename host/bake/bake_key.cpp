@@ -32,8 +32,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
       hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
   }
   for (const PrimitiveRange& range : scene.primitives) hash.text(range.name).value(range.node);
-  for (const Image& image : scene.images)
-    hash.value(image.width).value(image.height).values(image.rgba);
+  for (const Image& image : scene.images) hash.value(image.width).value(image.height).values(image.rgba);
   return hash.result();
 }
 

@@ -89,7 +89,8 @@ ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>
   for (const std::uint32_t material : scene.triangleMaterials) drawn[material] = true;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const CompiledMaterial& m = scene.materials[i];
-    arrays.bases.push_back(baseMaterial(m, drawn[i] ? upload.add(m.baseColorTexture, true) : PRELIGHT_NO_TEXTURE));
+    arrays.bases.push_back(
+        baseMaterial(m, drawn[i] ? upload.add(m.baseColorTexture, true) : PRELIGHT_NO_TEXTURE));
     arrays.materials.push_back(shadeMaterial(m, m.emissionFactor));
     if (drawn[i]) addTextures(m, upload, arrays.materials.back());
   }

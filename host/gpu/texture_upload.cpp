@@ -27,8 +27,7 @@ std::uint32_t TextureUpload::add(const TextureRef& use, bool srgb) {
 }
 
 std::uint32_t TextureUpload::texelsOf(int index, bool srgb) {
-  const auto [found, isNew] =
-      offsets_.try_emplace({index, srgb}, static_cast<std::uint32_t>(texels_.size()));
+  const auto [found, isNew] = offsets_.try_emplace({index, srgb}, static_cast<std::uint32_t>(texels_.size()));
   if (!isNew) return found->second;
   const Image& image = images_[static_cast<std::size_t>(index)];
   for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {

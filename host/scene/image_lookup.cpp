@@ -24,9 +24,9 @@ glm::vec4 sampleImage(const Image& image, const TextureRef& use, const glm::vec2
   if (!std::isfinite(x) || !std::isfinite(y)) return glm::vec4(0.0f);
   const double column = std::floor(x), row = std::floor(y);
   const auto texel = [&](double c, double r) {
-    const auto at =
-        static_cast<std::size_t>(wrapTexel(r, image.height, use.wrapT)) * static_cast<std::size_t>(image.width) +
-        static_cast<std::size_t>(wrapTexel(c, image.width, use.wrapS));
+    const auto at = static_cast<std::size_t>(wrapTexel(r, image.height, use.wrapT)) *
+                        static_cast<std::size_t>(image.width) +
+                    static_cast<std::size_t>(wrapTexel(c, image.width, use.wrapS));
     const std::uint8_t* rgba = &image.rgba[4 * at];
     return glm::vec4(rgba[0], rgba[1], rgba[2], rgba[3]) / 255.0f;
   };

@@ -43,8 +43,8 @@ struct CompiledInstance {
 };
 
 /// What light transport needs to know of a material. Bakes read the Lambertian albedo, the mean emission and
-/// the coverage; what follows light reads the rest. Images of textures are of Scene::images; a factor that has
-/// a texture multiplies it.
+/// the coverage; what follows light reads the rest. Images of textures are of Scene::images; a factor that
+/// has a texture multiplies it.
 struct CompiledMaterial {
   /// Of the body; multiplies baseColorTexture and the vertex colour, and where metalness or transmission have
   /// a texture also the share that is neither (see albedoTextures).
@@ -60,7 +60,7 @@ struct CompiledMaterial {
   float metallic = 0.0f;
   float roughness = 1.0f;
   TextureRef surfaceTexture;       ///< linear: G roughness, B metalness
-  TextureRef normalTexture;  ///< linear: tangent-space normals; not among Scene::images' decoded ones
+  TextureRef normalTexture;        ///< linear: tangent-space normals; not among Scene::images' decoded ones
   glm::vec3 emissionFactor{0.0f};  ///< W/(m2 sr); `emission` without the mean of its texture
   TextureRef emissionTexture;      ///< sRGB
   float transmission = 0.0f;       ///< share of the dielectric that is glass
@@ -71,11 +71,11 @@ struct CompiledMaterial {
   float specular = 0.0f;           ///< strength of a dielectric's reflection; 0: pure Lambert
   TextureRef specularTexture;      ///< linear: A
   glm::vec3 specularColor{1.0f};
-  TextureRef specularColorTexture;   ///< sRGB
-  float translucency = 0.0f;         ///< share of the body's light that leaves on the other side
-  float meanTranslucency = 0.0f;     ///< the same times the mean of its texture
-  TextureRef translucencyTexture;    ///< linear: A
-  glm::vec3 translucentColor{1.0f};  ///< of that light
+  TextureRef specularColorTexture;     ///< sRGB
+  float translucency = 0.0f;           ///< share of the body's light that leaves on the other side
+  float meanTranslucency = 0.0f;       ///< the same times the mean of its texture
+  TextureRef translucencyTexture;      ///< linear: A
+  glm::vec3 translucentColor{1.0f};    ///< of that light
   TextureRef translucentColorTexture;  ///< sRGB
   bool unlit = false;
 
@@ -106,8 +106,8 @@ struct CompiledScene {
   std::vector<PrimitiveRange> primitives;
   std::vector<CompiledShape> shapes;
   std::vector<CompiledInstance> instances;  ///< firstTriangle ascends
-  std::vector<Light> lights;  ///< punctual, in world space as in Scene
-  glm::vec3 boundsMin{0.0f};  ///< relative to origin
+  std::vector<Light> lights;                ///< punctual, in world space as in Scene
+  glm::vec3 boundsMin{0.0f};                ///< relative to origin
   glm::vec3 boundsMax{0.0f};
   std::uint64_t droppedTriangles = 0;  ///< zero area
 

@@ -46,7 +46,7 @@ struct Material {
   bool unlit = false;
   float transmission = 0.0f;       ///< KHR_materials_transmission, [0,1]
   TextureRef transmissionTexture;  ///< linear: R multiplies it
-  float thickness = 0.0f;     ///< KHR_materials_volume, > 0 means solid
+  float thickness = 0.0f;          ///< KHR_materials_volume, > 0 means solid
   glm::vec3 attenuationColor{1.0f};
   float attenuationDistance = std::numeric_limits<float>::infinity();  ///< world-space metres
   float ior = 1.5f;                                                    ///< 0 means infinite

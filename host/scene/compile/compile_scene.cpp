@@ -270,15 +270,9 @@ std::array<TextureRef, 3> CompiledMaterial::albedoTextures() const {
 }
 
 std::array<TextureRef, 9> CompiledMaterial::textures() const {
-  return {baseColorTexture,
-          surfaceTexture,
-          normalTexture,
-          emissionTexture,
-          transmissionTexture,
-          specularTexture,
-          specularColorTexture,
-          translucencyTexture,
-          translucentColorTexture};
+  return {baseColorTexture,     surfaceTexture,      normalTexture,
+          emissionTexture,      transmissionTexture, specularTexture,
+          specularColorTexture, translucencyTexture, translucentColorTexture};
 }
 
 bool CompiledScene::hasAlbedoTextures() const {

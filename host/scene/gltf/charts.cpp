@@ -218,8 +218,7 @@ glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const 
   const glm::uvec3 corners =
       scene.triangles[triangle] - glm::uvec3(scene.primitives[chart.primitive].firstVertex);
   const glm::vec2 uv = interpolate(map.coords, corners, weights);
-  glm::dvec3 tangentSpace =
-      2.0 * glm::dvec3(sampleImage(charts.images[map.image], map.use, uv)) - 1.0;
+  glm::dvec3 tangentSpace = 2.0 * glm::dvec3(sampleImage(charts.images[map.image], map.use, uv)) - 1.0;
   tangentSpace.x *= map.scale;
   tangentSpace.y *= map.scale;
   const glm::dvec4 tangent = map.tangents.empty()

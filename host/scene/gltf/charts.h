@@ -15,8 +15,8 @@ namespace prelight {
 
 /// A normal texture where a chart's surface uses it.
 struct NormalMap {
-  std::size_t image = 0;  ///< into Charts::images
-  TextureRef use;  ///< how it wraps and filters
+  std::size_t image = 0;            ///< into Charts::images
+  TextureRef use;                   ///< how it wraps and filters
   float scale = 1.0f;               ///< of x and y
   std::vector<glm::vec2> coords;    ///< [vertex of the primitive], transformed
   std::vector<glm::vec4> tangents;  ///< [vertex], world space, w +-1; empty: from `coords`
