@@ -6,7 +6,6 @@
 #include <map>
 
 #include "photon/caustic_casters.h"
-#include "scene/gltf/normal_maps.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -87,11 +86,10 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
     surface.translucency = glm::vec4(compiled.diffuseTransmission, compiled.meanTranslucency);
     const Material& m = surface.material;
     const Scene& scene = inputs.scene;
-    const bool bumps = inputs.normalMaps != nullptr;
     surface.textures = {texture(scene, m.baseColorTexture, true),
                         texture(scene, m.metallicRoughnessTexture, false),
                         texture(scene, m.emissiveTexture, true),
-                        bumps ? normalTexture(*inputs.normalMaps, m.normalTexture, i) : SurfaceTexture{},
+                        texture(scene, inputs.normalTextures ? m.normalTexture : TextureRef{}, false),
                         texture(scene, m.transmissionTexture, false),
                         texture(scene, m.specularTexture, false),
                         texture(scene, m.specularColorTexture, true)};
@@ -107,14 +105,6 @@ SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, b
   textures_.push_back(
       {use, srgb, std::make_unique<gl::Texture>(gl::makeImageTexture(scene.images[use.image], srgb, use))});
   return {textures_.back().texture.get(), use};
-}
-
-SurfaceTexture RenderScene::normalTexture(const NormalMaps& maps, const TextureRef& use,
-                                          std::size_t material) {
-  if (material >= maps.imageOf.size() || maps.imageOf[material] < 0) return {};
-  const Image& image = maps.images[static_cast<std::size_t>(maps.imageOf[material])];
-  normalTextures_.push_back(std::make_unique<gl::Texture>(gl::makeImageTexture(image, false, use)));
-  return {normalTextures_.back().get(), use};
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
@@ -171,10 +161,8 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   addAttribute(Attribute::Normal, std::span(compiled.normals));
   const std::vector<glm::vec4> coords = texCoords(compiled);
   if (!coords.empty()) addAttribute(Attribute::TexCoords, std::span(coords));
-  if (inputs.normalMaps != nullptr) {
-    const std::vector<glm::vec4> along = tangents(inputs.scene, compiled);
-    addAttribute(Attribute::Tangent, std::span(along));
-  }
+  if (inputs.normalTextures && !compiled.tangents.empty())
+    addAttribute(Attribute::Tangent, std::span(compiled.tangents));
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
   triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");

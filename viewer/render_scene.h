@@ -101,7 +101,6 @@ class RenderScene {
 
   void makeSurfaces(const RenderInputs& inputs);
   SurfaceTexture texture(const Scene& scene, const TextureRef& use, bool srgb);
-  SurfaceTexture normalTexture(const NormalMaps& maps, const TextureRef& use, std::size_t material);
   void makeBatches(const CompiledScene& compiled);
   void makeVertices(const RenderInputs& inputs);
   template <typename T>
@@ -115,7 +114,6 @@ class RenderScene {
   gl::Texture cornerPositions_;  ///< of the first stream
   gl::Texture white_;
   std::vector<LoadedTexture> textures_;
-  std::vector<std::unique_ptr<gl::Texture>> normalTextures_;  ///< of the surfaces that have one
   std::vector<Surface> surfaces_;
   std::vector<Batch> batches_;
   std::vector<Batch> occluders_;  ///< batches, those without holes that follow each other joined

@@ -14,9 +14,6 @@ std::vector<glm::vec4> texCoords(const CompiledScene& compiled);
 /// Coordinates of a texture at a vertex of such.
 glm::vec2 texturePlace(const TextureRef& use, const glm::vec4& coords);
 
-/// Tangents of normal textures, [vertex], world space, w +-1; 0: the file has none.
-std::vector<glm::vec4> tangents(const Scene& scene, const CompiledScene& compiled);
-
 /// The material `index` of a CompiledScene: the scene's, or glTF's default. Without a scene behind it, a
 /// Lambertian one of the compiled albedo.
 Material materialAt(const Scene& scene, const CompiledScene& compiled, std::size_t index);

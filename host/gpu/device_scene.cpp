@@ -69,6 +69,7 @@ void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) 
   if (textured) {
     layout_.shadeTexCoords = pack.add(stored_.ofVertices(spanOf(scene.texCoords)));
     layout_.shadeTexCoords1 = pack.add(stored_.ofVertices(spanOf(scene.texCoords1)));
+    layout_.tangents = pack.add(packTangents(scene));
   }
   shading_ = pack.upload(*device_);
   uploadLayout();
@@ -76,6 +77,9 @@ void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) 
 
 void DeviceScene::follow(const CompiledScene& scene) {
   shading_.writeArray(std::span<const float>(interleaveVertices(scene)), layout_.vertices);
+  const std::vector<std::uint32_t> tangents =
+      layout_.tangents > 0 ? packTangents(scene) : std::vector<std::uint32_t>();
+  if (!tangents.empty()) shading_.writeArray(spanOf(tangents), layout_.tangents);
 }
 
 void DeviceScene::setLights(const LightTables& lights, double skyRotation) {

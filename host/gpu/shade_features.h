@@ -16,6 +16,7 @@ struct ShadeFeatures {
   bool glossy = false;
   bool absorption = false;
   bool textures = false;
+  bool bumps = false;        ///< some surface has a normal texture
   bool translucent = false;  ///< some surface lets light through diffusely
   bool scatters = false;     ///< some surface sends light on
 

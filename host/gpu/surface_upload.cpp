@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/octahedral.h"
 #include "gpu/texture_upload.h"
+#include "scene/tangent_space.h"
 
 namespace prelight {
 
@@ -45,6 +47,7 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
   r.roughness = m.roughness;
   r.transmission = m.transmission;
   r.throughShare = m.translucency;
+  r.normalScale = m.normalScale;
   r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
             (m.unlit ? PRELIGHT_UNLIT : 0u);
   std::fill(std::begin(r.textures), std::end(r.textures), PRELIGHT_NO_TEXTURE);
@@ -59,6 +62,7 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_SPECULAR_COLOR_TEXTURE] = upload.add(m.specularColorTexture, true);
   r.textures[PRELIGHT_THROUGH_TEXTURE] = upload.add(m.translucencyTexture, false);
   r.textures[PRELIGHT_THROUGH_COLOR_TEXTURE] = upload.add(m.translucentColorTexture, true);
+  r.textures[PRELIGHT_NORMAL_TEXTURE] = upload.add(m.normalTexture, false);
 }
 
 }  // namespace
@@ -71,6 +75,15 @@ std::vector<float> interleaveVertices(const CompiledScene& scene) {
     values.insert(values.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
   }
   return values;
+}
+
+std::vector<std::uint32_t> packTangents(const CompiledScene& scene) {
+  std::vector<std::uint32_t> packed;
+  if (!scene.hasNormalTextures()) return packed;
+  constexpr std::uint32_t mirrored = 0x10000u;
+  for (const glm::vec4& tangent : cornerTangents(scene))
+    packed.push_back((packDirection(glm::dvec3(tangent)) & ~mirrored) | (tangent.w < 0.0f ? mirrored : 0u));
+  return packed;
 }
 
 ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {

@@ -14,6 +14,10 @@ namespace prelight {
 /// Position and normal of every vertex, [vertex][6].
 std::vector<float> interleaveVertices(const CompiledScene& scene);
 
+/// Tangents of normal textures, [triangle][corner], as kernels/transport/interaction_funcs.cl reads them;
+/// none where nothing has such a texture.
+std::vector<std::uint32_t> packTangents(const CompiledScene& scene);
+
 /// Materials of what follows light, with their textures.
 struct ShadeArrays {
   std::vector<device::DeviceMaterial>

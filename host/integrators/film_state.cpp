@@ -20,7 +20,7 @@ void addMaterial(StateHash& hash, const CompiledMaterial& m) {
                              m.specularColor, m.translucentColor})
     addVector(hash, glm::dvec3(v));
   for (const float v : {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior,
-                        m.specular, m.translucency})
+                        m.specular, m.translucency, m.normalScale})
     hash.value(v);
   for (const bool v : {m.doubleSided, m.solid, m.unlit}) hash.value(v ? 1 : 0);
   for (const TextureRef& texture : m.textures()) addTexture(hash, texture);
@@ -31,7 +31,7 @@ std::uint64_t sceneHash(const ReferenceInputs& inputs) {
   StateHash hash;
   addVector(hash, s.origin);
   hash.values(s.positions).values(s.normals).values(s.colors).values(s.triangles);
-  hash.values(s.texCoords).values(s.texCoords1);
+  hash.values(s.texCoords).values(s.texCoords1).values(s.tangents);
   hash.values(s.triangleMaterials).values(s.triangleFlat);
   for (const CompiledMaterial& m : s.materials) addMaterial(hash, m);
   for (const Image& image : inputs.images) hash.value(image.width).value(image.height).values(image.rgba);

@@ -38,6 +38,7 @@ typedef struct SceneLayout {
   // What following light asks beyond that, in ShadingLines.
   uint vertices;        ///< float [vertex][6] position, normal
   uint flat;            ///< uchar [stored triangle] 1: no shading normals
+  uint tangents;          ///< uint [triangle][corner], see transport/interaction_funcs.cl; read only with PRELIGHT_BUMPS
   uint bases;             ///< DeviceMaterial [material] of the base colour
   uint shadeMaterials;    ///< ShadeMaterial [material]
   uint shadeTextures;     ///< DeviceTexture, of all that materials have

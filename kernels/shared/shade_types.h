@@ -20,6 +20,7 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_SPECULAR_COLOR_TEXTURE 4u
 #define PRELIGHT_THROUGH_TEXTURE 5u        // A
 #define PRELIGHT_THROUGH_COLOR_TEXTURE 6u
+#define PRELIGHT_NORMAL_TEXTURE 7u
 #define PRELIGHT_SHADE_TEXTURES 8u
 
 typedef struct ShadeMaterial {
@@ -34,7 +35,7 @@ typedef struct ShadeMaterial {
   uint flags;  ///< PRELIGHT_SOLID | ...
   float throughShare;  ///< of the body's light, leaves on the other side
   float through[3];    ///< colour of that light
-  uint pad;
+  float normalScale;   ///< of the x and y of its normal texture
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
 

@@ -24,6 +24,7 @@ PRELIGHT_INLINE PathScene shadedSurfaceOf(__constant const SceneLayout* layout, 
   const PathScene s = {base,
                        (__global const float*)(shading + layout->vertices),
                        (__global const uchar*)(shading + layout->flat),
+                       (__global const uint*)(shading + layout->tangents),
                        (__global const ShadeMaterial*)(shading + layout->shadeMaterials)};
   return s;
 }

@@ -60,7 +60,8 @@ struct CompiledMaterial {
   float metallic = 0.0f;
   float roughness = 1.0f;
   TextureRef surfaceTexture;       ///< linear: G roughness, B metalness
-  TextureRef normalTexture;        ///< linear: tangent-space normals; not among Scene::images' decoded ones
+  TextureRef normalTexture;        ///< linear: normals in tangent space
+  float normalScale = 1.0f;        ///< of its x and y
   glm::vec3 emissionFactor{0.0f};  ///< W/(m2 sr); `emission` without the mean of its texture
   TextureRef emissionTexture;      ///< sRGB
   float transmission = 0.0f;       ///< share of the dielectric that is glass
@@ -96,6 +97,9 @@ struct CompiledScene {
   std::vector<glm::vec3> normals;     ///< [vertex], unit shading normals (area-weighted mean where flat)
   std::vector<glm::vec2> texCoords;   ///< [vertex], the file's first set; (0,0) where it has none
   std::vector<glm::vec2> texCoords1;  ///< [vertex], the second; empty when no material asks for it
+  /// [vertex] of normal textures, unit, w +-1; 0 where the file has none; empty when no material has a normal
+  /// texture or no primitive with one has tangents.
+  std::vector<glm::vec4> tangents;
   std::vector<glm::vec4> colors;      ///< [vertex], linear; empty when no primitive has vertex colours
   std::vector<glm::uvec3> triangles;  ///< [triangle], vertex indices
   std::vector<std::uint32_t> triangleMaterials;  ///< [triangle], into materials
@@ -114,6 +118,7 @@ struct CompiledScene {
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }
   bool hasAlbedoTextures() const;
+  bool hasNormalTextures() const;  ///< of a triangle's material
   bool hasAlphaMask() const;
   bool hasDiffuseTransmission() const;  ///< of a triangle's material
   bool hasVertexColors() const { return !colors.empty(); }

@@ -38,8 +38,8 @@ struct Material {
   TextureRef metallicRoughnessTexture;  ///< linear: G roughness, B metallic
   glm::vec3 emission{0.0f};             ///< emissiveFactor x emissiveStrength, W/(m2 sr)
   TextureRef emissiveTexture;           ///< sRGB
-  TextureRef normalTexture;  ///< linear tangent-space normals; not among Scene::images' decoded ones
-  float normalScale = 1.0f;  ///< of the texture's x and y
+  TextureRef normalTexture;             ///< linear: normals in tangent space
+  float normalScale = 1.0f;             ///< of the texture's x and y
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;

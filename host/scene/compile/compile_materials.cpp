@@ -99,6 +99,7 @@ class MaterialCompiler {
       compiled.metallic = material.metallic;
       compiled.surfaceTexture = material.metallicRoughnessTexture;
       compiled.normalTexture = material.normalTexture;
+      compiled.normalScale = material.normalScale;
       setDielectric(material, compiled);
       setAlbedo(compiled);
       setEmission(material, compiled);

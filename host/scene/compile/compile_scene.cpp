@@ -98,6 +98,13 @@ bool mirrors(const glm::dmat4& m) {
   return glm::dot(glm::dvec3(m[0]), glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2]))) < 0.0;
 }
 
+/// Tangents are for normal textures; where a file has no normals, glTF ignores its tangents.
+bool hasTangents(const CompiledScene& scene, const Draw& draw) {
+  const int material = draw.primitive->material;
+  return material >= 0 && !draw.primitive->tangents.empty() && !draw.primitive->normals.empty() &&
+         scene.materials[static_cast<std::size_t>(material)].normalTexture.image >= 0;
+}
+
 class Flattener {
  public:
   /// `sets` of texture coordinates are asked for.
@@ -110,6 +117,7 @@ class Flattener {
     if (sets_ > 0) addTexCoords(draw, draw.primitive->texCoords0, scene_.texCoords);
     if (sets_ > 1) addTexCoords(draw, draw.primitive->texCoords1, scene_.texCoords1);
     if (scene_.hasVertexColors()) addColors(draw);
+    if (!scene_.tangents.empty()) addTangents(draw);
     scene_.primitives.push_back(draw.range);
   }
 
@@ -205,6 +213,19 @@ class Flattener {
     }
   }
 
+  /// A mirroring transform turns the bitangent around, which the cross product would not.
+  void addTangents(const Draw& draw) {
+    if (!hasTangents(scene_, draw)) return;
+    const glm::dmat3 matrix(draw.transform);
+    const float mirror = mirrors(draw.transform) ? -1.0f : 1.0f;
+    for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
+      const glm::vec4& tangent = draw.primitive->tangents[i];
+      const glm::dvec3 world = unit(matrix * glm::dvec3(tangent));
+      if (world != glm::dvec3(0.0))
+        scene_.tangents[draw.range.firstVertex + i] = {glm::vec3(world), mirror * tangent.w};
+    }
+  }
+
   CompiledScene& scene_;
   int sets_;
 };
@@ -245,16 +266,19 @@ void reserveArrays(const std::vector<Draw>& draws, int sets, CompiledScene& scen
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   bool colored = false;
+  bool tangential = false;
   for (const Draw& draw : draws) {
     vertices += draw.range.vertexCount;
     triangles += draw.primitive->triangles.size();
     colored = colored || (draw.range.vertexCount > 0 && !draw.primitive->colors.empty());
+    tangential = tangential || hasTangents(scene, draw);
   }
   scene.positions.reserve(vertices);
   scene.normals.reserve(vertices);
   if (sets > 0) scene.texCoords.reserve(vertices);
   if (sets > 1) scene.texCoords1.reserve(vertices);
   if (colored) scene.colors.resize(vertices, glm::vec4(1.0f));
+  if (tangential) scene.tangents.resize(vertices, glm::vec4(0.0f));
   scene.triangles.reserve(triangles);
   scene.triangleMaterials.reserve(triangles);
   scene.triangleFlat.reserve(triangles);
@@ -277,6 +301,11 @@ std::array<TextureRef, 9> CompiledMaterial::textures() const {
 
 bool CompiledScene::hasAlbedoTextures() const {
   return std::any_of(images.begin(), images.end(), [](const Image& image) { return !image.rgba.empty(); });
+}
+
+bool CompiledScene::hasNormalTextures() const {
+  return std::any_of(triangleMaterials.begin(), triangleMaterials.end(),
+                     [&](std::uint32_t material) { return materials[material].normalTexture.image >= 0; });
 }
 
 bool CompiledScene::hasAlphaMask() const {

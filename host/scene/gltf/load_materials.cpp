@@ -204,26 +204,27 @@ std::vector<Material> loadMaterials(const LoadContext& context) {
   return materials;
 }
 
-std::vector<Image> loadImages(const LoadContext& context, const std::vector<Material>& materials) {
+std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>& materials) {
   std::vector<bool> used(context.root.countOf("images"), false);
-  std::vector<bool> checked = used;  // with normal maps, which are decoded when a bake needs them
   for (const Material& material : materials) {
-    if (material.normalTexture.image >= 0)
-      checked[static_cast<std::size_t>(material.normalTexture.image)] = true;
     for (const TextureRef* ref :
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture,
-          &material.transmissionTexture, &material.specularTexture, &material.specularColorTexture,
-          &material.diffuseTransmissionTexture, &material.diffuseTransmissionColorTexture}) {
+          &material.normalTexture, &material.transmissionTexture, &material.specularTexture,
+          &material.specularColorTexture, &material.diffuseTransmissionTexture,
+          &material.diffuseTransmissionColorTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }
-  for (std::size_t i = 0; i < used.size(); ++i) checked[i] = checked[i] || used[i];
-  checkImages(context.document, checked);
+  checkImages(context.document, used);
   std::vector<Image> images;
   images.reserve(used.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t before = context.warnings.size();
     images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
                              : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
+    if (context.warnings.size() == before) continue;
+    for (Material& material : materials)  // a white texel is no normal
+      if (material.normalTexture.image == static_cast<int>(i)) material.normalTexture = {};
   }
   return images;
 }
