@@ -22,7 +22,6 @@ enum class Attribute : GLuint {
   ChartCoord = 9,     ///< vec4: place and layer in the light maps, 1 where there is one
   Reflected = 10,     ///< vec3, radiance to the eye of what other surfaces mirror
   Highlight = 11,     ///< float, share of the lights' specular reflection that shadows leave
-  Tangent = 13,       ///< vec4 of the file, w +-1; 0 where there is none
 };
 
 /// Texture units of the programs of surfaces.
@@ -48,6 +47,7 @@ enum Unit : GLuint {
   transmissionUnit = 18,
   specularUnit = 19,
   specularColorUnit = 20,
+  cornerTangentsUnit = 21,  ///< shaders/normal_map.glsl
 };
 
 /// A value a vertex.

@@ -34,7 +34,9 @@ struct RenderInputs {
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
   const GlobalIllumination* globalIllumination =
       nullptr;  ///< Shading::GlobalIllumination needs it, and adds its caustics; nullptr: not offered
-  bool normalTextures = false;  ///< turn light of light maps that hold directions, and of encodings
+  /// Normal textures turn lights, reflections, and baked light that holds directions. False: surfaces are
+  /// even.
+  bool normalTextures = true;
   const Encoding* encoding =
       nullptr;  ///< lightmap and radiosity shading draw light in it, where the bake holds some; nullptr: none
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "photon/caustic_casters.h"
+#include "scene/tangent_space.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
@@ -161,11 +162,11 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   addAttribute(Attribute::Normal, std::span(compiled.normals));
   const std::vector<glm::vec4> coords = texCoords(compiled);
   if (!coords.empty()) addAttribute(Attribute::TexCoords, std::span(coords));
-  if (inputs.normalTextures && !compiled.tangents.empty())
-    addAttribute(Attribute::Tangent, std::span(compiled.tangents));
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
   triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
+  if (inputs.normalTextures && compiled.hasNormalTextures())
+    tangents_ = gl::makeBufferTexture(cornerTangents(compiled), "tangents");
   triangleCorners_ = gl::textureOfBuffer(triangles_, compiled.triangles.size(), GL_RGB32UI, "triangles");
   cornerPositions_ =
       gl::textureOfBuffer(streams_.front().buffer(), compiled.positions.size(), GL_RGB32F, "positions");

@@ -82,6 +82,7 @@ class RenderScene {
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
   const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
+  const gl::Texture& tangents() const { return tangents_.texture; }  ///< [triangle][corner]
   const gl::Texture& positions() const { return cornerPositions_; }  ///< [vertex]
   const gl::Texture& white() const { return white_; }
 
@@ -110,6 +111,7 @@ class RenderScene {
   std::vector<VertexStream> streams_;
   gl::Buffer triangles_;
   gl::BufferTexture triangleNormals_;
+  gl::BufferTexture tangents_;   ///< of normal textures
   gl::Texture triangleCorners_;  ///< of `triangles_`
   gl::Texture cornerPositions_;  ///< of the first stream
   gl::Texture white_;

@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 21> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 22> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -35,7 +35,8 @@ void prepare(const gl::Program& program) {
        {"encodedVertices", encodedVerticesUnit},
        {"transmissionTexture", transmissionUnit},
        {"specularTexture", specularUnit},
-       {"specularColorTexture", specularColorUnit}}};
+       {"specularColorTexture", specularColorUnit},
+       {"cornerTangents", cornerTangentsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

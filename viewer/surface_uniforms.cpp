@@ -82,7 +82,6 @@ void setAttributeDefaults() {
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
-  glVertexAttrib4f(static_cast<GLuint>(Attribute::Tangent), 0.0f, 0.0f, 0.0f, 0.0f);
 }
 
 }  // namespace prelight::viewer

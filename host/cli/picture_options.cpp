@@ -265,7 +265,7 @@ viewer::RenderInputs ShadedScene::inputs() const {
           device ? &*device : nullptr,
           caustics ? &caustics->caustics : nullptr,
           globalIllumination ? &*globalIllumination : nullptr,
-          (bake.lightMap && bake.lightMap->coefficients > 1) || encoding != nullptr,
+          true,
           encoding};
 }
 

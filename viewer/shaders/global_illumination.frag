@@ -11,6 +11,7 @@
 #include "light_map.glsl"
 #include "shadows.glsl"
 #include "surroundings.glsl"
+#include "normal_map.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -92,6 +93,7 @@ void main() {
   bool smoothShaded = geometry.w < 0.5 && dot(vNormal, vNormal) > 1e-12;
   vec3 n = smoothShaded ? side * normalize(vNormal) : geometric;
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
+  n = bumpedNormal(n, geometric, toEye, vPosition, triangle, vTexCoords);
   float nv = max(dot(n, toEye), 0.0);
   Scattering s = scatteringOf(m);
 

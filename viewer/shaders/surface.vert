@@ -13,7 +13,6 @@ layout(location = 8) in vec3 glow;
 layout(location = 9) in vec4 chartCoord;
 layout(location = 10) in vec3 reflected;
 layout(location = 11) in float highlight;
-layout(location = 13) in vec4 tangent;
 
 out vec3 vPosition;
 out vec3 vNormal;
@@ -26,7 +25,6 @@ out vec3 vGlow;
 out vec4 vChartCoord;
 out vec3 vReflected;
 out float vHighlight;
-out vec4 vTangent;
 
 invariant gl_Position;  // programs with several fragment shaders draw the same places
 
@@ -42,6 +40,5 @@ void main() {
   vChartCoord = chartCoord;
   vReflected = reflected;
   vHighlight = highlight;
-  vTangent = tangent;
   gl_Position = clipFromScene * vec4(position, 1.0);
 }
