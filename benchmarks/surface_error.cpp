@@ -157,7 +157,7 @@ class PathBlocks {
 
 SurfaceTruth findSurfaceTruth(const CompiledScene& scene, RayPeer& rays, std::size_t places,
                               std::uint32_t side, const Progress& progress) {
-  assert(scene.albedoImages.empty());
+  assert(!scene.hasAlbedoTextures());
   SurfaceTruth truth;
   truth.places = spreadPlaces(scene, places);
   PathBlocks blocks(scene, rays, side, 2);

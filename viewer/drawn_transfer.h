@@ -11,20 +11,17 @@ namespace prelight::viewer {
 
 /// Vertex attributes, by their location in surface.vert.
 enum class Attribute : GLuint {
-  Position = 0,          ///< vec3, scene coordinates
-  Normal = 1,            ///< vec3, unit
-  TexCoords = 2,         ///< vec4: of the base colour, of metalness and roughness
-  EmissiveTexCoord = 3,  ///< vec2
-  Color = 4,             ///< vec4, linear
-  Accessibility = 5,     ///< float, baked AO or what a transfer does to an even sky
-  BentNormal = 6,        ///< vec4, baked, w: aperture of its cone; zero where there is none
-  Radiance = 7,          ///< vec3, transferred light before albedo
-  Glow = 8,              ///< vec3, factor of the emission
-  ChartCoord = 9,        ///< vec4: place and layer in the light maps, 1 where there is one
-  Reflected = 10,        ///< vec3, radiance to the eye of what other surfaces mirror
-  Highlight = 11,        ///< float, share of the lights' specular reflection that shadows leave
-  NormalCoord = 12,      ///< vec2, of the normal texture
-  Tangent = 13,          ///< vec4 of the file, w +-1; 0 where there is none
+  Position = 0,       ///< vec3, scene coordinates
+  Normal = 1,         ///< vec3, unit
+  TexCoords = 2,      ///< vec4: of the base colour, of metalness and roughness
+  Color = 4,          ///< vec4, linear
+  Accessibility = 5,  ///< float, baked AO or what a transfer does to an even sky
+  BentNormal = 6,     ///< vec4, baked, w: aperture of its cone; zero where there is none
+  Radiance = 7,       ///< vec3, transferred light before albedo
+  Glow = 8,           ///< vec3, factor of the emission
+  ChartCoord = 9,     ///< vec4: place and layer in the light maps, 1 where there is one
+  Reflected = 10,     ///< vec3, radiance to the eye of what other surfaces mirror
+  Highlight = 11,     ///< float, share of the lights' specular reflection that shadows leave
 };
 
 /// Texture units of the programs of surfaces.
@@ -47,6 +44,10 @@ enum Unit : GLuint {
   insidesUnit = 15,          ///< the same
   normalTextureUnit = 16,    ///< shaders/normal_map.glsl
   encodedVerticesUnit = 17,  ///< shaders/encoded_light.glsl
+  transmissionUnit = 18,
+  specularUnit = 19,
+  specularColorUnit = 20,
+  cornerTangentsUnit = 21,  ///< shaders/normal_map.glsl
 };
 
 /// A value a vertex.

@@ -8,7 +8,7 @@
 namespace prelight::viewer {
 
 /// The irradiance of a light map, looked up bilinearly in the fragment shader: light that stays as it is
-/// baked. Where the map holds directions, normal maps (RenderInputs::normalMaps) turn it.
+/// baked. Where the map holds directions, normal textures turn it.
 class LightMapLighting : public DrawnTransfer {
  public:
   LightMapLighting(const LightMap& map, const CompiledScene& scene);

@@ -5,7 +5,8 @@
 
 namespace prelight::viewer {
 
-/// Shows a supersampled picture of linear radiance with the display transform of toneMap (host/include/prelight/picture.h).
+/// Shows a supersampled picture of linear radiance with the display transform of toneMap
+/// (host/include/prelight/picture.h).
 class Presenter {
  public:
   Presenter();

@@ -19,7 +19,6 @@ namespace prelight {
 class Device;
 struct Encoding;
 struct GlobalIllumination;
-struct NormalMaps;
 }  // namespace prelight
 
 namespace prelight::viewer {
@@ -35,14 +34,15 @@ struct RenderInputs {
   const Caustics* caustics = nullptr;  ///< light of these photons is added to every shading; nullptr: none
   const GlobalIllumination* globalIllumination =
       nullptr;  ///< Shading::GlobalIllumination needs it, and adds its caustics; nullptr: not offered
-  const NormalMaps* normalMaps =
-      nullptr;  ///< of light maps that hold directions, and of encodings; nullptr: surfaces are even
+  /// Normal textures turn lights, reflections, and baked light that holds directions. False: surfaces are
+  /// even.
+  bool normalTextures = true;
   const Encoding* encoding =
       nullptr;  ///< lightmap and radiosity shading draw light in it, where the bake holds some; nullptr: none
 
   /// All of them for a scene whose vertices are elsewhere.
   RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalMaps, encoding};
+    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalTextures, encoding};
   }
 };
 

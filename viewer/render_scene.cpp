@@ -6,15 +6,14 @@
 #include <map>
 
 #include "photon/caustic_casters.h"
-#include "scene/gltf/normal_maps.h"
-#include "scene/lobes.h"
+#include "scene/tangent_space.h"
 #include "viewer/tex_coords.h"
 
 namespace prelight::viewer {
 namespace {
 
 bool sameTexture(const TextureRef& a, const TextureRef& b) {
-  return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT;
+  return a.image == b.image && a.wrapS == b.wrapS && a.wrapT == b.wrapT && a.filter == b.filter;
 }
 
 /// The first triangle of every primitive and its node, in order: blended batches and those that show their
@@ -70,7 +69,7 @@ void drawTriangles(const Batch& batch) {
 
 RenderScene::RenderScene(const RenderInputs& inputs) {
   Image white{"white", 1, 1, {255, 255, 255, 255}};
-  white_ = gl::makeImageTexture(white, false, WrapMode::Repeat, WrapMode::Repeat);
+  white_ = gl::makeImageTexture(white, false, {});
   makeSurfaces(inputs);
   makeBatches(inputs.compiled);
   makeVertices(inputs);
@@ -85,34 +84,28 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
     surface.showsSurroundings = mirrors(inputs.compiled.materials[i]);
     const CompiledMaterial& compiled = inputs.compiled.materials[i];
     surface.absorption = compiled.absorption;
-    surface.translucency = glm::vec4(compiled.diffuseTransmission, translucentShare(compiled));
-    surface.baseColor = texture(inputs.scene, surface.material.baseColorTexture, true);
-    surface.metallicRoughness = texture(inputs.scene, surface.material.metallicRoughnessTexture, false);
-    surface.emissive = texture(inputs.scene, surface.material.emissiveTexture, true);
-    if (inputs.normalMaps != nullptr) surface.normal = normalTexture(*inputs.normalMaps, surface.material, i);
+    surface.translucency = glm::vec4(compiled.diffuseTransmission, compiled.meanTranslucency);
+    const Material& m = surface.material;
+    const Scene& scene = inputs.scene;
+    surface.textures = {texture(scene, m.baseColorTexture, true),
+                        texture(scene, m.metallicRoughnessTexture, false),
+                        texture(scene, m.emissiveTexture, true),
+                        texture(scene, inputs.normalTextures ? m.normalTexture : TextureRef{}, false),
+                        texture(scene, m.transmissionTexture, false),
+                        texture(scene, m.specularTexture, false),
+                        texture(scene, m.specularColorTexture, true)};
     surfaces_.push_back(std::move(surface));
   }
 }
 
-TextureHandle RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {
-  if (use.image < 0 || static_cast<std::size_t>(use.image) >= scene.images.size()) return nullptr;
+SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {
+  if (use.image < 0 || static_cast<std::size_t>(use.image) >= scene.images.size()) return {};
   for (const LoadedTexture& loaded : textures_) {
-    if (loaded.srgb == srgb && sameTexture(loaded.use, use)) return loaded.texture.get();
+    if (loaded.srgb == srgb && sameTexture(loaded.use, use)) return {loaded.texture.get(), use};
   }
-  textures_.push_back({use, srgb,
-                       std::make_unique<gl::Texture>(
-                           gl::makeImageTexture(scene.images[use.image], srgb, use.wrapS, use.wrapT))});
-  return textures_.back().texture.get();
-}
-
-TextureHandle RenderScene::normalTexture(const NormalMaps& maps, const Material& material,
-                                         std::size_t index) {
-  if (index >= maps.imageOf.size() || maps.imageOf[index] < 0) return nullptr;
-  const Image& image = maps.images[static_cast<std::size_t>(maps.imageOf[index])];
-  const TextureRef& use = material.normalTexture;
-  normalTextures_.push_back(
-      std::make_unique<gl::Texture>(gl::makeImageTexture(image, false, use.wrapS, use.wrapT)));
-  return normalTextures_.back().get();
+  textures_.push_back(
+      {use, srgb, std::make_unique<gl::Texture>(gl::makeImageTexture(scene.images[use.image], srgb, use))});
+  return {textures_.back().texture.get(), use};
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
@@ -164,20 +157,16 @@ void RenderScene::addAttribute(Attribute attribute, std::span<const T> values) {
 
 void RenderScene::makeVertices(const RenderInputs& inputs) {
   const CompiledScene& compiled = inputs.compiled;
-  const TexCoords coords = texCoords(inputs.scene, compiled);
   glBindVertexArray(vertexArray_.name());
   addAttribute(Attribute::Position, std::span(compiled.positions));
   addAttribute(Attribute::Normal, std::span(compiled.normals));
-  addAttribute(Attribute::TexCoords, std::span(coords.baseColorAndMetallicRoughness));
-  addAttribute(Attribute::EmissiveTexCoord, std::span(coords.emissive));
-  if (inputs.normalMaps != nullptr) {
-    const NormalPlaces places = normalPlaces(inputs.scene, compiled);
-    addAttribute(Attribute::NormalCoord, std::span(places.coords));
-    addAttribute(Attribute::Tangent, std::span(places.tangents));
-  }
+  const std::vector<glm::vec4> coords = texCoords(compiled);
+  if (!coords.empty()) addAttribute(Attribute::TexCoords, std::span(coords));
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
   triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
+  if (inputs.normalTextures && compiled.hasNormalTextures())
+    tangents_ = gl::makeBufferTexture(cornerTangents(compiled), "tangents");
   triangleCorners_ = gl::textureOfBuffer(triangles_, compiled.triangles.size(), GL_RGB32UI, "triangles");
   cornerPositions_ =
       gl::textureOfBuffer(streams_.front().buffer(), compiled.positions.size(), GL_RGB32F, "positions");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -17,18 +18,36 @@ namespace prelight::viewer {
 /// A texture of a material; null is one white texel.
 using TextureHandle = const gl::Texture*;
 
+/// What textures of a surface tell.
+enum class TextureSlot : std::uint8_t {
+  BaseColor,
+  MetallicRoughness,
+  Emissive,
+  Normal,
+  Transmission,
+  Specular,
+  SpecularColor
+};
+
+constexpr std::size_t surfaceTextures = 7;
+
+struct SurfaceTexture {
+  TextureHandle texture = nullptr;
+  TextureRef use;
+};
+
 /// How the triangles of a batch look.
 struct Surface {
   Material material;
-  TextureHandle baseColor = nullptr;
-  TextureHandle metallicRoughness = nullptr;
-  TextureHandle emissive = nullptr;
-  TextureHandle normal = nullptr;  ///< nullptr: the surface has no bumps
+  std::array<SurfaceTexture, surfaceTextures> textures;
 
   glm::vec3 absorption{0.0f};    ///< inside a body, 1/m
   glm::vec4 translucency{0.0f};  ///< light that comes through diffusely: colour x share, share
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
+
+  const SurfaceTexture& at(TextureSlot slot) const { return textures[static_cast<std::size_t>(slot)]; }
+  bool has(TextureSlot slot) const { return at(slot).texture != nullptr; }
 
   /// Glass with an inside.
   bool isBody() const { return material.transmission > 0.0f && material.thickness > 0.0f; }
@@ -63,6 +82,7 @@ class RenderScene {
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
   const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
+  const gl::Texture& tangents() const { return tangents_.texture; }  ///< [triangle][corner]
   const gl::Texture& positions() const { return cornerPositions_; }  ///< [vertex]
   const gl::Texture& white() const { return white_; }
 
@@ -81,8 +101,7 @@ class RenderScene {
   };
 
   void makeSurfaces(const RenderInputs& inputs);
-  TextureHandle texture(const Scene& scene, const TextureRef& use, bool srgb);
-  TextureHandle normalTexture(const NormalMaps& maps, const Material& material, std::size_t index);
+  SurfaceTexture texture(const Scene& scene, const TextureRef& use, bool srgb);
   void makeBatches(const CompiledScene& compiled);
   void makeVertices(const RenderInputs& inputs);
   template <typename T>
@@ -92,11 +111,11 @@ class RenderScene {
   std::vector<VertexStream> streams_;
   gl::Buffer triangles_;
   gl::BufferTexture triangleNormals_;
+  gl::BufferTexture tangents_;   ///< of normal textures
   gl::Texture triangleCorners_;  ///< of `triangles_`
   gl::Texture cornerPositions_;  ///< of the first stream
   gl::Texture white_;
   std::vector<LoadedTexture> textures_;
-  std::vector<std::unique_ptr<gl::Texture>> normalTextures_;  ///< of the surfaces that have one
   std::vector<Surface> surfaces_;
   std::vector<Batch> batches_;
   std::vector<Batch> occluders_;  ///< batches, those without holes that follow each other joined

@@ -216,6 +216,7 @@ void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector
 void Renderer::bindTextures(const View& view) const {
   gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
   gl::bind(trianglesUnit, GL_TEXTURE_BUFFER, scene_.triangles());
+  gl::bind(cornerTangentsUnit, GL_TEXTURE_BUFFER, scene_.tangents());
   gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }

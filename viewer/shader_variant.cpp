@@ -13,6 +13,8 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasMetallicRoughnessTexture",
                                                          "hasEmissiveTexture",
                                                          "hasNormalTexture",
+                                                         "hasTransmissionTexture",
+                                                         "hasSpecularTextures",
                                                          "hasEmission",
                                                          "hasCutouts",
                                                          "hasBlending",
@@ -69,10 +71,13 @@ Features featuresOf(const Surface& surface) {
   const Material& m = surface.material;
   const bool glass = m.transmission > 0.0f;
   Features features;
-  features.add(Feature::BaseColorTexture, surface.baseColor != nullptr);
-  features.add(Feature::MetallicRoughnessTexture, surface.metallicRoughness != nullptr);
-  features.add(Feature::EmissiveTexture, surface.emissive != nullptr);
-  features.add(Feature::NormalTexture, surface.normal != nullptr);
+  features.add(Feature::BaseColorTexture, surface.has(TextureSlot::BaseColor));
+  features.add(Feature::MetallicRoughnessTexture, surface.has(TextureSlot::MetallicRoughness));
+  features.add(Feature::EmissiveTexture, surface.has(TextureSlot::Emissive));
+  features.add(Feature::NormalTexture, surface.has(TextureSlot::Normal));
+  features.add(Feature::TransmissionTexture, surface.has(TextureSlot::Transmission));
+  features.add(Feature::SpecularTextures,
+               surface.has(TextureSlot::Specular) || surface.has(TextureSlot::SpecularColor));
   features.add(Feature::Emission, std::max({m.emission.r, m.emission.g, m.emission.b}) > 0.0f);
   features.add(Feature::Cutouts, m.alphaMode == AlphaMode::Mask);
   features.add(Feature::Blending, surface.isBlended());

@@ -20,6 +20,8 @@ enum class Feature : int {
   MetallicRoughnessTexture,
   EmissiveTexture,
   NormalTexture,
+  TransmissionTexture,
+  SpecularTextures,
   Emission,
   Cutouts,   ///< fragments are left out by their alpha
   Blending,  ///< what lies behind shows
@@ -40,7 +42,7 @@ enum class Feature : int {
   EmitterLights,
 };
 
-constexpr int featureCount = 22;
+constexpr int featureCount = 24;
 
 class Features {
  public:

@@ -1,6 +1,7 @@
 #include "viewer/shadow_pass.h"
 
 #include "viewer/gl/texture.h"
+#include "viewer/surface_uniforms.h"
 
 namespace prelight::viewer {
 namespace {
@@ -26,8 +27,11 @@ void setHoles(const gl::Program& program, const RenderScene& scene, const Surfac
   const float cutoff = cutoffOf(surface.material);
   program.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, 0.0f, 0.0f));
   program.set("baseColorTexture", static_cast<int>(baseColorUnit));
-  if (cutoff >= 0.0f)
-    gl::bind(baseColorUnit, GL_TEXTURE_2D, surface.baseColor != nullptr ? *surface.baseColor : scene.white());
+  if (cutoff < 0.0f) return;
+  const SurfaceTexture& color = surface.at(TextureSlot::BaseColor);
+  gl::bind(baseColorUnit, GL_TEXTURE_2D, color.texture != nullptr ? *color.texture : scene.white());
+  program.set("baseColorU", textureRow(color.use, 0));
+  program.set("baseColorV", textureRow(color.use, 1));
 }
 
 }  // namespace

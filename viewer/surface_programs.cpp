@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 18> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 22> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -32,7 +32,11 @@ void prepare(const gl::Program& program) {
        {"surroundings", surroundingsUnit},
        {"insides", insidesUnit},
        {"normalTexture", normalTextureUnit},
-       {"encodedVertices", encodedVerticesUnit}}};
+       {"encodedVertices", encodedVerticesUnit},
+       {"transmissionTexture", transmissionUnit},
+       {"specularTexture", specularUnit},
+       {"specularColorTexture", specularColorUnit},
+       {"cornerTangents", cornerTangentsUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

@@ -1,8 +1,42 @@
 #include "viewer/surface_uniforms.h"
 
+#include <array>
+
 #include "viewer/drawn_transfer.h"
 
 namespace prelight::viewer {
+namespace {
+
+/// Names of a texture in shaders.
+struct SlotNames {
+  Feature feature;
+  Unit unit;
+  const char *u, *v;
+};
+
+/// [TextureSlot]
+constexpr std::array<SlotNames, surfaceTextures> slots = {
+    {{Feature::BaseColorTexture, baseColorUnit, "baseColorU", "baseColorV"},
+     {Feature::MetallicRoughnessTexture, metallicRoughnessUnit, "metallicRoughnessU", "metallicRoughnessV"},
+     {Feature::EmissiveTexture, emissiveUnit, "emissiveU", "emissiveV"},
+     {Feature::NormalTexture, normalTextureUnit, "normalU", "normalV"},
+     {Feature::TransmissionTexture, transmissionUnit, "transmissionU", "transmissionV"},
+     {Feature::SpecularTextures, specularUnit, "specularU", "specularV"},
+     {Feature::SpecularTextures, specularColorUnit, "specularColorU", "specularColorV"}}};
+
+void setTexture(const SurfaceTexture& texture, const SlotNames& slot, const gl::Texture& white,
+                const gl::Program& p) {
+  gl::bind(slot.unit, GL_TEXTURE_2D, texture.texture != nullptr ? *texture.texture : white);
+  p.set(slot.u, textureRow(texture.use, 0));
+  p.set(slot.v, textureRow(texture.use, 1));
+}
+
+}  // namespace
+
+glm::vec4 textureRow(const TextureRef& use, int row) {
+  const glm::mat3& m = use.transform;
+  return {m[0][row], m[1][row], m[2][row], static_cast<float>(use.texCoord)};
+}
 
 void cullBacksOf(const Surface& surface) {
   if (surface.material.doubleSided) {
@@ -14,21 +48,16 @@ void cullBacksOf(const Surface& surface) {
 
 void setSurface(const Surface& surface, Features features, const gl::Texture& white, const gl::Program& p) {
   const Material& m = surface.material;
-  const auto bindOrWhite = [&](Feature feature, GLuint unit, TextureHandle texture) {
-    if (features.has(feature)) gl::bind(unit, GL_TEXTURE_2D, texture != nullptr ? *texture : white);
-  };
-  bindOrWhite(Feature::BaseColorTexture, baseColorUnit, surface.baseColor);
-  bindOrWhite(Feature::MetallicRoughnessTexture, metallicRoughnessUnit, surface.metallicRoughness);
-  bindOrWhite(Feature::EmissiveTexture, emissiveUnit, surface.emissive);
-  bindOrWhite(Feature::NormalTexture, normalTextureUnit, surface.normal);
-  p.set("normalScale", surface.normal != nullptr ? m.normalScale : 0.0f);
+  for (std::size_t slot = 0; slot < surfaceTextures; ++slot)
+    if (features.has(slots[slot].feature)) setTexture(surface.textures[slot], slots[slot], white, p);
+  p.set("normalScale", surface.has(TextureSlot::Normal) ? m.normalScale : 0.0f);
   // Fresnel at normal incidence; KHR_materials_ior: 0 means infinite.
   const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
   const float cutoff = m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f;
   p.set("baseColorFactor", m.baseColor);
   p.set("surfaceFactors", glm::vec4(m.metallic, m.roughness, m.transmission, cutoff));
   p.set("emissionFactor", m.emission);
-  p.set("dielectricF0", glm::min(ratio * ratio * m.specularColor, glm::vec3(1.0f)));
+  p.set("dielectricF0", ratio * ratio * m.specularColor);
   p.set("dielectricWeight", m.specular);
   p.set("alphaBlend", m.alphaMode == AlphaMode::Blend ? 1 : 0);
   p.set("unlit", m.unlit ? 1 : 0);
@@ -53,7 +82,6 @@ void setAttributeDefaults() {
   glVertexAttrib4f(static_cast<GLuint>(Attribute::ChartCoord), 0.0f, 0.0f, 0.0f, 0.0f);
   glVertexAttrib3f(static_cast<GLuint>(Attribute::Reflected), 0.0f, 0.0f, 0.0f);
   glVertexAttrib1f(static_cast<GLuint>(Attribute::Highlight), 1.0f);
-  glVertexAttrib4f(static_cast<GLuint>(Attribute::Tangent), 0.0f, 0.0f, 0.0f, 0.0f);
 }
 
 }  // namespace prelight::viewer

@@ -12,6 +12,9 @@ namespace prelight::viewer {
 void setSurface(const Surface& surface, Features features, const gl::Texture& white,
                 const gl::Program& program);
 
+/// How texture coordinates become row 0 (u) or 1 (v) of a texture's (shaders/material.glsl).
+glm::vec4 textureRow(const TextureRef& use, int row);
+
 /// Backs of one-sided surfaces are not drawn.
 void cullBacksOf(const Surface& surface);
 

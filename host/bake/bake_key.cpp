@@ -6,16 +6,24 @@ namespace prelight {
 
 namespace {
 
+void addTexture(const TextureRef& texture, StateHash& hash) {
+  hash.value(texture.image).value(texture.texCoord).value(texture.wrapS).value(texture.wrapT);
+  hash.value(texture.filter);
+  for (int c = 0; c < 3; ++c) hash.value(texture.transform[c].x).value(texture.transform[c].y);
+}
+
 std::uint64_t hashOf(const CompiledScene& scene) {
   StateHash hash;
-  hash.values(scene.positions).values(scene.normals).values(scene.texCoords).values(scene.colors);
+  hash.values(scene.positions).values(scene.normals).values(scene.colors);
+  hash.values(scene.texCoords).values(scene.texCoords1);
   hash.values(scene.triangles).values(scene.triangleMaterials).values(scene.triangleFlat);
   for (const CompiledMaterial& m : scene.materials) {
     for (int c = 0; c < 3; ++c) hash.value(m.albedo[c]);
     for (int c = 0; c < 3; ++c) hash.value(m.emission[c]);
     for (int c = 0; c < 3; ++c) hash.value(m.diffuseTransmission[c]);
     hash.value(m.doubleSided);
-    hash.value(m.albedoImage).value(m.wrapS).value(m.wrapT).value(m.alphaCutoff).value(m.alphaFactor);
+    hash.value(m.alphaCutoff).value(m.alphaFactor).value(m.metallic).value(m.transmission);
+    for (const TextureRef& texture : m.albedoTextures()) addTexture(texture, hash);
   }
   for (const Light& light : scene.lights) {
     hash.text(light.name).value(light.type).value(light.range);
@@ -24,8 +32,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
       hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
   }
   for (const PrimitiveRange& range : scene.primitives) hash.text(range.name).value(range.node);
-  for (const Image& image : scene.albedoImages)
-    hash.value(image.width).value(image.height).values(image.rgba);
+  for (const Image& image : scene.images) hash.value(image.width).value(image.height).values(image.rgba);
   return hash.result();
 }
 

@@ -105,7 +105,7 @@ Stage largest(const std::array<Stage, 3>& stages) {
 
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
   std::uint64_t texels = 0;
-  for (const Image& image : input.scene.albedoImages) texels += 2 * image.rgba.size();
+  for (const Image& image : input.scene.images) texels += 2 * image.rgba.size();
   return instancing.storedTriangles * 16 + input.scene.triangleCount() * 13 + instancing.storedVertices * 24 +
          texels;
 }

@@ -69,10 +69,10 @@ PlannedPass planCast(const BakeRequest& request, bool bounces, const std::vector
 }
 
 PlannedPass planAlbedo(const CompiledScene& scene, bool bounces) {
-  const bool textured = !scene.albedoImages.empty();
+  const bool textured = scene.hasAlbedoTextures();
   return {Pass::AlbedoTextures, textured && bounces,
-          !textured ? "no material has a base-colour texture"
-          : bounces ? "senders reflect their texture's colour"
+          !textured ? "no albedo has a texture"
+          : bounces ? "senders reflect the colour of their textures"
                     : "albedo matters to bounces alone"};
 }
 

@@ -218,16 +218,6 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
   addEncodingOption(app, options.encoding);
 }
 
-/// Normal maps, for light that can be turned by them.
-void loadBumps(Session& session, ShadedScene& shaded) {
-  const bool directions = shaded.bake.lightMap && shaded.bake.lightMap->coefficients > 1;
-  if (!directions && shaded.encoding == nullptr) return;
-  Warnings odd;
-  shaded.normalMaps = session.times().measure(
-      "normal maps", [&] { return loadNormalMaps(shaded.loaded.document, shaded.loaded.scene, odd); });
-  for (const std::string& warning : odd) session.warn(warning);
-}
-
 }  // namespace
 
 void addPictureOptions(CLI::App& app, PictureOptions& options) {
@@ -275,7 +265,7 @@ viewer::RenderInputs ShadedScene::inputs() const {
           device ? &*device : nullptr,
           caustics ? &caustics->caustics : nullptr,
           globalIllumination ? &*globalIllumination : nullptr,
-          normalMaps ? &*normalMaps : nullptr,
+          true,
           encoding};
 }
 
@@ -313,7 +303,6 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.aoCorrection = options.aoCorrection;
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);
-  loadBumps(session, shaded);
   checkShadingOptions(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
   if (render.shading == viewer::Shading::GlobalIllumination && everyShading) {

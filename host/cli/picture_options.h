@@ -17,7 +17,6 @@
 #include "integrators/global_illumination_renderer.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
-#include "scene/gltf/normal_maps.h"
 #include "viewer/render.h"
 
 namespace prelight::cli {
@@ -57,7 +56,6 @@ struct ShadedScene {
   std::optional<Device> device;  ///< relights what a shader does not
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<GlobalIllumination> globalIllumination;
-  std::optional<NormalMaps> normalMaps;       ///< where baked light can be turned by them
   const Encoding* encoding = nullptr;         ///< that is drawn
   std::unique_ptr<FollowingLight> following;  ///< of a window that shows global illumination
 

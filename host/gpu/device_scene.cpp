@@ -22,8 +22,12 @@ DeviceScene::DeviceScene(DeviceContext& device, const CompiledScene& scene,
   layout_.rangeCount = static_cast<std::uint32_t>(stored_.ranges().size());
   layout_.ranges = pack.add(spanOf(stored_.ranges()));
   layout_.materials = pack.add(std::move(arrays.materials));
+  layout_.textures = pack.add(std::move(arrays.textures));
   layout_.texels = pack.add(std::move(arrays.texels));
-  layout_.texCoords = textured ? pack.add(stored_.ofVertices(spanOf(scene.texCoords))) : 0;
+  if (textured) {
+    layout_.texCoords = pack.add(stored_.ofVertices(spanOf(scene.texCoords)));
+    layout_.texCoords1 = pack.add(stored_.ofVertices(spanOf(scene.texCoords1)));
+  }
   if (scene.hasVertexColors()) layout_.colors = pack.add(stored_.ofVertices(spanOf(scene.colors)));
   surface_ = pack.upload(device);
   uploadLayout();
@@ -36,40 +40,46 @@ void DeviceScene::shareSurface(const DeviceScene& other) {
   layout_.ranges = other.layout_.ranges;
   layout_.rangeCount = other.layout_.rangeCount;
   layout_.materials = other.layout_.materials;
+  layout_.textures = other.layout_.textures;
   layout_.texCoords = other.layout_.texCoords;
+  layout_.texCoords1 = other.layout_.texCoords1;
   layout_.colors = other.layout_.colors;
   layout_.texels = other.layout_.texels;
   surface_ = other.surface_;
   uploadLayout();
 }
 
-void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image>& images,
-                             bool layerTextures) {
-  Layers layers = makeLayers(scene, images);
-  PackedArrays<ShadingLine> pack;
-  layout_.vertices = pack.add(interleaveVertices(scene));
-  layout_.flat = pack.add(stored_.ofTriangles(spanOf(scene.triangleFlat)));
-  layout_.bases = pack.add(makeBaseMaterials(scene));
-  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene, true));
-  layout_.layers = pack.add(std::move(layers.materials));
-  layout_.layerTexels = pack.add(std::move(layers.texels));
-  layout_.layerTexCoords = layerTextures ? pack.add(stored_.ofVertices(spanOf(scene.texCoords))) : 0;
-  shading_ = pack.upload(*device_);
-  uploadLayout();
+void DeviceScene::setShading(const CompiledScene& scene, const std::vector<Image>& images) {
+  uploadShading(scene, makeShadeArrays(scene, images));
 }
 
 void DeviceScene::setPlainShading(const CompiledScene& scene) {
+  uploadShading(scene, makePlainShadeArrays(scene));
+}
+
+void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) {
+  const bool textured = !arrays.texels.empty();
   PackedArrays<ShadingLine> pack;
   layout_.vertices = pack.add(interleaveVertices(scene));
   layout_.flat = pack.add(stored_.ofTriangles(spanOf(scene.triangleFlat)));
-  layout_.bases = pack.add(makeBaseMaterials(scene));
-  layout_.shadeMaterials = pack.add(makeShadeMaterials(scene, false));
+  layout_.bases = pack.add(std::move(arrays.bases));
+  layout_.shadeMaterials = pack.add(std::move(arrays.materials));
+  layout_.shadeTextures = pack.add(std::move(arrays.textures));
+  layout_.shadeTexels = pack.add(std::move(arrays.texels));
+  if (textured) {
+    layout_.shadeTexCoords = pack.add(stored_.ofVertices(spanOf(scene.texCoords)));
+    layout_.shadeTexCoords1 = pack.add(stored_.ofVertices(spanOf(scene.texCoords1)));
+    layout_.tangents = pack.add(packTangents(scene));
+  }
   shading_ = pack.upload(*device_);
   uploadLayout();
 }
 
 void DeviceScene::follow(const CompiledScene& scene) {
   shading_.writeArray(std::span<const float>(interleaveVertices(scene)), layout_.vertices);
+  const std::vector<std::uint32_t> tangents =
+      layout_.tangents > 0 ? packTangents(scene) : std::vector<std::uint32_t>();
+  if (!tangents.empty()) shading_.writeArray(spanOf(tangents), layout_.tangents);
 }
 
 void DeviceScene::setLights(const LightTables& lights, double skyRotation) {

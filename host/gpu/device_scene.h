@@ -7,6 +7,7 @@
 #include "device/buffer.h"
 #include "gpu/light_tables.h"
 #include "gpu/stored_surface.h"
+#include "gpu/surface_upload.h"
 #include "prelight/compiled_scene.h"
 #include "shared/occluder_types.h"
 #include "shared/scene_layout_types.h"
@@ -29,11 +30,10 @@ class DeviceScene {
   /// Takes the surface of another scene.
   void shareSurface(const DeviceScene& other);
 
-  /// Adds what following light asks beyond that. `layerTextures`: ShadeFeatures::layerTextures.
-  void setShading(const CompiledScene& scene, const std::vector<Image>& images, bool layerTextures);
+  /// Adds what following light asks beyond that.
+  void setShading(const CompiledScene& scene, const std::vector<Image>& images);
 
-  /// The same without textures, emission being the mean of its own, and without light that comes through
-  /// diffusely.
+  /// The same without textures, emission being the mean of its own.
   void setPlainShading(const CompiledScene& scene);
 
   /// Takes vertices for shading to where the scene has them now.
@@ -62,6 +62,7 @@ class DeviceScene {
   DeviceContext& context() const { return *device_; }
 
  private:
+  void uploadShading(const CompiledScene& scene, ShadeArrays arrays);
   void uploadLayout();
 
   DeviceContext* device_;

@@ -21,8 +21,8 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.mirror = f.mirror || (specular && mayBeSmooth(m));
   f.glossy = f.glossy || (specular && m.roughness >= smoothBelow);
   f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
-  f.layerTextures = f.layerTextures || m.baseColorTexture.image >= 0 || m.surfaceTexture.image >= 0 ||
-                    m.emissionTexture.image >= 0;
+  f.bumps = f.bumps || m.normalTexture.image >= 0;
+  for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;
   f.translucent = f.translucent || isTranslucent(m);
   f.scatters = f.scatters || isTranslucent(m) ||
                (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
@@ -49,7 +49,8 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")
-      .defineIf(f.layerTextures, "PRELIGHT_LAYER_TEXTURES")
+      .defineIf(f.textures, "PRELIGHT_TEXTURES")
+      .defineIf(f.bumps, "PRELIGHT_BUMPS")
       .defineIf(f.translucent, "PRELIGHT_TRANSLUCENT");
 }
 

@@ -15,7 +15,8 @@ struct ShadeFeatures {
   bool mirror = false;
   bool glossy = false;
   bool absorption = false;
-  bool layerTextures = false;
+  bool textures = false;
+  bool bumps = false;        ///< some surface has a normal texture
   bool translucent = false;  ///< some surface lets light through diffusely
   bool scatters = false;     ///< some surface sends light on
 

@@ -26,7 +26,7 @@ class StoredSurface {
     return chosen(values, triangles_);
   }
 
-  /// [stored vertex] of values [vertex].
+  /// [stored vertex] of values [vertex]; none of none.
   template <typename T>
   std::vector<T> ofVertices(std::span<const T> values) const {
     return chosen(values, vertices_);
@@ -43,6 +43,7 @@ class StoredSurface {
   template <typename T>
   static std::vector<T> chosen(std::span<const T> values, const std::vector<Part>& parts) {
     std::vector<T> all;
+    if (values.empty()) return all;
     for (const Part& part : parts) {
       const auto of = values.subspan(part.first, part.count);
       all.insert(all.end(), of.begin(), of.end());

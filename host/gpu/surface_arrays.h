@@ -11,6 +11,7 @@ namespace prelight {
 /// What rays and bounces ask of a scene's materials.
 struct SurfaceArrays {
   std::vector<device::DeviceMaterial> materials;
+  std::vector<device::DeviceTexture> textures;
   std::vector<glm::u16vec4> texels;  ///< linear RGBA in 1/65535, of all images one after the other
 };
 
@@ -18,5 +19,8 @@ struct SurfaceArrays {
 std::vector<bool> usedMaterials(const CompiledScene& scene);
 
 SurfaceArrays makeSurfaceArrays(const CompiledScene& scene);
+
+/// Whether a metalness or transmission that the albedo depends on has a texture: PRELIGHT_ALBEDO_SHARES.
+bool albedoHasShares(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -1,15 +1,12 @@
 #include "gpu/surface_upload.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <utility>
+#include <iterator>
 
+#include "base/octahedral.h"
 #include "gpu/surface_arrays.h"
-#include "scene/compile/compile_parts.h"
-#include "scene/compile/device_wrap.h"
-#include "scene/lobes.h"
+#include "gpu/texture_upload.h"
+#include "scene/tangent_space.h"
 
 namespace prelight {
 
@@ -21,71 +18,53 @@ using device::ShadeMaterial;
 /// Radiance beyond this is no light of this world; below, no product along a path leaves float's range.
 constexpr float brightest = 1e12f;
 
-void setTexture(DeviceMaterial& d, const Image& image, std::uint32_t offset, WrapMode s, WrapMode t) {
-  d.texelOffset = offset;
-  d.width = static_cast<std::uint32_t>(image.width);
-  d.height = static_cast<std::uint32_t>(image.height);
-  d.wrapS = deviceWrap(s);
-  d.wrapT = deviceWrap(t);
-}
-
-DeviceMaterial untextured() {
-  DeviceMaterial d{};
-  for (float& channel : d.albedo) channel = 1.0f;
-  d.alphaCutoff = -1.0f;
-  d.alphaFactor = 1.0f;
-  d.texelOffset = PRELIGHT_NO_TEXTURE;
-  return d;
-}
-
 /// Reflectance of a dielectric along its normal, and what KHR_materials_specular makes of it.
 void setSpecular(const CompiledMaterial& m, ShadeMaterial& r) {
   const float root = m.ior == 0.0f ? 1.0f : (m.ior - 1.0f) / (m.ior + 1.0f);
-  for (int c = 0; c < 3; ++c) r.f0[c] = m.specular * std::min(root * root * m.specularColor[c], 1.0f);
-  r.f90 = m.specular;
+  for (int c = 0; c < 3; ++c) r.f0[c] = root * root * m.specularColor[c];
+  r.specular = m.specular;
 }
 
-DeviceMaterial throughLayer(const CompiledMaterial& m) {
-  DeviceMaterial d = untextured();
-  for (int c = 0; c < 3; ++c) d.albedo[c] = m.diffuseTransmission[c];
-  d.alphaFactor = translucentShare(m);
+DeviceMaterial baseMaterial(const CompiledMaterial& m, std::uint32_t texture) {
+  DeviceMaterial d{};
+  for (int c = 0; c < 3; ++c) d.albedo[c] = m.baseColor[c];
+  d.alphaCutoff = -1.0f;
+  d.alphaFactor = 1.0f;
+  d.colorTexture = texture;
+  d.metallicTexture = d.glassTexture = PRELIGHT_NO_TEXTURE;
   return d;
 }
 
-class LayerUpload {
- public:
-  explicit LayerUpload(const std::vector<Image>& images) : images_(images) {}
-
-  DeviceMaterial add(const LayerTexture& texture, bool srgb) {
-    DeviceMaterial d = untextured();
-    if (texture.image < 0) return d;
-    const Image& image = images_[static_cast<std::size_t>(texture.image)];
-    const auto [found, isNew] =
-        offsets_.try_emplace({texture.image, srgb}, static_cast<std::uint32_t>(texels_.size()));
-    if (isNew) addTexels(image, srgb);
-    setTexture(d, image, found->second, texture.wrapS, texture.wrapT);
-    return d;
+ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission) {
+  ShadeMaterial r{};
+  for (int c = 0; c < 3; ++c) {
+    r.absorption[c] = m.absorption[c];
+    r.emission[c] = std::min(emission[c], brightest);
+    r.through[c] = m.translucentColor[c];
   }
+  if (!m.unlit) setSpecular(m, r);
+  r.ior = m.ior;
+  r.metallic = m.metallic;
+  r.roughness = m.roughness;
+  r.transmission = m.transmission;
+  r.throughShare = m.translucency;
+  r.normalScale = m.normalScale;
+  r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
+            (m.unlit ? PRELIGHT_UNLIT : 0u);
+  std::fill(std::begin(r.textures), std::end(r.textures), PRELIGHT_NO_TEXTURE);
+  return r;
+}
 
-  std::vector<glm::u16vec4> take() { return std::move(texels_); }
-
- private:
-  void addTexels(const Image& image, bool srgb) {
-    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
-      glm::u16vec4 texel(0);
-      for (int c = 0; c < 4; ++c) {
-        const std::uint8_t byte = image.rgba[i + static_cast<std::size_t>(c)];
-        texel[c] = srgb && c < 3 ? static_cast<std::uint16_t>(std::lround(65535.0f * linearFromSrgb(byte)))
-                                 : static_cast<std::uint16_t>(257 * byte);
-      }
-      texels_.push_back(texel);
-    }
-  }
-
-  const std::vector<Image>& images_;
-  std::map<std::pair<int, bool>, std::uint32_t> offsets_;
-  std::vector<glm::u16vec4> texels_;
-};
+void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial& r) {
+  r.textures[PRELIGHT_SURFACE_TEXTURE] = upload.add(m.surfaceTexture, false);
+  r.textures[PRELIGHT_EMISSION_TEXTURE] = upload.add(m.emissionTexture, true);
+  r.textures[PRELIGHT_GLASS_TEXTURE] = upload.add(m.transmissionTexture, false);
+  r.textures[PRELIGHT_SPECULAR_TEXTURE] = upload.add(m.specularTexture, false);
+  r.textures[PRELIGHT_SPECULAR_COLOR_TEXTURE] = upload.add(m.specularColorTexture, true);
+  r.textures[PRELIGHT_THROUGH_TEXTURE] = upload.add(m.translucencyTexture, false);
+  r.textures[PRELIGHT_THROUGH_COLOR_TEXTURE] = upload.add(m.translucentColorTexture, true);
+  r.textures[PRELIGHT_NORMAL_TEXTURE] = upload.add(m.normalTexture, false);
+}
 
 }  // namespace
 
@@ -99,52 +78,38 @@ std::vector<float> interleaveVertices(const CompiledScene& scene) {
   return values;
 }
 
-std::vector<DeviceMaterial> makeBaseMaterials(const CompiledScene& scene) {
-  std::vector<DeviceMaterial> materials;
-  for (const CompiledMaterial& m : scene.materials) {
-    materials.push_back(untextured());
-    for (int c = 0; c < 3; ++c) materials.back().albedo[c] = m.baseColor[c];
-  }
-  return materials;
+std::vector<std::uint32_t> packTangents(const CompiledScene& scene) {
+  std::vector<std::uint32_t> packed;
+  if (!scene.hasNormalTextures()) return packed;
+  constexpr std::uint32_t mirrored = 0x10000u;
+  for (const glm::vec4& tangent : cornerTangents(scene))
+    packed.push_back((packDirection(glm::dvec3(tangent)) & ~mirrored) | (tangent.w < 0.0f ? mirrored : 0u));
+  return packed;
 }
 
-std::vector<ShadeMaterial> makeShadeMaterials(const CompiledScene& scene, bool textured) {
-  std::vector<ShadeMaterial> materials;
+ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
+  ShadeArrays arrays;
   for (const CompiledMaterial& m : scene.materials) {
-    ShadeMaterial r{};
-    const glm::vec3 emission = textured ? m.emissionFactor : m.emission;
-    for (int c = 0; c < 3; ++c) {
-      r.absorption[c] = m.absorption[c];
-      r.emission[c] = std::min(emission[c], brightest);
-    }
-    if (!m.unlit) setSpecular(m, r);
-    r.ior = m.ior;
-    r.metallic = m.metallic;
-    r.roughness = m.roughness;
-    r.transmission = m.transmission;
-    r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
-              (m.unlit ? PRELIGHT_UNLIT : 0u);
-    materials.push_back(r);
+    arrays.bases.push_back(baseMaterial(m, PRELIGHT_NO_TEXTURE));
+    arrays.materials.push_back(shadeMaterial(m, m.emission));
   }
-  return materials;
+  return arrays;
 }
 
-Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images) {
-  LayerUpload upload(images);
+ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>& images) {
+  ShadeArrays arrays;
+  TextureUpload upload(images);
   const std::vector<bool> used = usedMaterials(scene);
-  Layers layers;
-  for (std::size_t i = 0; i < used.size(); ++i) {
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const CompiledMaterial& m = scene.materials[i];
-    const auto layerOf = [&](const LayerTexture& texture, bool srgb) {
-      return upload.add(used[i] ? texture : LayerTexture{}, srgb);
-    };
-    layers.materials.push_back(layerOf(m.baseColorTexture, true));
-    layers.materials.push_back(layerOf(m.surfaceTexture, false));
-    layers.materials.push_back(layerOf(m.emissionTexture, true));
-    layers.materials.push_back(throughLayer(m));
+    arrays.bases.push_back(
+        baseMaterial(m, used[i] ? upload.add(m.baseColorTexture, true) : PRELIGHT_NO_TEXTURE));
+    arrays.materials.push_back(shadeMaterial(m, m.emissionFactor));
+    if (used[i]) addTextures(m, upload, arrays.materials.back());
   }
-  layers.texels = upload.take();
-  return layers;
+  arrays.textures = upload.takeTextures();
+  arrays.texels = upload.takeTexels();
+  return arrays;
 }
 
 }  // namespace prelight

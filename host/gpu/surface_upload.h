@@ -14,18 +14,23 @@ namespace prelight {
 /// Position and normal of every vertex, [vertex][6].
 std::vector<float> interleaveVertices(const CompiledScene& scene);
 
-/// Materials for surfaceColor() (kernels/bvh/alpha_funcs.cl) that yield base colours without their textures.
-std::vector<device::DeviceMaterial> makeBaseMaterials(const CompiledScene& scene);
+/// Tangents of normal textures, [triangle][corner], as kernels/transport/interaction_funcs.cl reads them;
+/// none where nothing has such a texture.
+std::vector<std::uint32_t> packTangents(const CompiledScene& scene);
 
-/// `textured`: textures multiply the emission; otherwise it is the mean of its own.
-std::vector<device::ShadeMaterial> makeShadeMaterials(const CompiledScene& scene, bool textured);
-
-/// Textures, [material][4]: of base colour, of roughness and metalness, of emission, and of the light that
-/// comes through, whose factors it holds: the colour times the share as `albedo`, the share as `alphaFactor`.
-struct Layers {
-  std::vector<device::DeviceMaterial> materials;
+/// Materials of what follows light, with their textures.
+struct ShadeArrays {
+  std::vector<device::DeviceMaterial>
+      bases;  ///< surfaceColor() (kernels/bvh/alpha_funcs.cl) of them: base colours
+  std::vector<device::ShadeMaterial> materials;
+  std::vector<device::DeviceTexture> textures;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535
 };
-Layers makeLayers(const CompiledScene& scene, const std::vector<Image>& images);
+
+/// `images`: Scene::images.
+ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>& images);
+
+/// Without textures: emission is the mean of its own, and other factors count as they are.
+ShadeArrays makePlainShadeArrays(const CompiledScene& scene);
 
 }  // namespace prelight

@@ -41,6 +41,7 @@ Tracer::Tracer(const CompiledScene& scene, const Device& device, BvhLayout layou
                                                       : BvhLayout::Narrow),
       alphaTest_(scene.hasAlphaMask()),
       vertexColors_(scene.hasVertexColors()),
+      albedoShares_(albedoHasShares(scene)),
       scene_(*context_, scene, instancingOf(scene, levels).instances),
       instances_(*context_, 0) {
   if (layout_ == BvhLayout::Narrow) tree_.emplace<NarrowTree>();
@@ -53,6 +54,7 @@ Tracer::Tracer(const Tracer& whole, const CompiledScene& scene, std::span<const 
       layout_(whole.layout_),
       alphaTest_(whole.alphaTest_),
       vertexColors_(whole.vertexColors_),
+      albedoShares_(whole.albedoShares_),
       treeless_(triangles.empty()),
       scene_(whole.scene_),
       instances_(*context_, 0) {
@@ -106,6 +108,7 @@ BuildOptions Tracer::surfaceOptions() const {
   return BuildOptions()
       .defineIf(alphaTest_, "PRELIGHT_ALPHA_TEST")
       .defineIf(vertexColors_, "PRELIGHT_VERTEX_COLORS")
+      .defineIf(albedoShares_, "PRELIGHT_ALBEDO_SHARES")
       .defineIf(!scene_.instances().empty(), "PRELIGHT_SHARED_SURFACE");
 }
 

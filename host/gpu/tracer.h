@@ -115,6 +115,7 @@ class Tracer {
   BvhLayout layout_;
   bool alphaTest_ = false;
   bool vertexColors_ = false;
+  bool albedoShares_ = false;
   bool treeless_ = false;
   std::uint32_t stackSize_ = 0;
   std::size_t treeBytes_ = 0;

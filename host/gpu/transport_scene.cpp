@@ -18,7 +18,7 @@ TransportScene::TransportScene(const LitScene& lit, std::unique_ptr<Tracer> own,
       tables_(makeLightTables(lit.scene, lit.lights, lit.sky, choosePunctual)),
       features_(findShadeFeatures(lit.scene, tables_)),
       handle_(tracer_->scene()) {
-  handle_.setShading(lit.scene, lit.images, features_.layerTextures);
+  handle_.setShading(lit.scene, lit.images);
   handle_.setLights(tables_, skyRotation_);
 }
 

@@ -6,36 +6,35 @@ namespace {
 
 constexpr const char* kind = "reference";
 
-void addLayer(StateHash& hash, const LayerTexture& layer) {
-  hash.value(layer.image).value(static_cast<int>(layer.wrapS)).value(static_cast<int>(layer.wrapT));
-}
-
 void addVector(StateHash& hash, const glm::dvec3& v) { hash.value(v.x).value(v.y).value(v.z); }
 
+void addTexture(StateHash& hash, const TextureRef& texture) {
+  for (const int v : {texture.image, texture.texCoord, static_cast<int>(texture.wrapS),
+                      static_cast<int>(texture.wrapT), static_cast<int>(texture.filter)})
+    hash.value(v);
+  for (int c = 0; c < 3; ++c) addVector(hash, glm::dvec3(texture.transform[c]));
+}
+
 void addMaterial(StateHash& hash, const CompiledMaterial& m) {
-  for (const glm::vec3& v :
-       {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption, m.specularColor})
+  for (const glm::vec3& v : {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption,
+                             m.specularColor, m.translucentColor})
     addVector(hash, glm::dvec3(v));
-  for (const float v :
-       {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior, m.specular})
+  for (const float v : {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior,
+                        m.specular, m.translucency, m.normalScale})
     hash.value(v);
-  for (const int v : {m.albedoImage, static_cast<int>(m.wrapS), static_cast<int>(m.wrapT),
-                      m.doubleSided ? 1 : 0, m.solid ? 1 : 0, m.unlit ? 1 : 0})
-    hash.value(v);
-  addLayer(hash, m.baseColorTexture);
-  addLayer(hash, m.surfaceTexture);
-  addLayer(hash, m.emissionTexture);
+  for (const bool v : {m.doubleSided, m.solid, m.unlit}) hash.value(v ? 1 : 0);
+  for (const TextureRef& texture : m.textures()) addTexture(hash, texture);
 }
 
 std::uint64_t sceneHash(const ReferenceInputs& inputs) {
   const CompiledScene& s = inputs.scene;
   StateHash hash;
   addVector(hash, s.origin);
-  hash.values(s.positions).values(s.normals).values(s.texCoords).values(s.colors).values(s.triangles);
+  hash.values(s.positions).values(s.normals).values(s.colors).values(s.triangles);
+  hash.values(s.texCoords).values(s.texCoords1).values(s.tangents);
   hash.values(s.triangleMaterials).values(s.triangleFlat);
   for (const CompiledMaterial& m : s.materials) addMaterial(hash, m);
-  for (const auto* images : {&inputs.images, &s.albedoImages})
-    for (const Image& image : *images) hash.value(image.width).value(image.height).values(image.rgba);
+  for (const Image& image : inputs.images) hash.value(image.width).value(image.height).values(image.rgba);
   return hash.result();
 }
 

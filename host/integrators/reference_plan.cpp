@@ -28,7 +28,7 @@ std::vector<PlannedPass> explainFeatures(const ShadeFeatures& f, const Reference
           pass(Pass::LightThroughSurfaces, f.translucent, "some material transmits light diffusely",
                "no material transmits light diffusely"),
           pass(Pass::Absorption, f.absorption, "some solid glass attenuates", "no solid glass attenuates"),
-          pass(Pass::Textures, f.layerTextures, "some material has one", "no material has one")};
+          pass(Pass::Textures, f.textures, "some material has one", "no material has one")};
 }
 
 BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> cachedLight,

@@ -30,7 +30,7 @@ Plan planOf(const BakeScene& scene, const BakeRequest& request) {
 }
 
 Charts chartsOf(const BakeScene& scene, int size, BakeReport& report) {
-  Charts charts = makeCharts(scene.document, scene.scene, scene.compiled, size, report.notes);
+  Charts charts = makeCharts(scene.scene, scene.compiled, size);
   if (charts.charts.empty())
     throw InputError(scene.path.string(),
                      fmt::format("no primitive has texture coordinates for a light map: {}",

@@ -17,17 +17,20 @@ int wrapTexel(double i, int size, WrapMode mode) {
 
 }  // namespace
 
-glm::vec4 sampleImage(const Image& image, const glm::vec2& uv, WrapMode wrapS, WrapMode wrapT) {
-  const double x = double(uv.x) * image.width - 0.5, y = double(uv.y) * image.height - 0.5;
+glm::vec4 sampleImage(const Image& image, const TextureRef& use, const glm::vec2& uv) {
+  const bool nearest = use.filter == TextureFilter::Nearest;
+  const double middle = nearest ? 0.0 : 0.5;
+  const double x = double(uv.x) * image.width - middle, y = double(uv.y) * image.height - middle;
   if (!std::isfinite(x) || !std::isfinite(y)) return glm::vec4(0.0f);
   const double column = std::floor(x), row = std::floor(y);
   const auto texel = [&](double c, double r) {
-    const auto at =
-        static_cast<std::size_t>(wrapTexel(r, image.height, wrapT)) * static_cast<std::size_t>(image.width) +
-        static_cast<std::size_t>(wrapTexel(c, image.width, wrapS));
+    const auto at = static_cast<std::size_t>(wrapTexel(r, image.height, use.wrapT)) *
+                        static_cast<std::size_t>(image.width) +
+                    static_cast<std::size_t>(wrapTexel(c, image.width, use.wrapS));
     const std::uint8_t* rgba = &image.rgba[4 * at];
     return glm::vec4(rgba[0], rgba[1], rgba[2], rgba[3]) / 255.0f;
   };
+  if (nearest) return texel(column, row);
   const auto fx = static_cast<float>(x - column), fy = static_cast<float>(y - row);
   const glm::vec4 top = glm::mix(texel(column, row), texel(column + 1.0, row), fx);
   const glm::vec4 bottom = glm::mix(texel(column, row + 1.0), texel(column + 1.0, row + 1.0), fx);

@@ -1,4 +1,6 @@
-// What a hit finds on the surface: coverage (alpha mask) and diffuse albedo.
+// What a hit finds on the surface: textures, coverage (alpha mask) and diffuse albedo.
+// Options: PRELIGHT_VERTEX_COLORS, PRELIGHT_ALPHA_TEST, PRELIGHT_SHARED_SURFACE, PRELIGHT_ALBEDO_SHARES (some metalness or
+// transmission that the albedo depends on has a texture).
 #ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
 #define PRELIGHT_BVH_ALPHA_FUNCS_CL
 
@@ -11,7 +13,9 @@ typedef struct Surface {
   __global const SurfaceRange* ranges;        // [range]; read only with PRELIGHT_SHARED_SURFACE
   uint rangeCount;
   __global const DeviceMaterial* materials;   // [material]
-  __global const float2* texCoords;           // [stored vertex]
+  __global const DeviceTexture* textures;
+  __global const float2* texCoords;           // [stored vertex], first set
+  __global const float2* texCoords1;          // [stored vertex], second set; read only where a texture asks for it
   __global const float4* colors;              // [stored vertex], linear; read only with PRELIGHT_VERTEX_COLORS
   __global const ushort4* texels;             // linear RGBA in 1/65535: decoded once, not at every hit
 } Surface;
@@ -20,7 +24,9 @@ Surface surfaceOf(__constant const SceneLayout* layout, __global const SurfaceLi
   const Surface s = {(__global const DeviceTriangle*)(surface + layout->triangles),
                      (__global const SurfaceRange*)(surface + layout->ranges), layout->rangeCount,
                      (__global const DeviceMaterial*)(surface + layout->materials),
+                     (__global const DeviceTexture*)(surface + layout->textures),
                      (__global const float2*)(surface + layout->texCoords),
+                     (__global const float2*)(surface + layout->texCoords1),
                      (__global const float4*)(surface + layout->colors),
                      (__global const ushort4*)(surface + layout->texels)};
   return s;
@@ -71,33 +77,59 @@ uint wrapTexel(int i, uint size, uint mode) {
   return (uint)(((i % n) + n) % n);
 }
 
-float4 fetchTexel(Surface s, __global const DeviceMaterial* m, int x, int y) {
-  const uint at = m->texelOffset + wrapTexel(y, m->height, m->wrapT) * m->width + wrapTexel(x, m->width, m->wrapS);
+float4 fetchTexel(Surface s, __global const DeviceTexture* t, int x, int y) {
+  const uint at = t->texelOffset + wrapTexel(y, t->height, t->wrapT) * t->width + wrapTexel(x, t->width, t->wrapS);
   return convert_float4(s.texels[at]) * (1.0f / 65535.0f);
 }
 
-// Bilinear, linear RGB and alpha. Coordinates beyond 2^20 texels are folded, so that hostile ones stay integers.
-float4 sampleTexture(Surface s, __global const DeviceMaterial* m, float2 uv) {
-  float2 at = uv * (float2)((float)m->width, (float)m->height) - 0.5f;
+// Linear RGB and alpha at coordinates of the image, bilinear unless the texture says otherwise. Coordinates beyond 2^20
+// texels are folded, so that hostile ones stay integers.
+float4 sampleTexture(Surface s, __global const DeviceTexture* t, float2 uv) {
+  const bool nearest = (t->flags & PRELIGHT_NEAREST) != 0u;
+  float2 at = uv * (float2)((float)t->width, (float)t->height) - (nearest ? 0.0f : 0.5f);
   at = fmod(at, 1048576.0f);
   at = select(at, (float2)(0.0f), isnan(at));
   const float2 base = floor(at);
   const float2 f = at - base;
   const int x = (int)base.x, y = (int)base.y;
-  return mix(mix(fetchTexel(s, m, x, y), fetchTexel(s, m, x + 1, y), f.x),
-             mix(fetchTexel(s, m, x, y + 1), fetchTexel(s, m, x + 1, y + 1), f.x), f.y);
+  if (nearest) return fetchTexel(s, t, x, y);
+  return mix(mix(fetchTexel(s, t, x, y), fetchTexel(s, t, x + 1, y), f.x),
+             mix(fetchTexel(s, t, x, y + 1), fetchTexel(s, t, x + 1, y + 1), f.x), f.y);
 }
 
-// Factor, texture and vertex colour of a point of a triangle: linear albedo and alpha.
+// Coordinates of a texture's image at a point of a triangle (with stored vertices).
+PRELIGHT_INLINE float2 textureCoord(Surface s, __global const DeviceTexture* t, DeviceTriangle triangle, float u, float v) {
+  __global const float2* coords = (t->flags & PRELIGHT_SECOND_SET) != 0u ? s.texCoords1 : s.texCoords;
+  const float2 at = (1.0f - u - v) * coords[triangle.vertex[0]] + u * coords[triangle.vertex[1]] + v * coords[triangle.vertex[2]];
+  return (float2)(t->u[0] * at.x + t->u[1] * at.y + t->u[2], t->v[0] * at.x + t->v[1] * at.y + t->v[2]);
+}
+
+// A texture by its place in the list at a point of a triangle (with stored vertices); white where there is none.
+PRELIGHT_INLINE float4 textureAt(Surface s, uint texture, DeviceTriangle triangle, float u, float v) {
+  if (texture == PRELIGHT_NO_TEXTURE) return (float4)(1.0f);
+  __global const DeviceTexture* t = s.textures + texture;
+  return sampleTexture(s, t, textureCoord(s, t, triangle, u, v));
+}
+
+// Factor, texture and vertex colour of a point of a triangle (with stored vertices).
+PRELIGHT_INLINE float4 factorAndTexture(Surface s, DeviceTriangle t, float u, float v) {
+  __global const DeviceMaterial* m = s.materials + t.material;
+  float4 color = (float4)(vload3(0, m->albedo), m->alphaFactor);
+  if (m->colorTexture != PRELIGHT_NO_TEXTURE) color *= textureAt(s, m->colorTexture, t, u, v);
+#ifdef PRELIGHT_VERTEX_COLORS
+  color *= (1.0f - u - v) * s.colors[t.vertex[0]] + u * s.colors[t.vertex[1]] + v * s.colors[t.vertex[2]];
+#endif
+  return color;
+}
+
+// Linear albedo and alpha of a point of a triangle.
 PRELIGHT_INLINE float4 surfaceColor(Surface s, uint triangle, float u, float v) {
   const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];
+  float4 color = factorAndTexture(s, t, u, v);
+#ifdef PRELIGHT_ALBEDO_SHARES
   __global const DeviceMaterial* m = s.materials + t.material;
-  const float w = 1.0f - u - v;
-  float4 color = (float4)(vload3(0, m->albedo), m->alphaFactor);
-  if (m->texelOffset != PRELIGHT_NO_TEXTURE)
-    color *= sampleTexture(s, m, w * s.texCoords[t.vertex[0]] + u * s.texCoords[t.vertex[1]] + v * s.texCoords[t.vertex[2]]);
-#ifdef PRELIGHT_VERTEX_COLORS
-  color *= w * s.colors[t.vertex[0]] + u * s.colors[t.vertex[1]] + v * s.colors[t.vertex[2]];
+  if (m->metallicTexture != PRELIGHT_NO_TEXTURE) color.xyz *= 1.0f - m->metallic * textureAt(s, m->metallicTexture, t, u, v).z;
+  if (m->glassTexture != PRELIGHT_NO_TEXTURE) color.xyz *= 1.0f - m->glass * textureAt(s, m->glassTexture, t, u, v).x;
 #endif
   return color;
 }
@@ -105,8 +137,9 @@ PRELIGHT_INLINE float4 surfaceColor(Surface s, uint triangle, float u, float v) 
 // False where an alpha mask has a hole. Programs of scenes without masks are built without the test.
 bool surfaceIsThere(Surface s, uint triangle, float u, float v) {
 #ifdef PRELIGHT_ALPHA_TEST
-  const float cutoff = s.materials[materialAt(s, triangle)].alphaCutoff;
-  return cutoff < 0.0f || surfaceColor(s, triangle, u, v).w >= cutoff;
+  const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];
+  const float cutoff = s.materials[t.material].alphaCutoff;
+  return cutoff < 0.0f || factorAndTexture(s, t, u, v).w >= cutoff;
 #else
   return true;
 #endif

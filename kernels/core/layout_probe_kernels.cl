@@ -32,14 +32,14 @@ void probeFirstHalf(__global uint* out) {
   PROBE(3, TriangleBlock, triangle);
   PROBE(4, NarrowNode, child);
   PROBE(5, NarrowTriangle, triangle);
-  PROBE(6, DeviceMaterial, wrapT);
+  PROBE(6, DeviceMaterial, transmission);
   PROBE(7, DeviceTriangle, material);
   PROBE(8, SurfaceRange, vertexShift);
   PROBE(9, Receiver, firstSample);
   PROBE(10, CastParameters, firstStored);
   PROBE(11, Sender, albedo);
   PROBE(12, ReferenceParameters, scene);
-  PROBE(13, ShadeMaterial, flags);
+  PROBE(13, ShadeMaterial, textures);
   PROBE(14, PunctualLight, coneOffset);
   PROBE(15, PathState, arriving);
   PROBE(16, OccluderVertex, accessibility);
@@ -93,6 +93,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(61, LightGroupLine, words);
   PROBE(62, LightGroupLayout, emitters);
   PROBE(63, QueueMove, to);
+  PROBE(64, DeviceTexture, wrapT);
 }
 
 // One work-item.

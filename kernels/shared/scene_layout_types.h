@@ -29,18 +29,22 @@ typedef struct SceneLayout {
   uint triangles;   ///< DeviceTriangle [stored triangle]
   uint ranges;      ///< SurfaceRange [range], ascending; none where all of the scene's triangles are stored
   uint rangeCount;
-  uint materials;   ///< DeviceMaterial [material] with the albedo's textures
+  uint materials;   ///< DeviceMaterial [material] of the albedo
+  uint textures;    ///< DeviceTexture, of the albedo
   uint texCoords;   ///< float2 [stored vertex]
+  uint texCoords1;  ///< float2 [stored vertex]
   uint colors;      ///< float4 [stored vertex]
   uint texels;      ///< ushort4
   // What following light asks beyond that, in ShadingLines.
   uint vertices;        ///< float [vertex][6] position, normal
   uint flat;            ///< uchar [stored triangle] 1: no shading normals
-  uint bases;           ///< DeviceMaterial [material], base colours without textures
-  uint shadeMaterials;  ///< ShadeMaterial [material]
-  uint layers;          ///< DeviceMaterial [material][PRELIGHT_LAYERS] textures
-  uint layerTexCoords;  ///< float2 [stored vertex]
-  uint layerTexels;     ///< ushort4
+  uint tangents;          ///< uint [triangle][corner], see transport/interaction_funcs.cl; read only with PRELIGHT_BUMPS
+  uint bases;             ///< DeviceMaterial [material] of the base colour
+  uint shadeMaterials;    ///< ShadeMaterial [material]
+  uint shadeTextures;     ///< DeviceTexture, of all that materials have
+  uint shadeTexCoords;    ///< float2 [stored vertex]
+  uint shadeTexCoords1;   ///< float2 [stored vertex]
+  uint shadeTexels;       ///< ushort4
   // Lights, in LightLines.
   uint tables;            ///< uint: lower bounds of intervals
   uint emitters;          ///< uint [emitter] triangle

@@ -12,16 +12,32 @@ PRELIGHT_SHARED_BEGIN
 
 #define PRELIGHT_NO_TEXTURE 0xffffffffu
 
-typedef struct DeviceMaterial {
-  float albedo[3];    ///< linear; multiplies texture and vertex colour
-  float alphaCutoff;  ///< < 0: opaque
-  float alphaFactor;
-  uint texelOffset;   ///< first texel in the texel buffer (ushort4, linear RGBA in 1/65535); PRELIGHT_NO_TEXTURE: none
+#define PRELIGHT_NEAREST 1u     ///< texels are not interpolated
+#define PRELIGHT_SECOND_SET 2u  ///< of texture coordinates
+
+/// Use of an image.
+typedef struct DeviceTexture {
+  float u[3];        ///< times texture coordinates (u, v, 1): u of the image, [0,1) from left to right
+  uint texelOffset;  ///< first texel in the texel buffer (ushort4, linear RGBA in 1/65535)
+  float v[3];        ///< v of the image, downwards
+  uint flags;        ///< PRELIGHT_NEAREST | ...
   uint width;
   uint height;
-  uint wrapS;         ///< PRELIGHT_WRAP_*
+  uint wrapS;        ///< PRELIGHT_WRAP_*
   uint wrapT;
-  uint transmission;  ///< diffuse, 10 bits each: red in bits 0..9, green, blue
+} DeviceTexture;
+
+/// What a hit finds at once. Textures are places in the list of them; PRELIGHT_NO_TEXTURE: none.
+typedef struct DeviceMaterial {
+  float albedo[3];       ///< linear; multiplies texture and vertex colour
+  float alphaCutoff;     ///< < 0: opaque
+  float alphaFactor;
+  uint colorTexture;
+  float metallic;        ///< times B of its texture: share that has no albedo; without a texture `albedo` has it
+  uint metallicTexture;
+  float glass;           ///< the same with R
+  uint glassTexture;
+  uint transmission;     ///< diffuse, 10 bits each: red in bits 0..9, green, blue
   uint pad;
 } DeviceMaterial;
 

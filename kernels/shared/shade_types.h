@@ -12,9 +12,20 @@ PRELIGHT_SHARED_BEGIN
 
 #define PRELIGHT_NO_MEDIUM 0xffffffffu
 
+// Textures of a ShadeMaterial besides that of its base colour.
+#define PRELIGHT_SURFACE_TEXTURE 0u        // G roughness, B metalness
+#define PRELIGHT_EMISSION_TEXTURE 1u
+#define PRELIGHT_GLASS_TEXTURE 2u          // R
+#define PRELIGHT_SPECULAR_TEXTURE 3u       // A
+#define PRELIGHT_SPECULAR_COLOR_TEXTURE 4u
+#define PRELIGHT_THROUGH_TEXTURE 5u        // A
+#define PRELIGHT_THROUGH_COLOR_TEXTURE 6u
+#define PRELIGHT_NORMAL_TEXTURE 7u
+#define PRELIGHT_SHADE_TEXTURES 8u
+
 typedef struct ShadeMaterial {
-  float f0[3];          ///< reflectance of the dielectric's surface along its normal
-  float f90;            ///< at grazing angles
+  float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times `specular`
+  float specular;       ///< its strength, and reflectance at grazing angles
   float absorption[3];  ///< inside, 1/m
   float ior;            ///< 0: infinite
   float emission[3];    ///< W/(m2 sr)
@@ -22,7 +33,10 @@ typedef struct ShadeMaterial {
   float roughness;
   float transmission;
   uint flags;  ///< PRELIGHT_SOLID | ...
-  uint pad;
+  float throughShare;  ///< of the body's light, leaves on the other side
+  float through[3];    ///< colour of that light
+  float normalScale;   ///< of the x and y of its normal texture
+  uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
 
 #define PRELIGHT_POINT_LIGHT 0u

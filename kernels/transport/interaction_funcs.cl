@@ -1,22 +1,22 @@
 // A point of the surface that a ray has met: all that is known of it is found once, when it is loaded.
-// Options: those of the surface (bvh/alpha_funcs.cl).
+// Options: PRELIGHT_BUMPS (some material has a normal texture), those of the surface (bvh/alpha_funcs.cl).
 #ifndef PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 
 #include "bvh/alpha_funcs.cl"
 #include "core/inline.h"
+#include "core/octahedral_funcs.cl"
 #include "core/offset_funcs.cl"
 #include "core/vector_funcs.cl"
 #include "shared/ray_types.h"
 #include "shared/shade_types.h"
 
 typedef struct PathScene {
-  Surface surface;  // its materials hold base colours without textures
+  Surface surface;  // its materials hold base colours
   __global const float* vertices;  // [vertex][6] position, normal
   __global const uchar* flat;      // [stored triangle] 1: no shading normals
+  __global const uint* tangents;   // [triangle][corner] packDirection() but for bit 16: 1 where the texture is mirrored
   __global const ShadeMaterial* materials;
-  __global const DeviceMaterial* layers;    // [material][PRELIGHT_LAYERS] textures: PRELIGHT_LAYER_* of transport/material_funcs.cl
-  __global const ushort4* layerTexels;
 } PathScene;
 
 typedef struct Interaction {
@@ -55,6 +55,45 @@ PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float 
   return dot(unit, front) < 0.0f ? -unit : unit;
 }
 
+#ifdef PRELIGHT_BUMPS
+// How far a direction that is mirrored about a bumped normal must stay above the triangle, at most.
+#define PRELIGHT_LEAST_RISE 0.01f
+
+// The shading normal n of the front where the material's normal texture turns it (glTF 2.0, 3.9.3).
+PRELIGHT_INLINE float3 bumpedNormal(PathScene s, uint triangle, float u, float v, float3 n) {
+  const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
+  __global const ShadeMaterial* m = s.materials + t.material;
+  const uint texture = m->textures[PRELIGHT_NORMAL_TEXTURE];
+  if (texture == PRELIGHT_NO_TEXTURE) return n;
+  const float3 texel = 2.0f * textureAt(s.surface, texture, t, u, v).xyz - 1.0f;
+  __global const uint* corners = s.tangents + 3 * (size_t)triangle;
+  const float3 tangent = (1.0f - u - v) * unpackDirection(corners[0]) + u * unpackDirection(corners[1]) + v * unpackDirection(corners[2]);
+  const float3 along = tangent - dot(tangent, n) * n;
+  const float square = dot(along, along);
+  if (!(square > 1e-12f)) return n;
+  const float3 x = along * rsqrt(square);
+  const float3 y = (corners[0] & 0x10000u) != 0u ? -cross(n, x) : cross(n, x);
+  const float3 bumped = m->normalScale * (texel.x * x + texel.y * y) + texel.z * n;
+  const float length2 = dot(bumped, bumped);
+  return length2 > 1e-12f ? bumped * rsqrt(length2) : n;
+}
+
+// The normal nearest to n, between it and the triangle's own, about which wo is mirrored to above the triangle: what a bump
+// hides from the eye shows its nearest visible slope instead of black. With angles from the triangle's normal in the plane
+// of both, wo's part in it at p: the mirrored direction is at 2a - p and rises r cos(2a - p), r the length of that part.
+PRELIGHT_INLINE float3 visibleNormal(float3 n, float3 geometric, float3 wo) {
+  const float rise = dot(wo, geometric), least = fmin(PRELIGHT_LEAST_RISE, 0.9f * rise);
+  if (!(rise > 0.0f) || (dot(n, wo) > 0.0f && dot(2.0f * dot(n, wo) * n - wo, geometric) >= least)) return n;
+  const float3 side = n - dot(n, geometric) * geometric;
+  const float square = dot(side, side);
+  if (!(square > 1e-12f)) return geometric;
+  const float3 x = side * rsqrt(square);
+  const float along = dot(wo, x), r = sqrt(along * along + rise * rise);
+  const float angle = 0.5f * (atan2(along, rise) + acos(fmin(least / r, 1.0f)));
+  return normalize(sin(angle) * x + cos(angle) * geometric);
+}
+#endif
+
 PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   const DeviceTriangle t = triangleAt(s.surface, hit.triangle);
   const float3 a = vertexPosition(s, t.vertex[0]), b = vertexPosition(s, t.vertex[1]), c = vertexPosition(s, t.vertex[2]);
@@ -68,9 +107,16 @@ PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   i.error = pointError(a, b, c, hit.u, hit.v);
   i.wo = -vload3(0, ray.direction);
   const float3 front = frontNormal(a, b, c);
-  const float3 shading = shadingNormal(s, hit.triangle, hit.u, hit.v, front);
+  float3 shading = shadingNormal(s, hit.triangle, hit.u, hit.v, front);
   i.front = dot(i.wo, front) >= 0.0f;
   i.geometric = i.front ? front : -front;
+#ifdef PRELIGHT_BUMPS
+  if (s.materials[t.material].textures[PRELIGHT_NORMAL_TEXTURE] != PRELIGHT_NO_TEXTURE) {
+    const float3 bumped = bumpedNormal(s, hit.triangle, hit.u, hit.v, shading);
+    shading = visibleNormal(i.front ? bumped : -bumped, i.geometric, i.wo);
+    if (!i.front) shading = -shading;
+  }
+#endif
   i.frame = frameAround(i.front ? shading : -shading);
   i.woLocal = toFrame(i.frame, i.wo);
   return i;

@@ -1,5 +1,5 @@
 // What materials say about a point of the surface: what it emits, and how it scatters light.
-// Options: PRELIGHT_LAYER_TEXTURES (some material has a texture besides that of its base colour), those of the surface
+// Options: PRELIGHT_TEXTURES (some material has a texture besides that of its base colour), those of the surface
 // (bvh/alpha_funcs.cl) and of transport/bsdf_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_MATERIAL_FUNCS_CL
 #define PRELIGHT_TRANSPORT_MATERIAL_FUNCS_CL
@@ -7,29 +7,14 @@
 #include "transport/bsdf_funcs.cl"
 #include "transport/interaction_funcs.cl"
 
-#define PRELIGHT_LAYER_BASE 0u
-#define PRELIGHT_LAYER_SURFACE 1u  // G roughness, B metalness
-#define PRELIGHT_LAYER_EMISSION 2u
-#define PRELIGHT_LAYER_THROUGH 3u  // no texture yet: see loadBsdf
-#define PRELIGHT_LAYERS 4u
-
-PRELIGHT_INLINE float2 vertexTexCoord(PathScene s, uint triangle, float u, float v) {
+// A texture of a material at a point, PRELIGHT_*_TEXTURE; white where there is none.
+PRELIGHT_INLINE float4 materialTexture(PathScene s, uint slot, uint triangle, float u, float v) {
+#ifdef PRELIGHT_TEXTURES
   const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
-  return (1.0f - u - v) * s.surface.texCoords[t.vertex[0]] + u * s.surface.texCoords[t.vertex[1]] +
-         v * s.surface.texCoords[t.vertex[2]];
-}
-
-// Texture `layer` of a material at a point; white where there is none.
-PRELIGHT_INLINE float4 sampleLayer(PathScene s, uint layer, uint triangle, float u, float v) {
-#ifdef PRELIGHT_LAYER_TEXTURES
-  __global const DeviceMaterial* m = s.layers + PRELIGHT_LAYERS * materialAt(s.surface, triangle) + layer;
-  if (m->texelOffset != PRELIGHT_NO_TEXTURE) {
-    Surface texels = s.surface;
-    texels.texels = s.layerTexels;
-    return sampleTexture(texels, m, vertexTexCoord(s, triangle, u, v));
-  }
-#endif
+  return textureAt(s.surface, s.materials[t.material].textures[slot], t, u, v);
+#else
   return (float4)(1.0f);
+#endif
 }
 
 // Light leaves an emissive triangle on this side.
@@ -41,46 +26,55 @@ PRELIGHT_INLINE bool emitsOn(__global const ShadeMaterial* m, bool front) {
 PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
   __global const ShadeMaterial* m = s.materials + materialAt(s.surface, triangle);
   if (!emitsOn(m, front)) return (float3)(0.0f);
-  return vload3(0, m->emission) * sampleLayer(s, PRELIGHT_LAYER_EMISSION, triangle, u, v).xyz;
+  return vload3(0, m->emission) * materialTexture(s, PRELIGHT_EMISSION_TEXTURE, triangle, u, v).xyz;
 }
 
-// Factor, texture and vertex colour of a point.
 PRELIGHT_INLINE float3 baseColor(PathScene s, uint triangle, float u, float v) {
-  return clamp(surfaceColor(s.surface, triangle, u, v).xyz * sampleLayer(s, PRELIGHT_LAYER_BASE, triangle, u, v).xyz,
-               0.0f, 1.0f);
+  return clamp(surfaceColor(s.surface, triangle, u, v).xyz, 0.0f, 1.0f);
 }
 
 #ifdef PRELIGHT_TRANSLUCENT
 // Divides the body's light between its two sides. `opaque`: share of the surface that is neither metal nor glass.
 // What the layer keeps from leaving is scattered again: of the light that has entered, as much comes through as the
 // material says. So the layer's mean passage, which evaluateBsdf takes off on the way out, is made up for.
-PRELIGHT_INLINE void setTransmitted(__global const DeviceMaterial* layer, float opaque, Bsdf* b) {
-  const float share = layer->alphaFactor;
+PRELIGHT_INLINE void setTransmitted(PathScene s, Interaction i, float opaque, Bsdf* b) {
+  __global const ShadeMaterial* m = s.materials + i.material;
+  const float share = m->throughShare * materialTexture(s, PRELIGHT_THROUGH_TEXTURE, i.triangle, i.u, i.v).w;
+  const float3 color = vload3(0, m->through) * materialTexture(s, PRELIGHT_THROUGH_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
   b->diffuse *= 1.0f - share;
-  b->transmitted = fmin(vload3(0, layer->albedo), opaque * share) / fmax(1.0f - largest(meanLayer(*b)), 1e-6f);
+  b->transmitted = opaque * share * color / fmax(1.0f - largest(meanLayer(*b)), 1e-6f);
 }
 #endif
 
+// The layer that reflects on a dielectric.
+PRELIGHT_INLINE void setLayer(PathScene s, Interaction i, float opaque, Bsdf* b) {
+  __global const ShadeMaterial* m = s.materials + i.material;
+  const float3 color = materialTexture(s, PRELIGHT_SPECULAR_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
+  b->f90 = m->specular * materialTexture(s, PRELIGHT_SPECULAR_TEXTURE, i.triangle, i.u, i.v).w;
+  b->f0 = b->f90 * fmin(vload3(0, m->f0) * color, 1.0f);
+  b->layer = b->f90 > 0.0f ? opaque : 0.0f;
+}
+
 PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   __global const ShadeMaterial* m = s.materials + i.material;
-  const float4 layer = sampleLayer(s, PRELIGHT_LAYER_SURFACE, i.triangle, i.u, i.v);
-  const float3 base = baseColor(s, i.triangle, i.u, i.v) * ((i.flags & PRELIGHT_UNLIT) != 0u ? 0.0f : 1.0f);
-  const float metallic = m->metallic * layer.z;
-  const float roughness = m->roughness * layer.y;
-  const float opaque = (1.0f - metallic) * (1.0f - m->transmission);
+  const float4 texel = materialTexture(s, PRELIGHT_SURFACE_TEXTURE, i.triangle, i.u, i.v);
+  const bool unlit = (i.flags & PRELIGHT_UNLIT) != 0u;
+  const float3 base = baseColor(s, i.triangle, i.u, i.v) * (unlit ? 0.0f : 1.0f);
+  const float metallic = m->metallic * texel.z;
+  const float roughness = m->roughness * texel.y;
+  const float glass = m->transmission * materialTexture(s, PRELIGHT_GLASS_TEXTURE, i.triangle, i.u, i.v).x;
+  const float opaque = (1.0f - metallic) * (1.0f - glass);
   Bsdf b;
   b.diffuse = opaque * base;
   b.metal = metallic * base;
-  b.f0 = vload3(0, m->f0);
-  b.f90 = m->f90;
-  b.layer = m->f90 > 0.0f ? opaque : 0.0f;
-  b.glass = (i.flags & PRELIGHT_UNLIT) != 0u ? 0.0f : (1.0f - metallic) * m->transmission;
+  setLayer(s, i, opaque, &b);
+  b.glass = unlit ? 0.0f : (1.0f - metallic) * glass;
   b.tint = base;
   b.ior = m->ior;
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;
 #ifdef PRELIGHT_TRANSLUCENT
-  setTransmitted(s.layers + PRELIGHT_LAYERS * i.material + PRELIGHT_LAYER_THROUGH, opaque, &b);
+  setTransmitted(s, i, opaque, &b);
 #endif
   return b;
 }

@@ -13,18 +13,19 @@ typedef struct Scene {
 
 PRELIGHT_INLINE PathScene shadedSurfaceOf(__constant const SceneLayout* layout, __global const SurfaceLine* surface,
                                           __global const ShadingLine* shading) {
-  const Surface untextured = {(__global const DeviceTriangle*)(surface + layout->triangles),
-                              (__global const SurfaceRange*)(surface + layout->ranges), layout->rangeCount,
-                              (__global const DeviceMaterial*)(shading + layout->bases),
-                              (__global const float2*)(shading + layout->layerTexCoords),
-                              (__global const float4*)(surface + layout->colors),
-                              (__global const ushort4*)(shading + layout->layerTexels)};
-  const PathScene s = {untextured,
+  const Surface base = {(__global const DeviceTriangle*)(surface + layout->triangles),
+                        (__global const SurfaceRange*)(surface + layout->ranges), layout->rangeCount,
+                        (__global const DeviceMaterial*)(shading + layout->bases),
+                        (__global const DeviceTexture*)(shading + layout->shadeTextures),
+                        (__global const float2*)(shading + layout->shadeTexCoords),
+                        (__global const float2*)(shading + layout->shadeTexCoords1),
+                        (__global const float4*)(surface + layout->colors),
+                        (__global const ushort4*)(shading + layout->shadeTexels)};
+  const PathScene s = {base,
                        (__global const float*)(shading + layout->vertices),
                        (__global const uchar*)(shading + layout->flat),
-                       (__global const ShadeMaterial*)(shading + layout->shadeMaterials),
-                       (__global const DeviceMaterial*)(shading + layout->layers),
-                       (__global const ushort4*)(shading + layout->layerTexels)};
+                       (__global const uint*)(shading + layout->tangents),
+                       (__global const ShadeMaterial*)(shading + layout->shadeMaterials)};
   return s;
 }
 

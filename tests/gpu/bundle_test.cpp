@@ -81,8 +81,8 @@ TEST(Bundles, HolesOfAlphaMasks_AreHolesForEveryRay) {
   scene.texCoords.resize(scene.positions.size());
   for (std::size_t v = 0; v < scene.texCoords.size(); ++v)
     scene.texCoords[v] = {v % 3 == 1 ? 1.0f : 0.0f, v % 3 == 2 ? 1.0f : 0.0f};
-  scene.albedoImages = {{"half", 2, 1, {255, 255, 255, 0, 255, 255, 255, 255}}};
-  scene.materials[0].albedoImage = 0;
+  scene.images = {{"half", 2, 1, {255, 255, 255, 0, 255, 255, 255, 255}}};
+  scene.materials[0].baseColorTexture.image = 0;
   scene.materials[0].alphaCutoff = 0.5f;
   const auto rays = pencilsThrough(1000, 34);
   Tracer masked = wideTracer(scene);

@@ -74,7 +74,7 @@ class DeviceSceneTest : public testing::Test {
 
 TEST_F(DeviceSceneTest, Kernels_FindWhatTheHostPacked) {
   DeviceScene scene(context(), compiled_);
-  scene.setShading(compiled_, {}, false);
+  scene.setShading(compiled_, {});
   scene.setLights(someLights(compiled_, sky_), 0.0);
   const std::vector<float> expected = {
       0, 2, 3, 0.6f, 0.8f, 0, 0.1f, 0.2f, 0.3f, 0.375f, 0.5f, 1, PRELIGHT_POINT_LIGHT, 4, 5, 6, 8, 3};

@@ -180,10 +180,11 @@ TEST_P(TracerTest, ClosestHit_OddGeometry_StaysFinite) {
 TEST_P(TracerTest, AlphaMask_TransparentTexels_LetRaysThrough) {
   CompiledScene scene = test::sceneOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
   scene.texCoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  scene.albedoImages = {{"half", 2, 1, {255, 255, 255, 0, 255, 255, 255, 255}}};
-  scene.materials[0].albedoImage = 0;
+  scene.images = {{"half", 2, 1, {255, 255, 255, 0, 255, 255, 255, 255}}};
+  scene.materials[0].baseColorTexture.image = 0;
   scene.materials[0].alphaCutoff = 0.5f;
-  scene.materials[0].wrapS = scene.materials[0].wrapT = WrapMode::ClampToEdge;
+  scene.materials[0].baseColorTexture.wrapS = scene.materials[0].baseColorTexture.wrapT =
+      WrapMode::ClampToEdge;
   Tracer tracer = tracerOf(scene);
   const std::vector<Ray> rays{limitedRay({0.2f, 0.3f, 1}, {0, 0, -1}),
                               limitedRay({0.8f, 0.3f, 1}, {0, 0, -1})};

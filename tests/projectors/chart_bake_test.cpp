@@ -8,6 +8,7 @@
 #include "basis/sh.h"
 #include "prelight/error.h"
 #include "projectors/chart_transfer/chart_caster.h"
+#include "scene/tangent_space.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 
@@ -89,12 +90,14 @@ TEST(ChartBake, OpenPlane_IsExactInEveryTexel) {
 
 // What a relief hides of the sky is the surface itself: rays that go below it end there.
 TEST(ChartBake, TiltedNormals_MatchQuadratureOverTheOpenHalf) {
-  const CompiledScene scene = test::ground(1, 5000.0f);
+  CompiledScene scene = test::ground(1, 5000.0f);
   Chart chart = chartOfGround(scene, 0, 5000.0f, 16);
+  scene.texCoords = chart.coords;
+  scene.materials[0].normalTexture.image = 0;
   const glm::ivec3 stored(210, 100, 218);
   Image image{"tilt", 1, 1, {210, 100, 218, 255}};
-  chart.normalMap = NormalMap{0, WrapMode::Repeat, WrapMode::Repeat, 1.0f, chart.coords, {}};
-  const ChartTransfer transfer = castFrom(scene, {{chart}, {image}, {}}, 1024);
+  chart.normalImage = 0;
+  const ChartTransfer transfer = castFrom(scene, {{chart}, {image}, {}, cornerTangents(scene)}, 1024);
   const glm::dvec3 t = glm::normalize(glm::dvec3(stored) / 127.5 - 1.0);
   // u runs along +X and v along +Z, whose opposite is the picture's up.
   const std::vector<double> expected = tiltedTransfer({t.x, t.z, -t.y});

@@ -199,9 +199,10 @@ TEST(FormFactors, HoleOfAnAlphaMask_DoesNotCount) {
   CompiledScene scene = test::ground(1, 1.0f);
   scene.materials[0].alphaCutoff = 0.5f;
   Image image{"mask", 2, 1, {255, 255, 255, 255, 255, 255, 255, 0}};
-  scene.albedoImages.push_back(image);
-  scene.materials[0].albedoImage = 0;
-  scene.materials[0].wrapS = scene.materials[0].wrapT = WrapMode::ClampToEdge;
+  scene.images.push_back(image);
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials[0].baseColorTexture.wrapS = scene.materials[0].baseColorTexture.wrapT =
+      WrapMode::ClampToEdge;
   for (std::size_t v = 0; v < scene.positions.size(); ++v)
     scene.texCoords[v] = {0.5f + 0.5f * scene.positions[v].x, 0.5f};
   const Factors x = factorsOf(scene, 0.1, 256);

@@ -29,6 +29,8 @@ CompiledMaterial translucent(float base, float share, float color) {
   CompiledMaterial m = lambert(base);
   m.albedo *= 1.0f - share;
   m.diffuseTransmission = glm::vec3(share * color);
+  m.translucency = m.meanTranslucency = share;
+  m.translucentColor = glm::vec3(color);
   return m;
 }
 

@@ -18,7 +18,7 @@ glm::dmat4 lookAt(const glm::dvec3& eye, const glm::dvec3& target) {
 }  // namespace
 
 reference::ReferenceInputs Shot::inputs() const {
-  return {scene, noImages(), lights, camera, sky ? &*sky : nullptr, 0.0};
+  return {scene, images, lights, camera, sky ? &*sky : nullptr, 0.0};
 }
 
 reference::Film Shot::render() const {

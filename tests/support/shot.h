@@ -12,6 +12,7 @@ namespace prelight::test {
 /// A scene with what the reference renderer needs besides, and a picture of it.
 struct Shot {
   CompiledScene scene;
+  std::vector<Image> images;
   std::vector<Light> lights;
   std::optional<Environment> sky;
   Camera camera;

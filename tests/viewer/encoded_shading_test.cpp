@@ -11,7 +11,6 @@
 #include "encodings/registry/registry.h"
 #include "prelight/error.h"
 #include "projectors/encoded_light/surface_frame.h"
-#include "scene/gltf/normal_maps.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight {
@@ -76,13 +75,13 @@ std::vector<float> encoded(const Encoding& encoding, const glm::dmat3& axes) {
 struct BumpedQuad {
   QuadScene scene;
   glm::dmat3 axes;  ///< along u, against v, and the normal
-  NormalMaps maps{{{"bump", 1, 1, {200, 90, 240, 255}}}, {0}};
 
   explicit BumpedQuad(const glm::dmat3& attitude) : axes(attitude) {
     Material material = lambertian(albedo);
     material.doubleSided = true;
     scene.add(material, 1.0f, glm::dmat4(axes));
-    scene.scene.materials[0].normalTexture.image = 5;  // of the file
+    scene.scene.images = {{"bump", 1, 1, {200, 90, 240, 255}}};
+    scene.scene.materials[0].normalTexture.image = 0;
     scene.lookFrom(2.0 * axes[2], {0, 0, 0});
     scene.compile();
     scene.bake.irradiance.emplace(scene.compiled.vertexCount(), glm::vec3(1.0f));
@@ -115,7 +114,7 @@ struct BumpedQuad {
   glm::dvec3 show(Shading shading, const Encoding* encoding, bool bumps = true) const {
     viewer::RenderInputs inputs = scene.inputs();
     inputs.encoding = encoding;
-    if (bumps) inputs.normalMaps = &maps;
+    inputs.normalTextures = bumps;
     Warnings notes;
     return glm::dvec3(pixelAt(viewer::renderPicture(inputs, square(shading), notes))) * pi /
            glm::dvec3(albedo);

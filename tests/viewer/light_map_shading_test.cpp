@@ -9,7 +9,6 @@
 #include "charts/light_map_lookup.h"
 #include "charts/make_light_map_layout.h"
 #include "prelight/error.h"
-#include "scene/gltf/normal_maps.h"
 #include "support/scenes.h"
 #include "viewer/camera.h"
 #include "viewer/quad_scene.h"
@@ -120,7 +119,8 @@ TEST(LightMapShading, NormalMap_TurnsToTheLight) {
     QuadScene scene;
     Primitive& quad = scene.add(lambertian(albedo));
     if (tangents) quad.tangents.assign(4, glm::vec4(0.0f, 1.0f, 0.0f, -1.0f));
-    scene.scene.materials[0].normalTexture.image = 5;  // of the file
+    scene.scene.images = {{"bump", 1, 1, {200, 90, 240, 255}}};
+    scene.scene.materials[0].normalTexture.image = 0;
     scene.scene.materials[0].normalScale = 0.5f;
     scene.lookFrom({0, 0, 2}, {0, 0, 0});
     scene.compile();
@@ -138,12 +138,12 @@ TEST(LightMapShading, NormalMap_TurnsToTheLight) {
     for (std::size_t i = 0; i < 3 * map.layout.texelCount(); ++i)
       map.values.insert(map.values.end(), std::begin(values), std::end(values));
     scene.bake.lightMap = std::move(map);
-    NormalMaps maps{{{"bump", 1, 1, {200, 90, 240, 255}}}, {0}};
     viewer::RenderInputs inputs = scene.inputs();
     Warnings notes;
+    inputs.normalTextures = false;
     const glm::vec3 even = pixelAt(viewer::renderPicture(inputs, square(Shading::LightMap), notes));
     EXPECT_NEAR(even.y, 0.7 / std::numbers::pi * vector.z, 1e-5);
-    inputs.normalMaps = &maps;
+    inputs.normalTextures = true;
     const glm::vec3 got = pixelAt(viewer::renderPicture(inputs, square(Shading::LightMap), notes));
     const glm::dvec3 texel = 2.0 * glm::dvec3(200, 90, 240) / 255.0 - 1.0;
     const double x = 0.5 * texel.x, y = 0.5 * texel.y;

@@ -61,6 +61,67 @@ TEST(Surface, TextureTransform_HalfTurn_SwapsTheCorners) {
   expectNear(pixelAt(picture, 0.8, 0.8), {1, 0, 0}, 1e-3f);
 }
 
+TEST(Surface, SecondSetOfCoordinates_IsTheTextures) {
+  QuadScene quad = texturedQuad(unlit(glm::vec4(1)), false);
+  quad.scene.materials[0].baseColorTexture.texCoord = 1;
+  Primitive& primitive = quad.scene.meshes[0].primitives[0];
+  for (const glm::vec2& uv : primitive.texCoords0) primitive.texCoords1.emplace_back(1.0f - uv.x, uv.y);
+  quad.compile();
+  const Picture picture = quad.render(square(Shading::Phong, 64));
+  expectNear(pixelAt(picture, 0.2, 0.2), {0, 1, 0}, 1e-3f);
+  expectNear(pixelAt(picture, 0.8, 0.8), {0, 0, 1}, 1e-3f);
+}
+
+TEST(Surface, NearestFilter_DoesNotMixTexels) {
+  QuadScene quad = texturedQuad(unlit(glm::vec4(1)), false);
+  quad.compile();
+  EXPECT_GT(pixelAt(quad.render(square(Shading::Phong, 64)), 0.42, 0.3).y, 0.1f);
+  quad.scene.materials[0].baseColorTexture.filter = TextureFilter::Nearest;
+  quad.compile();
+  expectNear(pixelAt(quad.render(square(Shading::Phong, 64)), 0.42, 0.3), {1, 0, 0}, 1e-3f);
+}
+
+/// Glass shows none of its base colour's diffuse light.
+TEST(Surface, TransmissionTexture_SaysWhereItIsGlass) {
+  Material material;
+  material.metallic = 0.0f;
+  material.specular = 0.0f;
+  material.transmission = 1.0f;
+  material.transmissionTexture.image = 0;
+  material.transmissionTexture.wrapS = material.transmissionTexture.wrapT = WrapMode::ClampToEdge;
+  QuadScene quad;
+  quad.scene.images = {{"left", 2, 1, {0, 0, 0, 255, 255, 0, 0, 255}}};
+  quad.add(material);
+  quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+  quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(2), {})};
+  quad.compile();
+  const Picture picture = quad.render(square(Shading::Phong, 64));
+  expectNear(pixelAt(picture, 0.2, 0.5), glm::vec3(2.0f / 3.14159265f), 1e-3f);
+  expectNear(pixelAt(picture, 0.8, 0.5), glm::vec3(0), 1e-3f);
+}
+
+TEST(Surface, NormalTexture_TurnsLights) {
+  for (const bool back : {false, true}) {
+    Material material;
+    material.metallic = 0.0f;
+    material.specular = 0.0f;
+    material.doubleSided = true;
+    material.normalTexture.image = 0;
+    QuadScene quad;
+    quad.scene.images = {{"slope", 1, 1, {200, 90, 230, 255}}};
+    quad.add(material);
+    const double side = back ? -1.0 : 1.0;
+    quad.lookFrom({0, 0, 2.5 * side}, {0, 0, 0});
+    const glm::dvec3 way = glm::normalize(glm::dvec3(-0.7, 0.4, -side));
+    quad.scene.lights = {makeLight(LightType::Directional, glm::vec3(2), {}, way)};
+    quad.compile();
+    const glm::dvec3 texel = glm::normalize(2.0 * glm::dvec3(200, 90, 230) / 255.0 - 1.0);
+    const double facing = std::max(-side * glm::dot(texel, way), 0.0);
+    expectNear(pixelAt(quad.render(square())), glm::vec3(static_cast<float>(2.0 * facing / 3.14159265)),
+               1e-3f);
+  }
+}
+
 TEST(Surface, Texture_MidGrey_IsDecodedFromSrgb) {
   QuadScene quad = texturedQuad(unlit(glm::vec4(1)), false);
   quad.scene.images[0] = {"grey", 1, 1, {188, 188, 188, 255}};

@@ -73,14 +73,15 @@ void setArrayFilter(GLint filter) {
 
 }  // namespace
 
-Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode wrapT) {
+Texture makeImageTexture(const Image& image, bool srgb, const TextureRef& use) {
   checkSize(image.name, image.width, image.height);
   Texture texture;
   glBindTexture(GL_TEXTURE_2D, texture.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, image.rgba.data());
-  setMipmapped(wrap(wrapS), wrap(wrapT));
+  setMipmapped(wrap(use.wrapS), wrap(use.wrapT));
+  if (use.filter == TextureFilter::Nearest) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   // No anisotropic filtering: llvmpipe's breaks magnified textures along the diagonals.
   check("uploading the image " + image.name);
   return texture;

@@ -12,9 +12,10 @@ namespace prelight::viewer::gl {
 
 using Texture = Object<TextureTraits>;
 
-/// A mipmapped texture of an image; `srgb` decodes RGB when it is sampled. Rows top to bottom lie at v =
-/// 0..1, as glTF has it. Throws Error when the image is larger than OpenGL allows.
-Texture makeImageTexture(const Image& image, bool srgb, WrapMode wrapS, WrapMode wrapT);
+/// A mipmapped texture of an image that wraps and filters as `use` says; `srgb` decodes RGB when it is
+/// sampled. Rows top to bottom lie at v = 0..1, as glTF has it. Throws Error when the image is larger than
+/// OpenGL allows.
+Texture makeImageTexture(const Image& image, bool srgb, const TextureRef& use);
 
 /// A mipmapped RGB float texture, repeating in u.
 Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texels);

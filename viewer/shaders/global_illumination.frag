@@ -11,11 +11,11 @@
 #include "light_map.glsl"
 #include "shadows.glsl"
 #include "surroundings.glsl"
+#include "normal_map.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
 in vec4 vTexCoords;
-in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 
 uniform sampler2D caustics;   // irradiance of every pixel
@@ -78,7 +78,7 @@ vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 
 }
 
 void main() {
-  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
@@ -93,6 +93,7 @@ void main() {
   bool smoothShaded = geometry.w < 0.5 && dot(vNormal, vNormal) > 1e-12;
   vec3 n = smoothShaded ? side * normalize(vNormal) : geometric;
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
+  n = bumpedNormal(n, geometric, toEye, vPosition, triangle, vTexCoords);
   float nv = max(dot(n, toEye), 0.0);
   Scattering s = scatteringOf(m);
 

@@ -3,7 +3,7 @@ uniform vec4 baseColorFactor;
 uniform vec4 surfaceFactors;     // metallic, roughness, transmission, alpha cutoff (< 0: none)
 uniform vec4 translucency;       // of light that comes through from the other side: colour x share, share; 0: opaque
 uniform vec3 emissionFactor;
-uniform vec3 dielectricF0;       // reflectance at normal incidence of the non-metallic part
+uniform vec3 dielectricF0;       // reflectance at normal incidence of the non-metallic part; bounded by 1, and times its weight
 uniform float dielectricWeight;  // KHR_materials_specular.specularFactor
 uniform int alphaBlend;
 uniform int unlit;
@@ -12,6 +12,22 @@ uniform int firstTriangle;
 uniform sampler2D baseColorTexture;
 uniform sampler2D metallicRoughnessTexture;
 uniform sampler2D emissiveTexture;
+uniform sampler2D transmissionTexture;   // R
+uniform sampler2D specularTexture;       // A
+uniform sampler2D specularColorTexture;
+// Where a texture lies, a row each of its u and v: factors of (u, v, 1), and which of the file's two sets they are of.
+uniform vec4 baseColorU;
+uniform vec4 baseColorV;
+uniform vec4 metallicRoughnessU;
+uniform vec4 metallicRoughnessV;
+uniform vec4 emissiveU;
+uniform vec4 emissiveV;
+uniform vec4 transmissionU;
+uniform vec4 transmissionV;
+uniform vec4 specularU;
+uniform vec4 specularV;
+uniform vec4 specularColorU;
+uniform vec4 specularColorV;
 uniform samplerBuffer triangleNormals;  // see RenderScene
 
 struct FragmentMaterial {
@@ -19,31 +35,48 @@ struct FragmentMaterial {
   float alpha;
   float metallic;
   float roughness;
-  float transmission;
+  float glass;         // share of the dielectric
+  float transmission;  // share of the surface
   vec3 albedo;  // Lambertian
   vec3 through;  // the same for light that leaves on the other side
-  vec3 f0;
+  vec3 dielectric;  // reflectance of the layer along the normal
+  float f90;        // at grazing angles
+  vec3 f0;          // of layer and metal
   vec3 emission;
 };
 
-FragmentMaterial readMaterial(vec4 texCoords, vec2 emissiveTexCoord, vec4 vertexColor) {
+vec2 texturePlace(vec4 texCoords, vec4 u, vec4 v) {
+  vec3 at = vec3(u.w > 0.5 ? texCoords.zw : texCoords.xy, 1.0);
+  return vec2(dot(u.xyz, at), dot(v.xyz, at));
+}
+
+FragmentMaterial readMaterial(vec4 texCoords, vec4 vertexColor) {
   vec4 base = baseColorFactor;
-  if (hasBaseColorTexture) base *= texture(baseColorTexture, texCoords.xy);
+  if (hasBaseColorTexture) base *= texture(baseColorTexture, texturePlace(texCoords, baseColorU, baseColorV));
   if (hasVertexColors) base *= vertexColor;
   vec4 factors = vec4(1.0);
-  if (hasMetallicRoughnessTexture) factors = texture(metallicRoughnessTexture, texCoords.zw);
+  if (hasMetallicRoughnessTexture)
+    factors = texture(metallicRoughnessTexture, texturePlace(texCoords, metallicRoughnessU, metallicRoughnessV));
   FragmentMaterial m;
   m.base = base.rgb;
   m.alpha = base.a;
-  float glass = hasGlass ? surfaceFactors.z : 0.0;
+  m.glass = hasGlass ? surfaceFactors.z : 0.0;
+  if (hasTransmissionTexture) m.glass *= texture(transmissionTexture, texturePlace(texCoords, transmissionU, transmissionV)).r;
   vec4 passing = hasTranslucency ? translucency : vec4(0.0);
   m.metallic = hasGloss ? surfaceFactors.x * factors.b : 0.0;
   m.roughness = surfaceFactors.y * factors.g;
-  m.transmission = glass * (1.0 - m.metallic);
-  m.albedo = m.base * (1.0 - m.metallic) * (1.0 - glass) * (1.0 - passing.a);
-  m.through = min(passing.rgb, vec3((1.0 - m.metallic) * (1.0 - glass) * passing.a));
-  m.f0 = mix(dielectricF0 * dielectricWeight, m.base, m.metallic);
+  m.transmission = m.glass * (1.0 - m.metallic);
+  m.albedo = m.base * (1.0 - m.metallic) * (1.0 - m.glass) * (1.0 - passing.a);
+  m.through = min(passing.rgb, vec3((1.0 - m.metallic) * (1.0 - m.glass) * passing.a));
+  m.dielectric = dielectricF0;
+  m.f90 = dielectricWeight;
+  if (hasSpecularTextures) {
+    m.dielectric *= texture(specularColorTexture, texturePlace(texCoords, specularColorU, specularColorV)).rgb;
+    m.f90 *= texture(specularTexture, texturePlace(texCoords, specularU, specularV)).a;
+  }
+  m.dielectric = min(m.dielectric, vec3(1.0)) * m.f90;
+  m.f0 = mix(m.dielectric, m.base, m.metallic);
   m.emission = hasEmission ? emissionFactor : vec3(0.0);
-  if (hasEmissiveTexture) m.emission *= texture(emissiveTexture, emissiveTexCoord).rgb;
+  if (hasEmissiveTexture) m.emission *= texture(emissiveTexture, texturePlace(texCoords, emissiveU, emissiveV)).rgb;
   return m;
 }

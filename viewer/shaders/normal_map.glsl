@@ -1,27 +1,42 @@
-// Normals that a texture bumps; needs variant.glsl.
+// Normals that a texture bumps, as kernels/transport/interaction_funcs.cl has them; needs variant.glsl, material.glsl and
+// triangles.glsl.
 uniform sampler2D normalTexture;
-uniform float normalScale;  // of the texture's x and y; 0: there is none
+uniform vec4 normalU;
+uniform vec4 normalV;
+uniform float normalScale;             // of the texture's x and y; 0: there is none
+uniform samplerBuffer cornerTangents;  // [triangle][corner], w +-1
 
-// Unit normal of a front around its own, n, at coordinates of the texture; the tangent is the file's or, where that is
-// 0, the way in which u grows on the triangle.
-vec3 mappedNormal(vec3 n, vec3 point, vec2 coord, vec4 tangent) {
-  if (!hasNormalTexture) return n;
-  vec3 px = dFdx(point);
-  vec3 py = dFdy(point);
-  vec2 cx = dFdx(coord);
-  vec2 cy = dFdy(coord);
-  if (normalScale == 0.0) return n;
-  vec3 texel = 2.0 * texture(normalTexture, coord).rgb - 1.0;
-  texel.xy *= normalScale;
-  if (dot(tangent.xyz, tangent.xyz) < 1e-12) {
-    float turn = cx.x * cy.y - cy.x * cx.y < 0.0 ? -1.0 : 1.0;
-    vec3 alongU = turn * (cy.y * px - cx.y * py);
-    vec3 alongV = turn * (cx.x * py - cy.x * px);
-    tangent = vec4(alongU, dot(cross(n, alongU), alongV) > 0.0 ? -1.0 : 1.0);  // v grows downwards
-  }
-  vec3 along = tangent.xyz - dot(tangent.xyz, n) * n;
-  if (dot(along, along) <= 1e-18 * dot(tangent.xyz, tangent.xyz)) return n;
+// Unit normal of a front around its own, n, at a point of a triangle.
+vec3 mappedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
+  if (!hasNormalTexture || normalScale == 0.0) return n;
+  vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
+  vec3 w = weightsOfCorners(ivec3(texelFetch(triangleCorners, triangle).xyz), point);
+  vec4 first = texelFetch(cornerTangents, 3 * triangle);
+  vec3 tangent = w.x * first.xyz + w.y * texelFetch(cornerTangents, 3 * triangle + 1).xyz +
+                 w.z * texelFetch(cornerTangents, 3 * triangle + 2).xyz;
+  vec3 along = tangent - dot(tangent, n) * n;
+  if (dot(along, along) <= 1e-12) return n;
   along = normalize(along);
-  vec3 mapped = texel.x * along + texel.y * (tangent.w < 0.0 ? -1.0 : 1.0) * cross(n, along) + texel.z * n;
+  vec3 mapped = normalScale * (texel.x * along + texel.y * first.w * cross(n, along)) + texel.z * n;
   return dot(mapped, mapped) > 1e-12 ? normalize(mapped) : n;
+}
+
+// The normal nearest to n about which the eye's direction is mirrored to above the triangle.
+vec3 visibleNormal(vec3 n, vec3 geometric, vec3 toEye) {
+  float rise = dot(toEye, geometric);
+  float least = min(0.01, 0.9 * rise);
+  if (rise <= 0.0 || (dot(n, toEye) > 0.0 && dot(2.0 * dot(n, toEye) * n - toEye, geometric) >= least)) return n;
+  vec3 side = n - dot(n, geometric) * geometric;
+  if (dot(side, side) <= 1e-12) return geometric;
+  vec3 x = normalize(side);
+  float along = dot(toEye, x);
+  float angle = 0.5 * (atan(along, rise) + acos(min(least / sqrt(along * along + rise * rise), 1.0)));
+  return normalize(sin(angle) * x + cos(angle) * geometric);
+}
+
+// The shading normal of the side that is seen; n is that of the surface without bumps, on the same side.
+vec3 bumpedNormal(vec3 n, vec3 geometric, vec3 toEye, vec3 point, int triangle, vec4 texCoords) {
+  if (!hasNormalTexture || normalScale == 0.0) return n;
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+  return visibleNormal(side * mappedNormal(side * n, point, triangle, texCoords), geometric, toEye);
 }

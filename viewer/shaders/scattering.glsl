@@ -27,11 +27,11 @@ vec3 meanLayer(Scattering s) { return s.f0 + (vec3(s.f90) - s.f0) * meanRise; }
 
 Scattering scatteringOf(FragmentMaterial m) {
   Scattering s;
-  float opaque = (1.0 - m.metallic) * (hasGlass ? 1.0 - surfaceFactors.z : 1.0);
+  float opaque = (1.0 - m.metallic) * (1.0 - m.glass);
   s.diffuse = opaque * m.base * (hasTranslucency ? 1.0 - translucency.a : 1.0);
   s.metal = m.metallic * m.base;
-  s.f0 = hasLayer ? dielectricF0 * dielectricWeight : vec3(0.0);
-  s.f90 = hasLayer ? dielectricWeight : 0.0;
+  s.f0 = hasLayer ? m.dielectric : vec3(0.0);
+  s.f90 = hasLayer ? m.f90 : 0.0;
   s.layer = s.f90 > 0.0 ? opaque : 0.0;
   s.glass = m.transmission;
   s.roughness = m.roughness;

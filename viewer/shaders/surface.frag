@@ -22,7 +22,6 @@
 in vec3 vPosition;
 in vec3 vNormal;
 in vec4 vTexCoords;
-in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 in float vAccessibility;
 in vec4 vBentNormal;
@@ -31,8 +30,6 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
-in vec2 vNormalCoord;
-in vec4 vTangent;
 
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
@@ -115,10 +112,11 @@ vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 
-vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
+// n: without bumps.
+vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 mapped = mappedNormal(side * n, vPosition, vNormalCoord, vTangent);
+    vec3 mapped = mappedNormal(side * n, vPosition, firstTriangle + gl_PrimitiveID, vTexCoords);
     // That of vertices is of their fronts; backs show the same.
     if (ambientRule == ambientEncodedVertices) {
       return m.albedo / pi * encodedVertexIrradiance(firstTriangle + gl_PrimitiveID, vPosition, side * n, mapped);
@@ -132,7 +130,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
     if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
     return m.albedo * vTransferred;
   }
-  vec3 around = n;
+  vec3 around = bumped;
   if (ambientRule == ambientAccessible && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12) {
     around = normalize(vBentNormal.xyz);
   }
@@ -144,7 +142,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, OpenCone cone) {
 }
 
 void main() {
-  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   if (hasUnlit && unlit != 0) {
@@ -152,8 +150,11 @@ void main() {
     outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
     return;
   }
-  vec3 n = shadingNormal();
+  vec3 even = shadingNormal();
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
+  int triangle = firstTriangle + gl_PrimitiveID;
+  vec3 geometric = (gl_FrontFacing ? 1.0 : -1.0) * texelFetch(triangleNormals, triangle).xyz;
+  vec3 n = bumpedNormal(even, geometric, toEye, vPosition, triangle, vTexCoords);
   float nv = max(dot(n, toEye), 0.0);
   // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
   // is diffuse.
@@ -161,14 +162,14 @@ void main() {
   float specularWeight = reflectionRule == reflectionOffMetals ? glossy : 1.0;
 
   OpenCone cone = openCone();
-  vec3 radiance = m.emission * vGlow + shadeAmbient(m, n, cone) + shadeLights(m, n, toEye, specularWeight, cone);
+  vec3 radiance = m.emission * vGlow + shadeAmbient(m, even, n, cone) + shadeLights(m, n, toEye, specularWeight, cone);
   if (throughRule == throughAllLights) radiance += vReflected;
   if (hasCaustics && causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
   vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
   if (reflectionRule == reflectionThroughTransfer) {
-    radiance += reflectThroughTransfer(m, firstTriangle + gl_PrimitiveID, vPosition, n, toEye);
+    radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
   } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
     float open = cone.there ? lobeInCone(cone, m.roughness, reflected) : vAccessibility;

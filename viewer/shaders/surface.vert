@@ -4,8 +4,7 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 texCoords;
-layout(location = 3) in vec2 emissiveTexCoord;
+layout(location = 2) in vec4 texCoords;  // the file's two sets
 layout(location = 4) in vec4 color;
 layout(location = 5) in float accessibility;
 layout(location = 6) in vec4 bentNormal;
@@ -14,13 +13,10 @@ layout(location = 8) in vec3 glow;
 layout(location = 9) in vec4 chartCoord;
 layout(location = 10) in vec3 reflected;
 layout(location = 11) in float highlight;
-layout(location = 12) in vec2 normalCoord;
-layout(location = 13) in vec4 tangent;
 
 out vec3 vPosition;
 out vec3 vNormal;
 out vec4 vTexCoords;
-out vec2 vEmissiveTexCoord;
 out vec4 vColor;
 out float vAccessibility;
 out vec4 vBentNormal;
@@ -29,8 +25,6 @@ out vec3 vGlow;
 out vec4 vChartCoord;
 out vec3 vReflected;
 out float vHighlight;
-out vec2 vNormalCoord;
-out vec4 vTangent;
 
 invariant gl_Position;  // programs with several fragment shaders draw the same places
 
@@ -38,7 +32,6 @@ void main() {
   vPosition = position;
   vNormal = normal;
   vTexCoords = texCoords;
-  vEmissiveTexCoord = emissiveTexCoord;
   vColor = color;
   vAccessibility = accessibility;
   vBentNormal = bentNormal;
@@ -47,7 +40,5 @@ void main() {
   vChartCoord = chartCoord;
   vReflected = reflected;
   vHighlight = highlight;
-  vNormalCoord = normalCoord;
-  vTangent = tangent;
   gl_Position = clipFromScene * vec4(position, 1.0);
 }

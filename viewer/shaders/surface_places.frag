@@ -6,13 +6,12 @@
 
 in vec3 vPosition;
 in vec4 vTexCoords;
-in vec2 vEmissiveTexCoord;
 in vec4 vColor;
 
 out vec4 outPlace;
 
 void main() {
-  FragmentMaterial m = readMaterial(vTexCoords, vEmissiveTexCoord, vColor);
+  FragmentMaterial m = readMaterial(vTexCoords, vColor);
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float number = float(firstTriangle + gl_PrimitiveID + 1);
   outPlace = vec4(vPosition, gl_FrontFacing ? number : -number);

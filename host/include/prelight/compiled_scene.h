@@ -42,40 +42,49 @@ struct CompiledInstance {
   glm::dmat4 toWorld{1.0};  ///< from the shape's space to the scene's
 };
 
-/// An image that is looked up with the texture coordinates of the albedo image.
-struct LayerTexture {
-  int image = -1;  ///< into Scene::images; -1: none, or folded into the factor as its mean
-  WrapMode wrapS = WrapMode::Repeat;
-  WrapMode wrapT = WrapMode::Repeat;
-};
-
 /// What light transport needs to know of a material. Bakes read the Lambertian albedo, the mean emission and
-/// the coverage; the rest is for the reference renderer.
+/// the coverage; what follows light reads the rest. Images of textures are of Scene::images; a factor that
+/// has a texture multiplies it.
 struct CompiledMaterial {
-  glm::vec3 albedo{0.0f};               ///< Material::diffuseAlbedo; multiplies the texture and vertex colour
+  /// Of the body; multiplies baseColorTexture and the vertex colour, and where metalness or transmission have
+  /// a texture also the share that is neither (see albedoTextures).
+  glm::vec3 albedo{0.0f};
   glm::vec3 diffuseTransmission{0.0f};  ///< share of the light on the other side that leaves on this one
-  int albedoImage = -1;                 ///< into CompiledScene::albedoImages
-  WrapMode wrapS = WrapMode::Repeat;
-  WrapMode wrapT = WrapMode::Repeat;
-  glm::vec3 emission{0.0f};   ///< mean emitted radiance (texture averaged), W/(m2 sr)
-  float alphaCutoff = -1.0f;  ///< < 0: opaque; otherwise texels with alpha below it are holes
-  float alphaFactor = 1.0f;   ///< multiplies the texture's alpha
+  glm::vec3 emission{0.0f};             ///< mean emitted radiance (texture averaged), W/(m2 sr)
+  float alphaCutoff = -1.0f;            ///< < 0: opaque; otherwise texels with alpha below it are holes
+  float alphaFactor = 1.0f;             ///< multiplies the texture's alpha
   bool doubleSided = false;
 
-  glm::vec3 baseColor{0.0f};      ///< linear; multiplies its texture and vertex colour
-  LayerTexture baseColorTexture;  ///< sRGB
+  glm::vec3 baseColor{0.0f};    ///< linear; multiplies its texture and vertex colour
+  TextureRef baseColorTexture;  ///< sRGB; A is the coverage
   float metallic = 0.0f;
   float roughness = 1.0f;
-  LayerTexture surfaceTexture;     ///< linear: G multiplies roughness, B metallic
+  TextureRef surfaceTexture;       ///< linear: G roughness, B metalness
+  TextureRef normalTexture;        ///< linear: normals in tangent space
+  float normalScale = 1.0f;        ///< of its x and y
   glm::vec3 emissionFactor{0.0f};  ///< W/(m2 sr); `emission` without the mean of its texture
-  LayerTexture emissionTexture;    ///< sRGB, multiplies emissionFactor
+  TextureRef emissionTexture;      ///< sRGB
   float transmission = 0.0f;       ///< share of the dielectric that is glass
+  TextureRef transmissionTexture;  ///< linear: R
   bool solid = false;              ///< glass with an inside, which refracts
   float ior = 1.5f;                ///< 0: infinite
   glm::vec3 absorption{0.0f};      ///< inside solid glass, 1/m
   float specular = 0.0f;           ///< strength of a dielectric's reflection; 0: pure Lambert
+  TextureRef specularTexture;      ///< linear: A
   glm::vec3 specularColor{1.0f};
+  TextureRef specularColorTexture;     ///< sRGB
+  float translucency = 0.0f;           ///< share of the body's light that leaves on the other side
+  float meanTranslucency = 0.0f;       ///< the same times the mean of its texture
+  TextureRef translucencyTexture;      ///< linear: A
+  glm::vec3 translucentColor{1.0f};    ///< of that light
+  TextureRef translucentColorTexture;  ///< sRGB
   bool unlit = false;
+
+  /// Textures of base colour, metalness and transmission, as far as the albedo or the coverage depends on
+  /// them.
+  std::array<TextureRef, 3> albedoTextures() const;
+  /// All textures; those that it has not are among them, without images.
+  std::array<TextureRef, 9> textures() const;
 };
 
 /// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area
@@ -86,24 +95,30 @@ struct CompiledScene {
   glm::dvec3 origin{0.0};
   std::vector<glm::vec3> positions;   ///< [vertex], world minus origin
   std::vector<glm::vec3> normals;     ///< [vertex], unit shading normals (area-weighted mean where flat)
-  std::vector<glm::vec2> texCoords;   ///< [vertex], of the albedo texture, transformed; (0,0) where none
+  std::vector<glm::vec2> texCoords;   ///< [vertex], the file's first set; (0,0) where it has none
+  std::vector<glm::vec2> texCoords1;  ///< [vertex], the second; empty when no material asks for it
+  /// [vertex] of normal textures, unit, w +-1; 0 where the file has none; empty when no material has a normal
+  /// texture or no primitive with one has tangents.
+  std::vector<glm::vec4> tangents;
   std::vector<glm::vec4> colors;      ///< [vertex], linear; empty when no primitive has vertex colours
   std::vector<glm::uvec3> triangles;  ///< [triangle], vertex indices
   std::vector<std::uint32_t> triangleMaterials;  ///< [triangle], into materials
   std::vector<std::uint8_t>
       triangleFlat;  ///< [triangle], 1: shade with the geometric normal (file has no normals)
   std::vector<CompiledMaterial> materials;  ///< Scene::materials, then glTF's default material last
-  std::vector<Image> albedoImages;          ///< sRGB RGB albedo (metalness applied), linear alpha
+  std::vector<Image> images;  ///< [as Scene::images], those of the albedo; the others are without texels
   std::vector<PrimitiveRange> primitives;
   std::vector<CompiledShape> shapes;
   std::vector<CompiledInstance> instances;  ///< firstTriangle ascends
-  std::vector<Light> lights;  ///< punctual, in world space as in Scene
-  glm::vec3 boundsMin{0.0f};  ///< relative to origin
+  std::vector<Light> lights;                ///< punctual, in world space as in Scene
+  glm::vec3 boundsMin{0.0f};                ///< relative to origin
   glm::vec3 boundsMax{0.0f};
   std::uint64_t droppedTriangles = 0;  ///< zero area
 
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }
+  bool hasAlbedoTextures() const;
+  bool hasNormalTextures() const;  ///< of a triangle's material
   bool hasAlphaMask() const;
   bool hasDiffuseTransmission() const;  ///< of a triangle's material
   bool hasVertexColors() const { return !colors.empty(); }

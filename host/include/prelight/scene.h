@@ -14,13 +14,16 @@ namespace prelight {
 
 enum class WrapMode : std::uint8_t { Repeat, ClampToEdge, MirroredRepeat };
 
+enum class TextureFilter : std::uint8_t { Linear, Nearest };
+
 /// Use of an image by a material; `image` < 0 means none.
 struct TextureRef {
-  int image = -1;
+  int image = -1;             ///< into Scene::images
   int texCoord = 0;           ///< TEXCOORD_0 or TEXCOORD_1
   glm::mat3 transform{1.0f};  ///< KHR_texture_transform, applied to (u, v, 1)
   WrapMode wrapS = WrapMode::Repeat;
   WrapMode wrapT = WrapMode::Repeat;
+  TextureFilter filter = TextureFilter::Linear;  ///< where it is magnified
 };
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
@@ -35,19 +38,22 @@ struct Material {
   TextureRef metallicRoughnessTexture;  ///< linear: G roughness, B metallic
   glm::vec3 emission{0.0f};             ///< emissiveFactor x emissiveStrength, W/(m2 sr)
   TextureRef emissiveTexture;           ///< sRGB
-  TextureRef normalTexture;  ///< linear tangent-space normals; not among Scene::images' decoded ones
-  float normalScale = 1.0f;  ///< of the texture's x and y
+  TextureRef normalTexture;             ///< linear: normals in tangent space
+  float normalScale = 1.0f;             ///< of the texture's x and y
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
   bool unlit = false;
-  float transmission = 0.0f;  ///< KHR_materials_transmission, [0,1]
-  float thickness = 0.0f;     ///< KHR_materials_volume, > 0 means solid
+  float transmission = 0.0f;       ///< KHR_materials_transmission, [0,1]
+  TextureRef transmissionTexture;  ///< linear: R multiplies it
+  float thickness = 0.0f;          ///< KHR_materials_volume, > 0 means solid
   glm::vec3 attenuationColor{1.0f};
   float attenuationDistance = std::numeric_limits<float>::infinity();  ///< world-space metres
   float ior = 1.5f;                                                    ///< 0 means infinite
   float specular = 1.0f;                                               ///< KHR_materials_specular
+  TextureRef specularTexture;                                          ///< linear: A multiplies it
   glm::vec3 specularColor{1.0f};
+  TextureRef specularColorTexture;   ///< sRGB
   float diffuseTransmission = 0.0f;  ///< KHR_materials_diffuse_transmission, [0,1]: share that goes through
   TextureRef diffuseTransmissionTexture;  ///< alpha, multiplies the share
   glm::vec3 diffuseTransmissionColor{1.0f};

@@ -3,19 +3,12 @@
 #include <vector>
 
 #include "prelight/compiled_scene.h"
-#include "prelight/error.h"
 #include "prelight/scene.h"
 
 namespace prelight {
 
-/// Materials of the flat scene and, for each, where its texture coordinates come from.
-struct CompiledMaterials {
-  std::vector<CompiledMaterial> materials;  ///< Scene::materials, then the default one
-  std::vector<TextureRef> coordinates;      ///< [material], `image` < 0 when it has no albedo image
-  std::vector<Image> albedoImages;
-};
-
-CompiledMaterials compileMaterials(const Scene& scene, Warnings& warnings);
+/// Materials of the flat scene: Scene::materials, then glTF's default one.
+std::vector<CompiledMaterial> compileMaterials(const Scene& scene);
 
 /// Adds the meshes of a flattened scene that are drawn more than once, and where.
 void findShapes(const Scene& scene, CompiledScene& compiled);

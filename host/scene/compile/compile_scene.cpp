@@ -98,24 +98,33 @@ bool mirrors(const glm::dmat4& m) {
   return glm::dot(glm::dvec3(m[0]), glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2]))) < 0.0;
 }
 
+/// Tangents are for normal textures; where a file has no normals, glTF ignores its tangents.
+bool hasTangents(const CompiledScene& scene, const Draw& draw) {
+  const int material = draw.primitive->material;
+  return material >= 0 && !draw.primitive->tangents.empty() && !draw.primitive->normals.empty() &&
+         scene.materials[static_cast<std::size_t>(material)].normalTexture.image >= 0;
+}
+
 class Flattener {
  public:
-  Flattener(const CompiledMaterials& materials, CompiledScene& scene)
-      : materials_(materials), scene_(scene) {}
+  /// `sets` of texture coordinates are asked for.
+  Flattener(CompiledScene& scene, int sets) : scene_(scene), sets_(sets) {}
 
   void add(Draw& draw) {
     addPositions(draw);
     addTriangles(draw);
     addNormals(draw);
-    addTexCoords(draw);
+    if (sets_ > 0) addTexCoords(draw, draw.primitive->texCoords0, scene_.texCoords);
+    if (sets_ > 1) addTexCoords(draw, draw.primitive->texCoords1, scene_.texCoords1);
     if (scene_.hasVertexColors()) addColors(draw);
+    if (!scene_.tangents.empty()) addTangents(draw);
     scene_.primitives.push_back(draw.range);
   }
 
  private:
   std::size_t materialOf(const Draw& draw) const {
     const int material = draw.primitive->material;
-    return material < 0 ? materials_.materials.size() - 1 : static_cast<std::size_t>(material);
+    return material < 0 ? scene_.materials.size() - 1 : static_cast<std::size_t>(material);
   }
 
   void addPositions(const Draw& draw) {
@@ -189,16 +198,11 @@ class Flattener {
     return glm::normalize(v / largest);
   }
 
-  void addTexCoords(const Draw& draw) {
-    const TextureRef& ref = materials_.coordinates[materialOf(draw)];
-    const Primitive& primitive = *draw.primitive;
-    const std::vector<glm::vec2>& source = ref.texCoord == 1 ? primitive.texCoords1 : primitive.texCoords0;
+  static void addTexCoords(const Draw& draw, const std::vector<glm::vec2>& source,
+                           std::vector<glm::vec2>& coords) {
     for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
-      const bool used = ref.image >= 0 && !source.empty();
-      const glm::vec2 coordinate =
-          used ? glm::vec2(ref.transform * glm::vec3(source[i], 1.0f)) : glm::vec2(0.0f);
-      const bool finite = std::isfinite(coordinate.x) && std::isfinite(coordinate.y);
-      scene_.texCoords.push_back(finite ? coordinate : glm::vec2(0.0f));
+      const glm::vec2 uv = source.empty() ? glm::vec2(0.0f) : source[i];
+      coords.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0.0f));
     }
   }
 
@@ -209,29 +213,100 @@ class Flattener {
     }
   }
 
-  const CompiledMaterials& materials_;
+  /// A mirroring transform turns the bitangent around, which the cross product would not.
+  void addTangents(const Draw& draw) {
+    if (!hasTangents(scene_, draw)) return;
+    const glm::dmat3 matrix(draw.transform);
+    const float mirror = mirrors(draw.transform) ? -1.0f : 1.0f;
+    for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
+      const glm::vec4& tangent = draw.primitive->tangents[i];
+      const glm::dvec3 world = unit(matrix * glm::dvec3(tangent));
+      if (world != glm::dvec3(0.0))
+        scene_.tangents[draw.range.firstVertex + i] = {glm::vec3(world), mirror * tangent.w};
+    }
+  }
+
   CompiledScene& scene_;
+  int sets_;
 };
 
-void reserveArrays(const std::vector<Draw>& draws, CompiledScene& scene) {
+/// [material of the compiled scene] Whether a triangle has it.
+std::vector<bool> drawnMaterials(const std::vector<Draw>& draws, std::size_t count) {
+  std::vector<bool> drawn(count, false);
+  for (const Draw& draw : draws) {
+    const int material = draw.primitive->material;
+    if (!draw.primitive->triangles.empty())
+      drawn[material < 0 ? count - 1 : static_cast<std::size_t>(material)] = true;
+  }
+  return drawn;
+}
+
+int texCoordSets(const CompiledScene& scene, const std::vector<bool>& drawn) {
+  int sets = 0;
+  for (std::size_t m = 0; m < drawn.size(); ++m)
+    if (drawn[m])
+      for (const TextureRef& texture : scene.materials[m].textures())
+        if (texture.image >= 0) sets = std::max(sets, texture.texCoord + 1);
+  return sets;
+}
+
+void copyAlbedoImages(const Scene& scene, const std::vector<bool>& drawn, CompiledScene& compiled) {
+  for (std::size_t m = 0; m < drawn.size(); ++m) {
+    if (!drawn[m]) continue;
+    for (const TextureRef& texture : compiled.materials[m].albedoTextures()) {
+      if (texture.image < 0) continue;
+      compiled.images.resize(scene.images.size());
+      const auto image = static_cast<std::size_t>(texture.image);
+      if (compiled.images[image].rgba.empty()) compiled.images[image] = scene.images[image];
+    }
+  }
+}
+
+void reserveArrays(const std::vector<Draw>& draws, int sets, CompiledScene& scene) {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   bool colored = false;
+  bool tangential = false;
   for (const Draw& draw : draws) {
     vertices += draw.range.vertexCount;
     triangles += draw.primitive->triangles.size();
     colored = colored || (draw.range.vertexCount > 0 && !draw.primitive->colors.empty());
+    tangential = tangential || hasTangents(scene, draw);
   }
   scene.positions.reserve(vertices);
   scene.normals.reserve(vertices);
-  scene.texCoords.reserve(vertices);
+  if (sets > 0) scene.texCoords.reserve(vertices);
+  if (sets > 1) scene.texCoords1.reserve(vertices);
   if (colored) scene.colors.resize(vertices, glm::vec4(1.0f));
+  if (tangential) scene.tangents.resize(vertices, glm::vec4(0.0f));
   scene.triangles.reserve(triangles);
   scene.triangleMaterials.reserve(triangles);
   scene.triangleFlat.reserve(triangles);
 }
 
 }  // namespace
+
+std::array<TextureRef, 3> CompiledMaterial::albedoTextures() const {
+  const bool diffuse = albedo != glm::vec3(0.0f);
+  return {diffuse || alphaCutoff >= 0.0f ? baseColorTexture : TextureRef{},
+          diffuse && metallic > 0.0f ? surfaceTexture : TextureRef{},
+          diffuse && transmission > 0.0f ? transmissionTexture : TextureRef{}};
+}
+
+std::array<TextureRef, 9> CompiledMaterial::textures() const {
+  return {baseColorTexture,     surfaceTexture,      normalTexture,
+          emissionTexture,      transmissionTexture, specularTexture,
+          specularColorTexture, translucencyTexture, translucentColorTexture};
+}
+
+bool CompiledScene::hasAlbedoTextures() const {
+  return std::any_of(images.begin(), images.end(), [](const Image& image) { return !image.rgba.empty(); });
+}
+
+bool CompiledScene::hasNormalTextures() const {
+  return std::any_of(triangleMaterials.begin(), triangleMaterials.end(),
+                     [&](std::uint32_t material) { return materials[material].normalTexture.image >= 0; });
+}
 
 bool CompiledScene::hasAlphaMask() const {
   return std::any_of(triangleMaterials.begin(), triangleMaterials.end(),
@@ -254,12 +329,15 @@ glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
 CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   CompiledScene compiled;
   compiled.lights = scene.lights;
-  CompiledMaterials materials = compileMaterials(scene, warnings);
+  compiled.materials = compileMaterials(scene);
   std::vector<Draw> draws = listDraws(scene);
+  const std::vector<bool> drawn = drawnMaterials(draws, compiled.materials.size());
+  const int sets = texCoordSets(compiled, drawn);
+  copyAlbedoImages(scene, drawn, compiled);
   const Bounds bounds = worldBounds(draws);
   if (!bounds.empty()) compiled.origin = bounds.low + 0.5 * (bounds.high - bounds.low);
-  reserveArrays(draws, compiled);
-  Flattener flattener(materials, compiled);
+  reserveArrays(draws, sets, compiled);
+  Flattener flattener(compiled, sets);
   for (Draw& draw : draws) flattener.add(draw);
   findShapes(scene, compiled);
   if (!bounds.empty()) {
@@ -269,8 +347,6 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   if (compiled.droppedTriangles > 0) {
     warnings.push_back(fmt::format("scene: {} triangles of no area are left out", compiled.droppedTriangles));
   }
-  compiled.materials = std::move(materials.materials);
-  compiled.albedoImages = std::move(materials.albedoImages);
   return compiled;
 }
 

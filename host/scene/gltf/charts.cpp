@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "scene/gltf/image_decode.h"
 #include "scene/image_lookup.h"
+#include "scene/tangent_space.h"
 #include "scene/uv_raster.h"
 
 namespace prelight {
@@ -18,22 +18,14 @@ constexpr float borderSlack = 1e-4f;   // coordinates that rounding put outside 
 constexpr int trialSize = 512;         // points a side that look for overlaps
 constexpr double mostOverlap = 0.005;  // of the covered points
 
-/// A primitive as the file has it and as it stands in the world.
-struct Placed {
-  const Primitive* primitive = nullptr;
-  glm::dmat3 world{1.0};
-};
-
-using PlacedPrimitives = std::map<std::tuple<int, int, int>, Placed>;  ///< by node, primitive, instance
+using PlacedPrimitives = std::map<std::pair<int, int>, const Primitive*>;  ///< by node, primitive
 
 PlacedPrimitives placePrimitives(const Scene& scene) {
   PlacedPrimitives placed;
   for (const MeshNode& node : scene.meshNodes) {
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(node.mesh)];
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
-      for (std::size_t i = 0; i < node.transforms.size(); ++i)
-        placed[{node.node, static_cast<int>(p), static_cast<int>(i)}] = {&mesh.primitives[p],
-                                                                         glm::dmat3(node.transforms[i])};
+      placed[{node.node, static_cast<int>(p)}] = &mesh.primitives[p];
   }
   return placed;
 }
@@ -74,26 +66,22 @@ double worldArea(const CompiledScene& compiled, const PrimitiveRange& range) {
 
 class ChartMaker {
  public:
-  ChartMaker(const GltfDocument& document, const Scene& scene, const CompiledScene& compiled,
-             Warnings& warnings)
-      : document_(document),
-        scene_(scene),
-        compiled_(compiled),
-        warnings_(warnings),
-        placed_(placePrimitives(scene)) {}
+  ChartMaker(const Scene& scene, const CompiledScene& compiled)
+      : scene_(scene), compiled_(compiled), placed_(placePrimitives(scene)) {}
 
   Charts make(int size) {
     for (std::size_t p = 0; p < compiled_.primitives.size(); ++p) addChart(p);
     setSizes(size);
+    if (!charts_.normalImages.empty()) charts_.tangents = cornerTangents(compiled_);
     return std::move(charts_);
   }
 
  private:
   void addChart(std::size_t index) {
     const PrimitiveRange& range = compiled_.primitives[index];
-    const auto found = placed_.find({range.node, range.primitive, range.instance});
+    const auto found = placed_.find({range.node, range.primitive});
     if (range.triangleCount == 0 || found == placed_.end()) return;
-    const Primitive& primitive = *found->second.primitive;
+    const Primitive& primitive = *found->second;
     const std::vector<glm::uvec3> triangles = trianglesOf(compiled_, range);
     std::string reasons;
     for (const int set : {1, 0}) {
@@ -103,7 +91,7 @@ class ChartMaker {
         reasons += fmt::format("{}TEXCOORD_{} {}", reasons.empty() ? "" : ", ", set, reason);
         continue;
       }
-      chart.normalMap = normalMapOf(found->second);
+      chart.normalImage = normalImageOf(primitive);
       scales_.push_back(std::sqrt(worldArea(compiled_, range) / uvArea(chart.coords, triangles)));
       charts_.charts.push_back(std::move(chart));
       return;
@@ -113,32 +101,11 @@ class ChartMaker {
           fmt::format("node \"{}\", primitive {}: {}", range.name, range.primitive, reasons));
   }
 
-  std::optional<NormalMap> normalMapOf(const Placed& placed) {
-    const Primitive& primitive = *placed.primitive;
-    const Material& material = scene_.materialOf(primitive);
-    const TextureRef& use = material.normalTexture;
-    const auto& coords = use.texCoord == 1 ? primitive.texCoords1 : primitive.texCoords0;
-    if (use.image < 0 || coords.empty()) return std::nullopt;
-    const std::optional<std::size_t> image = imageOf(use.image);
-    if (!image) return std::nullopt;
-    NormalMap map{*image, use.wrapS, use.wrapT, material.normalScale, {}, {}};
-    for (const glm::vec2& uv : coords) map.coords.emplace_back(use.transform * glm::vec3(uv, 1.0f));
-    // A mirroring transform turns the bitangent around, which the cross product would not.
-    const float mirror = glm::determinant(placed.world) < 0.0 ? -1.0f : 1.0f;
-    for (const glm::vec4& tangent : primitive.tangents)
-      map.tangents.emplace_back(glm::vec3(placed.world * glm::dvec3(tangent)), mirror * tangent.w);
-    return map;
-  }
-
-  /// Into charts_.images; nothing when it cannot be read, which loadImage says.
-  std::optional<std::size_t> imageOf(int image) {
-    const auto [found, fresh] = imageAt_.try_emplace(image, std::nullopt);
-    if (!fresh) return found->second;
-    const std::size_t before = warnings_.size();
-    Image loaded = loadImage(document_, static_cast<std::size_t>(image), warnings_);
-    if (warnings_.size() > before) return std::nullopt;
-    found->second = charts_.images.size();
-    charts_.images.push_back(std::move(loaded));
+  std::optional<std::size_t> normalImageOf(const Primitive& primitive) {
+    const int image = scene_.materialOf(primitive).normalTexture.image;
+    if (image < 0) return std::nullopt;
+    const auto [found, fresh] = imageAt_.try_emplace(image, charts_.normalImages.size());
+    if (fresh) charts_.normalImages.push_back(scene_.images[static_cast<std::size_t>(image)]);
     return found->second;
   }
 
@@ -160,38 +127,13 @@ class ChartMaker {
     }
   }
 
-  const GltfDocument& document_;
   const Scene& scene_;
   const CompiledScene& compiled_;
-  Warnings& warnings_;
   PlacedPrimitives placed_;
-  std::map<int, std::optional<std::size_t>> imageAt_;  ///< by the file's number
-  std::vector<double> scales_;                         ///< [chart], metres along a side of the unit square
+  std::map<int, std::size_t> imageAt_;  ///< of Scene::images
+  std::vector<double> scales_;          ///< [chart], metres along a side of the unit square
   Charts charts_;
 };
-
-template <typename T>
-T interpolate(const std::vector<T>& values, const glm::uvec3& corners, const glm::dvec3& weights) {
-  return static_cast<float>(weights.x) * values[corners.x] +
-         static_cast<float>(weights.y) * values[corners.y] +
-         static_cast<float>(weights.z) * values[corners.z];
-}
-
-/// The direction in which u grows on a triangle, and w: +1 where n x t points to falling v, the texture's up.
-glm::dvec4 tangentOfCoords(const CompiledScene& scene, std::uint32_t triangle,
-                           const std::vector<glm::vec2>& coords, const glm::uvec3& corners,
-                           const glm::dvec3& normal) {
-  const glm::uvec3& t = scene.triangles[triangle];
-  const glm::dvec3 p(scene.positions[t.x]), e1 = glm::dvec3(scene.positions[t.y]) - p,
-                                            e2 = glm::dvec3(scene.positions[t.z]) - p;
-  const glm::dvec2 a(coords[corners.x]), d1 = glm::dvec2(coords[corners.y]) - a,
-                                         d2 = glm::dvec2(coords[corners.z]) - a;
-  const double determinant = d1.x * d2.y - d2.x * d1.y;
-  if (!(std::abs(determinant) > 0.0)) return glm::dvec4(0.0);
-  const glm::dvec3 alongU = (d2.y * e1 - d1.y * e2) / determinant;
-  const glm::dvec3 alongV = (d1.x * e2 - d2.x * e1) / determinant;
-  return {alongU, glm::dot(glm::cross(normal, alongU), alongV) > 0.0 ? -1.0 : 1.0};
-}
 
 }  // namespace
 
@@ -206,31 +148,34 @@ std::string whyNoChart(std::vector<glm::vec2> coords, const std::vector<glm::uve
   return whyNot(coords, triangles);
 }
 
-Charts makeCharts(const GltfDocument& document, const Scene& scene, const CompiledScene& compiled, int size,
-                  Warnings& warnings) {
-  return ChartMaker(document, scene, compiled, warnings).make(size);
+Charts makeCharts(const Scene& scene, const CompiledScene& compiled, int size) {
+  return ChartMaker(scene, compiled).make(size);
 }
 
 glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const Chart& chart,
                         std::uint32_t triangle, const glm::dvec3& weights, const glm::dvec3& normal) {
-  if (!chart.normalMap) return normal;
-  const NormalMap& map = *chart.normalMap;
-  const glm::uvec3 corners =
-      scene.triangles[triangle] - glm::uvec3(scene.primitives[chart.primitive].firstVertex);
-  const glm::vec2 uv = interpolate(map.coords, corners, weights);
-  glm::dvec3 tangentSpace =
-      2.0 * glm::dvec3(sampleImage(charts.images[map.image], uv, map.wrapS, map.wrapT)) - 1.0;
-  tangentSpace.x *= map.scale;
-  tangentSpace.y *= map.scale;
-  const glm::dvec4 tangent = map.tangents.empty()
-                                 ? tangentOfCoords(scene, triangle, map.coords, corners, normal)
-                                 : glm::dvec4(interpolate(map.tangents, corners, weights));
-  const glm::dvec3 along = glm::dvec3(tangent) - glm::dot(glm::dvec3(tangent), normal) * normal;
+  if (!chart.normalImage) return normal;
+  const CompiledMaterial& material = scene.materials[scene.triangleMaterials[triangle]];
+  const TextureRef& use = material.normalTexture;
+  const auto& coords = use.texCoord == 1 ? scene.texCoords1 : scene.texCoords;
+  glm::dvec2 uv(0.0);
+  glm::dvec3 tangent(0.0);
+  for (int k = 0; k < 3; ++k) {
+    uv += weights[k] * glm::dvec2(coords[scene.triangles[triangle][k]]);
+    tangent +=
+        weights[k] * glm::dvec3(charts.tangents[3 * std::size_t{triangle} + static_cast<std::size_t>(k)]);
+  }
+  const glm::vec2 place(glm::dmat3(use.transform) * glm::dvec3(uv, 1.0));
+  const glm::dvec3 texel =
+      2.0 * glm::dvec3(sampleImage(charts.normalImages[*chart.normalImage], use, place)) - 1.0;
+  const glm::dvec3 along = tangent - glm::dot(tangent, normal) * normal;
   const double length = glm::length(along);
-  if (!(length > 1e-9 * glm::length(glm::dvec3(tangent)))) return normal;
+  if (!(length > 1e-6)) return normal;
   const glm::dvec3 t = along / length;
-  const glm::dvec3 b = (tangent.w < 0.0 ? -1.0 : 1.0) * glm::cross(normal, t);
-  const glm::dvec3 mapped = tangentSpace.x * t + tangentSpace.y * b + tangentSpace.z * normal;
+  const double side = charts.tangents[3 * std::size_t{triangle}].w;
+  const glm::dvec3 mapped =
+      double(material.normalScale) * (texel.x * t + texel.y * side * glm::cross(normal, t)) +
+      texel.z * normal;
   const double mappedLength = glm::length(mapped);
   return mappedLength > 1e-6 ? mapped / mappedLength : normal;
 }

@@ -7,21 +7,9 @@
 #include <vector>
 
 #include "prelight/compiled_scene.h"
-#include "prelight/error.h"
 #include "prelight/scene.h"
-#include "scene/gltf/gltf_document.h"
 
 namespace prelight {
-
-/// A normal texture where a chart's surface uses it.
-struct NormalMap {
-  std::size_t image = 0;  ///< into Charts::images
-  WrapMode wrapS = WrapMode::Repeat;
-  WrapMode wrapT = WrapMode::Repeat;
-  float scale = 1.0f;               ///< of x and y
-  std::vector<glm::vec2> coords;    ///< [vertex of the primitive], transformed
-  std::vector<glm::vec4> tangents;  ///< [vertex], world space, w +-1; empty: from `coords`
-};
 
 /// A primitive unfolded onto a rectangle of texels, of which each lies on one place of its surface at most.
 /// Row 0 is at v = 0.
@@ -30,22 +18,23 @@ struct Chart {
   int texCoord = 0;           ///< 0 or 1: TEXCOORD_n
   int width = 0;
   int height = 0;
-  std::vector<glm::vec2> coords;  ///< [vertex of the primitive], in [0,1]^2
-  std::optional<NormalMap> normalMap;
+  std::vector<glm::vec2> coords;           ///< [vertex of the primitive], in [0,1]^2
+  std::optional<std::size_t> normalImage;  ///< of its normal texture, into Charts::normalImages
 };
 
 struct Charts {
-  std::vector<Chart> charts;         ///< in the order of the primitives
-  std::vector<Image> images;         ///< that normal maps use
-  std::vector<std::string> leftOut;  ///< primitives without a chart, and why
+  std::vector<Chart> charts;  ///< in the order of the primitives
+  std::vector<Image> normalImages = {};
+  std::vector<std::string> leftOut = {};  ///< primitives without a chart, and why
+  std::vector<glm::vec4> tangents =
+      {};  ///< cornerTangents() of the scene, where a chart has a normal texture
 };
 
 /// Charts of all primitives that have texture coordinates for one: TEXCOORD_1, or else TEXCOORD_0, within the
 /// unit square and without overlaps. The one whose square is largest in the world gets `size` x `size`
 /// texels, the others as many as make texels about as large, at least leastChartSize; instances of a
 /// primitive get the same.
-Charts makeCharts(const GltfDocument& document, const Scene& scene, const CompiledScene& compiled, int size,
-                  Warnings& warnings);
+Charts makeCharts(const Scene& scene, const CompiledScene& compiled, int size);
 
 constexpr int leastChartSize = 4;
 
@@ -55,8 +44,8 @@ std::string whyNoChart(std::vector<glm::vec2> coords, const std::vector<glm::uve
 /// Triangles of a primitive, of its own vertices.
 std::vector<glm::uvec3> trianglesOf(const CompiledScene& scene, const PrimitiveRange& range);
 
-/// Unit normal of a chart's surface at barycentric weights of one of the scene's triangles: the normal map's
-/// around `normal`, the unit shading normal, or that itself where there is no map.
+/// Unit normal of a chart's surface at barycentric weights of one of the scene's triangles: the normal
+/// texture's around `normal`, the unit shading normal, or that itself where there is none.
 glm::dvec3 mappedNormal(const CompiledScene& scene, const Charts& charts, const Chart& chart,
                         std::uint32_t triangle, const glm::dvec3& weights, const glm::dvec3& normal);
 

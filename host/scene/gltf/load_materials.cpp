@@ -90,6 +90,7 @@ TextureRef loadTexture(const LoadContext& context, const JsonCursor& holder, con
     const tinygltf::Sampler& sampler = context.model.samplers[static_cast<std::size_t>(texture.sampler)];
     ref.wrapS = wrapMode(sampler.wrapS);
     ref.wrapT = wrapMode(sampler.wrapT);
+    if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) ref.filter = TextureFilter::Nearest;
   }
   return ref;
 }
@@ -120,9 +121,7 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
   }
   if (const auto e = LoadContext::extension(json, "KHR_materials_transmission")) {
     material.transmission = clampedOr(context, *e, "transmissionFactor", 0.0f);
-    if (const auto texture = e->find("transmissionTexture")) {
-      context.warnings.push_back(texture->where() + ": only transmissionFactor is used, the texture is not");
-    }
+    material.transmissionTexture = loadTexture(context, *e, "transmissionTexture");
   }
   if (const auto e = LoadContext::extension(json, "KHR_materials_diffuse_transmission")) {
     material.diffuseTransmission = clampedOr(context, *e, "diffuseTransmissionFactor", 0.0f);
@@ -143,11 +142,8 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
   if (const auto e = LoadContext::extension(json, "KHR_materials_specular")) {
     material.specular = clampedOr(context, *e, "specularFactor", 1.0f);
     material.specularColor = clampedColor<3>(context, *e, "specularColorFactor", glm::vec3(1.0f), noLimit);
-    for (const char* name : {"specularTexture", "specularColorTexture"}) {
-      if (const auto texture = e->find(name)) {
-        context.warnings.push_back(texture->where() + ": only the factor is used, the texture is not");
-      }
-    }
+    material.specularTexture = loadTexture(context, *e, "specularTexture");
+    material.specularColorTexture = loadTexture(context, *e, "specularColorTexture");
   }
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
@@ -208,25 +204,27 @@ std::vector<Material> loadMaterials(const LoadContext& context) {
   return materials;
 }
 
-std::vector<Image> loadImages(const LoadContext& context, const std::vector<Material>& materials) {
+std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>& materials) {
   std::vector<bool> used(context.root.countOf("images"), false);
-  std::vector<bool> checked = used;  // with normal maps, which are decoded when a bake needs them
   for (const Material& material : materials) {
-    if (material.normalTexture.image >= 0)
-      checked[static_cast<std::size_t>(material.normalTexture.image)] = true;
     for (const TextureRef* ref :
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture,
-          &material.diffuseTransmissionTexture, &material.diffuseTransmissionColorTexture}) {
+          &material.normalTexture, &material.transmissionTexture, &material.specularTexture,
+          &material.specularColorTexture, &material.diffuseTransmissionTexture,
+          &material.diffuseTransmissionColorTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }
-  for (std::size_t i = 0; i < used.size(); ++i) checked[i] = checked[i] || used[i];
-  checkImages(context.document, checked);
+  checkImages(context.document, used);
   std::vector<Image> images;
   images.reserve(used.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t before = context.warnings.size();
     images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
                              : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
+    if (context.warnings.size() == before) continue;
+    for (Material& material : materials)  // a white texel is no normal
+      if (material.normalTexture.image == static_cast<int>(i)) material.normalTexture = {};
   }
   return images;
 }

@@ -50,8 +50,9 @@ std::vector<Animation> loadAnimations(const LoadContext& context, const std::vec
 
 Mesh loadMesh(const LoadContext& context, std::size_t mesh);
 std::vector<Material> loadMaterials(const LoadContext& context);
-/// Decodes the images that materials use; the others are white texels.
-std::vector<Image> loadImages(const LoadContext& context, const std::vector<Material>& materials);
+/// Decodes the images that materials use; the others are white texels, as are those that cannot be read, with
+/// a warning. Materials lose normal textures that cannot be read.
+std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>& materials);
 /// The punctual light of a node, when it carries one.
 std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world);
 Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "scene/compile/compile_parts.h"
 #include "scene/lobes.h"
@@ -142,27 +143,6 @@ TEST(CompileScene, DefaultMaterial_IsLastAndBlackMetal) {
   EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.0f));  // glTF's default is a metal
 }
 
-TEST(CompileMaterials, Metalness_MultipliesIntoTheAlbedoImage) {
-  Scene scene;
-  scene.images = {solidImage(2, 2, {255, 128, 0, 77}), solidImage(1, 1, {0, 0, 255, 255})};
-  scene.images[1].rgba = {0, 0, 128, 255};
-  Material material;
-  material.baseColorTexture.image = 0;
-  material.metallicRoughnessTexture.image = 1;
-  material.transmission = 0.5f;
-  scene.materials = {material, material};
-  scene.materials[1].name = "same content";
-  Warnings warnings;
-  const CompiledMaterials compiled = compileMaterials(scene, warnings);
-  ASSERT_EQ(compiled.albedoImages.size(), 1u) << "equal contents share an image";
-  EXPECT_EQ(compiled.materials[0].albedo, glm::vec3(0.5f));
-  const float dielectric = 1.0f - 128.0f / 255.0f;
-  const auto& texel = compiled.albedoImages[0].rgba;
-  EXPECT_EQ(texel[0], srgbFromLinear(dielectric));
-  EXPECT_EQ(texel[1], srgbFromLinear(dielectric * linearFromSrgb(128)));
-  EXPECT_EQ(texel[3], 77);
-}
-
 /// A base colour, metalness and roughness of means 1/2 and 1/4, and an emissive texture of linear mean 1/2.
 Scene texturedScene() {
   Scene scene;
@@ -183,54 +163,75 @@ Scene texturedScene() {
   return scene;
 }
 
-TEST(CompileMaterials, TexturesThatLieElsewhere_CountWithTheirMeans) {
-  glm::mat3 shifted(1.0f);
-  shifted[2] = {0.25f, 0.0f, 1.0f};
-  Scene otherSet = texturedScene(), otherTransform = otherSet;
-  for (TextureRef* ref :
-       {&otherSet.materials[0].metallicRoughnessTexture, &otherSet.materials[0].emissiveTexture})
-    ref->texCoord = 1;
-  for (TextureRef* ref :
-       {&otherTransform.materials[0].metallicRoughnessTexture, &otherTransform.materials[0].emissiveTexture})
-    ref->transform = shifted;
-  for (const Scene& scene : {otherSet, otherTransform}) {
-    Warnings warnings;
-    const CompiledMaterials compiled = compileMaterials(scene, warnings);
-    EXPECT_TRUE(test::anyContains(warnings, "\"painted\": metalness uses other texture coordinates"));
-    ASSERT_EQ(compiled.albedoImages.size(), 1u);
-    EXPECT_EQ(compiled.albedoImages[0].rgba, scene.images[0].rgba) << "the base colour as it is";
-    const CompiledMaterial& material = compiled.materials[0];
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(material.albedo[c], 1.0 - 0.8 * 0.5, 1e-6);
-    EXPECT_NEAR(material.metallic, 0.8 * 0.5, 1e-6);
-    EXPECT_NEAR(material.roughness, 0.6 * 0.25, 1e-6);
-    EXPECT_EQ(material.surfaceTexture.image, -1);
-    EXPECT_EQ(material.emissionFactor, glm::vec3(2.0f));
-    EXPECT_EQ(material.emissionTexture.image, -1);
-  }
-}
+CompiledMaterial compiledOf(const Scene& scene) { return compileMaterials(scene).at(0); }
 
-TEST(CompileMaterials, TexturesThatLieWithTheBaseColour_AreKept) {
-  Warnings warnings;
-  const CompiledMaterial material = compileMaterials(texturedScene(), warnings).materials[0];
-  EXPECT_TRUE(warnings.empty());
-  EXPECT_EQ(material.albedo, glm::vec3(1.0f)) << "metalness is in the image";
+TEST(CompileMaterials, Textures_StayWhereTheFileLaysThem) {
+  Scene scene = texturedScene();
+  TextureRef& surface = scene.materials[0].metallicRoughnessTexture;
+  surface.texCoord = 1;
+  surface.transform[2] = {0.25f, 0.0f, 1.0f};
+  surface.wrapS = WrapMode::ClampToEdge;
+  surface.filter = TextureFilter::Nearest;
+  const CompiledMaterial material = compiledOf(scene);
+  EXPECT_EQ(material.albedo, glm::vec3(1.0f)) << "metalness is in its texture";
   EXPECT_EQ(material.metallic, 0.8f);
   EXPECT_EQ(material.roughness, 0.6f);
   EXPECT_EQ(material.surfaceTexture.image, 1);
+  EXPECT_EQ(material.surfaceTexture.texCoord, 1);
+  EXPECT_EQ(material.surfaceTexture.transform, surface.transform);
+  EXPECT_EQ(material.surfaceTexture.wrapS, WrapMode::ClampToEdge);
+  EXPECT_EQ(material.surfaceTexture.filter, TextureFilter::Nearest);
   EXPECT_EQ(material.emissionFactor, glm::vec3(4.0f));
   EXPECT_EQ(material.emissionTexture.image, 2);
 }
 
-TEST(CompileMaterials, MetalnessThatWrapsOtherwise_IsAMeanForBouncesAlone) {
+TEST(CompileMaterials, TexturesOfFactorsThatAreZero_HaveNoPartInTheAlbedo) {
   Scene scene = texturedScene();
-  scene.materials[0].metallicRoughnessTexture.wrapS = WrapMode::ClampToEdge;
-  Warnings warnings;
-  const CompiledMaterial material = compileMaterials(scene, warnings).materials[0];
-  EXPECT_TRUE(test::anyContains(warnings, "its mean is taken for light transport"));
-  EXPECT_NEAR(material.albedo.x, 0.6, 1e-6);
-  EXPECT_EQ(material.metallic, 0.8f);
-  EXPECT_EQ(material.surfaceTexture.image, 1);
-  EXPECT_EQ(material.surfaceTexture.wrapS, WrapMode::ClampToEdge);
+  Material& material = scene.materials[0];
+  material.metallic = 0.0f;
+  material.transmissionTexture.image = 1;
+  const auto images = [&] {
+    std::vector<int> result;
+    for (const TextureRef& texture : compiledOf(scene).albedoTextures()) result.push_back(texture.image);
+    return result;
+  };
+  EXPECT_EQ(images(), (std::vector<int>{0, -1, -1}));
+  material.metallic = material.transmission = 0.5f;
+  EXPECT_EQ(images(), (std::vector<int>{0, 1, 1}));
+  material.baseColor = {0, 0, 0, 1};
+  EXPECT_EQ(images(), (std::vector<int>{-1, -1, -1})) << "black all over";
+  material.alphaMode = AlphaMode::Mask;
+  material.baseColor.a = 0.1f;
+  EXPECT_EQ(images(), (std::vector<int>{0, -1, -1})) << "but for the holes";
+}
+
+TEST(CompileScene, SetsOfTextureCoordinates_AreThoseAskedFor) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  Primitive& primitive = scene.meshes[0].primitives[0];
+  primitive.texCoords0 = {{0, 0}, {1, 0}, {0, 1}};
+  primitive.texCoords1 = {{3, 0}, {4, 0}, {3, 1}};
+  EXPECT_TRUE(compile(scene).texCoords.empty()) << "glTF's default material has no texture";
+
+  scene.images = {solidImage(1, 1, {1, 2, 3, 255}), solidImage(1, 1, {4, 5, 6, 255})};
+  scene.materials.resize(2);
+  scene.materials[0].metallic = 0.0f;
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials[1] = scene.materials[0];
+  scene.materials[1].baseColorTexture = {1, 1};
+  primitive.material = 0;
+  CompiledScene compiled = compile(scene);
+  EXPECT_EQ(compiled.texCoords, primitive.texCoords0);
+  EXPECT_TRUE(compiled.texCoords1.empty()) << "only a material that nothing has asks for them";
+  ASSERT_EQ(compiled.images.size(), 2u);
+  EXPECT_EQ(compiled.images[0].rgba.size(), 4u);
+  EXPECT_TRUE(compiled.images[1].rgba.empty()) << "nothing shows it";
+
+  primitive.material = 1;
+  primitive.texCoords1[2].x = std::numeric_limits<float>::infinity();
+  compiled = compile(scene);
+  ASSERT_EQ(compiled.texCoords1.size(), 3u);
+  EXPECT_EQ(compiled.texCoords1[1], glm::vec2(4, 0));
+  EXPECT_EQ(compiled.texCoords1[2], glm::vec2(0, 0)) << "no number";
 }
 
 TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
@@ -249,49 +250,29 @@ TEST(CompileMaterials, DiffuseTransmission_CountsWithTheMeansOfItsTextures) {
   material.diffuseTransmissionColor = {1.0f, 0.5f, 0.25f};
   material.diffuseTransmissionColorTexture.image = 1;
   scene.materials = {material};
-  Warnings warnings;
-  const CompiledMaterial compiled = compileMaterials(scene, warnings).materials[0];
+  const CompiledMaterial compiled = compiledOf(scene);
   const glm::dvec3 through = 0.4 * 0.5 * glm::dvec3(0.5, 0.5, 0.25);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(compiled.albedo[c], 0.4 * 0.5 * (1.0 - 0.4), 1e-6);
     EXPECT_NEAR(compiled.diffuseTransmission[c], through[c], 1e-6);
   }
-  EXPECT_NEAR(translucentShare(compiled), 0.4f, 1e-6f);
+  EXPECT_NEAR(compiled.meanTranslucency, 0.4f, 1e-6f);
+  EXPECT_EQ(compiled.translucency, 0.8f) << "whose texture multiplies it where light is followed";
 }
 
-TEST(CompileMaterials, ShareThatGoesThrough_IsThatOfTheDielectric) {
+TEST(Lobes, FactorsThatATextureMultiplies_MayBeAnything) {
+  Material lamp;  // metal times a texture of 0: glass
+  lamp.transmission = 1.0f;
   Scene scene;
   scene.images = {solidImage(1, 1, {0, 0, 0, 255})};
-  Material half;
-  half.metallic = 0.5f;
-  half.diffuseTransmission = 0.3f;
-  Material black = half, textured = half, opaque = half;
-  black.baseColor = {0, 0, 0, 1};
-  textured.metallic = 1.0f;  // times 0, of the texture
-  textured.metallicRoughnessTexture.image = 0;
-  opaque.diffuseTransmission = 0.0f;
-  scene.materials = {half, black, textured, opaque};
-  Warnings warnings;
-  const std::vector<CompiledMaterial> compiled = compileMaterials(scene, warnings).materials;
-  EXPECT_NEAR(translucentShare(compiled[0]), 0.3f, 1e-6f);
-  EXPECT_EQ(translucentShare(compiled[1]), 1.0f) << "nothing is left to reflect";
-  EXPECT_NEAR(translucentShare(compiled[2]), 0.3f, 1e-6f);
-  EXPECT_EQ(translucentShare(compiled[3]), 0.0f);
-}
-
-TEST(CompileMaterials, ShareThatGoesThrough_IsToldByTheChannelThatIsThere) {
-  Scene scene;
-  for (int c = 0; c < 3; ++c) {
-    Material pure;
-    pure.metallic = 0.0f;
-    pure.baseColor = {0, 0, 0, 1};
-    pure.baseColor[c] = 0.5f;
-    pure.diffuseTransmission = 0.3f;
-    scene.materials.push_back(pure);
-  }
-  Warnings warnings;
-  const std::vector<CompiledMaterial> compiled = compileMaterials(scene, warnings).materials;
-  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(translucentShare(compiled[c]), 0.3f, 1e-6f) << c;
+  scene.materials = {lamp};
+  EXPECT_FALSE(isGlass(compiledOf(scene)));
+  scene.materials[0].metallicRoughnessTexture.image = 0;
+  EXPECT_TRUE(isGlass(compiledOf(scene)));
+  scene.materials[0].metallic = 0.0f;
+  EXPECT_FALSE(reflectsSpecularly(compiledOf(scene))) << "glass all over";
+  scene.materials[0].transmissionTexture.image = 0;
+  EXPECT_TRUE(reflectsSpecularly(compiledOf(scene)));
 }
 
 TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {
@@ -303,8 +284,7 @@ TEST(CompileMaterials, EmissiveTexture_IsAveragedInLinear) {
   material.emission = glm::vec3(4.0f);
   material.emissiveTexture.image = 0;
   scene.materials = {material};
-  Warnings warnings;
-  EXPECT_EQ(compileMaterials(scene, warnings).materials[0].emission, glm::vec3(2.0f));
+  EXPECT_EQ(compiledOf(scene).emission, glm::vec3(2.0f));
 }
 
 TEST(CompileMaterials, AlphaModes_BecomeCutoffs) {
@@ -314,8 +294,7 @@ TEST(CompileMaterials, AlphaModes_BecomeCutoffs) {
   scene.materials[1].alphaCutoff = 0.25f;
   scene.materials[2].alphaMode = AlphaMode::Blend;
   for (Material& material : scene.materials) material.baseColor.a = 0.2f;
-  Warnings warnings;
-  const auto materials = compileMaterials(scene, warnings).materials;
+  const auto materials = compileMaterials(scene);
   EXPECT_LT(materials[0].alphaCutoff, 0.0f);
   EXPECT_EQ(materials[1].alphaCutoff, 0.25f);
   EXPECT_EQ(materials[2].alphaCutoff, 0.5f);
@@ -337,10 +316,7 @@ Scene maskedScene(float factor, std::uint8_t texel, float vertex) {
 }
 
 TEST(CompileMaterials, MaskThatNoPointFallsBelow_IsOpaque) {
-  Warnings warnings;
-  const auto cutoff = [&](const Scene& scene) {
-    return compileMaterials(scene, warnings).materials[0].alphaCutoff;
-  };
+  const auto cutoff = [](const Scene& scene) { return compiledOf(scene).alphaCutoff; };
   EXPECT_LT(cutoff(maskedScene(1.0f, 255, 1.0f)), 0.0f);
   EXPECT_LT(cutoff(maskedScene(0.9f, 204, 0.8f)), 0.0f);  // 0.576 at least
   EXPECT_EQ(cutoff(maskedScene(0.4f, 255, 1.0f)), 0.5f);

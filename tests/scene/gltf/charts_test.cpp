@@ -28,7 +28,7 @@ Unfolded unfold(const GltfDocument& document, int size = 64) {
   Unfolded result;
   result.scene = loadScene(document, result.warnings);
   result.compiled = compileScene(result.scene, result.warnings);
-  result.charts = makeCharts(document, result.scene, result.compiled, size, result.warnings);
+  result.charts = makeCharts(result.scene, result.compiled, size);
   return result;
 }
 

@@ -127,25 +127,43 @@ TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
   EXPECT_NEAR(uv.y, 0.5f - 2.0f, 1e-6f);
 }
 
-TEST(LoadMaterial, TexturesThatAreNotUsed_AreNamedInWarnings) {
+TEST(LoadMaterial, TexturesOfExtensions_AreRead) {
   Warnings warnings;
   const Material material = loadMaterial(R"({"extensions": {
     "KHR_materials_transmission": {"transmissionFactor": 0.5, "transmissionTexture": {"index": 0}},
-    "KHR_materials_specular": {"specularFactor": 0.25, "specularTexture": {"index": 0},
+    "KHR_materials_specular": {"specularFactor": 0.25, "specularTexture": {"index": 0, "texCoord": 1},
       "specularColorTexture": {"index": 0}}}})",
                                          warnings);
   EXPECT_EQ(material.transmission, 0.5f);
+  EXPECT_EQ(material.transmissionTexture.image, 1);
   EXPECT_EQ(material.specular, 0.25f);
-  EXPECT_EQ(warnings.size(), 3u);
-  for (const char* name : {"transmissionTexture: only transmissionFactor is used",
-                           "specularTexture: only the factor is", "specularColorTexture: only the factor is"})
-    EXPECT_TRUE(test::anyContains(warnings, name)) << name;
+  EXPECT_EQ(material.specularTexture.image, 1);
+  EXPECT_EQ(material.specularTexture.texCoord, 1);
+  EXPECT_EQ(material.specularColorTexture.image, 1);
+  EXPECT_FALSE(test::anyContains(warnings, "texture is not"));
+}
 
-  warnings.clear();
+TEST(LoadMaterial, TexturesThatAreNotUsed_AreNamedInWarnings) {
+  Warnings warnings;
   loadMaterial(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
     "specularGlossinessTexture": {"index": 0}}}})",
                warnings);
   EXPECT_TRUE(test::anyContains(warnings, "specularGlossinessTexture: only the factors are used"));
+}
+
+TEST(LoadMaterial, MagnificationFilter_IsRead) {
+  Warnings warnings;
+  const auto filter = [&](const char* sampler) {
+    GltfDocument document = test::triangleDocument();
+    document.json["materials"][0] = Json::parse(R"({"emissiveTexture": {"index": 0}})");
+    document.json["images"] = Json::parse(R"([{"bufferView": 0}])");
+    document.json["samplers"][0] = Json::parse(sampler);
+    document.json["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}])");
+    return test::reload(document, warnings).materials.at(0).emissiveTexture.filter;
+  };
+  EXPECT_EQ(filter("{}"), TextureFilter::Linear);
+  EXPECT_EQ(filter(R"({"magFilter": 9729})"), TextureFilter::Linear);
+  EXPECT_EQ(filter(R"({"magFilter": 9728})"), TextureFilter::Nearest);
 }
 
 TEST(LoadMaterial, TextureWithoutImageOrWithThirdSet_IsIgnoredWithAWarning) {
