@@ -113,6 +113,7 @@ void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
   context_.clock.mark("cast");
+  caster_.keepOnePlace();
   if (!keepsTrees_) dropTrees(context_);
   FittedSide fitted = front().solve();
   fitted_ = std::move(fitted.values);
