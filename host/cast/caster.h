@@ -98,6 +98,9 @@ class Caster {
   void finish(std::size_t place, CastValues& values);
   std::size_t places() const { return blocks_.size(); }
 
+  /// Frees all places but one, for what follows a cast: memory is at its peak then.
+  void keepOnePlace() { blocks_.resize(1); }
+
   /// AO of every vertex, which what occluders send is damped by. Only with CastOptions::occluders.
   void setAccessibility(const CompiledScene& scene, std::span<const float> accessibility) {
     occluders_.value().setAccessibility(scene, accessibility);

@@ -115,6 +115,7 @@ void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
   context_.clock.mark("cast");
+  caster_.keepOnePlace();
   if (!keepsTrees(context_.request)) dropTrees(context_);
   cast_.finish();
   FittedSide fitted = front().solve();
