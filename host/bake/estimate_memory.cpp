@@ -4,6 +4,7 @@
 #include <array>
 
 #include "plan/cast_orders.h"
+#include "plan/file_use.h"
 #include "plan/tree_use.h"
 #include "projectors/schedule.h"
 #include "projectors/side_sums.h"
@@ -13,14 +14,16 @@ namespace prelight {
 namespace {
 
 constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
-constexpr std::uint64_t programBytes = 110 * megabyte;  // the program, the device's compiler and libraries
+constexpr std::uint64_t programBytes = 82 * megabyte;  // the program, the device's compiler and libraries
 constexpr std::uint64_t imageReaderBytes = 110 * megabyte;  // what is loaded where there are images
 constexpr std::uint64_t blockBytes = 16 * megabyte;         // rays, hits and values on their way
 constexpr std::uint64_t leastInMemory = 16 * megabyte;      // of what may lie in a file
+constexpr std::uint64_t slack = 20;   // of what is taken, a 20th: freed blocks that the allocator keeps
 constexpr double shareOfBacks = 0.5;  // of the receivers: how many backs are seen is not known yet
 
-// What a bake keeps to where it is not told, besides what it writes.
-constexpr std::uint64_t usualBytes = 300 * megabyte;
+// What a bake keeps to where it is not told, besides what it writes: with what estimates are off, 300 MB and
+// 400 bytes a triangle.
+constexpr std::uint64_t usualBytes = 290'000'000;
 constexpr std::uint64_t usualBytesPerTriangle = 400;
 
 /// What bytes are counted by.
@@ -44,8 +47,11 @@ Sizes sizesOf(const PlanInput& input) {
           input.request.ao};
 }
 
-/// The file and the compiled scene.
-std::uint64_t sceneBytes(const Sizes& n) { return (32 + 24) * n.vertices + (17 + 12) * n.triangles; }
+/// The compiled scene, and its file where that does not wait elsewhere.
+std::uint64_t sceneBytes(const Sizes& n, const BakeRequest& request) {
+  const std::uint64_t file = 24 * n.vertices + 12 * n.triangles;
+  return 32 * n.vertices + 17 * n.triangles + (fileWaits(request, file) ? 0 : file);
+}
 
 /// FitMesh, where receivers go, and the values of open ones.
 std::uint64_t surfaceBytes(const Sizes& n) {
@@ -60,6 +66,9 @@ std::uint64_t sumBytes(const Sizes& n, bool bentNormal) {
 
 /// What is kept of the sums to the end.
 std::uint64_t keptSumBytes(const Sizes& n) { return 13 * n.vertices * n.sides(); }
+
+/// AO that the next techniques read, and what is written of it.
+std::uint64_t accessibilityBytes(const Sizes& n) { return (8 + (n.ao ? 16 : 0)) * n.vertices; }
 
 std::uint64_t recordBytes(const Sizes& n) {
   const double receivers = double(n.receivers) * (n.bounces ? 1.0 + shareOfBacks : 1.0);
@@ -137,15 +146,17 @@ void shareRest(const PlanInput& input, const Sizes& n, std::uint64_t bound, Plan
 
 void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& plan) {
   const Sizes n = sizesOf(input);
-  plan.hostBytes += programBytes + sceneBytes(n) + (input.source.images.empty() ? 0 : imageReaderBytes);
+  plan.hostBytes +=
+      programBytes + sceneBytes(n, input.request) + (input.source.images.empty() ? 0 : imageReaderBytes);
   plan.deviceBytes += deviceSceneBytes(input, instancing);
   if (!input.request.castsReceivers()) {
     plan.deviceBytes += treeBytes(instancing);
     return;
   }
-  plan.hostBytes += surfaceBytes(n) + keptSumBytes(n);
+  plan.hostBytes += surfaceBytes(n) + keptSumBytes(n) + accessibilityBytes(n);
   plan.deviceBytes += blockBytes;
-  const std::uint64_t bound = boundOf(input, n);
+  const std::uint64_t bound =
+      (boundOf(input, n) - std::min(boundOf(input, n), programBytes)) * slack / (slack + 1) + programBytes;
   const std::uint64_t inMemory = plan.hostBytes + plan.deviceBytes + recordBytes(n) +
                                  largest(stagesOf(n, input, instancing, false)).sum();
   plan.parks = inMemory > bound;
@@ -153,6 +164,7 @@ void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& 
   plan.hostBytes += most.host;
   plan.deviceBytes += most.device;
   shareRest(input, n, bound, plan);
+  plan.hostBytes += (plan.hostBytes + plan.deviceBytes - programBytes) / slack;
 }
 
 }  // namespace prelight

@@ -12,6 +12,7 @@
 #include "cli/report.h"
 #include "cli/session.h"
 #include "cli/values.h"
+#include "cli/waiting_data.h"
 #include "compress/compression_error.h"
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
@@ -234,6 +235,7 @@ void runBake(const BakeCommand& command, Context& context) {
   command.bake.addTo(deviceOptions);
   session.console().line("scene", fmt::format("{}: {}", command.scene.string(), sceneText(loaded)));
   dropUnusedMeshes(request, animation.has_value(), loaded.scene);
+  WaitingData data(request, loaded.document);
   const StopSignals::SafePoints safePoints(context.signals);
   BakeStateFile state(command.output, command.resume, session.console(), context.signals);
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
@@ -242,6 +244,7 @@ void runBake(const BakeCommand& command, Context& context) {
   if (command.bake.compression) compressSh(session, loaded, *command.bake.compression, run);
   std::optional<QuantizedOccluders> quantized;
   if (command.quantizesOccluders) quantized = quantizeBaked(session, loaded.compiled, run);
+  data.fetch();
   const nlohmann::ordered_json report =
       writeOutputs(command, request, run, quantized ? &*quantized : nullptr, loaded, session);
   state.remove();

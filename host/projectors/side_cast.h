@@ -35,8 +35,9 @@ class SideCast {
   /// load(), goes on where the saved run was interrupted.
   void run(Progress& progress, std::uint32_t storedFirst, std::uint32_t storedCapacity);
 
-  /// Ends the last run, as often as is wanted: the fit is ready to be solved.
+  /// Ends the last run of all sides: the fit is ready to be solved.
   void finish() {
+    sampler_.endPasses();
     sums_.soften();
     sums_.stiffen();
   }

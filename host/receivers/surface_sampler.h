@@ -75,6 +75,12 @@ class SurfaceSampler {
   /// hangs together through slots: nothing else would say what one without a receiver looks like.
   void coverComponents(const FitMesh& mesh, double receivers, double least);
 
+  /// No pass follows on any side: frees what only passes read.
+  void endPasses() {
+    surface_->shares = std::vector<double>();
+    surface_->order = std::vector<std::uint32_t>();
+  }
+
   /// [triangle], m2.
   const std::vector<double>& areas() const { return surface_->areas; }
 
