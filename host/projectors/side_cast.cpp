@@ -175,9 +175,11 @@ void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
   // Bounces read the records of stored rows, so a row is kept only where its record is.
   const bool stores = storedCount_ + count <= storedCapacity_ && storedCount_ == receivers_ &&
                       receivers_ + count <= SideSums::mostRecords;
-  const std::size_t place = nextPlace_++ % caster_.places();
+  // A block that is alone takes the first place: the memory of others is not touched in vain.
+  const std::size_t place = started_ ? (startedPlace_ + 1) % caster_.places() : 0;
   caster_.start(place, block.receivers, {stores ? &row : nullptr, set, block.occluders});
   finishStarted();
+  startedPlace_ = place;
   started_ = [this, &block, place] {
     caster_.finish(place, block.values);
     adding_.add([this, &block] { sums_.add(block); });

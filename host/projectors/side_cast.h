@@ -130,7 +130,7 @@ class SideCast {
   std::uint64_t doneInPass_ = 0;        ///< receivers of the pass at hand
   std::vector<CastBlock> blocks_;       ///< used in turns
   std::size_t nextBlock_ = 0;
-  std::size_t nextPlace_ = 0;  ///< of the caster's, for the next block
+  std::size_t startedPlace_ = 0;  ///< the caster's, of the block that was started last
   mutable std::function<void()>
       started_;  ///< waits for the block that the device has been given and hands it to adding_; or empty
   mutable BackgroundWork adding_;   ///< of blocks to the sums; after what it uses, so that it ends before
