@@ -334,7 +334,8 @@ void addEffortOptions(CLI::App& app, BakeOptions& options) {
       app, "--max-memory", {minMemory, maxMemory}, [&](std::uint64_t n) { request.maxMemory = n; },
       "memory that the program may take, as 512M or 8G: stored transport that has no room is kept in a "
       "temporary "
-      "file, and a bake that takes more all the same is refused (default: 2G, and none is refused)");
+      "file, and a bake that takes more all the same is refused (default: about 400 bytes a triangle and 300 "
+      "MB, and none is refused)");
 }
 
 void addKernelOptions(CLI::App& app, BakeOptions& options) {

@@ -378,6 +378,8 @@ TEST(Bake, LittleMemoryForRows_GivesTheSameBytes) {
   const Bake all = run(scene, request).bake;
   Plan plan = makePlan(Scene(), scene, request);
   plan.transportBytes = 8 * 64 * 2000;  // rows for 2000 receivers, the others go through a file
+  plan.recordBytes = 0;
+  plan.parks = true;
   Progress progress;
   BakeReport report;
   const Bake few = bakeScene(scene, request, plan, test::sharedDevice(), progress, report);

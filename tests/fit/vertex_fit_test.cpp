@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "receivers/fit_mesh.h"
@@ -100,6 +101,26 @@ TEST(VertexFit, QuadraticFunction_HasLeastSurfaceError) {
   for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
     atVertices[s] = f(scene.positions[mesh.vertexOfSlot[s]]);
   EXPECT_LT(surfaceError(x), 0.4 * surfaceError(atVertices));
+}
+
+// From the file, saved from there, and back in memory with another sample.
+TEST(VertexFit, ParkedSums_SolveToTheSameBits) {
+  const CompiledScene scene = test::ground(8, 1.0f);
+  const FitMesh mesh = makeFitMesh(scene);
+  VertexFit fit(mesh, 2);
+  for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
+    fit.add({t, 0.2f, 0.5f, 1.0f}, std::array{1.0 * t, 3.0});
+  VertexFit parked = fit;
+  parked.park();
+  EXPECT_EQ(parked.solve(defaultSmoothing), fit.solve(defaultSmoothing));
+  EXPECT_EQ(parked.solveColumn(defaultSmoothing, 1), fit.solveColumn(defaultSmoothing, 1));
+  StateWriter ofParked, ofFit;
+  parked.save(ofParked);
+  fit.save(ofFit);
+  EXPECT_TRUE(std::ranges::equal(ofParked.payload(), ofFit.payload()));
+  parked.fetch();
+  for (VertexFit* each : {&parked, &fit}) each->add({3, 0.1f, 0.1f, 1.0f}, std::array{7.0, 5.0});
+  EXPECT_EQ(parked.solve(defaultSmoothing), fit.solve(defaultSmoothing));
 }
 
 }  // namespace

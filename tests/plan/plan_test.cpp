@@ -151,11 +151,23 @@ TEST(Plan, TransportRows_StayWithinTheMemoryAllowed) {
   request.effort.rays = 1 << 18;
   const CompiledScene scene = test::ground(40, 1.0f);
   const std::size_t allowed = std::size_t{600} << 20;
+  request.maxMemory = 8 * allowed;
   EXPECT_GT(makePlan(Scene(), scene, request).transportBytes, allowed);
   request.maxMemory = allowed;
   const Plan plan = makePlan(Scene(), scene, request);
   EXPECT_GT(plan.transportBytes, allowed / 4);
   EXPECT_LE(plan.hostBytes + plan.deviceBytes, allowed);
+}
+
+// Whatever the rays; the scene's own values are written besides.
+TEST(Plan, NoMemoryGiven_KeepsToTheUsual) {
+  BakeRequest request = requestOfMany();
+  request.effort.rays = 1 << 18;
+  const CompiledScene scene = test::ground(40, 1.0f);
+  const Plan plan = makePlan(Scene(), scene, request);
+  EXPECT_GT(plan.recordBytes + plan.transportBytes, std::uint64_t{100'000'000});
+  EXPECT_LE(plan.hostBytes + plan.deviceBytes,
+            300'000'000 + 400 * scene.triangleCount() + 200 * scene.vertexCount());
 }
 
 // Texels of one size over 4 m2, of 300 and of 30 000 triangles.

@@ -152,7 +152,8 @@ struct BakeRequest {
   std::uint64_t seed = 0;
 
   /// Bytes that the program may take for the bake: what has no room is kept in a file, and a bake that takes
-  /// more all the same is refused. None: defaultMemory, and no bake is refused.
+  /// more all the same is refused. None: 400 bytes a triangle and 300 MB, defaultMemory for what memory()
+  /// bounds, and no bake is refused.
   std::optional<std::uint64_t> maxMemory = std::nullopt;
   static constexpr std::uint64_t defaultMemory = std::uint64_t{2} << 30;
   std::uint64_t memory() const { return maxMemory.value_or(defaultMemory); }

@@ -1,0 +1,70 @@
+#include "fit/sample_records.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace prelight {
+namespace {
+
+constexpr std::size_t count = 3 * SampleRecords::blockSize + 1000;
+
+SampleRecord recordOf(std::size_t i) {
+  const auto number = static_cast<std::uint32_t>(i);
+  return {{number, 0.25f, 0.5f, static_cast<float>(i % 7)},
+          static_cast<float>(i % 3),
+          number / 10000 % errorGroups};
+}
+
+/// `bytes` in memory.
+SampleRecords filled(std::uint64_t bytes) {
+  SampleRecords records(bytes);
+  for (std::size_t i = 0; i < count; ++i) records.add(recordOf(i));
+  return records;
+}
+
+bool same(const SampleRecord& a, const SampleRecord& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+// In memory, in the file, and across their ends.
+TEST(SampleRecords, AnyMemory_ReadsBackWhatWasAdded) {
+  for (const std::uint64_t bytes :
+       {std::uint64_t{0}, SampleRecords::blockSize * sizeof(SampleRecord), ~std::uint64_t{0}}) {
+    const SampleRecords records = filled(bytes);
+    ASSERT_EQ(records.size(), count);
+    std::vector<SampleRecord> read(SampleRecords::blockSize + 10);
+    for (const std::size_t first : {std::size_t{0}, SampleRecords::blockSize - 5, count - read.size()}) {
+      records.read(first, read);
+      for (std::size_t i = 0; i < read.size(); ++i)
+        ASSERT_TRUE(same(read[i], recordOf(first + i))) << first + i;
+    }
+  }
+}
+
+TEST(SampleRecords, LittleMemory_KeepsNoMoreThanThatAndABlock) {
+  EXPECT_LE(filled(0).bytesInMemory(), SampleRecords::blockSize * sizeof(SampleRecord));
+  EXPECT_GE(filled(~std::uint64_t{0}).bytesInMemory(), count * sizeof(SampleRecord));
+}
+
+TEST(SampleRecords, Groups_AreThoseAskedForInTheirOrder) {
+  const SampleRecords records = filled(0);
+  std::vector<std::uint32_t> seen, expected;
+  records.forGroups(2, 4, [&](const SampleRecord& record) { seen.push_back(record.sample.triangle); });
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (recordOf(i).group == 2 || recordOf(i).group == 3) expected.push_back(i);
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(seen, expected);
+}
+
+TEST(SampleRecords, SavedAndLoaded_AreTheSame) {
+  StateWriter writer;
+  filled(0).save(writer);
+  StateReader reader("state", {writer.payload().begin(), writer.payload().end()});
+  SampleRecords loaded;
+  loaded.load(reader);
+  ASSERT_EQ(loaded.size(), count);
+  std::size_t i = 0;
+  loaded.forAll([&](const SampleRecord& record) { ASSERT_TRUE(same(record, recordOf(i++))); });
+}
+
+}  // namespace
+}  // namespace prelight
