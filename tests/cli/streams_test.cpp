@@ -142,7 +142,7 @@ TEST_F(CliStreams, Stack_ThatIsSmall_IsNoMatter) {
 
 /// Too little for the compiler of kernels, and for the libraries of pictures.
 TEST_F(CliStreams, AddressSpace_TooSmall_IsOutOfMemory) {
-  for (const char* kilobytes : {"200000", "300000"}) {
+  for (const char* kilobytes : {"150000", "250000"}) {
     const ProcessResult result = shell(std::string("ulimit -v ") + kilobytes +
                                        "; $P bake scene.glb -o out.glb --ao --sh 3 --bounces 1 --rays 16");
     EXPECT_EQ(result.exitCode, outOfMemory) << kilobytes << "\n" << result.errors;
