@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "gpu/albedo_table.h"
 #include "photon/caustic_casters.h"
+#include "scene/lobes.h"
 #include "scene/tangent_space.h"
 #include "viewer/tex_coords.h"
 
@@ -29,6 +31,10 @@ constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little d
 
 bool mirrors(const CompiledMaterial& material) {
   return makesCaustics(material) || (!material.unlit && material.metallic >= metallic);
+}
+
+bool someReflectSpecularly(const CompiledScene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), reflectsSpecularly);
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
@@ -167,6 +173,7 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
   if (inputs.normalTextures && compiled.hasNormalTextures())
     tangents_ = gl::makeBufferTexture(cornerTangents(compiled), "tangents");
+  if (someReflectSpecularly(compiled)) albedos_ = gl::makeBufferTexture(makeAlbedoTable(), "reflectances");
   triangleCorners_ = gl::textureOfBuffer(triangles_, compiled.triangles.size(), GL_RGB32UI, "triangles");
   cornerPositions_ =
       gl::textureOfBuffer(streams_.front().buffer(), compiled.positions.size(), GL_RGB32F, "positions");

@@ -81,6 +81,9 @@ class RenderScene {
   const std::vector<Batch>& batches() const { return batches_; }
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
+
+  /// makeAlbedoTable(); empty where nothing reflects specularly.
+  const gl::Texture& albedos() const { return albedos_.texture; }
   const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
   const gl::Texture& tangents() const { return tangents_.texture; }  ///< [triangle][corner]
   const gl::Texture& positions() const { return cornerPositions_; }  ///< [vertex]
@@ -111,6 +114,7 @@ class RenderScene {
   std::vector<VertexStream> streams_;
   gl::Buffer triangles_;
   gl::BufferTexture triangleNormals_;
+  gl::BufferTexture albedos_;
   gl::BufferTexture tangents_;   ///< of normal textures
   gl::Texture triangleCorners_;  ///< of `triangles_`
   gl::Texture cornerPositions_;  ///< of the first stream

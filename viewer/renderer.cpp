@@ -218,6 +218,7 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(trianglesUnit, GL_TEXTURE_BUFFER, scene_.triangles());
   gl::bind(cornerTangentsUnit, GL_TEXTURE_BUFFER, scene_.tangents());
   gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
+  gl::bind(albedosUnit, GL_TEXTURE_BUFFER, scene_.albedos());
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }
 

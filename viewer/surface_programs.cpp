@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 22> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 23> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -36,7 +36,8 @@ void prepare(const gl::Program& program) {
        {"transmissionTexture", transmissionUnit},
        {"specularTexture", specularUnit},
        {"specularColorTexture", specularColorUnit},
-       {"cornerTangents", cornerTangentsUnit}}};
+       {"cornerTangents", cornerTangentsUnit},
+       {"albedos", albedosUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

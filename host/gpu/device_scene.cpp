@@ -66,6 +66,7 @@ void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) 
   layout_.shadeMaterials = pack.add(std::move(arrays.materials));
   layout_.shadeTextures = pack.add(std::move(arrays.textures));
   layout_.shadeTexels = pack.add(std::move(arrays.texels));
+  layout_.albedos = pack.add(std::move(arrays.albedos));
   if (textured) {
     layout_.shadeTexCoords = pack.add(stored_.ofVertices(spanOf(scene.texCoords)));
     layout_.shadeTexCoords1 = pack.add(stored_.ofVertices(spanOf(scene.texCoords1)));

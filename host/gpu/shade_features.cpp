@@ -7,19 +7,11 @@ namespace prelight {
 
 namespace {
 
-/// Equals PRELIGHT_SMOOTH_BELOW in kernels/transport/lobe_funcs.cl.
-constexpr float smoothBelow = 0.05f;
-
-/// With a texture of roughness a surface may be either.
-bool mayBeSmooth(const CompiledMaterial& m) {
-  return m.roughness < smoothBelow || m.surfaceTexture.image >= 0;
-}
-
 void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   const bool specular = reflectsSpecularly(m);
   f.glass = f.glass || isGlass(m);
-  f.mirror = f.mirror || (specular && mayBeSmooth(m));
-  f.glossy = f.glossy || (specular && m.roughness >= smoothBelow);
+  f.mirror = f.mirror || mayMirror(m);
+  f.glossy = f.glossy || mayReflectRoughly(m);
   f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
   f.bumps = f.bumps || m.normalTexture.image >= 0;
   for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;

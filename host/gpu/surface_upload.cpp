@@ -4,8 +4,10 @@
 #include <iterator>
 
 #include "base/octahedral.h"
+#include "gpu/albedo_table.h"
 #include "gpu/surface_arrays.h"
 #include "gpu/texture_upload.h"
+#include "scene/lobes.h"
 #include "scene/tangent_space.h"
 
 namespace prelight {
@@ -66,6 +68,13 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_NORMAL_TEXTURE] = upload.add(m.normalTexture, false);
 }
 
+bool someReflectRoughly(const CompiledScene& scene) {
+  const std::vector<bool> used = usedMaterials(scene);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] && mayReflectRoughly(scene.materials[i])) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<float> interleaveVertices(const CompiledScene& scene) {
@@ -93,6 +102,7 @@ ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
     arrays.bases.push_back(baseMaterial(m, PRELIGHT_NO_TEXTURE));
     arrays.materials.push_back(shadeMaterial(m, m.emission));
   }
+  if (someReflectRoughly(scene)) arrays.albedos = makeAlbedoTable();
   return arrays;
 }
 
@@ -109,6 +119,7 @@ ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>
   }
   arrays.textures = upload.takeTextures();
   arrays.texels = upload.takeTexels();
+  if (someReflectRoughly(scene)) arrays.albedos = makeAlbedoTable();
   return arrays;
 }
 

@@ -25,6 +25,7 @@ struct ShadeArrays {
   std::vector<device::ShadeMaterial> materials;
   std::vector<device::DeviceTexture> textures;
   std::vector<glm::u16vec4> texels;  ///< linear, in 1/65535
+  std::vector<glm::vec4> albedos;    ///< makeAlbedoTable(); none where nothing reflects with roughness
 };
 
 /// `images`: Scene::images.

@@ -15,6 +15,19 @@ inline bool reflectsSpecularly(const CompiledMaterial& m) {
   return !m.unlit && (m.metallic > 0.0f || (m.specular > 0.0f && dielectric));
 }
 
+/// Roughness below which a lobe is a mirror: PRELIGHT_SMOOTH_BELOW in kernels/transport/lobe_funcs.cl.
+constexpr float smoothBelow = 0.05f;
+
+/// Whether it reflects like a mirror somewhere; with a texture of roughness a surface may be either.
+inline bool mayMirror(const CompiledMaterial& m) {
+  return reflectsSpecularly(m) && (m.roughness < smoothBelow || m.surfaceTexture.image >= 0);
+}
+
+/// Whether it has a rough lobe somewhere.
+inline bool mayReflectRoughly(const CompiledMaterial& m) {
+  return reflectsSpecularly(m) && m.roughness >= smoothBelow;
+}
+
 /// Whether light passes through a material diffusely.
 inline bool isTranslucent(const CompiledMaterial& m) { return m.diffuseTransmission != glm::vec3(0.0f); }
 

@@ -53,7 +53,7 @@ __kernel void sampleVirtualLight(__constant const ReferenceParameters* p, const 
   const uint number = numbers[i];
   const Interaction surface = loadInteraction(s, rays[i], hits[i]);
   VirtualSample sample;
-  if (!sampleVirtual(light, surface.position, step.leastSquare, &sample)) return;
+  if (!sampleVirtual(s, light, surface.position, step.leastSquare, &sample)) return;
   const Bsdf bsdf = loadBsdf(s, surface);
   if (!isDiffuse(bsdf) && !isGlossy(bsdf)) return;
   Scattered f;

@@ -3,7 +3,7 @@
 #ifndef PRELIGHT_RELIGHT_OCCLUDER_MATH_FUNCS_CL
 #define PRELIGHT_RELIGHT_OCCLUDER_MATH_FUNCS_CL
 
-#include "relight/dialect.h"
+#include "core/dialect.h"
 
 #define OCCLUDER_PI 3.14159265358979f
 #define LOG2_E 1.44269504f

@@ -60,13 +60,13 @@ typedef struct VirtualLight {
   float position[3];
   uint triangle;
   float normal[3];     ///< for shading; unit, on the side that shines
-  float f0;            ///< of the layer over the surface, the strongest channel; see ShadeMaterial
+  float layerF0;       ///< of the layer over the body, see Bsdf::layer in transport/lobe_funcs.cl
   float intensity[3];  ///< W/sr along `geometric`, without the layer's loss on the way out
-  float f90;
+  float layerF90;
   float geometric[3];  ///< unit, of its triangle, on the side that shines
-  uint pad;
+  float layerLater;
   float through[3];  ///< W/sr the other way, of a translucent surface
-  uint pad2;
+  float roughness;
 } VirtualLight;
 
 PRELIGHT_SHARED_END

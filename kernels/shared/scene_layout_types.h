@@ -45,6 +45,7 @@ typedef struct SceneLayout {
   uint shadeTexCoords;    ///< float2 [stored vertex]
   uint shadeTexCoords1;   ///< float2 [stored vertex]
   uint shadeTexels;       ///< ushort4
+  uint albedos;           ///< float4, of rough lobes (transport/albedo_table_funcs.cl); read only with PRELIGHT_GLOSSY
   // Lights, in LightLines.
   uint tables;            ///< uint: lower bounds of intervals
   uint emitters;          ///< uint [emitter] triangle

@@ -39,24 +39,20 @@ PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
 
 // Scatters from wo, above the surface, to wi, above or below a translucent one, in the frame of the shading normal.
 PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
+  // Light that enters and leaves the body passes the layer twice. What the layer holds back on the way out is scattered again,
+  // so that in an even sky no more is lost than the body absorbs ([1] of transport/lobe_funcs.cl).
+  const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo.z) * passage(b, fabs(wi.z)) * fabs(wi.z);
   Scattered r;
+  r.glossy = (float3)(0.0f);
 #ifdef PRELIGHT_TRANSLUCENT
   if (wi.z < 0.0f) {
-    r.diffuse = b.transmitted * (PRELIGHT_INVERSE_PI * -wi.z * (1.0f - largest(schlick(b, wo.z))) *
-                                 (1.0f - largest(schlick(b, -wi.z))));
-    r.glossy = (float3)(0.0f);
+    r.diffuse = b.transmitted * through;
     return r;
   }
 #endif
-  // Light that enters and leaves the body passes the layer twice: reciprocal, and never more than arrives.
-  r.diffuse = b.diffuse * (PRELIGHT_INVERSE_PI * wi.z * (1.0f - largest(schlick(b, wo.z))) *
-                           (1.0f - largest(schlick(b, wi.z))));
-  r.glossy = (float3)(0.0f);
+  r.diffuse = b.diffuse * through;
 #ifdef PRELIGHT_GLOSSY
-  if (!b.smooth) {
-    const float3 h = normalize(wo + wi);
-    r.glossy = specularReflectance(b, dot(wo, h)) * evalMicrofacet(wo, wi, h, b.alpha);
-  }
+  if (!b.smooth) r.glossy = evalGlossy(b, wo, wi);
 #endif
   return r;
 }
@@ -68,7 +64,7 @@ PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
 #endif
   float density = c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
 #ifdef PRELIGHT_GLOSSY
-  if (!b.smooth && c.specular > 0.0f) density += c.specular * pdfMicrofacet(wo, normalize(wo + wi), b.alpha);
+  if (!b.smooth && c.specular > 0.0f) density += c.specular * pdfGlossy(b, wo, wi);
 #endif
   return density;
 }
@@ -101,19 +97,20 @@ PRELIGHT_INLINE float3 sampleWeight(Interaction i, float3 direction, uint mode, 
 PRELIGHT_INLINE bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
   sample->direction = fromFrame(i.frame, (float3)(-i.woLocal.x, -i.woLocal.y, i.woLocal.z));
   if (dot(sample->direction, i.geometric) <= 0.0f) return false;
-  sample->weight = sampleWeight(i, sample->direction, mode, specularReflectance(b, i.woLocal.z), chance);
+  sample->weight = sampleWeight(i, sample->direction, mode, specularAlbedo(b, i.woLocal.z), chance);
   sample->lobe = PRELIGHT_LOBE_MIRROR;
   return true;
 }
 #endif
 
-// Samples the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one.
+// Samples the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one. `chance`: what is left of
+// the one that has chosen it, in [0,1).
 PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, bool through,
-                                 bool specular, float2 u, BsdfSample* sample) {
+                                 bool specular, float chance, float2 u, BsdfSample* sample) {
   float3 wi;
 #ifdef PRELIGHT_GLOSSY
   if (specular)
-    wi = sampleMicrofacet(u, i.woLocal, b.alpha);
+    wi = sampleGlossy(b, chance, u, i.woLocal);
   else
 #endif
     wi = sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
@@ -161,7 +158,8 @@ PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, fl
 #ifdef PRELIGHT_MIRROR
   if (specular && b.smooth) return sampleMirror(i, b, mode, chances.specular, sample);
 #endif
-  return sampleRough(i, b, lobes, mode, chances, through, specular, u, sample);
+  const float rest = specular ? clamp((chance - chances.diffuse) / chances.specular, 0.0f, 0.99999994f) : 0.0f;
+  return sampleRough(i, b, lobes, mode, chances, through, specular, rest, u, sample);
 }
 
 #endif

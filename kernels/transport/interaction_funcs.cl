@@ -17,6 +17,7 @@ typedef struct PathScene {
   __global const uchar* flat;      // [stored triangle] 1: no shading normals
   __global const uint* tangents;   // [triangle][corner] packDirection() but for bit 16: 1 where the texture is mirrored
   __global const ShadeMaterial* materials;
+  __global const float4* albedos;  // of rough lobes, see transport/albedo_table_funcs.cl
 } PathScene;
 
 typedef struct Interaction {

@@ -7,8 +7,7 @@
 // W/(m2 sr) towards a direction of this cosine. evalLobes' diffuse part with the layer's passage averaged over the
 // directions that the light comes from.
 PRELIGHT_INLINE float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
-  return b.diffuse * irradiance *
-         (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * (1.0f - largest(meanLayer(b))));
+  return b.diffuse * irradiance * (PRELIGHT_INVERSE_PI * passage(b, cosine));
 }
 
 #ifdef PRELIGHT_TRANSLUCENT
@@ -16,8 +15,8 @@ PRELIGHT_INLINE float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance
 // sun or a lamp as often as by a sky: the passage halfway between that of perpendicular light and that of light from all
 // sides errs by 2.5 % at most for either, of a layer of f0 0.04.
 PRELIGHT_INLINE float3 transmitIrradiance(Bsdf b, float cosine, float3 irradiance) {
-  const float enters = 1.0f - 0.5f * (largest(b.f0) + largest(meanLayer(b)));
-  return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * (1.0f - largest(schlick(b, cosine))) * enters);
+  const float enters = 0.5f * (1.0f + passage(b, 1.0f) * b.bodyGain);
+  return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * passage(b, cosine) * enters);
 }
 #endif
 

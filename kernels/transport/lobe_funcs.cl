@@ -1,5 +1,6 @@
 // What a surface is made of, as light meets it: the lobes of its scattering, and the chances with which they are drawn.
 // docs/reference.md states the model.
+// [1] Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling".
 // Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS,
 // PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
@@ -7,6 +8,7 @@
 
 #include "core/inline.h"
 #include "core/vector_funcs.cl"
+#include "transport/albedo_table_funcs.cl"
 
 #define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
 #define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/caustic_casters.h says the same
@@ -28,20 +30,29 @@
 #define PRELIGHT_LOBES_SPECULAR (PRELIGHT_LOBE_MIRROR | PRELIGHT_LOBES_GLASS)  // they scatter to single directions
 #define PRELIGHT_LOBES_ALL (PRELIGHT_LOBES_DIFFUSE | PRELIGHT_LOBE_GLOSSY | PRELIGHT_LOBES_SPECULAR)
 
+// Reflectance of a surface of microfacets: of metal, or of the layer on a dielectric.
+typedef struct Reflectance {
+  float3 f0;     // along the normal
+  float3 f90;    // at grazing angles
+  float3 later;  // of what does not leave at the first bounce (laterReflectance)
+} Reflectance;
+
 typedef struct Bsdf {
-  float3 diffuse;  // albedo
+  float3 diffuse;  // albedo of the body
 #ifdef PRELIGHT_TRANSLUCENT
   float3 transmitted;  // the same for light that leaves on the other side
 #endif
-  float3 metal;    // reflectance
-  float3 f0;       // of the dielectric's reflecting layer
-  float f90;
-  float layer;  // share of the surface that the layer covers
-  float glass;  // share that is glass
-  float3 tint;  // of what passes through the glass
-  float ior;    // 0: infinite
-  float alpha;  // width of the GGX lobe, roughness squared
-  bool smooth;  // metal and layer are mirrors
+  Reflectance specular;  // of metal and layer, times their shares of the surface
+  float3 layer;          // f0, f90 and later of the layer where it covers the body, by its largest channel
+  float bodyGain;        // 1 over the mean share that passes the layer
+  float glass;           // share that is glass
+  float3 tint;           // of what passes through the glass
+  float ior;             // 0: infinite
+  float roughness;
+  float alpha;           // width of the GGX lobe, roughness squared
+  float missing;         // mean share of light that does not leave microfacets at the first bounce
+  bool smooth;           // metal and layer are mirrors
+  __global const float4* albedos;  // see transport/albedo_table_funcs.cl; read only with PRELIGHT_GLOSSY
 } Bsdf;
 
 // Probabilities with which sampling picks a lobe; they add up to 1 unless all are 0.
@@ -61,11 +72,50 @@ PRELIGHT_INLINE float schlickRise(float cosine) {
   return k2 * k2 * k;
 }
 
-// Reflectance of the layer.
-PRELIGHT_INLINE float3 schlick(Bsdf b, float cosine) { return b.f0 + (b.f90 - b.f0) * schlickRise(cosine); }
+// What microfacets reflect at the first bounce, of light along a direction of this cosine: of f0 and of f90.
+PRELIGHT_INLINE float2 firstBounce(Bsdf b, float cosine) {
+#ifdef PRELIGHT_GLOSSY
+  if (!b.smooth) return lobeAlbedo(b.albedos, cosine, b.roughness).xy;
+#endif
+  const float rise = schlickRise(cosine);
+  return (float2)(1.0f - rise, rise);
+}
 
-// Its mean over directions, weighted by the cosine: that of the rise is 1/21.
-PRELIGHT_INLINE float3 meanLayer(Bsdf b) { return b.f0 + (b.f90 - b.f0) * (1.0f / 21.0f); }
+// What metal and layer reflect of light from a direction of this cosine, over all directions.
+PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float cosine) {
+  const float2 first = firstBounce(b, cosine);
+  return b.specular.f0 * first.x + b.specular.f90 * first.y + b.specular.later * (1.0f - first.x - first.y);
+}
+
+// Share of the light along a direction that passes the layer, given what that reflects at the first bounce.
+PRELIGHT_INLINE float passedLayer(Bsdf b, float2 first) {
+  return fmax(1.0f - (b.layer.x * first.x + b.layer.y * first.y + b.layer.z * (1.0f - first.x - first.y)), 0.0f);
+}
+
+PRELIGHT_INLINE float passage(Bsdf b, float cosine) {
+#if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
+  return passedLayer(b, firstBounce(b, cosine));
+#else
+  return 1.0f;
+#endif
+}
+
+// Completes a Bsdf whose roughness, albedos and diffuse parts are set: a metal of this reflectance and a layer, with the shares
+// of the surface that they cover.
+PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layerF0, float layerF90, float layerShare, Bsdf* b) {
+  float2 mean = (float2)(20.0f / 21.0f, 1.0f / 21.0f);
+#ifdef PRELIGHT_GLOSSY
+  if (!b->smooth) mean = meanLobeAlbedo(b->albedos, b->roughness).xy;
+#endif
+  b->missing = b->smooth ? 0.0f : fmax(1.0f - mean.x - mean.y, 0.0f);
+  const float3 white = (float3)(1.0f), layerRise = (float3)(layerF90);
+  const float3 layerLater = laterReflectance(layerF0, layerRise, b->missing);
+  b->specular.f0 = metalShare * metal + layerShare * layerF0;
+  b->specular.f90 = metalShare * white + layerShare * layerRise;
+  b->specular.later = metalShare * laterReflectance(metal, white, b->missing) + layerShare * layerLater;
+  b->layer = layerShare > 0.0f ? (float3)(largest(layerF0), layerF90, largest(layerLater)) : (float3)(0.0f);
+  b->bodyGain = 1.0f / fmax(passedLayer(*b, mean), 1e-6f);
+}
 
 // Whether the body scatters any light, to either side.
 PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
@@ -77,7 +127,7 @@ PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
 
 PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 #ifdef PRELIGHT_GLOSSY
-  return !b.smooth && largest(b.metal) + b.layer > 0.0f;
+  return !b.smooth && largest(b.specular.f90) > 0.0f;
 #else
   return false;
 #endif
@@ -90,9 +140,6 @@ PRELIGHT_INLINE bool isNarrow(Bsdf b) { return b.smooth || b.alpha <= PRELIGHT_N
 // The lobes that make caustics.
 PRELIGHT_INLINE uint narrowLobes(Bsdf b) { return PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u); }
 
-// What metal and layer reflect of light from a direction of this cosine, over all directions.
-PRELIGHT_INLINE float3 specularReflectance(Bsdf b, float cosine) { return b.metal + b.layer * schlick(b, cosine); }
-
 PRELIGHT_INLINE float chanceSum(LobeChances c) {
   const float sum = c.diffuse + c.specular + c.glass;
 #ifdef PRELIGHT_TRANSLUCENT
@@ -104,16 +151,16 @@ PRELIGHT_INLINE float chanceSum(LobeChances c) {
 
 // Chances of those among `lobes`, roughly in proportion to what they scatter of light from a direction of this cosine.
 PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float cosine, uint lobes) {
-  const float3 layer = schlick(b, cosine);
+  const float passes = passage(b, cosine);
   LobeChances c = {0.0f, 0.0f, 0.0f};
 #ifdef PRELIGHT_TRANSLUCENT
   const bool through = (lobes & PRELIGHT_LOBE_THROUGH) != 0u && cosine > 0.0f;
-  c.through = through ? largest(b.transmitted) * (1.0f - largest(layer)) : 0.0f;
+  c.through = through ? largest(b.transmitted) * passes : 0.0f;
 #endif
   if (cosine > 0.0f) {
-    if ((lobes & PRELIGHT_LOBE_DIFFUSE) != 0u) c.diffuse = largest(b.diffuse) * (1.0f - largest(layer));
+    if ((lobes & PRELIGHT_LOBE_DIFFUSE) != 0u) c.diffuse = largest(b.diffuse) * passes;
 #if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
-    if ((lobes & (b.smooth ? PRELIGHT_LOBE_MIRROR : PRELIGHT_LOBE_GLOSSY)) != 0u) c.specular = largest(b.metal + b.layer * layer);
+    if ((lobes & (b.smooth ? PRELIGHT_LOBE_MIRROR : PRELIGHT_LOBE_GLOSSY)) != 0u) c.specular = largest(specularAlbedo(b, cosine));
 #endif
   }
 #ifdef PRELIGHT_GLASS

@@ -35,24 +35,23 @@ PRELIGHT_INLINE float3 baseColor(PathScene s, uint triangle, float u, float v) {
 
 #ifdef PRELIGHT_TRANSLUCENT
 // Divides the body's light between its two sides. `opaque`: share of the surface that is neither metal nor glass.
-// What the layer keeps from leaving is scattered again: of the light that has entered, as much comes through as the
-// material says. So the layer's mean passage, which evaluateBsdf takes off on the way out, is made up for.
 PRELIGHT_INLINE void setTransmitted(PathScene s, Interaction i, float opaque, Bsdf* b) {
   __global const ShadeMaterial* m = s.materials + i.material;
   const float share = m->throughShare * materialTexture(s, PRELIGHT_THROUGH_TEXTURE, i.triangle, i.u, i.v).w;
   const float3 color = vload3(0, m->through) * materialTexture(s, PRELIGHT_THROUGH_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
   b->diffuse *= 1.0f - share;
-  b->transmitted = opaque * share * color / fmax(1.0f - largest(meanLayer(*b)), 1e-6f);
+  b->transmitted = opaque * share * color;
 }
 #endif
 
-// The layer that reflects on a dielectric.
-PRELIGHT_INLINE void setLayer(PathScene s, Interaction i, float opaque, Bsdf* b) {
+// The share `metallic` of the surface reflects `base`, the share `opaque` has the dielectric's layer.
+PRELIGHT_INLINE void setSpecular(PathScene s, Interaction i, float3 base, float metallic, float opaque, Bsdf* b) {
   __global const ShadeMaterial* m = s.materials + i.material;
+  const bool unlit = (i.flags & PRELIGHT_UNLIT) != 0u;
   const float3 color = materialTexture(s, PRELIGHT_SPECULAR_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
-  b->f90 = m->specular * materialTexture(s, PRELIGHT_SPECULAR_TEXTURE, i.triangle, i.u, i.v).w;
-  b->f0 = b->f90 * fmin(vload3(0, m->f0) * color, 1.0f);
-  b->layer = b->f90 > 0.0f ? opaque : 0.0f;
+  const float f90 = m->specular * materialTexture(s, PRELIGHT_SPECULAR_TEXTURE, i.triangle, i.u, i.v).w;
+  const float3 f0 = f90 * fmin(vload3(0, m->f0) * color, 1.0f);
+  setReflectance(base, unlit ? 0.0f : metallic, f0, f90, f90 > 0.0f ? opaque : 0.0f, b);
 }
 
 PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
@@ -66,13 +65,14 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   const float opaque = (1.0f - metallic) * (1.0f - glass);
   Bsdf b;
   b.diffuse = opaque * base;
-  b.metal = metallic * base;
-  setLayer(s, i, opaque, &b);
   b.glass = unlit ? 0.0f : (1.0f - metallic) * glass;
   b.tint = base;
   b.ior = m->ior;
+  b.roughness = roughness;
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;
+  b.albedos = s.albedos;
+  setSpecular(s, i, base, metallic, opaque, &b);
 #ifdef PRELIGHT_TRANSLUCENT
   setTransmitted(s, i, opaque, &b);
 #endif

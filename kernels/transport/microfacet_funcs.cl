@@ -1,7 +1,8 @@
-// The rough lobe: GGX microfacets, single scattering. Directions are in the frame of the shading normal (z).
+// The rough lobe: GGX microfacets. What they do not let out at the first bounce leaves later, in all directions. Directions are in the frame of the shading normal (z).
 // [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces" (GGX).
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2).
 // [3] Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
+// [4] Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks".
 #ifndef PRELIGHT_TRANSPORT_MICROFACET_FUNCS_CL
 #define PRELIGHT_TRANSPORT_MICROFACET_FUNCS_CL
 
@@ -50,5 +51,36 @@ PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
   const float3 h = sampleVisibleNormal(u, wo, alpha);
   return 2.0f * dot(wo, h) * h - wo;
 }
+
+#ifdef PRELIGHT_GLOSSY
+// What metal and layer scatter from wo to wi, times the cosine of wi: at the first bounce, and later ([4]).
+PRELIGHT_INLINE float3 evalGlossy(Bsdf b, float3 wo, float3 wi) {
+  const float3 h = normalize(wo + wi);
+  const float rise = schlickRise(dot(wo, h));
+  const float2 from = firstBounce(b, wo.z), to = firstBounce(b, wi.z);
+  const float later = (1.0f - from.x - from.y) * (1.0f - to.x - to.y) / fmax(b.missing, 1e-6f);
+  return (b.specular.f0 * (1.0f - rise) + b.specular.f90 * rise) * evalMicrofacet(wo, wi, h, b.alpha) +
+         b.specular.later * (PRELIGHT_INVERSE_PI * wi.z * later);
+}
+
+// Share of what the rough lobe reflects that leaves after the first bounce.
+PRELIGHT_INLINE float laterShare(Bsdf b, float cosine) {
+  const float2 first = firstBounce(b, cosine);
+  const float later = largest(b.specular.later) * (1.0f - first.x - first.y);
+  const float sum = largest(b.specular.f0) * first.x + largest(b.specular.f90) * first.y + later;
+  return later > 0.0f ? later / sum : 0.0f;
+}
+
+PRELIGHT_INLINE float pdfGlossy(Bsdf b, float3 wo, float3 wi) {
+  const float later = laterShare(b, wo.z);
+  return (1.0f - later) * pdfMicrofacet(wo, normalize(wo + wi), b.alpha) + later * PRELIGHT_INVERSE_PI * wi.z;
+}
+
+// May lie below the surface. `chance`, in [0,1), picks the bounce.
+PRELIGHT_INLINE float3 sampleGlossy(Bsdf b, float chance, float2 u, float3 wo) {
+  if (chance < laterShare(b, wo.z)) return sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
+  return sampleMicrofacet(u, wo, b.alpha);
+}
+#endif
 
 #endif

@@ -17,27 +17,38 @@ typedef struct VirtualSample {
 // The virtual light that a surface becomes as it scatters diffusely the power that comes from i.wo.
 PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
   const float arrives = fmax(i.woLocal.z, 0.0f);
-  const float enters = 1.0f - largest(schlick(b, arrives));
+  const float enters = passage(b, arrives) * b.bodyGain;
   // The half of the adjoint (adjointRatio) that the way in has; sampleVirtual has the other.
   const float bent = arrives / fmax(dot(i.wo, i.geometric), 1e-6f);
   VirtualLight light;
   vstore3(i.position, 0, light.position);
   light.triangle = i.triangle;
   vstore3(i.frame.z, 0, light.normal);
-  light.f0 = largest(b.f0);
+  light.layerF0 = b.layer.x;
+  light.layerF90 = b.layer.y;
+  light.layerLater = b.layer.z;
+  light.roughness = b.roughness;
   vstore3(power * b.diffuse * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.intensity);
   vstore3((float3)(0.0f), 0, light.through);
 #ifdef PRELIGHT_TRANSLUCENT
   vstore3(power * b.transmitted * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.through);
 #endif
-  light.f90 = b.f90;
   vstore3(i.geometric, 0, light.geometric);
-  light.pad = light.pad2 = 0u;
   return light;
 }
 
+// Share of the light inside the body of a virtual light that leaves in a direction of this cosine.
+PRELIGHT_INLINE float leavesVirtual(PathScene s, VirtualLight light, float cosine) {
+  Bsdf b;
+  b.layer = (float3)(light.layerF0, light.layerF90, light.layerLater);
+  b.roughness = light.roughness;
+  b.smooth = light.roughness < PRELIGHT_SMOOTH_BELOW;
+  b.albedos = s.albedos;
+  return passage(b, cosine);
+}
+
 // Nearer than the square root of `leastSquare` a light counts as at that distance. False: nothing arrives.
-PRELIGHT_INLINE bool sampleVirtual(VirtualLight light, float3 point, float leastSquare, VirtualSample* sample) {
+PRELIGHT_INLINE bool sampleVirtual(PathScene s, VirtualLight light, float3 point, float leastSquare, VirtualSample* sample) {
   const float3 way = vload3(0, light.position) - point;
   const float square = dot(way, way);
   if (!(square > 1e-18f)) return false;
@@ -52,8 +63,7 @@ PRELIGHT_INLINE bool sampleVirtual(VirtualLight light, float3 point, float least
   }
 #endif
   if (cosine <= 0.0f || leaving <= 0.0f) return false;
-  const float leaves = 1.0f - (light.f0 + (light.f90 - light.f0) * schlickRise(cosine));
-  sample->falloff = leaving * leaves / fmax(square, leastSquare);
+  sample->falloff = leaving * leavesVirtual(s, light, cosine) / fmax(square, leastSquare);
   return true;
 }
 

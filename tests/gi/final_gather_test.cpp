@@ -7,6 +7,7 @@
 
 #include "charts/make_light_map_layout.h"
 #include "receivers/surface_sampler.h"
+#include "support/ggx_albedo.h"
 #include "support/devices.h"
 #include "support/materials.h"
 #include "support/scenes.h"
@@ -135,8 +136,13 @@ double ggxReflection(const glm::dvec3& n, const glm::dvec3& in, const glm::dvec3
 }
 
 /// Irradiance at a place of a wall of the room of half-width 1 whose wall at x = 1 shines with radiance 10
-/// and whose wall at x = -1 reflects once by GGX of this width: midpoints of both walls.
-double irradianceByRoughMetal(const glm::dvec3& place, const glm::dvec3& normal, double alpha) {
+/// and whose wall at x = -1 is a white metal of this roughness: midpoints of both walls. What does not leave its microfacets at
+/// the first bounce leaves later, in proportion to what either direction lets stay (Kulla and Conty 2017). staying: its share
+/// [cosine], and the mean.
+double irradianceByRoughMetal(const glm::dvec3& place, const glm::dvec3& normal, double roughness,
+                              const std::vector<double>& staying, double meanStaying) {
+  const double alpha = roughness * roughness;
+  const auto stays = [&](double cosine) { return staying[std::size_t(cosine * double(staying.size() - 1) + 0.5)]; };
   constexpr int cells = 20;
   constexpr double side = 2.0 / cells, area = side * side;
   const auto middle = [](int i) { return -1.0 + side * (i + 0.5); };
@@ -148,7 +154,8 @@ double irradianceByRoughMetal(const glm::dvec3& place, const glm::dvec3& normal,
     for (int l = 0; l < cells * cells; ++l) {
       const glm::dvec3 toLamp = glm::dvec3(1.0, middle(l / cells), middle(l % cells)) - metal;
       const glm::dvec3 in = glm::normalize(toLamp);
-      radiance += 10.0 * ggxReflection({1.0, 0.0, 0.0}, in, out, alpha) * in.x * in.x * area /
+      const double later = stays(in.x) * stays(out.x) / (std::numbers::pi * meanStaying);
+      radiance += 10.0 * (ggxReflection({1.0, 0.0, 0.0}, in, out, alpha) + later) * in.x * in.x * area /
                   glm::dot(toLamp, toLamp);
     }
     irradiance += radiance * std::max(glm::dot(normal, -out), 0.0) * out.x * area / glm::dot(way, way);
@@ -166,12 +173,19 @@ TEST(FinalGather, LampsInRoughMetal_CountAsItsLobeReflectsThem) {
   room.request.raysPerReceiver = 256;
   const std::vector<glm::vec3> found = room.gather(glm::vec3(0.0f));
   const std::vector<device::Receiver> receivers = room.receivers();
+  constexpr double roughness = 0.8;
+  std::vector<double> staying;
+  for (int i = 0; i <= 128; ++i) {
+    const glm::dvec2 once = reflectedOnce(std::max(i / 128.0, 1e-3), roughness, 200);
+    staying.push_back(1.0 - once.x - once.y);
+  }
+  const double meanStaying = 1.0 - meanReflectedOnce(roughness);
   double sum = 0.0, expected = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const device::Receiver& r = receivers[i];
     sum += static_cast<double>(found[i].x);
     expected += irradianceByRoughMetal({r.position[0], r.position[1], r.position[2]},
-                                       {r.normal[0], r.normal[1], r.normal[2]}, 0.64);
+                                       {r.normal[0], r.normal[1], r.normal[2]}, roughness, staying, meanStaying);
   }
   EXPECT_NEAR(sum, expected, 0.02 * expected);
 }

@@ -7,6 +7,7 @@
 
 #include "benchmarks/lab/lab_kernels.h"
 #include "device/launch_once.h"
+#include "gpu/albedo_table.h"
 #include "support/devices.h"
 
 namespace prelight::test {
@@ -39,21 +40,23 @@ class BsdfProbe {
   Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
     DeviceContext& device = sharedDevice().context();
     const Buffer<float> surface(device, std::span<const float>(values_));
+    const Buffer<glm::vec4> albedos(device, std::span<const glm::vec4>(albedos_));
     const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(wo)),
         to(device, std::span<const glm::vec4>(wi));
     const Buffer<glm::vec4> scattered(device, 2 * wo.size());
     const Buffer<float> densities(device, wo.size());
     launchOnce(device, labKernel(device, file), options_, "probeReflection", wo.size(), surface,
-               static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
+               albedos, static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
     return {scattered.read(), densities.read()};
   }
 
   std::vector<ProbedSample> sample(const glm::vec4& wo, std::size_t count) const {
     DeviceContext& device = sharedDevice().context();
     const Buffer<float> surface(device, std::span<const float>(values_));
+    const Buffer<glm::vec4> albedos(device, std::span<const glm::vec4>(albedos_));
     const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), samples(device, 2 * count);
     launchOnce(device, labKernel(device, file), options_, "probeScatter", count, surface,
-               static_cast<std::uint32_t>(count), from, samples);
+               albedos, static_cast<std::uint32_t>(count), from, samples);
     const std::vector<glm::vec4> read = samples.read();
     std::vector<ProbedSample> drawn(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -66,6 +69,7 @@ class BsdfProbe {
 
   BuildOptions options_;
   std::vector<float> values_;
+  std::vector<glm::vec4> albedos_ = makeAlbedoTable();
 };
 
 inline glm::vec4 directionOf(double cosine, double azimuth) {

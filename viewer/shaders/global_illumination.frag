@@ -44,7 +44,7 @@ vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool gl
 
 vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
   vec3 sum = vec3(0.0);
-  bool reflects = (hasGloss || hasLayer) && largest(s.metal) + s.layer > 0.0 && s.roughness >= smoothBelow;
+  bool reflects = (hasGloss || hasLayer) && largest(s.f90) > 0.0 && s.roughness >= smoothBelow;
   // Lamps whose number is known are read once for all pixels.
   if (lampCount > 0) sum += shadeLight(0, s, geometric, n, toEye, reflects, 1);
   if (lampCount > 1) sum += shadeLight(1, s, geometric, n, toEye, reflects, 1);

@@ -70,5 +70,5 @@ vec3 reflectThroughTransfer(FragmentMaterial m, int triangle, vec3 point, vec3 n
     }
   }
   if (lobeIsBrdf != 0) return max(m.f0 * pi * sum, vec3(0.0));
-  return max(skyReflectance(m.f0, m.roughness, max(dot(n, toEye), 0.0)) * sum / max(open, 1e-6), vec3(0.0));
+  return max(skyReflectance(m, max(dot(n, toEye), 0.0)) * sum / max(open, 1e-6), vec3(0.0));
 }

@@ -42,6 +42,7 @@ struct FragmentMaterial {
   vec3 dielectric;  // reflectance of the layer along the normal
   float f90;        // at grazing angles
   vec3 f0;          // of layer and metal
+  float grazing;    // the same at grazing angles
   vec3 emission;
 };
 
@@ -76,6 +77,7 @@ FragmentMaterial readMaterial(vec4 texCoords, vec4 vertexColor) {
   }
   m.dielectric = min(m.dielectric, vec3(1.0)) * m.f90;
   m.f0 = mix(m.dielectric, m.base, m.metallic);
+  m.grazing = mix(m.f90, 1.0, m.metallic);
   m.emission = hasEmission ? emissionFactor : vec3(0.0);
   if (hasEmissiveTexture) m.emission *= texture(emissiveTexture, texturePlace(texCoords, emissiveU, emissiveV)).rgb;
   return m;

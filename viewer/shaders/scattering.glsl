@@ -1,62 +1,84 @@
 // How a surface scatters light, as kernels/transport/bsdf_funcs.cl has it; needs material.glsl.
 // [1] Walter et al., "Microfacet models for refraction through rough surfaces", 2007 (GGX).
 // [2] Heitz, "Understanding the masking-shadowing function", 2014 (height-correlated Smith).
-// [3] Karis, "Physically based shading on mobile", 2014 (fit of the reflectance of a uniform sky).
+#include "transport/albedo_table_funcs.cl"
+uniform samplerBuffer albedos;  // of rough lobes
 uniform float glassIor;  // 0: infinite
 uniform int solidGlass;  // 1: glass with an inside, 0: a sheet
 
 const float smoothBelow = 0.05;  // roughness of mirrors
 const float narrowBelow = 0.25;  // of lobes that show what is there
-const float meanRise = 1.0 / 21.0;  // of Schlick's term, over the cosine
 
 struct Scattering {
-  vec3 diffuse;  // albedo
+  vec3 diffuse;  // albedo of the body
   vec3 transmitted;  // the same for light that leaves on the other side
-  vec3 metal;    // reflectance
-  vec3 f0;       // of the dielectric's layer
-  float f90;
-  float layer;   // share of the surface that the layer covers
-  float glass;   // share that is glass
+  // Of metal and layer, times their shares of the surface: along the normal, at grazing angles, and of what does not leave
+  // microfacets at the first bounce.
+  vec3 f0;
+  vec3 f90;
+  vec3 later;
+  vec3 layer;      // the same three of the layer where it covers the body, by its largest channel
+  float bodyGain;  // 1 over the mean share that passes the layer
+  float missing;   // mean share of light that does not leave microfacets at the first bounce
+  float glass;     // share that is glass
   float roughness;
 };
 
 float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 
-// Schlick's term, its mean over the cosine.
-vec3 meanLayer(Scattering s) { return s.f0 + (vec3(s.f90) - s.f0) * meanRise; }
+float schlickRise(float cosine) {
+  float k = clamp(1.0 - cosine, 0.0, 1.0);
+  return k * k * k * k * k;
+}
+
+// What microfacets reflect at the first bounce, of light along a direction of this cosine: of f0 and of f90.
+vec2 firstBounce(Scattering s, float cosine) {
+  if (s.roughness >= smoothBelow) return lobeAlbedo(albedos, cosine, s.roughness).xy;
+  float rise = schlickRise(cosine);
+  return vec2(1.0 - rise, rise);
+}
+
+// Share of the light along a direction that passes the layer, given what that reflects at the first bounce.
+float passedLayer(Scattering s, vec2 first) {
+  return max(1.0 - dot(s.layer, vec3(first, 1.0 - first.x - first.y)), 0.0);
+}
+
+float passage(Scattering s, float cosine) { return hasLayer ? passedLayer(s, firstBounce(s, cosine)) : 1.0; }
 
 Scattering scatteringOf(FragmentMaterial m) {
   Scattering s;
   float opaque = (1.0 - m.metallic) * (1.0 - m.glass);
   s.diffuse = opaque * m.base * (hasTranslucency ? 1.0 - translucency.a : 1.0);
-  s.metal = m.metallic * m.base;
-  s.f0 = hasLayer ? m.dielectric : vec3(0.0);
-  s.f90 = hasLayer ? m.f90 : 0.0;
-  s.layer = s.f90 > 0.0 ? opaque : 0.0;
+  s.transmitted = m.through;
   s.glass = m.transmission;
   s.roughness = m.roughness;
-  s.transmitted = m.through / max(1.0 - largest(meanLayer(s)), 1e-6);
+  vec2 mean = vec2(20.0, 1.0) / 21.0;
+  if ((hasGloss || hasLayer) && s.roughness >= smoothBelow) mean = meanLobeAlbedo(albedos, s.roughness).xy;
+  s.missing = s.roughness >= smoothBelow ? max(1.0 - mean.x - mean.y, 0.0) : 0.0;
+  vec3 layerF0 = hasLayer ? m.dielectric : vec3(0.0);
+  float layerF90 = hasLayer ? m.f90 : 0.0;
+  float share = layerF90 > 0.0 ? opaque : 0.0;
+  vec3 layerLater = laterReflectance(layerF0, vec3(layerF90), s.missing);
+  s.f0 = m.metallic * m.base + share * layerF0;
+  s.f90 = vec3(m.metallic + share * layerF90);
+  s.later = m.metallic * laterReflectance(m.base, vec3(1.0), s.missing) + share * layerLater;
+  s.layer = share > 0.0 ? vec3(largest(layerF0), layerF90, largest(layerLater)) : vec3(0.0);
+  s.bodyGain = hasLayer ? 1.0 / max(passedLayer(s, mean), 1e-6) : 1.0;
   return s;
 }
 
-vec3 schlick(Scattering s, float cosine) {
-  float k = clamp(1.0 - cosine, 0.0, 1.0);
-  return s.f0 + (vec3(s.f90) - s.f0) * (k * k * k * k * k);
-}
+// Share that the body reflects of what arrives from everywhere alike, over pi.
+vec3 diffuseOfIrradiance(Scattering s, float nv) { return s.diffuse / pi * passage(s, nv); }
 
-// Share that the body reflects of what arrives from everywhere alike, over pi: light passes the layer twice.
-vec3 diffuseOfIrradiance(Scattering s, float nv) {
-  return s.diffuse / pi * (1.0 - largest(schlick(s, nv))) * (1.0 - largest(meanLayer(s)));
-}
-
+// Light passes the layer twice.
 vec3 diffuseOfLight(Scattering s, float nv, float nl) {
-  return s.diffuse / pi * (1.0 - largest(schlick(s, nv))) * (1.0 - largest(schlick(s, nl)));
+  return s.diffuse / pi * s.bodyGain * passage(s, nv) * passage(s, nl);
 }
 
 // The same of light on the other side.
 vec3 transmittedOfIrradiance(Scattering s, float nv) {
-  float enters = 1.0 - 0.5 * (largest(s.f0) + largest(meanLayer(s)));  // as transmitIrradiance() of the kernels
-  return s.transmitted / pi * (1.0 - largest(schlick(s, nv))) * enters;
+  float enters = 0.5 * (1.0 + passage(s, 1.0) * s.bodyGain);  // as transmitIrradiance() of the kernels
+  return s.transmitted / pi * passage(s, nv) * enters;
 }
 
 vec3 transmittedOfLight(Scattering s, float nv, float nl) {
@@ -74,16 +96,17 @@ vec3 glossyOfLight(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
   float d = nh * nh * (a2 - 1.0) + 1.0;
   float distribution = a2 / (pi * d * d);  // [1] Eq. 33
   float visible = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));  // [2]
-  return (s.metal + s.layer * schlick(s, dot(toEye, h))) * distribution * visible;
+  float rise = schlickRise(dot(toEye, h));
+  vec2 from = firstBounce(s, nv);
+  vec2 to = firstBounce(s, nl);
+  float later = (1.0 - from.x - from.y) * (1.0 - to.x - to.y) / max(s.missing, 1e-6);
+  return (s.f0 * (1.0 - rise) + s.f90 * rise) * distribution * visible + s.later * later / pi;
 }
 
 // Share that metal and layer reflect of surroundings of one radiance.
 vec3 reflectanceOfSurroundings(Scattering s, float nv) {
-  if (s.roughness < smoothBelow) return s.metal + s.layer * schlick(s, nv);
-  vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);  // [3]
-  float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
-  vec2 ab = vec2(-1.04, 1.04) * a + r.zw;
-  return s.metal * (ab.x + ab.y) + s.layer * (s.f0 * ab.x + s.f90 * ab.y);
+  vec2 first = firstBounce(s, nv);
+  return s.f0 * first.x + s.f90 * first.y + s.later * (1.0 - first.x - first.y);
 }
 
 // Share of unpolarised light that glass reflects; eta: ior beyond over that here.

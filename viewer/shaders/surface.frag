@@ -73,7 +73,7 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
     sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
   }
   if (specularWeight > 0.0) {
-    sum += irradiance * specularWeight * vHighlight * specularBrdf(m.f0, m.roughness, n, toEye, toLight);
+    sum += irradiance * specularWeight * vHighlight * specularBrdf(m, n, toEye, toLight);
   }
   return sum;
 }
@@ -167,7 +167,7 @@ void main() {
   if (hasCaustics && causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   }
-  vec3 reflectance = skyReflectance(m.f0, m.roughness, nv) * glossy;
+  vec3 reflectance = skyReflectance(m, nv) * glossy;
   if (reflectionRule == reflectionThroughTransfer) {
     radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
   } else if (hasGloss) {

@@ -3,22 +3,22 @@
 // triangle's normal is not the shading normal.
 #include "transport/light_funcs.cl"
 
-// values: diffuse 3, metal 3, f0 3, f90, layer, alpha, transmitted 3, normal of the triangle 3.
-Bsdf probeBsdf(__constant const float* values) {
+// values: diffuse 3, metal 3, its share, f0 3, f90, share of the layer, roughness, transmitted 3, normal of the triangle 3;
+// albedos: see transport/albedo_table_funcs.cl.
+Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   Bsdf b;
   b.diffuse = vload3(0, values);
-  b.metal = vload3(0, values + 3);
-  b.f0 = vload3(0, values + 6);
-  b.f90 = values[9];
-  b.layer = values[10];
-  b.alpha = values[11];
+  b.roughness = values[12];
+  b.alpha = b.roughness * b.roughness;
+  b.smooth = false;
+  b.albedos = albedos;
   b.glass = 0.0f;
   b.tint = (float3)(1.0f);
   b.ior = 1.5f;
-  b.smooth = false;
 #ifdef PRELIGHT_TRANSLUCENT
-  b.transmitted = vload3(0, values + 12);
+  b.transmitted = vload3(0, values + 13);
 #endif
+  setReflectance(vload3(0, values + 3), values[6], vload3(0, values + 7), values[10], values[11], &b);
   return b;
 }
 
@@ -35,7 +35,7 @@ Interaction probeInteraction(__constant const float* values, float3 wo) {
   i.frame.y = (float3)(0.0f, 1.0f, 0.0f);
   i.frame.z = (float3)(0.0f, 0.0f, 1.0f);
 #ifdef PRELIGHT_PROBE_BENT
-  i.geometric = vload3(0, values + 15);
+  i.geometric = vload3(0, values + 16);
 #else
   i.geometric = i.frame.z;
 #endif
@@ -48,11 +48,11 @@ Interaction probeInteraction(__constant const float* values, float3 wo) {
 
 // A direction pair a work-item. wo, wi [pair] (w unused) -> reflections [pair][2] diffuse and glossy part, 0 where no light can
 // go; densities [pair] of wi as sampling draws it.
-__kernel void probeReflection(__constant const float* values, const uint count, __global const float4* wo,
+__kernel void probeReflection(__constant const float* values, __global const float4* albedos, const uint count, __global const float4* wo,
                               __global const float4* wi, __global float4* reflections, __global float* densities) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  const Bsdf b = probeBsdf(values);
+  const Bsdf b = probeBsdf(values, albedos);
   const Interaction surface = probeInteraction(values, wo[i].xyz);
   Scattered f = {(float3)(0.0f), (float3)(0.0f)};
   evalBsdf(surface, b, wi[i].xyz, PRELIGHT_PROBE_MODE, &f);
@@ -63,11 +63,11 @@ __kernel void probeReflection(__constant const float* values, const uint count, 
 
 // A sample a work-item -> samples [sample][2]: direction as sampling draws it from wo[0], in w its density, and its weight. All 0
 // where no light goes on.
-__kernel void probeScatter(__constant const float* values, const uint count, __global const float4* wo,
+__kernel void probeScatter(__constant const float* values, __global const float4* albedos, const uint count, __global const float4* wo,
                            __global float4* samples) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
-  const Bsdf b = probeBsdf(values);
+  const Bsdf b = probeBsdf(values, albedos);
   const uint2 choice = samplePaddedBits((uint)i, 17u), place = samplePaddedBits((uint)i, 23u);
   const float2 u = (float2)(unitFloat(place.x), unitFloat(place.y));
   BsdfSample sample;

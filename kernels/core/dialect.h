@@ -1,7 +1,7 @@
 // The words in which OpenCL C and GLSL differ, for files that are both. Such files use float and int, vec3 and vec4,
 // structs by value, literals with f, and functions that the two languages share.
-#ifndef PRELIGHT_RELIGHT_DIALECT_H
-#define PRELIGHT_RELIGHT_DIALECT_H
+#ifndef PRELIGHT_CORE_DIALECT_H
+#define PRELIGHT_CORE_DIALECT_H
 
 #ifdef __OPENCL_C_VERSION__
 #define vec3 float3

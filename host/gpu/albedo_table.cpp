@@ -1,0 +1,89 @@
+#include "gpu/albedo_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "shared/albedo_types.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr int cosines = PRELIGHT_ALBEDO_COSINES, roughnesses = PRELIGHT_ALBEDO_ROUGHNESSES;
+constexpr int turns = 16, heights = 48;  ///< of the quadrature over normals that the eye sees
+
+/// Schlick 1994, as in kernels/transport/lobe_funcs.cl.
+double schlickRise(double cosine) {
+  const double k = std::clamp(1.0 - cosine, 0.0, 1.0), k2 = k * k;
+  return k2 * k2 * k;
+}
+
+/// cosine sqrt(1 + alpha2 tan2), Heitz 2014.
+double smithTerm(double cosine, double alpha) {
+  return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
+}
+
+/// Over the normals that are visible along a direction of this cosine (Dupuy and Benyoub 2023), the share that leaves: G2 / G1.
+glm::dvec2 firstBounce(double cosine, double alpha) {
+  const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+  const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, 0.0, wo.z));
+  glm::dvec2 sum(0.0);
+  for (int y = 0; y < heights; ++y) {
+    // Steps that shrink towards normals at right angles to the eye's stretched direction: of smooth surfaces few others matter.
+    const double step = (y + 0.5) / heights, weight = 3.0 * step * step;
+    const double z = 1.0 - (1.0 - step * step * step) * (1.0 + v.z);
+    const double radius = std::sqrt(std::max(1.0 - z * z, 0.0));
+    for (int x = 0; x < turns; ++x) {  // the other half mirrors this one
+      const double turn = std::numbers::pi * (x + 0.5) / turns;
+      const glm::dvec3 c = glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z) + v;
+      const glm::dvec3 h = glm::normalize(glm::dvec3(alpha * c.x, alpha * c.y, std::max(c.z, 1e-9)));
+      const double along = glm::dot(wo, h), to = 2.0 * along * h.z - wo.z;
+      if (to <= 0.0) continue;
+      const double from = smithTerm(wo.z, alpha), toTerm = smithTerm(to, alpha);
+      const double leaves = to * (wo.z + from) / (wo.z * toTerm + to * from), rise = schlickRise(along);
+      sum += weight * leaves * glm::dvec2(1.0 - rise, rise);
+    }
+  }
+  return sum / double(turns * heights);
+}
+
+/// A row at the cosines of the table; grazing light meets no more than the next.
+void fillRow(int r, std::vector<glm::vec4>& table) {
+  const double root = double(r) / (roughnesses - 1), alpha = std::max(std::pow(root, 4.0), 1e-4);
+  for (int c = 0; c < cosines; ++c) {
+    const double step = std::max(double(c), 0.05) / (cosines - 1);
+    const glm::dvec2 first = firstBounce(std::min(step * step, 1.0), alpha);
+    table[r * cosines + c] = glm::vec4(first.x, first.y, 0.0, 0.0);
+  }
+}
+
+/// Mean over directions, weighted by the cosine, of what is looked up: exact for values between which roots of cosines are
+/// interpolated. With s = sqrt(cosine) the weight is 4 s^3 ds.
+glm::vec4 meanOfRow(int r, const std::vector<glm::vec4>& table) {
+  glm::dvec4 sum(0.0);
+  const double step = 1.0 / (cosines - 1);
+  for (int c = 0; c + 1 < cosines; ++c) {
+    const double a = c * step, b = a + step;
+    const double whole = std::pow(b, 4) - std::pow(a, 4);                // of the weight
+    const double first = 0.8 * (std::pow(b, 5) - std::pow(a, 5));        // of the weight times s
+    const double upper = (first - a * whole) / step;
+    const glm::dvec4 left(table[r * cosines + c]), right(table[r * cosines + c + 1]);
+    sum += left * (whole - upper) + right * upper;
+  }
+  return glm::vec4(sum);
+}
+
+}  // namespace
+
+std::vector<glm::vec4> makeAlbedoTable() {
+  std::vector<glm::vec4> table(cosines * roughnesses);
+  parallelRanges(roughnesses, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) fillRow(static_cast<int>(r), table);
+  });
+  for (int r = 0; r < roughnesses; ++r) table.push_back(meanOfRow(r, table));
+  return table;
+}
+
+}  // namespace prelight

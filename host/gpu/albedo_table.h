@@ -1,0 +1,13 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace prelight {
+
+/// What rough lobes reflect of light from one direction, as kernels/transport/albedo_table_funcs.cl looks it up: [roughness]
+/// [cosine], then the means [roughness]. x, y: GGX with height-correlated Smith masking at the first bounce, of the constant
+/// part and of the rise of Schlick's reflectance.
+std::vector<glm::vec4> makeAlbedoTable();
+
+}  // namespace prelight

@@ -1,0 +1,9 @@
+// The table of what rough lobes reflect (transport/albedo_table_funcs.cl); GLSL reads this, too.
+#ifndef PRELIGHT_SHARED_ALBEDO_TYPES_H
+#define PRELIGHT_SHARED_ALBEDO_TYPES_H
+
+// [roughness][cosine], then the means [roughness]. Cosines and roughnesses are squares of equal steps from 0 to 1.
+#define PRELIGHT_ALBEDO_COSINES 48
+#define PRELIGHT_ALBEDO_ROUGHNESSES 32
+
+#endif

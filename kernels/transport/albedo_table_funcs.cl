@@ -1,0 +1,39 @@
+// What rough lobes reflect of light from one direction, looked up: host/gpu/albedo_table.h makes the table. OpenCL C and GLSL.
+// A texel: x, y are what GGX microfacets reflect at their first bounce, of the constant part of Schlick's reflectance and of its
+// rise: f0 x + f90 y.
+#ifndef PRELIGHT_TRANSPORT_ALBEDO_TABLE_FUNCS_CL
+#define PRELIGHT_TRANSPORT_ALBEDO_TABLE_FUNCS_CL
+
+#include "core/dialect.h"
+#include "shared/albedo_types.h"
+
+// Of a direction of this cosine; both in [0,1].
+vec4 lobeAlbedo(TEXELS table, float cosine, float roughness) {
+  float column = sqrt(clamp(cosine, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ALBEDO_COSINES - 1);
+  float row = sqrt(clamp(roughness, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ALBEDO_ROUGHNESSES - 1);
+  int c = min(TO_INT(column), PRELIGHT_ALBEDO_COSINES - 2);
+  int r = min(TO_INT(row), PRELIGHT_ALBEDO_ROUGHNESSES - 2);
+  int at = r * PRELIGHT_ALBEDO_COSINES + c;
+  float x = column - TO_FLOAT(c);
+  vec4 smoother = mix(FETCH(table, at), FETCH(table, at + 1), x);
+  vec4 rougher = mix(FETCH(table, at + PRELIGHT_ALBEDO_COSINES), FETCH(table, at + PRELIGHT_ALBEDO_COSINES + 1), x);
+  return mix(smoother, rougher, row - TO_FLOAT(r));
+}
+
+// Its mean over directions, weighted by the cosine.
+vec4 meanLobeAlbedo(TEXELS table, float roughness) {
+  float row = sqrt(clamp(roughness, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ALBEDO_ROUGHNESSES - 1);
+  int r = min(TO_INT(row), PRELIGHT_ALBEDO_ROUGHNESSES - 2);
+  int at = PRELIGHT_ALBEDO_ROUGHNESSES * PRELIGHT_ALBEDO_COSINES + r;
+  return mix(FETCH(table, at), FETCH(table, at + 1), row - TO_FLOAT(r));
+}
+
+// Reflectance of the light that one bounce has not let out: it bounces on among microfacets of this reflectance, until it is
+// absorbed or leaves. `missing`: mean share that stays in at a bounce. Hill's correction of [1].
+// [1] Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks".
+vec3 laterReflectance(vec3 f0, vec3 f90, float missing) {
+  vec3 mean = f0 + (f90 - f0) * (1.0f / 21.0f);
+  return mean * mean * (1.0f - missing) / (VEC3(1.0f) - mean * missing);
+}
+
+#endif
