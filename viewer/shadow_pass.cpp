@@ -6,11 +6,10 @@
 namespace prelight::viewer {
 namespace {
 
-/// Whether triangles of a surface have holes, and the alpha below which they are: blended ones are taken for
-/// cut out at a half, as rays take them.
+/// The alpha below which triangles of a surface have holes; < 0: nowhere. Of blended ones shadow_holes.glsl has thresholds.
 float cutoffOf(const Material& material) {
   if (material.alphaMode == AlphaMode::Opaque) return -1.0f;
-  return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+  return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.0f;
 }
 
 bool hasClipControl() { return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"); }
@@ -25,7 +24,8 @@ void setEye(const gl::Program& program, const ShadowEye& eye) {
 
 void setHoles(const gl::Program& program, const RenderScene& scene, const Surface& surface) {
   const float cutoff = cutoffOf(surface.material);
-  program.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, 0.0f, 0.0f));
+  const float blended = surface.material.alphaMode == AlphaMode::Blend ? 1.0f : 0.0f;
+  program.set("alpha", glm::vec4(surface.material.baseColor.a, cutoff, blended, 0.0f));
   program.set("baseColorTexture", static_cast<int>(baseColorUnit));
   if (cutoff < 0.0f) return;
   const SurfaceTexture& color = surface.at(TextureSlot::BaseColor);

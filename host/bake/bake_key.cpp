@@ -21,7 +21,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
     for (int c = 0; c < 3; ++c) hash.value(m.albedo[c]);
     for (int c = 0; c < 3; ++c) hash.value(m.emission[c]);
     for (int c = 0; c < 3; ++c) hash.value(m.diffuseTransmission[c]);
-    hash.value(m.doubleSided);
+    hash.value(m.doubleSided).value(m.blended);
     hash.value(m.alphaCutoff).value(m.alphaFactor).value(m.metallic).value(m.transmission);
     for (const TextureRef& texture : m.albedoTextures()) addTexture(texture, hash);
   }

@@ -16,6 +16,7 @@ DeviceMaterial deviceMaterial(const CompiledMaterial& m, bool used, TextureUploa
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.albedo[c];
   d.alphaCutoff = m.alphaCutoff;
   d.alphaFactor = m.alphaFactor;
+  d.blended = m.blended ? 1u : 0u;
   d.metallic = m.metallic;
   d.glass = m.transmission;
   for (int c = 0; c < 3; ++c)

@@ -30,8 +30,9 @@ void setSpecular(const CompiledMaterial& m, ShadeMaterial& r) {
 DeviceMaterial baseMaterial(const CompiledMaterial& m, std::uint32_t texture) {
   DeviceMaterial d{};
   for (int c = 0; c < 3; ++c) d.albedo[c] = m.baseColor[c];
-  d.alphaCutoff = -1.0f;
-  d.alphaFactor = 1.0f;
+  d.alphaCutoff = m.alphaCutoff;
+  d.alphaFactor = m.alphaFactor;
+  d.blended = m.blended ? 1u : 0u;
   d.colorTexture = texture;
   d.metallicTexture = d.glassTexture = PRELIGHT_NO_TEXTURE;
   return d;

@@ -22,7 +22,7 @@ void addMaterial(StateHash& hash, const CompiledMaterial& m) {
   for (const float v : {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior,
                         m.specular, m.translucency, m.normalScale})
     hash.value(v);
-  for (const bool v : {m.doubleSided, m.solid, m.unlit}) hash.value(v ? 1 : 0);
+  for (const bool v : {m.doubleSided, m.blended, m.solid, m.unlit}) hash.value(v ? 1 : 0);
   for (const TextureRef& texture : m.textures()) addTexture(hash, texture);
 }
 

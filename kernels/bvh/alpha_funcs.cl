@@ -1,10 +1,11 @@
-// What a hit finds on the surface: textures, coverage (alpha mask) and diffuse albedo.
+// What a hit finds on the surface: textures, coverage (alpha masks and blending) and diffuse albedo.
 // Options: PRELIGHT_VERTEX_COLORS, PRELIGHT_ALPHA_TEST, PRELIGHT_SHARED_SURFACE, PRELIGHT_ALBEDO_SHARES (some metalness or
 // transmission that the albedo depends on has a texture).
 #ifndef PRELIGHT_BVH_ALPHA_FUNCS_CL
 #define PRELIGHT_BVH_ALPHA_FUNCS_CL
 
 #include "core/inline.h"
+#include "core/sampling_funcs.cl"
 #include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 
@@ -134,12 +135,33 @@ PRELIGHT_INLINE float4 surfaceColor(Surface s, uint triangle, float u, float v) 
   return color;
 }
 
-// False where an alpha mask has a hole. Programs of scenes without masks are built without the test.
+// A number in [0,1) that is the same wherever the same ray meets the same point.
+PRELIGHT_INLINE float chanceAt(uint triangle, float u, float v) {
+  return unitFloat(hashInteger(hashInteger(as_uint(u) ^ hashInteger(triangle)) ^ as_uint(v)));
+}
+
+// Share of the surface that is there at a point: 0 in the holes of a mask, the alpha of a blended surface. Programs of scenes
+// without either are built without the test.
+PRELIGHT_INLINE float surfaceCoverage(Surface s, uint triangle, float u, float v) {
+#ifdef PRELIGHT_ALPHA_TEST
+  const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];
+  const float cutoff = s.materials[t.material].alphaCutoff;
+  if (cutoff < 0.0f) return 1.0f;
+  const float alpha = factorAndTexture(s, t, u, v).w;
+  return s.materials[t.material].blended != 0u ? clamp(alpha, 0.0f, 1.0f) : (alpha >= cutoff ? 1.0f : 0.0f);
+#else
+  return 1.0f;
+#endif
+}
+
+// False where a ray passes the surface at a point: in holes, and by chance where it is blended.
 bool surfaceIsThere(Surface s, uint triangle, float u, float v) {
 #ifdef PRELIGHT_ALPHA_TEST
   const DeviceTriangle t = s.triangles[storedTriangle(s, triangle).index];
   const float cutoff = s.materials[t.material].alphaCutoff;
-  return cutoff < 0.0f || factorAndTexture(s, t, u, v).w >= cutoff;
+  if (cutoff < 0.0f) return true;
+  const float alpha = factorAndTexture(s, t, u, v).w;
+  return s.materials[t.material].blended != 0u ? alpha > chanceAt(triangle, u, v) : alpha >= cutoff;
 #else
   return true;
 #endif

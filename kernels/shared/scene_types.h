@@ -30,7 +30,7 @@ typedef struct DeviceTexture {
 /// What a hit finds at once. Textures are places in the list of them; PRELIGHT_NO_TEXTURE: none.
 typedef struct DeviceMaterial {
   float albedo[3];       ///< linear; multiplies texture and vertex colour
-  float alphaCutoff;     ///< < 0: opaque
+  float alphaCutoff;     ///< < 0: opaque; holes are where alpha is below
   float alphaFactor;
   uint colorTexture;
   float metallic;        ///< times B of its texture: share that has no albedo; without a texture `albedo` has it
@@ -38,7 +38,7 @@ typedef struct DeviceMaterial {
   float glass;           ///< the same with R
   uint glassTexture;
   uint transmission;     ///< diffuse, 10 bits each: red in bits 0..9, green, blue
-  uint pad;
+  uint blended;          ///< 1: alpha is the share of the surface that is there
 } DeviceMaterial;
 
 typedef struct DeviceTriangle {

@@ -73,7 +73,8 @@ PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layou
   const EmitterPoint e = sampleEmitterPoint(l, allEmitters(layout), s, bits, place);
   bool front;
   if (!seeEmitter(l, e, point, a, &front)) return false;
-  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, front);
+  // Rays to the emitter's own surface do not ask whether it is there.
+  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, front) * surfaceCoverage(s.surface, e.triangle, e.at.x, e.at.y);
   return true;
 }
 #endif

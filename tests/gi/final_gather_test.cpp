@@ -170,7 +170,7 @@ TEST(FinalGather, LampsInRoughMetal_CountAsItsLobeReflectsThem) {
   room.scene.materials.push_back(metal(1.0f, 0.8f));
   room.scene.triangleMaterials[0] = room.scene.triangleMaterials[1] = 1;
   room.scene.triangleMaterials[2] = room.scene.triangleMaterials[3] = 2;
-  room.request.raysPerReceiver = 256;
+  room.request.raysPerReceiver = 1024;
   const std::vector<glm::vec3> found = room.gather(glm::vec3(0.0f));
   const std::vector<device::Receiver> receivers = room.receivers();
   constexpr double roughness = 0.8;

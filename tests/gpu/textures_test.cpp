@@ -31,8 +31,9 @@ __kernel void probe(__constant const SceneLayout* layout, __global const Surface
   i.u = at.x;
   i.v = at.y;
   const Bsdf b = loadBsdf(s, i);
-  o[2] = (float4)(sqrt(b.alpha), b.metal.x / b.tint.x, b.glass, b.f90);
-  o[3] = (float4)(emittedRadiance(s, 0u, at.x, at.y, true), 1.0f - b.diffuse.x / (b.tint.x * (1.0f - b.metal.x / b.tint.x) - b.glass * b.tint.x));
+  const float metal = (b.specular.f90.x - (1.0f - b.glass) * b.layer.y) / (1.0f - b.layer.y);
+  o[2] = (float4)(b.roughness, metal, b.glass, b.layer.y);
+  o[3] = (float4)(emittedRadiance(s, 0u, at.x, at.y, true), 1.0f - b.diffuse.x / (b.tint.x * (1.0f - metal) - b.glass * b.tint.x));
 }
 )";
 

@@ -53,6 +53,7 @@ struct CompiledMaterial {
   glm::vec3 emission{0.0f};             ///< mean emitted radiance (texture averaged), W/(m2 sr)
   float alphaCutoff = -1.0f;            ///< < 0: opaque; otherwise texels with alpha below it are holes
   float alphaFactor = 1.0f;             ///< multiplies the texture's alpha
+  bool blended = false;                 ///< no cutoff: alpha is the share of the surface that is there
   bool doubleSided = false;
 
   glm::vec3 baseColor{0.0f};    ///< linear; multiplies its texture and vertex colour

@@ -151,14 +151,16 @@ class MaterialCompiler {
     return alpha * found->second;
   }
 
-  /// MASK is cut at its cutoff. BLEND, which light transport cannot blend, at one half. One that has no hole
-  /// is opaque, for rays pay for every look at one; what rounding might cut stays a mask.
+  /// MASK is cut at its cutoff; BLEND is there for a share of the rays. One that has no hole is opaque, for rays pay for every
+  /// look at one; what rounding might cut stays a mask.
   void setCoverage(const Material& material, CompiledMaterial& compiled) {
     if (material.alphaMode == AlphaMode::Opaque) return;
-    const float cutoff = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.5f;
+    const bool blended = material.alphaMode == AlphaMode::Blend;
+    const float least = leastAlpha(material, materials_.size());
     constexpr float rounding = 1e-5f;
-    if (leastAlpha(material, materials_.size()) >= cutoff + rounding) return;
-    compiled.alphaCutoff = cutoff;
+    if (blended ? least >= 1.0f : least >= material.alphaCutoff + rounding) return;
+    compiled.blended = blended;
+    compiled.alphaCutoff = blended ? 0.5f : material.alphaCutoff;
     compiled.alphaFactor = material.baseColor.a;
   }
 
