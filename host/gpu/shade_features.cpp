@@ -10,6 +10,7 @@ namespace {
 void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   const bool specular = reflectsSpecularly(m);
   f.glass = f.glass || isGlass(m);
+  f.roughGlass = f.roughGlass || isRoughGlass(m);
   f.mirror = f.mirror || mayMirror(m);
   f.glossy = f.glossy || mayReflectRoughly(m);
   f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
@@ -38,6 +39,7 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.emitters, "PRELIGHT_EMITTERS")
       .defineIf(f.sky, "PRELIGHT_SKY")
       .defineIf(f.glass, "PRELIGHT_GLASS")
+      .defineIf(f.roughGlass, "PRELIGHT_ROUGH_GLASS")
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")

@@ -12,6 +12,7 @@ struct ShadeFeatures {
   bool emitters = false;
   bool sky = false;
   bool glass = false;
+  bool roughGlass = false;
   bool mirror = false;
   bool glossy = false;
   bool absorption = false;

@@ -7,8 +7,8 @@
 
 namespace prelight {
 
-/// Whether a material sends light on in about one direction: clear glass, a mirror, or a lobe that is nearly
-/// one (PRELIGHT_NARROW_ALPHA in kernels/transport/lobe_funcs.cl). A texture of roughness may make it so.
+/// Whether a material sends light on in about one direction: glass, a mirror, or a lobe, unless it is
+/// wide (PRELIGHT_NARROW_ALPHA in kernels/transport/lobe_funcs.cl). A texture of roughness may make it so.
 bool makesCaustics(const CompiledMaterial& material);
 
 /// Triangles whose materials do.

@@ -25,8 +25,11 @@ inline bool mayMirror(const CompiledMaterial& m) {
 
 /// Whether it has a rough lobe somewhere.
 inline bool mayReflectRoughly(const CompiledMaterial& m) {
-  return reflectsSpecularly(m) && m.roughness >= smoothBelow;
+  return (reflectsSpecularly(m) || isGlass(m)) && m.roughness >= smoothBelow;
 }
+
+/// Whether light passes through a material by refraction at microfacets.
+inline bool isRoughGlass(const CompiledMaterial& m) { return isGlass(m) && m.roughness >= smoothBelow; }
 
 /// Whether light passes through a material diffusely.
 inline bool isTranslucent(const CompiledMaterial& m) { return m.diffuseTransmission != glm::vec3(0.0f); }

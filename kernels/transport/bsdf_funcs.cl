@@ -7,6 +7,7 @@
 
 #include "transport/adjoint_funcs.cl"
 #include "transport/microfacet_funcs.cl"
+#include "transport/rough_glass_funcs.cl"
 
 // Added to a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
 #define PRELIGHT_LOBES_APART 64u
@@ -32,7 +33,10 @@ PRELIGHT_INLINE float3 carriedBy(BsdfSample sample, float3 carried) { return car
 // must tell the same side: else light would leak through the surface.
 PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
 #ifdef PRELIGHT_TRANSLUCENT
-  if (shading < 0.0f && geometric < 0.0f) return largest(b.transmitted) > 0.0f;
+  if (shading < 0.0f && geometric < 0.0f && largest(b.transmitted) > 0.0f) return true;
+#endif
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (shading < 0.0f && geometric < 0.0f) return isRoughGlass(b);
 #endif
   return shading > 0.0f && geometric > 0.0f;
 }
@@ -44,29 +48,48 @@ PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
   const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo.z) * passage(b, fabs(wi.z)) * fabs(wi.z);
   Scattered r;
   r.glossy = (float3)(0.0f);
-#ifdef PRELIGHT_TRANSLUCENT
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (isRoughGlass(b)) r.glossy = evalRoughGlass(b, wo, wi);
+#endif
   if (wi.z < 0.0f) {
+#ifdef PRELIGHT_TRANSLUCENT
     r.diffuse = b.transmitted * through;
+#else
+    r.diffuse = (float3)(0.0f);
+#endif
     return r;
   }
-#endif
   r.diffuse = b.diffuse * through;
 #ifdef PRELIGHT_GLOSSY
-  if (!b.smooth) r.glossy = evalGlossy(b, wo, wi);
+  if (!b.smooth) r.glossy += evalGlossy(b, wo, wi);
 #endif
   return r;
 }
 
 // Density of wi over the lobes that are neither mirrors nor glass.
 PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
-#ifdef PRELIGHT_TRANSLUCENT
-  if (wi.z < 0.0f) return c.through * PRELIGHT_INVERSE_PI * -wi.z;
+  float density = 0.0f;
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (isRoughGlass(b) && c.glass > 0.0f) density = c.glass * pdfRoughGlass(b, wo, wi);
 #endif
-  float density = c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
+#ifdef PRELIGHT_TRANSLUCENT
+  if (wi.z < 0.0f) return density + c.through * PRELIGHT_INVERSE_PI * -wi.z;
+#else
+  if (wi.z < 0.0f) return density;
+#endif
+  density += c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
 #ifdef PRELIGHT_GLOSSY
   if (!b.smooth && c.specular > 0.0f) density += c.specular * pdfGlossy(b, wo, wi);
 #endif
   return density;
+}
+
+// Square of the relative index of refraction that radiance passes which a rough surface scatters to wi.
+PRELIGHT_INLINE float passedIndex2(Bsdf b, float3 wi) {
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (wi.z < 0.0f && isRoughGlass(b) && b.solid) return b.eta * b.eta;
+#endif
+  return 1.0f;
 }
 
 // Radiance: light comes from `direction` and leaves to i.wo. Importance: it comes from i.wo and leaves to `direction`. False:
@@ -75,6 +98,7 @@ PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode
   const float3 wi = toFrame(i.frame, direction);
   if (i.woLocal.z <= 0.0f || !maySee(b, wi.z, dot(direction, i.geometric))) return false;
   *scattered = evalLobes(b, i.woLocal, wi);
+  if (mode == PRELIGHT_RADIANCE) scattered->glossy /= passedIndex2(b, wi);
   if (mode == PRELIGHT_IMPORTANCE) {
     const float ratio = adjointRatio(i, direction);
     scattered->diffuse *= ratio;
@@ -103,32 +127,61 @@ PRELIGHT_INLINE bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance
 }
 #endif
 
-// Samples the lobe below the surface (`through`), or the rough lobe (`specular`), or the diffuse one. `chance`: what is left of
-// the one that has chosen it, in [0,1).
-PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, bool through,
-                                 bool specular, float chance, float2 u, BsdfSample* sample) {
-  float3 wi;
-#ifdef PRELIGHT_GLOSSY
-  if (specular)
-    wi = sampleGlossy(b, chance, u, i.woLocal);
-  else
+// What of the scattered light a sample from `lobe` carries, and with which density it is drawn.
+PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, float* density) {
+  const Scattered f = evalLobes(b, wo, wi);
+  // A lobe that no sample is drawn from leaves its light to others.
+#ifdef PRELIGHT_ROUGH_GLASS
+  const bool sharp = chances.specular > 0.0f || (chances.glass > 0.0f && isRoughGlass(b));
+#else
+  const bool sharp = chances.specular > 0.0f;
 #endif
+  float3 value = (wi.z < 0.0f || chances.diffuse > 0.0f ? f.diffuse * passedIndex2(b, wi) : (float3)(0.0f)) +
+                 (sharp ? f.glossy : (float3)(0.0f));
+  *density = pdfLobes(b, chances, wo, wi);
+  if (apart && lobe != PRELIGHT_LOBE_THROUGH) {
+    const bool diffuse = lobe == PRELIGHT_LOBE_DIFFUSE, glass = (lobe & PRELIGHT_LOBES_GLASS) != 0u;
+    value = diffuse ? f.diffuse : f.glossy;
+#ifdef PRELIGHT_ROUGH_GLASS
+    if (isRoughGlass(b) && !diffuse) value = glass ? evalRoughGlass(b, wo, wi) : f.glossy - evalRoughGlass(b, wo, wi);
+#endif
+    const LobeChances one = {diffuse ? 1.0f : 0.0f, diffuse || glass ? 0.0f : 1.0f, glass ? 1.0f : 0.0f};
+    *density = pdfLobes(b, one, wo, wi) * (diffuse ? chances.diffuse : (glass ? chances.glass : chances.specular));
+  }
+  return value;
+}
+
+// Samples one of the lobes that scatter to all directions. `chance`: what is left of the one that has chosen it, in [0,1).
+PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, LobeChances chances, uint lobe, float chance,
+                                 float2 u, BsdfSample* sample) {
+  float3 wi;
+  bool found = true;
+#ifdef PRELIGHT_ROUGH_GLASS
+  if ((lobe & PRELIGHT_LOBES_GLASS) != 0u) {
+    found = sampleRoughGlass(b, i.woLocal, chance, u, &wi);
+    if (wi.z > 0.0f) lobe = PRELIGHT_LOBE_GLASS_REFLECTION;
+  } else
+#endif
+#ifdef PRELIGHT_GLOSSY
+  if (lobe == PRELIGHT_LOBE_GLOSSY) {
+    wi = sampleGlossy(b, chance, u, i.woLocal);
+    found = wi.z > 0.0f;
+  } else
+#endif
+  {
     wi = sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
-  if (wi.z <= 0.0f) return false;
-  if (through) wi.z = -wi.z;
+    found = wi.z > 0.0f;
+    if (lobe == PRELIGHT_LOBE_THROUGH) wi.z = -wi.z;
+  }
+  if (!found) return false;
   sample->direction = fromFrame(i.frame, wi);
   if (!maySee(b, wi.z, dot(sample->direction, i.geometric))) return false;
-  const Scattered f = evalLobes(b, i.woLocal, wi);
-  float3 value = (through || chances.diffuse > 0.0f ? f.diffuse : (float3)(0.0f)) +
-                 (chances.specular > 0.0f ? f.glossy : (float3)(0.0f));
-  sample->pdf = pdfLobes(b, chances, i.woLocal, wi);
-  if ((lobes & PRELIGHT_LOBES_APART) != 0u && !through) {
-    value = specular ? f.glossy : f.diffuse;
-    const LobeChances one = {specular ? 0.0f : 1.0f, specular ? 1.0f : 0.0f, 0.0f};
-    sample->pdf = pdfLobes(b, one, i.woLocal, wi) * (specular ? chances.specular : chances.diffuse);
-  }
+  const float3 value =
+      carriedBySample(b, chances, lobe, (lobes & PRELIGHT_LOBES_APART) != 0u, i.woLocal, wi, &sample->pdf);
+  if (!(sample->pdf > 0.0f)) return false;
   sample->weight = sampleWeight(i, sample->direction, mode, value, sample->pdf);
-  sample->lobe = through ? PRELIGHT_LOBE_THROUGH : (specular ? PRELIGHT_LOBE_GLOSSY : PRELIGHT_LOBE_DIFFUSE);
+  if (mode == PRELIGHT_RADIANCE) sample->eta2 = passedIndex2(b, wi);
+  sample->lobe = lobe;
   return true;
 }
 
@@ -145,6 +198,10 @@ PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, fl
   if (chance >= chances.diffuse + chances.specular) {
     // What is left of the choice of the lobe decides between reflection and transmission.
     const float rest = clamp((chance - chances.diffuse - chances.specular) / chances.glass, 0.0f, 0.99999994f);
+#ifdef PRELIGHT_ROUGH_GLASS
+    if (isRoughGlass(b))
+      return i.woLocal.z > 0.0f && sampleRough(i, b, lobes, mode, chances, PRELIGHT_LOBE_GLASS_TRANSMISSION, rest, u, sample);
+#endif
     GlassSample glass;
     if (!sampleGlass(i, b, mode, rest, &glass)) return false;
     sample->direction = glass.direction;
@@ -159,7 +216,8 @@ PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, fl
   if (specular && b.smooth) return sampleMirror(i, b, mode, chances.specular, sample);
 #endif
   const float rest = specular ? clamp((chance - chances.diffuse) / chances.specular, 0.0f, 0.99999994f) : 0.0f;
-  return sampleRough(i, b, lobes, mode, chances, through, specular, rest, u, sample);
+  const uint lobe = through ? PRELIGHT_LOBE_THROUGH : (specular ? PRELIGHT_LOBE_GLOSSY : PRELIGHT_LOBE_DIFFUSE);
+  return sampleRough(i, b, lobes, mode, chances, lobe, rest, u, sample);
 }
 
 #endif

@@ -2,7 +2,7 @@
 // docs/reference.md states the model.
 // [1] Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling".
 // Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS,
-// PRELIGHT_TRANSLUCENT (some lets light through diffusely).
+// PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 
@@ -48,6 +48,10 @@ typedef struct Bsdf {
   float glass;           // share that is glass
   float3 tint;           // of what passes through the glass
   float ior;             // 0: infinite
+#ifdef PRELIGHT_ROUGH_GLASS
+  float eta;   // of solid glass: index of refraction beyond the surface over that here
+  bool solid;  // glass with an inside
+#endif
   float roughness;
   float alpha;           // width of the GGX lobe, roughness squared
   float missing;         // mean share of light that does not leave microfacets at the first bounce
@@ -126,6 +130,9 @@ PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
 }
 
 PRELIGHT_INLINE bool isGlossy(Bsdf b) {
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (!b.smooth && b.glass > 0.0f) return true;
+#endif
 #ifdef PRELIGHT_GLOSSY
   return !b.smooth && largest(b.specular.f90) > 0.0f;
 #else
@@ -138,7 +145,14 @@ PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 PRELIGHT_INLINE bool isNarrow(Bsdf b) { return b.smooth || b.alpha <= PRELIGHT_NARROW_ALPHA; }
 
 // The lobes that make caustics.
-PRELIGHT_INLINE uint narrowLobes(Bsdf b) { return PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u); }
+PRELIGHT_INLINE uint narrowLobes(Bsdf b) {
+  const uint lobes = PRELIGHT_LOBES_SPECULAR | PRELIGHT_LOBE_GLOSSY;
+#ifdef PRELIGHT_ROUGH_GLASS
+  return isNarrow(b) ? lobes : PRELIGHT_LOBE_MIRROR;
+#else
+  return isNarrow(b) ? lobes : PRELIGHT_LOBES_SPECULAR;
+#endif
+}
 
 PRELIGHT_INLINE float chanceSum(LobeChances c) {
   const float sum = c.diffuse + c.specular + c.glass;

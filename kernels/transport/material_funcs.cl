@@ -68,6 +68,10 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   b.glass = unlit ? 0.0f : (1.0f - metallic) * glass;
   b.tint = base;
   b.ior = m->ior;
+#ifdef PRELIGHT_ROUGH_GLASS
+  b.solid = isSolid(i);
+  b.eta = relativeIor(b, b.solid, i.front);
+#endif
   b.roughness = roughness;
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;

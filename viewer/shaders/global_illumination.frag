@@ -67,7 +67,7 @@ vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
 vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 through) {
   float reflected = glassIor > 0.0 ? fresnelDielectric(max(nv, 1e-6), glassIor) : 1.0;
   if (solidGlass == 0) reflected = 2.0 * reflected / (1.0 + reflected);  // all the reflections between two faces
-  vec3 radiance = s.glass * reflected * surroundingRadiance(vPosition, reflect(-toEye, n), 0.0);
+  vec3 radiance = s.glass * reflected * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
   through = s.glass * (1.0 - reflected) * base;
   if (solidGlass == 0 || glassIor <= 0.0) return radiance;
   vec3 passed;

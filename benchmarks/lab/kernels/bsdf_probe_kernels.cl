@@ -4,6 +4,7 @@
 #include "transport/light_funcs.cl"
 
 // values: diffuse 3, metal 3, its share, f0 3, f90, share of the layer, roughness, transmitted 3, normal of the triangle 3;
+// with PRELIGHT_ROUGH_GLASS also share of glass, whether it is solid, index of refraction beyond over that here;
 // albedos: see transport/albedo_table_funcs.cl.
 Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   Bsdf b;
@@ -15,6 +16,11 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   b.glass = 0.0f;
   b.tint = (float3)(1.0f);
   b.ior = 1.5f;
+#ifdef PRELIGHT_ROUGH_GLASS
+  b.glass = values[19];
+  b.solid = values[20] > 0.5f;
+  b.eta = values[21];
+#endif
 #ifdef PRELIGHT_TRANSLUCENT
   b.transmitted = vload3(0, values + 13);
 #endif

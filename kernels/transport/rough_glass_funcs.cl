@@ -1,0 +1,100 @@
+// Rough glass: microfacets that reflect and refract. Directions are in the frame of the shading normal (z); wi below it has
+// passed. Values are as power sees them: radiance that has passed solid glass is by the square of the relative index smaller.
+// [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
+// [2] KHR_materials_transmission: thin glass scatters what passes as a mirror image of what it reflects.
+#ifndef PRELIGHT_TRANSPORT_ROUGH_GLASS_FUNCS_CL
+#define PRELIGHT_TRANSPORT_ROUGH_GLASS_FUNCS_CL
+
+#include "transport/glass_funcs.cl"
+#include "transport/microfacet_funcs.cl"
+
+#ifdef PRELIGHT_ROUGH_GLASS
+#define PRELIGHT_LATER_COSINE 0.6f  // at which light that leaves thin glass after the first bounce divides between its sides
+
+PRELIGHT_INLINE bool isRoughGlass(Bsdf b) { return !b.smooth && b.glass > 0.0f; }
+
+PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
+  const float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(clamp(cosine, 1e-6f, 1.0f), b.eta);
+  return b.solid ? reflected : 2.0f * reflected / (1.0f + reflected);
+}
+
+PRELIGHT_INLINE float3 upwards(float3 wi) { return (float3)(wi.x, wi.y, fabs(wi.z)); }
+
+// Smith's masking of one direction, [1] eq. 34.
+PRELIGHT_INLINE float smithMasking(float cosine, float alpha) { return 2.0f * cosine / (cosine + smithTerm(cosine, alpha)); }
+
+// Of refraction from wo to wi: density of wi where normals are drawn that wo sees, [1] eq. 17, and the one that refracts so.
+// False: none does.
+PRELIGHT_INLINE bool refractingNormal(Bsdf b, float3 wo, float3 wi, float* density, float3* h) {
+  const float3 sum = wo + b.eta * wi;
+  const float square = dot(sum, sum);
+  if (!(square > 1e-12f)) return false;
+  *h = sum * (rsqrt(square) * (sum.z < 0.0f ? -1.0f : 1.0f));
+  const float from = dot(wo, *h), to = dot(wi, *h), both = from + b.eta * to;
+  if (!(from > 0.0f && to < 0.0f) || both == 0.0f) return false;
+  *density = ggxDensity(*h, b.alpha) * smithMasking(wo.z, b.alpha) * from / wo.z * b.eta * b.eta * -to / (both * both);
+  return true;
+}
+
+// Share of light that leaves thin glass after the first bounce.
+PRELIGHT_INLINE float laterInGlass(Bsdf b, float cosine) {
+  if (b.solid) return 0.0f;
+  const float4 first = lobeAlbedo(b.albedos, cosine, b.roughness);
+  return fmax(1.0f - first.x - first.y, 0.0f);
+}
+
+// Share of what glass scatters that takes the side of wi, and its colour.
+PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float reflected, bool passes) {
+  return passes ? (1.0f - reflected) * b.tint : (float3)(reflected);
+}
+
+// Times the cosine of wi.
+PRELIGHT_INLINE float3 evalRoughGlass(Bsdf b, float3 wo, float3 wi) {
+  const bool passes = wi.z < 0.0f;
+  if (passes && b.solid) {
+    float density;
+    float3 h;
+    if (!refractingNormal(b, wo, wi, &density, &h)) return (float3)(0.0f);
+    return sideOfGlass(b, roughGlassReflectance(b, dot(wo, h)), true) * (b.glass * density * smithMasking(-wi.z, b.alpha));
+  }
+  const float3 mirrored = upwards(wi), h = normalize(wo + mirrored);
+  const float later = laterInGlass(b, wo.z) * laterInGlass(b, mirrored.z) / fmax(b.missing, 1e-6f);
+  return b.glass * (sideOfGlass(b, roughGlassReflectance(b, dot(wo, h)), passes) * evalMicrofacet(wo, mirrored, h, b.alpha) +
+                    sideOfGlass(b, roughGlassReflectance(b, PRELIGHT_LATER_COSINE), passes) *
+                        (PRELIGHT_INVERSE_PI * mirrored.z * later));
+}
+
+PRELIGHT_INLINE float pdfRoughGlass(Bsdf b, float3 wo, float3 wi) {
+  const bool passes = wi.z < 0.0f;
+  if (passes && b.solid) {
+    float density;
+    float3 h;
+    if (!refractingNormal(b, wo, wi, &density, &h)) return 0.0f;
+    return (1.0f - roughGlassReflectance(b, dot(wo, h))) * density;
+  }
+  const float3 mirrored = upwards(wi), h = normalize(wo + mirrored);
+  const float first = roughGlassReflectance(b, dot(wo, h)), last = roughGlassReflectance(b, PRELIGHT_LATER_COSINE);
+  const float later = laterInGlass(b, wo.z);
+  return (1.0f - later) * (passes ? 1.0f - first : first) * pdfMicrofacet(wo, h, b.alpha) +
+         later * (passes ? 1.0f - last : last) * PRELIGHT_INVERSE_PI * mirrored.z;
+}
+
+// Draws wi. `chance`, in [0,1), decides between bounces and between sides. False: light goes nowhere.
+PRELIGHT_INLINE bool sampleRoughGlass(Bsdf b, float3 wo, float chance, float2 u, float3* wi) {
+  const float later = laterInGlass(b, wo.z);
+  const bool isLater = chance < later;
+  chance = isLater ? chance / later : (chance - later) / (1.0f - later);
+  const float3 h = isLater ? (float3)(0.0f, 0.0f, 1.0f) : sampleVisibleNormal(u, wo, b.alpha);
+  const float from = dot(wo, h);
+  const bool passes = chance >= roughGlassReflectance(b, isLater ? PRELIGHT_LATER_COSINE : from);
+  *wi = isLater ? sampleCosineHemisphere(u, h) : 2.0f * from * h - wo;
+  if (passes && !b.solid) wi->z = -wi->z;
+  if (passes && b.solid) {
+    const float inside2 = 1.0f - (1.0f - from * from) / (b.eta * b.eta);
+    *wi = normalize((from / b.eta - sqrt(fmax(inside2, 0.0f))) * h - wo / b.eta);
+  }
+  return passes ? wi->z < 0.0f : wi->z > 0.0f;
+}
+#endif
+
+#endif

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numbers>
+
+#include "transport/bsdf_probe.h"
+
+// Microfacets that reflect and refract (kernels/transport/rough_glass_funcs.cl).
+namespace prelight::test {
+namespace {
+
+using std::numbers::pi;
+
+struct Pane {
+  const char* name;
+  float roughness, share, eta;
+  bool solid;
+  float body = 0.0f;  ///< albedo of what is not glass
+};
+
+class RoughGlass : public ::testing::TestWithParam<Pane> {
+ protected:
+  static BsdfProbe pane(const Pane& p, float eta) {
+    const float layer = p.body > 0.0f ? 1.0f - p.share : 0.0f;
+    return {BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_GLASS").define("PRELIGHT_ROUGH_GLASS"),
+            {p.body,      p.body, p.body, 0, 0, 0, 0, 0.04f, 0.04f, 0.04f, 1, layer,
+             p.roughness, 0,      0,      0, 0, 0, 0, p.share, p.solid ? 1.0f : 0.0f, eta}};
+  }
+  BsdfProbe surface_ = pane(GetParam(), GetParam().eta);
+};
+
+/// Directions over the sphere in a grid of equal solid angles.
+std::vector<glm::vec4> allDirections(int rings, int sectors) {
+  std::vector<glm::vec4> directions;
+  for (int r = 0; r < rings; ++r)
+    for (int s = 0; s < sectors; ++s)
+      directions.push_back(directionOf(2.0 * (r + 0.5) / rings - 1.0, 2 * pi * ((s + 0.5) / sectors - 0.5)));
+  return directions;
+}
+
+// Thin glass that absorbs nothing sends on all light. Solid glass loses what microfacets hide from one another, which would leave
+// later: up to half at grazing angles where it is roughest.
+TEST_P(RoughGlass, Energy_IsKept) {
+  constexpr std::size_t count = 1 << 16;
+  for (const double cosine : {1.0, 0.6, 0.3, 0.1}) {
+    double sum = 0.0;
+    for (const ProbedSample& drawn : surface_.sample(directionOf(cosine, 0.3), count))
+      sum += double(drawn.weight.x) * (drawn.direction.z < 0.0f && GetParam().solid && GetParam().body == 0.0f
+                                           ? double(GetParam().eta) * double(GetParam().eta)
+                                           : 1.0);
+    const double mean = sum / count;
+    EXPECT_LT(mean, 1.005) << "cosine " << cosine;
+    EXPECT_GT(mean, GetParam().solid ? 0.45 : 0.992) << "cosine " << cosine;
+  }
+}
+
+// A sample, the value of its direction and that direction's density are three functions that agree.
+TEST_P(RoughGlass, Samples_WeighTheirValueByTheirDensity) {
+  for (const double cosine : {1.0, 0.5, 0.1}) {
+    const glm::vec4 wo = directionOf(cosine, 0.3);
+    std::vector<ProbedSample> samples;
+    std::vector<glm::vec4> wi;
+    for (const ProbedSample& drawn : surface_.sample(wo, 4000)) {
+      if (!drawn.goesOn()) continue;
+      samples.push_back(drawn);
+      wi.push_back(drawn.direction);
+    }
+    ASSERT_GT(samples.size(), 1500u);
+    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      EXPECT_NEAR(samples[i].density, probed.densities[i], 1e-3f * probed.densities[i]);
+      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
+                  2e-3 * probed.total(i));
+    }
+  }
+}
+
+// Radiance that passes solid glass is by the square of the index larger where the index is: over it, light goes the same way
+// back as there.
+TEST_P(RoughGlass, LightThatPasses_IsReciprocal) {
+  const Pane& p = GetParam();
+  const BsdfProbe back = pane(p, p.solid ? 1.0f / p.eta : p.eta);
+  std::vector<glm::vec4> above, below, aboveDown, belowUp;
+  for (const glm::vec4& a : allDirections(24, 24)) {
+    if (a.z < 0.05f) continue;
+    for (const double turn : {2.0, 3.0, 3.3}) {
+      above.push_back(a);
+      const double sine = std::sqrt(1.0 - double(a.z) * double(a.z)) / double(p.eta);
+      if (sine > 0.98) {
+        above.pop_back();
+        continue;
+      }
+      const double azimuth = std::atan2(double(a.y), double(a.x)) + turn;
+      belowUp.push_back(directionOf(std::sqrt(1.0 - sine * sine), azimuth));
+      below.push_back(belowUp.back() * glm::vec4(1, 1, -1, 1));
+      aboveDown.push_back(a * glm::vec4(1, 1, -1, 1));
+    }
+  }
+  const Probed there = surface_.probe(above, below), here = back.probe(belowUp, aboveDown);
+  const double index2 = p.solid ? double(p.eta) * double(p.eta) : 1.0;
+  double seen = 0.0;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    const double f = there.total(i) * index2 / double(belowUp[i].z), g = here.total(i) / double(above[i].z);
+    seen += f;
+    EXPECT_NEAR(f, g, 2e-3 * (1e-2 + std::abs(f))) << i;
+  }
+  EXPECT_GT(seen, 0.1);
+}
+
+// Chi square over cells of the sphere of equal solid angle; expected counts by quadrature of the density.
+TEST_P(RoughGlass, Sampling_FollowsItsDensityOnBothSides) {
+  constexpr int rings = 16, sectors = 12, fine = 32;
+  constexpr std::size_t count = 1 << 17;
+  if (GetParam().roughness < 0.4f) GTEST_SKIP() << "narrower than the quadrature's steps";
+  for (const double cosine : {0.95, 0.5, 0.2}) {
+    const glm::vec4 wo = directionOf(cosine, 1.0);
+    std::vector<double> found(rings * sectors, 0.0), expected(rings * sectors, 0.0);
+    for (const ProbedSample& drawn : surface_.sample(wo, count)) {
+      if (!drawn.goesOn()) continue;
+      const double turn = std::atan2(double(drawn.direction.y), double(drawn.direction.x)) / (2 * pi) + 0.5;
+      const int ring = std::min(rings - 1, static_cast<int>((double(drawn.direction.z) + 1.0) / 2.0 * rings));
+      ++found[ring * sectors + std::min(sectors - 1, static_cast<int>(turn * sectors))];
+    }
+    const std::vector<glm::vec4> wi = allDirections(rings * fine, sectors * fine);
+    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    const double cell = 4.0 * pi / static_cast<double>(wi.size());
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      const int r = static_cast<int>(i) / (sectors * fine) / fine, s = static_cast<int>(i) % (sectors * fine) / fine;
+      expected[r * sectors + s] += double(probed.densities[i]) * cell * count;
+    }
+    double chiSquare = 0.0;
+    int cells = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (expected[i] < 50.0) continue;
+      chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
+      ++cells;
+    }
+    EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
+    EXPECT_GT(cells, 10);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Panes, RoughGlass,
+                         ::testing::Values(Pane{"Thin", 0.5f, 1, 1.5f, false}, Pane{"RoughThin", 1, 1, 1.5f, false},
+                                           Pane{"SmoothThin", 0.2f, 1, 1.3f, false}, Pane{"Entering", 0.5f, 1, 1.5f, true},
+                                           Pane{"Leaving", 0.5f, 1, 1 / 1.5f, true}, Pane{"RoughEntering", 0.9f, 1, 1.33f, true},
+                                           Pane{"HalfGlass", 0.6f, 0.5f, 1.5f, false, 0.5f}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace prelight::test
