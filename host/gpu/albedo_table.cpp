@@ -49,13 +49,48 @@ glm::dvec2 firstBounce(double cosine, double alpha) {
   return sum / double(turns * heights);
 }
 
+/// The fit of Lambda of Estevez and Kulla 2017 as kernels/transport/layer_funcs.cl has it.
+double sheenFit(double x, double alpha) {
+  const double k = (1.0 - alpha) * (1.0 - alpha);
+  const auto between = [&](double rough, double sharp) { return rough + (sharp - rough) * k; };
+  return between(21.5473, 25.3245) / (1.0 + between(3.82987, 3.32435) * std::pow(x, between(0.19823, 0.16801))) +
+         between(-1.97760, -1.27393) * x + between(-4.32054, -4.85967);
+}
+
+double sheenLambda(double cosine, double alpha) {
+  return cosine < 0.5 ? std::exp(sheenFit(cosine, alpha))
+                      : std::exp(2.0 * sheenFit(0.5, alpha) - sheenFit(std::max(1.0 - cosine, 1e-6), alpha));
+}
+
+/// What sheen of colour 1 reflects of light along a direction: over directions in which it leaves, at steps that grow from the
+/// horizon, where most of it goes.
+double sheenReflectance(double cosine, double alpha) {
+  constexpr int sheenTurns = 24, sheenHeights = 24;
+  const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+  const double from = sheenLambda(std::max(cosine, 1e-4), alpha), inverse = 1.0 / alpha;
+  double sum = 0.0;
+  for (int y = 0; y < sheenHeights; ++y) {
+    const double root = (y + 0.5) / sheenHeights, z = root * root, radius = std::sqrt(1.0 - z * z);
+    const double to = sheenLambda(std::max(z, 1e-4), alpha);
+    for (int x = 0; x < sheenTurns; ++x) {
+      const double turn = std::numbers::pi * (x + 0.5) / sheenTurns;
+      const glm::dvec3 h = glm::normalize(wo + glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z));
+      const double density = (2.0 + inverse) * std::pow(std::max(1.0 - h.z * h.z, 0.0), 0.5 * inverse) / (2.0 * std::numbers::pi);
+      sum += 2.0 * root * density / (1.0 + from + to);
+    }
+  }
+  return sum * 2.0 * std::numbers::pi / (sheenTurns * sheenHeights * 4.0 * std::max(cosine, 1e-6));
+}
+
 /// A row at the cosines of the table; grazing light meets no more than the next.
-void fillRow(int r, std::vector<glm::vec4>& table) {
+void fillRow(int r, bool sheen, std::vector<glm::vec4>& table) {
   const double root = double(r) / (roughnesses - 1), alpha = std::max(std::pow(root, 4.0), 1e-4);
   for (int c = 0; c < cosines; ++c) {
     const double step = std::max(double(c), 0.05) / (cosines - 1);
     const glm::dvec2 first = firstBounce(std::min(step * step, 1.0), alpha);
-    table[r * cosines + c] = glm::vec4(first.x, first.y, 0.0, 0.0);
+    const double roughness = std::max(root * root, double(PRELIGHT_LEAST_SHEEN_ROUGHNESS));
+    const double reflected = sheen ? sheenReflectance(std::min(step * step, 1.0), roughness * roughness) : 0.0;
+    table[r * cosines + c] = glm::vec4(first.x, first.y, std::min(reflected, 1.0), 0.0);
   }
 }
 
@@ -77,10 +112,10 @@ glm::vec4 meanOfRow(int r, const std::vector<glm::vec4>& table) {
 
 }  // namespace
 
-std::vector<glm::vec4> makeAlbedoTable() {
+std::vector<glm::vec4> makeAlbedoTable(bool sheen) {
   std::vector<glm::vec4> table(cosines * roughnesses);
   parallelRanges(roughnesses, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) fillRow(static_cast<int>(r), table);
+    for (std::size_t r = begin; r < end; ++r) fillRow(static_cast<int>(r), sheen, table);
   });
   for (int r = 0; r < roughnesses; ++r) table.push_back(meanOfRow(r, table));
   return table;

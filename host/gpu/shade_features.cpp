@@ -10,6 +10,7 @@ namespace {
 void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   const bool specular = reflectsSpecularly(m);
   f.glass = f.glass || isGlass(m);
+  f.layers = f.layers || hasLayers(m);
   f.roughGlass = f.roughGlass || isRoughGlass(m);
   f.mirror = f.mirror || mayMirror(m);
   f.glossy = f.glossy || mayReflectRoughly(m);
@@ -18,7 +19,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;
   f.translucent = f.translucent || isTranslucent(m);
   f.scatters = f.scatters || isTranslucent(m) ||
-               (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
+               hasLayers(m) || (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
 }
 
 }  // namespace
@@ -40,6 +41,7 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.sky, "PRELIGHT_SKY")
       .defineIf(f.glass, "PRELIGHT_GLASS")
       .defineIf(f.roughGlass, "PRELIGHT_ROUGH_GLASS")
+      .defineIf(f.layers, "PRELIGHT_LAYERS")
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")

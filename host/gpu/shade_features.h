@@ -13,6 +13,7 @@ struct ShadeFeatures {
   bool sky = false;
   bool glass = false;
   bool roughGlass = false;
+  bool layers = false;  ///< some surface has a clear coat or a sheen
   bool mirror = false;
   bool glossy = false;
   bool absorption = false;

@@ -44,6 +44,7 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
     r.absorption[c] = m.absorption[c];
     r.emission[c] = std::min(emission[c], brightest);
     r.through[c] = m.translucentColor[c];
+    r.sheen[c] = m.sheen.color[c];
   }
   if (!m.unlit) setSpecular(m, r);
   r.ior = m.ior;
@@ -52,6 +53,9 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
   r.transmission = m.transmission;
   r.throughShare = m.translucency;
   r.normalScale = m.normalScale;
+  r.sheenRoughness = m.sheen.roughness;
+  r.coat = m.clearcoat.factor;
+  r.coatRoughness = m.clearcoat.roughness;
   r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
             (m.unlit ? PRELIGHT_UNLIT : 0u);
   std::fill(std::begin(r.textures), std::end(r.textures), PRELIGHT_NO_TEXTURE);
@@ -67,13 +71,22 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_THROUGH_TEXTURE] = upload.add(m.translucencyTexture, false);
   r.textures[PRELIGHT_THROUGH_COLOR_TEXTURE] = upload.add(m.translucentColorTexture, true);
   r.textures[PRELIGHT_NORMAL_TEXTURE] = upload.add(m.normalTexture, false);
+  r.textures[PRELIGHT_COAT_TEXTURE] = upload.add(m.clearcoat.texture, false);
+  r.textures[PRELIGHT_COAT_ROUGHNESS_TEXTURE] = upload.add(m.clearcoat.roughnessTexture, false);
+  r.textures[PRELIGHT_SHEEN_COLOR_TEXTURE] = upload.add(m.sheen.colorTexture, true);
+  r.textures[PRELIGHT_SHEEN_ROUGHNESS_TEXTURE] = upload.add(m.sheen.roughnessTexture, false);
 }
 
-bool someReflectRoughly(const CompiledScene& scene) {
+/// What the kernels look up for the materials that something has.
+std::vector<glm::vec4> albedosFor(const CompiledScene& scene) {
   const std::vector<bool> used = usedMaterials(scene);
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (used[i] && mayReflectRoughly(scene.materials[i])) return true;
-  return false;
+  bool rough = false, sheen = false;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    rough = rough || mayReflectRoughly(scene.materials[i]);
+    sheen = sheen || hasSheen(scene.materials[i]);
+  }
+  return rough ? makeAlbedoTable(sheen) : std::vector<glm::vec4>();
 }
 
 }  // namespace
@@ -103,7 +116,7 @@ ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
     arrays.bases.push_back(baseMaterial(m, PRELIGHT_NO_TEXTURE));
     arrays.materials.push_back(shadeMaterial(m, m.emission));
   }
-  if (someReflectRoughly(scene)) arrays.albedos = makeAlbedoTable();
+  arrays.albedos = albedosFor(scene);
   return arrays;
 }
 
@@ -120,7 +133,7 @@ ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>
   }
   arrays.textures = upload.takeTextures();
   arrays.texels = upload.takeTexels();
-  if (someReflectRoughly(scene)) arrays.albedos = makeAlbedoTable();
+  arrays.albedos = albedosFor(scene);
   return arrays;
 }
 

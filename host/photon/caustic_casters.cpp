@@ -12,7 +12,8 @@ constexpr float narrowRoughness = 0.25f;  // the root of PRELIGHT_NARROW_ALPHA
 
 bool makesCaustics(const CompiledMaterial& m) {
   const bool narrow = m.roughness <= narrowRoughness || m.surfaceTexture.image >= 0;
-  return narrow && (isGlass(m) || reflectsSpecularly(m));
+  const bool narrowCoat = m.clearcoat.factor > 0.0f && m.clearcoat.roughness <= narrowRoughness;
+  return narrowCoat || (narrow && (isGlass(m) || reflectsSpecularly(m)));
 }
 
 std::vector<std::uint32_t> causticCasters(const CompiledScene& scene) {

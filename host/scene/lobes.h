@@ -23,9 +23,14 @@ inline bool mayMirror(const CompiledMaterial& m) {
   return reflectsSpecularly(m) && (m.roughness < smoothBelow || m.surfaceTexture.image >= 0);
 }
 
-/// Whether it has a rough lobe somewhere.
+inline bool hasSheen(const CompiledMaterial& m) { return m.sheen.color != glm::vec3(0.0f); }
+
+/// Whether a layer lies over the rest of a material.
+inline bool hasLayers(const CompiledMaterial& m) { return hasSheen(m) || m.clearcoat.factor > 0.0f; }
+
+/// Whether it has a rough lobe somewhere, or a layer, which looks lobes up like one.
 inline bool mayReflectRoughly(const CompiledMaterial& m) {
-  return (reflectsSpecularly(m) || isGlass(m)) && m.roughness >= smoothBelow;
+  return hasLayers(m) || ((reflectsSpecularly(m) || isGlass(m)) && m.roughness >= smoothBelow);
 }
 
 /// Whether light passes through a material by refraction at microfacets.

@@ -21,7 +21,11 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_THROUGH_TEXTURE 5u        // A
 #define PRELIGHT_THROUGH_COLOR_TEXTURE 6u
 #define PRELIGHT_NORMAL_TEXTURE 7u
-#define PRELIGHT_SHADE_TEXTURES 8u
+#define PRELIGHT_COAT_TEXTURE 8u            // R
+#define PRELIGHT_COAT_ROUGHNESS_TEXTURE 9u  // G
+#define PRELIGHT_SHEEN_COLOR_TEXTURE 10u
+#define PRELIGHT_SHEEN_ROUGHNESS_TEXTURE 11u  // A
+#define PRELIGHT_SHADE_TEXTURES 12u
 
 typedef struct ShadeMaterial {
   float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times `specular`
@@ -36,6 +40,10 @@ typedef struct ShadeMaterial {
   float throughShare;  ///< of the body's light, leaves on the other side
   float through[3];    ///< colour of that light
   float normalScale;   ///< of the x and y of its normal texture
+  float sheen[3];      ///< colour
+  float sheenRoughness;
+  float coat;  ///< share of the surface that has a clear coat
+  float coatRoughness;
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
 

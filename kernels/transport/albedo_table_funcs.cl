@@ -1,6 +1,6 @@
 // What rough lobes reflect of light from one direction, looked up: host/gpu/albedo_table.h makes the table. OpenCL C and GLSL.
 // A texel: x, y are what GGX microfacets reflect at their first bounce, of the constant part of Schlick's reflectance and of its
-// rise: f0 x + f90 y.
+// rise: f0 x + f90 y. z is what sheen of colour 1 reflects (transport/layer_funcs.cl).
 #ifndef PRELIGHT_TRANSPORT_ALBEDO_TABLE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_ALBEDO_TABLE_FUNCS_CL
 

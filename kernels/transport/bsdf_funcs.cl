@@ -6,16 +6,19 @@
 #define PRELIGHT_TRANSPORT_BSDF_FUNCS_CL
 
 #include "transport/adjoint_funcs.cl"
-#include "transport/microfacet_funcs.cl"
+#include "transport/lobe_choice_funcs.cl"
 #include "transport/rough_glass_funcs.cl"
 
 // Added to a set of lobes: each weighs by itself, so that a sample carries light of its lobe alone.
-#define PRELIGHT_LOBES_APART 64u
+#define PRELIGHT_LOBES_APART 256u
 
 // Light that is scattered to a direction, times its cosine, but for what mirrors and glass do.
 typedef struct Scattered {
   float3 diffuse;
   float3 glossy;
+#ifdef PRELIGHT_LAYERS
+  float3 layers;  // of coat and sheen; evalBsdf adds it to `glossy`
+#endif
 } Scattered;
 
 typedef struct BsdfSample {
@@ -41,8 +44,8 @@ PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
   return shading > 0.0f && geometric > 0.0f;
 }
 
-// Scatters from wo, above the surface, to wi, above or below a translucent one, in the frame of the shading normal.
-PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
+// Scatters from wo, above the surface, to wi, above or below one that lets light through, in the frame of the shading normal.
+PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi) {
   // Light that enters and leaves the body passes the layer twice. What the layer holds back on the way out is scattered again,
   // so that in an even sky no more is lost than the body absorbs ([1] of transport/lobe_funcs.cl).
   const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo.z) * passage(b, fabs(wi.z)) * fabs(wi.z);
@@ -66,6 +69,18 @@ PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi) {
   return r;
 }
 
+// The same with the layers over it; `eye`: the one of both directions that light goes to.
+PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi, float3 eye) {
+  Scattered r = evalBase(b, wo, wi);
+#ifdef PRELIGHT_LAYERS
+  const float left = leftByLayers(b, eye);
+  r.diffuse *= left;
+  r.glossy *= left;
+  r.layers = wi.z > 0.0f ? evalLayers(b, wo, wi, eye) : (float3)(0.0f);
+#endif
+  return r;
+}
+
 // Density of wi over the lobes that are neither mirrors nor glass.
 PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
   float density = 0.0f;
@@ -76,6 +91,10 @@ PRELIGHT_INLINE float pdfLobes(Bsdf b, LobeChances c, float3 wo, float3 wi) {
   if (wi.z < 0.0f) return density + c.through * PRELIGHT_INVERSE_PI * -wi.z;
 #else
   if (wi.z < 0.0f) return density;
+#endif
+#ifdef PRELIGHT_LAYERS
+  if (c.coat > 0.0f) density += c.coat * pdfCoat(b, wo, wi);
+  density += c.sheen * PRELIGHT_INVERSE_PI * wi.z;
 #endif
   density += c.diffuse * PRELIGHT_INVERSE_PI * wi.z;
 #ifdef PRELIGHT_GLOSSY
@@ -97,7 +116,10 @@ PRELIGHT_INLINE float passedIndex2(Bsdf b, float3 wi) {
 PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode, Scattered* scattered) {
   const float3 wi = toFrame(i.frame, direction);
   if (i.woLocal.z <= 0.0f || !maySee(b, wi.z, dot(direction, i.geometric))) return false;
-  *scattered = evalLobes(b, i.woLocal, wi);
+  *scattered = evalLobes(b, i.woLocal, wi, mode == PRELIGHT_IMPORTANCE ? wi : i.woLocal);
+#ifdef PRELIGHT_LAYERS
+  scattered->glossy += scattered->layers;
+#endif
   if (mode == PRELIGHT_RADIANCE) scattered->glossy /= passedIndex2(b, wi);
   if (mode == PRELIGHT_IMPORTANCE) {
     const float ratio = adjointRatio(i, direction);
@@ -109,7 +131,7 @@ PRELIGHT_INLINE bool evalBsdf(Interaction i, Bsdf b, float3 direction, uint mode
 
 // Density, 1/sr, with which sampleBsdf draws a direction in which evalBsdf finds light. Both modes draw alike.
 PRELIGHT_INLINE float pdfBsdf(Interaction i, Bsdf b, float3 direction, uint lobes) {
-  return pdfLobes(b, lobeChances(b, i.woLocal.z, lobes), i.woLocal, toFrame(i.frame, direction));
+  return pdfLobes(b, lobeChances(b, i.woLocal, lobes), i.woLocal, toFrame(i.frame, direction));
 }
 
 // `value` is the scattered light, `density` that of the choice that led to it.
@@ -121,15 +143,34 @@ PRELIGHT_INLINE float3 sampleWeight(Interaction i, float3 direction, uint mode, 
 PRELIGHT_INLINE bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
   sample->direction = fromFrame(i.frame, (float3)(-i.woLocal.x, -i.woLocal.y, i.woLocal.z));
   if (dot(sample->direction, i.geometric) <= 0.0f) return false;
-  sample->weight = sampleWeight(i, sample->direction, mode, specularAlbedo(b, i.woLocal.z), chance);
+  float3 value = specularAlbedo(b, i.woLocal.z);
+#ifdef PRELIGHT_LAYERS
+  value *= leftByLayers(b, i.woLocal);
+#endif
+  sample->weight = sampleWeight(i, sample->direction, mode, value, chance);
+  sample->lobe = PRELIGHT_LOBE_MIRROR;
+  return true;
+}
+#endif
+
+#ifdef PRELIGHT_LAYERS
+PRELIGHT_INLINE bool sampleCoatMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
+  const float cosine = coatCosine(b, i.woLocal);
+  const float3 wi = 2.0f * cosine * b.coatNormal - i.woLocal;
+  sample->direction = fromFrame(i.frame, wi);
+  if (wi.z <= 0.0f || dot(sample->direction, i.geometric) <= 0.0f) return false;
+  const float bent = mode == PRELIGHT_IMPORTANCE ? wi.z / i.woLocal.z : 1.0f;
+  const float3 value = (float3)(b.coat * coatReflectance(cosine) * bent);
+  sample->weight = sampleWeight(i, sample->direction, mode, value, chance);
   sample->lobe = PRELIGHT_LOBE_MIRROR;
   return true;
 }
 #endif
 
 // What of the scattered light a sample from `lobe` carries, and with which density it is drawn.
-PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, float* density) {
-  const Scattered f = evalLobes(b, wo, wi);
+PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, float3 eye,
+                                       float* density) {
+  const Scattered f = evalLobes(b, wo, wi, eye);
   // A lobe that no sample is drawn from leaves its light to others.
 #ifdef PRELIGHT_ROUGH_GLASS
   const bool sharp = chances.specular > 0.0f || (chances.glass > 0.0f && isRoughGlass(b));
@@ -139,11 +180,24 @@ PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, b
   float3 value = (wi.z < 0.0f || chances.diffuse > 0.0f ? f.diffuse * passedIndex2(b, wi) : (float3)(0.0f)) +
                  (sharp ? f.glossy : (float3)(0.0f));
   *density = pdfLobes(b, chances, wo, wi);
+#ifdef PRELIGHT_LAYERS
+  if (apart && (lobe & PRELIGHT_LOBES_LAYERS) != 0u) {
+    LobeChances layers = {0.0f, 0.0f, 0.0f};
+    layers.coat = chances.coat;
+    layers.sheen = chances.sheen;
+    *density = pdfLobes(b, layers, wo, wi);
+    return f.layers;
+  }
+  if (chances.coat + chances.sheen > 0.0f) value += f.layers;
+#endif
   if (apart && lobe != PRELIGHT_LOBE_THROUGH) {
     const bool diffuse = lobe == PRELIGHT_LOBE_DIFFUSE, glass = (lobe & PRELIGHT_LOBES_GLASS) != 0u;
     value = diffuse ? f.diffuse : f.glossy;
 #ifdef PRELIGHT_ROUGH_GLASS
-    if (isRoughGlass(b) && !diffuse) value = glass ? evalRoughGlass(b, wo, wi) : f.glossy - evalRoughGlass(b, wo, wi);
+    if (isRoughGlass(b) && !diffuse) {
+      const float3 ofGlass = evalRoughGlass(b, wo, wi) * leftByLayers(b, eye);
+      value = glass ? ofGlass : f.glossy - ofGlass;
+    }
 #endif
     const LobeChances one = {diffuse ? 1.0f : 0.0f, diffuse || glass ? 0.0f : 1.0f, glass ? 1.0f : 0.0f};
     *density = pdfLobes(b, one, wo, wi) * (diffuse ? chances.diffuse : (glass ? chances.glass : chances.specular));
@@ -162,6 +216,12 @@ PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, L
     if (wi.z > 0.0f) lobe = PRELIGHT_LOBE_GLASS_REFLECTION;
   } else
 #endif
+#ifdef PRELIGHT_LAYERS
+  if (lobe == PRELIGHT_LOBE_COAT) {
+    wi = sampleCoat(b, u, i.woLocal);
+    found = wi.z > 0.0f;
+  } else
+#endif
 #ifdef PRELIGHT_GLOSSY
   if (lobe == PRELIGHT_LOBE_GLOSSY) {
     wi = sampleGlossy(b, chance, u, i.woLocal);
@@ -177,7 +237,8 @@ PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, L
   sample->direction = fromFrame(i.frame, wi);
   if (!maySee(b, wi.z, dot(sample->direction, i.geometric))) return false;
   const float3 value =
-      carriedBySample(b, chances, lobe, (lobes & PRELIGHT_LOBES_APART) != 0u, i.woLocal, wi, &sample->pdf);
+      carriedBySample(b, chances, lobe, (lobes & PRELIGHT_LOBES_APART) != 0u, i.woLocal, wi,
+                      mode == PRELIGHT_IMPORTANCE ? wi : i.woLocal, &sample->pdf);
   if (!(sample->pdf > 0.0f)) return false;
   sample->weight = sampleWeight(i, sample->direction, mode, value, sample->pdf);
   if (mode == PRELIGHT_RADIANCE) sample->eta2 = passedIndex2(b, wi);
@@ -189,11 +250,21 @@ PRELIGHT_INLINE bool sampleRough(Interaction i, Bsdf b, uint lobes, uint mode, L
 // lobe, u the direction, both in [0,1). Radiance is what the path looks for, importance (or the power of a photon) what it
 // brings. False: it ends.
 PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, float chance, float2 u, BsdfSample* sample) {
-  const LobeChances chances = lobeChances(b, i.woLocal.z, lobes);
+  const LobeChances chances = lobeChances(b, i.woLocal, lobes);
   if (!(chanceSum(chances) > 0.0f)) return false;
   sample->pdf = 0.0f;
   sample->eta2 = 1.0f;
   const bool through = picksThrough(chances, &chance);
+#ifdef PRELIGHT_LAYERS
+  if (!through) {
+    if (chance < chances.coat)
+      return b.coatSmooth ? sampleCoatMirror(i, b, mode, chances.coat, sample)
+                          : sampleRough(i, b, lobes, mode, chances, PRELIGHT_LOBE_COAT, 0.0f, u, sample);
+    chance -= chances.coat;
+    if (chance < chances.sheen) return sampleRough(i, b, lobes, mode, chances, PRELIGHT_LOBE_SHEEN, 0.0f, u, sample);
+    chance -= chances.sheen;
+  }
+#endif
 #ifdef PRELIGHT_GLASS
   if (chance >= chances.diffuse + chances.specular) {
     // What is left of the choice of the lobe decides between reflection and transmission.
@@ -206,6 +277,9 @@ PRELIGHT_INLINE bool sampleBsdf(Interaction i, Bsdf b, uint lobes, uint mode, fl
     if (!sampleGlass(i, b, mode, rest, &glass)) return false;
     sample->direction = glass.direction;
     sample->weight = glass.weight * (b.glass / chances.glass);
+#ifdef PRELIGHT_LAYERS
+    sample->weight *= leftByLayers(b, i.woLocal);
+#endif
     sample->eta2 = glass.eta2;
     sample->lobe = glass.passes ? PRELIGHT_LOBE_GLASS_TRANSMISSION : PRELIGHT_LOBE_GLASS_REFLECTION;
     return true;

@@ -2,12 +2,21 @@
 #ifndef PRELIGHT_TRANSPORT_IRRADIANCE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_IRRADIANCE_FUNCS_CL
 
-#include "transport/lobe_funcs.cl"
+#include "transport/layer_funcs.cl"
+
+// What coat and sheen leave of the light that goes to an eye in a direction of this cosine.
+PRELIGHT_INLINE float leftOfIrradiance(Bsdf b, float cosine) {
+#ifdef PRELIGHT_LAYERS
+  return belowLayers(b, cosine, cosine);
+#else
+  return 1.0f;
+#endif
+}
 
 // W/(m2 sr) towards a direction of this cosine. evalLobes' diffuse part with the layer's passage averaged over the
 // directions that the light comes from.
 PRELIGHT_INLINE float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance) {
-  return b.diffuse * irradiance * (PRELIGHT_INVERSE_PI * passage(b, cosine));
+  return b.diffuse * irradiance * (PRELIGHT_INVERSE_PI * passage(b, cosine) * leftOfIrradiance(b, cosine));
 }
 
 #ifdef PRELIGHT_TRANSLUCENT
@@ -16,7 +25,7 @@ PRELIGHT_INLINE float3 reflectIrradiance(Bsdf b, float cosine, float3 irradiance
 // sides errs by 2.5 % at most for either, of a layer of f0 0.04.
 PRELIGHT_INLINE float3 transmitIrradiance(Bsdf b, float cosine, float3 irradiance) {
   const float enters = 0.5f * (1.0f + passage(b, 1.0f) * b.bodyGain);
-  return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * passage(b, cosine) * enters);
+  return b.transmitted * irradiance * (PRELIGHT_INVERSE_PI * passage(b, cosine) * enters * leftOfIrradiance(b, cosine));
 }
 #endif
 

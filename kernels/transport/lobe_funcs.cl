@@ -2,6 +2,7 @@
 // docs/reference.md states the model.
 // [1] Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling".
 // Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS,
+// PRELIGHT_LAYERS (some surface has a clear coat or a sheen; needs PRELIGHT_GLOSSY),
 // PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
@@ -25,10 +26,13 @@
 #define PRELIGHT_LOBE_MIRROR 8u              // metal and layer where they are smooth
 #define PRELIGHT_LOBE_GLASS_REFLECTION 16u
 #define PRELIGHT_LOBE_GLASS_TRANSMISSION 32u
+#define PRELIGHT_LOBE_COAT 64u               // where it is rough; else it counts as a mirror
+#define PRELIGHT_LOBE_SHEEN 128u
+#define PRELIGHT_LOBES_LAYERS (PRELIGHT_LOBE_COAT | PRELIGHT_LOBE_SHEEN)
 #define PRELIGHT_LOBES_DIFFUSE (PRELIGHT_LOBE_DIFFUSE | PRELIGHT_LOBE_THROUGH)
 #define PRELIGHT_LOBES_GLASS (PRELIGHT_LOBE_GLASS_REFLECTION | PRELIGHT_LOBE_GLASS_TRANSMISSION)
 #define PRELIGHT_LOBES_SPECULAR (PRELIGHT_LOBE_MIRROR | PRELIGHT_LOBES_GLASS)  // they scatter to single directions
-#define PRELIGHT_LOBES_ALL (PRELIGHT_LOBES_DIFFUSE | PRELIGHT_LOBE_GLOSSY | PRELIGHT_LOBES_SPECULAR)
+#define PRELIGHT_LOBES_ALL (PRELIGHT_LOBES_DIFFUSE | PRELIGHT_LOBE_GLOSSY | PRELIGHT_LOBES_SPECULAR | PRELIGHT_LOBES_LAYERS)
 
 // Reflectance of a surface of microfacets: of metal, or of the layer on a dielectric.
 typedef struct Reflectance {
@@ -56,18 +60,17 @@ typedef struct Bsdf {
   float alpha;           // width of the GGX lobe, roughness squared
   float missing;         // mean share of light that does not leave microfacets at the first bounce
   bool smooth;           // metal and layer are mirrors
+#ifdef PRELIGHT_LAYERS
+  float coat;         // share of the surface that has a clear coat
+  float coatRoughness;
+  bool coatSmooth;    // it is a mirror
+  float3 coatNormal;  // unit, in the frame of the shading normal
+  float3 sheen;       // colour
+  float sheenRoughness;
+  float sheenAlpha;   // its square
+#endif
   __global const float4* albedos;  // see transport/albedo_table_funcs.cl; read only with PRELIGHT_GLOSSY
 } Bsdf;
-
-// Probabilities with which sampling picks a lobe; they add up to 1 unless all are 0.
-typedef struct LobeChances {
-  float diffuse;
-  float specular;  // of metal and layer, rough or smooth
-  float glass;
-#ifdef PRELIGHT_TRANSLUCENT
-  float through;
-#endif
-} LobeChances;
 
 // Schlick 1994: how far reflectance has risen from that along the normal to that at grazing angles.
 PRELIGHT_INLINE float schlickRise(float cosine) {
@@ -133,6 +136,9 @@ PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 #ifdef PRELIGHT_ROUGH_GLASS
   if (!b.smooth && b.glass > 0.0f) return true;
 #endif
+#ifdef PRELIGHT_LAYERS
+  if ((b.coat > 0.0f && !b.coatSmooth) || largest(b.sheen) > 0.0f) return true;
+#endif
 #ifdef PRELIGHT_GLOSSY
   return !b.smooth && largest(b.specular.f90) > 0.0f;
 #else
@@ -146,62 +152,14 @@ PRELIGHT_INLINE bool isNarrow(Bsdf b) { return b.smooth || b.alpha <= PRELIGHT_N
 
 // The lobes that make caustics.
 PRELIGHT_INLINE uint narrowLobes(Bsdf b) {
-  const uint lobes = PRELIGHT_LOBES_SPECULAR | PRELIGHT_LOBE_GLOSSY;
+  uint lobes = PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u);
 #ifdef PRELIGHT_ROUGH_GLASS
-  return isNarrow(b) ? lobes : PRELIGHT_LOBE_MIRROR;
-#else
-  return isNarrow(b) ? lobes : PRELIGHT_LOBES_SPECULAR;
+  if (!isNarrow(b)) lobes &= ~PRELIGHT_LOBES_GLASS;
 #endif
-}
-
-PRELIGHT_INLINE float chanceSum(LobeChances c) {
-  const float sum = c.diffuse + c.specular + c.glass;
-#ifdef PRELIGHT_TRANSLUCENT
-  return c.through + sum;
-#else
-  return sum;
+#ifdef PRELIGHT_LAYERS
+  if (b.coatRoughness * b.coatRoughness <= PRELIGHT_NARROW_ALPHA) lobes |= PRELIGHT_LOBE_COAT;
 #endif
-}
-
-// Chances of those among `lobes`, roughly in proportion to what they scatter of light from a direction of this cosine.
-PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float cosine, uint lobes) {
-  const float passes = passage(b, cosine);
-  LobeChances c = {0.0f, 0.0f, 0.0f};
-#ifdef PRELIGHT_TRANSLUCENT
-  const bool through = (lobes & PRELIGHT_LOBE_THROUGH) != 0u && cosine > 0.0f;
-  c.through = through ? largest(b.transmitted) * passes : 0.0f;
-#endif
-  if (cosine > 0.0f) {
-    if ((lobes & PRELIGHT_LOBE_DIFFUSE) != 0u) c.diffuse = largest(b.diffuse) * passes;
-#if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
-    if ((lobes & (b.smooth ? PRELIGHT_LOBE_MIRROR : PRELIGHT_LOBE_GLOSSY)) != 0u) c.specular = largest(specularAlbedo(b, cosine));
-#endif
-  }
-#ifdef PRELIGHT_GLASS
-  if ((lobes & PRELIGHT_LOBES_GLASS) != 0u) c.glass = b.glass;
-#endif
-  const float sum = chanceSum(c);
-  if (sum > 0.0f) {
-    c.diffuse /= sum;
-    c.specular /= sum;
-    c.glass /= sum;
-#ifdef PRELIGHT_TRANSLUCENT
-    c.through /= sum;
-#endif
-  }
-  return c;
-}
-
-// Whether a chance in [0,1) picks the lobe below the surface. What is left of the chance decides among the others: it is
-// negative then.
-PRELIGHT_INLINE bool picksThrough(LobeChances c, float* chance) {
-#ifdef PRELIGHT_TRANSLUCENT
-  const bool picks = *chance < c.through;
-  *chance -= c.through;
-  return picks;
-#else
-  return false;
-#endif
+  return lobes;
 }
 
 #endif

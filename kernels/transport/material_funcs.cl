@@ -54,6 +54,31 @@ PRELIGHT_INLINE void setSpecular(PathScene s, Interaction i, float3 base, float 
   setReflectance(base, unlit ? 0.0f : metallic, f0, f90, f90 > 0.0f ? opaque : 0.0f, b);
 }
 
+#ifdef PRELIGHT_LAYERS
+// The shading normal without the bumps of the material below the coat, in its frame.
+PRELIGHT_INLINE float3 coatNormalAt(PathScene s, Interaction i) {
+#ifdef PRELIGHT_BUMPS
+  const float3 front = i.front ? i.geometric : -i.geometric;
+  const float3 even = shadingNormal(s, i.triangle, i.u, i.v, front);
+  return toFrame(i.frame, visibleNormal(i.front ? even : -even, i.geometric, i.wo));
+#else
+  return (float3)(0.0f, 0.0f, 1.0f);
+#endif
+}
+
+PRELIGHT_INLINE void setLayers(PathScene s, Interaction i, Bsdf* b) {
+  __global const ShadeMaterial* m = s.materials + i.material;
+  b->coat = m->coat * materialTexture(s, PRELIGHT_COAT_TEXTURE, i.triangle, i.u, i.v).x;
+  b->coatRoughness = m->coatRoughness * materialTexture(s, PRELIGHT_COAT_ROUGHNESS_TEXTURE, i.triangle, i.u, i.v).y;
+  b->coatSmooth = b->coatRoughness < PRELIGHT_SMOOTH_BELOW;
+  b->coatNormal = coatNormalAt(s, i);
+  b->sheen = vload3(0, m->sheen) * materialTexture(s, PRELIGHT_SHEEN_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
+  const float roughness = m->sheenRoughness * materialTexture(s, PRELIGHT_SHEEN_ROUGHNESS_TEXTURE, i.triangle, i.u, i.v).w;
+  b->sheenRoughness = fmax(roughness, PRELIGHT_LEAST_SHEEN_ROUGHNESS);
+  b->sheenAlpha = b->sheenRoughness * b->sheenRoughness;
+}
+#endif
+
 PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   __global const ShadeMaterial* m = s.materials + i.material;
   const float4 texel = materialTexture(s, PRELIGHT_SURFACE_TEXTURE, i.triangle, i.u, i.v);
@@ -79,6 +104,9 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   setSpecular(s, i, base, metallic, opaque, &b);
 #ifdef PRELIGHT_TRANSLUCENT
   setTransmitted(s, i, opaque, &b);
+#endif
+#ifdef PRELIGHT_LAYERS
+  setLayers(s, i, &b);
 #endif
   return b;
 }

@@ -69,7 +69,7 @@ class BsdfProbe {
 
   BuildOptions options_;
   std::vector<float> values_;
-  std::vector<glm::vec4> albedos_ = makeAlbedoTable();
+  std::vector<glm::vec4> albedos_ = makeAlbedoTable(true);
 };
 
 inline glm::vec4 directionOf(double cosine, double azimuth) {

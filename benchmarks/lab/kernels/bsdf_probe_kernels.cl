@@ -5,6 +5,7 @@
 
 // values: diffuse 3, metal 3, its share, f0 3, f90, share of the layer, roughness, transmitted 3, normal of the triangle 3;
 // with PRELIGHT_ROUGH_GLASS also share of glass, whether it is solid, index of refraction beyond over that here;
+// with PRELIGHT_LAYERS also (from 22 on) coat, its roughness, its normal 3, colour of sheen, its roughness;
 // albedos: see transport/albedo_table_funcs.cl.
 Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   Bsdf b;
@@ -20,6 +21,15 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   b.glass = values[19];
   b.solid = values[20] > 0.5f;
   b.eta = values[21];
+#endif
+#ifdef PRELIGHT_LAYERS
+  b.coat = values[22];
+  b.coatRoughness = values[23];
+  b.coatSmooth = b.coatRoughness < PRELIGHT_SMOOTH_BELOW;
+  b.coatNormal = normalize(vload3(0, values + 24));
+  b.sheen = (float3)(values[27]);
+  b.sheenRoughness = fmax(values[28], PRELIGHT_LEAST_SHEEN_ROUGHNESS);
+  b.sheenAlpha = b.sheenRoughness * b.sheenRoughness;
 #endif
 #ifdef PRELIGHT_TRANSLUCENT
   b.transmitted = vload3(0, values + 13);

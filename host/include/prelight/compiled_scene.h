@@ -79,13 +79,15 @@ struct CompiledMaterial {
   TextureRef translucencyTexture;      ///< linear: A
   glm::vec3 translucentColor{1.0f};    ///< of that light
   TextureRef translucentColorTexture;  ///< sRGB
+  Clearcoat clearcoat;
+  Sheen sheen;
   bool unlit = false;
 
   /// Textures of base colour, metalness and transmission, as far as the albedo or the coverage depends on
   /// them.
   std::array<TextureRef, 3> albedoTextures() const;
   /// All textures; those that it has not are among them, without images.
-  std::array<TextureRef, 9> textures() const;
+  std::array<TextureRef, 13> textures() const;
 };
 
 /// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area

@@ -26,6 +26,22 @@ struct TextureRef {
   TextureFilter filter = TextureFilter::Linear;  ///< where it is magnified
 };
 
+/// KHR_materials_clearcoat: a layer of varnish over a material. Its own normal texture is not read.
+struct Clearcoat {
+  float factor = 0.0f;  ///< share of the surface that has it
+  TextureRef texture;   ///< linear: R multiplies it
+  float roughness = 0.0f;
+  TextureRef roughnessTexture;  ///< linear: G multiplies it
+};
+
+/// KHR_materials_sheen: light that fibres over a material scatter, most at grazing angles.
+struct Sheen {
+  glm::vec3 color{0.0f};
+  TextureRef colorTexture;  ///< sRGB
+  float roughness = 0.0f;
+  TextureRef roughnessTexture;  ///< linear: A multiplies it
+};
+
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend };
 
 /// Metallic-roughness material with the extensions that change light transport. Defaults are glTF's.
@@ -58,6 +74,8 @@ struct Material {
   TextureRef diffuseTransmissionTexture;  ///< alpha, multiplies the share
   glm::vec3 diffuseTransmissionColor{1.0f};
   TextureRef diffuseTransmissionColorTexture;  ///< sRGB
+  Clearcoat clearcoat;
+  Sheen sheen;
 
   /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
   /// transmission).

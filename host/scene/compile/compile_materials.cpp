@@ -101,6 +101,8 @@ class MaterialCompiler {
       compiled.normalTexture = material.normalTexture;
       compiled.normalScale = material.normalScale;
       setDielectric(material, compiled);
+      if (material.clearcoat.factor > 0.0f) compiled.clearcoat = material.clearcoat;
+      if (material.sheen.color != glm::vec3(0.0f)) compiled.sheen = material.sheen;
       setAlbedo(compiled);
       setEmission(material, compiled);
     }

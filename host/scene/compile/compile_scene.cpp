@@ -293,10 +293,12 @@ std::array<TextureRef, 3> CompiledMaterial::albedoTextures() const {
           diffuse && transmission > 0.0f ? transmissionTexture : TextureRef{}};
 }
 
-std::array<TextureRef, 9> CompiledMaterial::textures() const {
+std::array<TextureRef, 13> CompiledMaterial::textures() const {
   return {baseColorTexture,     surfaceTexture,      normalTexture,
           emissionTexture,      transmissionTexture, specularTexture,
-          specularColorTexture, translucencyTexture, translucentColorTexture};
+          specularColorTexture, translucencyTexture, translucentColorTexture,
+          clearcoat.texture,    clearcoat.roughnessTexture,
+          sheen.colorTexture,   sheen.roughnessTexture};
 }
 
 bool CompiledScene::hasAlbedoTextures() const {

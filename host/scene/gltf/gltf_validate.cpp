@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 14> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -28,7 +28,9 @@ constexpr std::array<std::string_view, 12> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_texture_transform",
                                                               "EXT_mesh_gpu_instancing",
                                                               "KHR_materials_pbrSpecularGlossiness",
-                                                              "KHR_materials_diffuse_transmission"};
+                                                              "KHR_materials_diffuse_transmission",
+                                                              "KHR_materials_clearcoat",
+                                                              "KHR_materials_sheen"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||

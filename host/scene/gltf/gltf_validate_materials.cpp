@@ -59,6 +59,18 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
   if (const auto e = extensions.find("KHR_materials_specular")) {
     validateNumbers(*e, {"specularFactor"});
     validateColors(*e, {{"specularColorFactor", 3}});
+    validateTextureInfo(root, *e, "specularTexture");
+    validateTextureInfo(root, *e, "specularColorTexture");
+  }
+  if (const auto e = extensions.find("KHR_materials_clearcoat")) {
+    validateNumbers(*e, {"clearcoatFactor", "clearcoatRoughnessFactor"});
+    for (const char* texture : {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"})
+      validateTextureInfo(root, *e, texture);
+  }
+  if (const auto e = extensions.find("KHR_materials_sheen")) {
+    validateNumbers(*e, {"sheenRoughnessFactor"});
+    validateColors(*e, {{"sheenColorFactor", 3}});
+    for (const char* texture : {"sheenColorTexture", "sheenRoughnessTexture"}) validateTextureInfo(root, *e, texture);
   }
   if (const auto e = extensions.find("KHR_materials_pbrSpecularGlossiness")) {
     validateNumbers(*e, {"glossinessFactor"});

@@ -108,6 +108,26 @@ void loadVolume(const LoadContext& context, const JsonCursor& volume, Material& 
   }
 }
 
+Clearcoat loadClearcoat(const LoadContext& context, const JsonCursor& json) {
+  Clearcoat coat;
+  coat.factor = clampedOr(context, json, "clearcoatFactor", 0.0f);
+  coat.texture = loadTexture(context, json, "clearcoatTexture");
+  coat.roughness = clampedOr(context, json, "clearcoatRoughnessFactor", 0.0f);
+  coat.roughnessTexture = loadTexture(context, json, "clearcoatRoughnessTexture");
+  if (const auto texture = json.find("clearcoatNormalTexture"))
+    context.warnings.push_back(texture->where() + ": the coat is drawn without bumps of its own");
+  return coat;
+}
+
+Sheen loadSheen(const LoadContext& context, const JsonCursor& json) {
+  Sheen sheen;
+  sheen.color = clampedColor<3>(context, json, "sheenColorFactor", glm::vec3(0.0f));
+  sheen.colorTexture = loadTexture(context, json, "sheenColorTexture");
+  sheen.roughness = clampedOr(context, json, "sheenRoughnessFactor", 0.0f);
+  sheen.roughnessTexture = loadTexture(context, json, "sheenRoughnessTexture");
+  return sheen;
+}
+
 void loadExtensions(const LoadContext& context, const JsonCursor& json, Material& material) {
   if (const auto e = LoadContext::extension(json, "KHR_materials_emissive_strength")) {
     const float strength = clampedOr(context, *e, "emissiveStrength", 1.0f, noLimit);
@@ -145,6 +165,8 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
     material.specularTexture = loadTexture(context, *e, "specularTexture");
     material.specularColorTexture = loadTexture(context, *e, "specularColorTexture");
   }
+  if (const auto e = LoadContext::extension(json, "KHR_materials_clearcoat")) material.clearcoat = loadClearcoat(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_sheen")) material.sheen = loadSheen(context, *e);
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
 
@@ -211,7 +233,8 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.emissiveTexture,
           &material.normalTexture, &material.transmissionTexture, &material.specularTexture,
           &material.specularColorTexture, &material.diffuseTransmissionTexture,
-          &material.diffuseTransmissionColorTexture}) {
+          &material.diffuseTransmissionColorTexture, &material.clearcoat.texture,
+          &material.clearcoat.roughnessTexture, &material.sheen.colorTexture, &material.sheen.roughnessTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <numbers>
+
+#include "transport/bsdf_probe.h"
+
+// Clear coats and sheen over other materials (kernels/transport/layer_funcs.cl).
+namespace prelight::test {
+namespace {
+
+using std::numbers::pi;
+
+struct Layered {
+  const char* name;
+  float diffuse, metalShare, roughness;
+  float coat, coatRoughness;
+  glm::vec3 coatNormal;
+  float sheen, sheenRoughness;
+};
+
+BsdfProbe layered(const Layered& s, BuildOptions options = {}) {
+  const float layer = s.diffuse > 0.0f ? 1.0f : 0.0f;
+  return {options.define("PRELIGHT_GLOSSY").define("PRELIGHT_MIRROR").define("PRELIGHT_LAYERS"),
+          {s.diffuse,   s.diffuse,      s.diffuse,       1, 1, 1, s.metalShare, 0.04f, 0.04f, 0.04f, 1, layer,
+           s.roughness, 0,              0,               0, 0, 0, 1.0f,         0,     0,     1,     s.coat, s.coatRoughness,
+           s.coatNormal.x, s.coatNormal.y, s.coatNormal.z, s.sheen, s.sheenRoughness}};
+}
+
+const glm::vec3 up(0, 0, 1);
+const std::array layeredSurfaces{Layered{"CoatedPaint", 1, 0, 0.6f, 1, 0.3f, up, 0, 0.5f},
+                                 Layered{"CoatedMetal", 0, 1, 0.4f, 0.8f, 0.5f, up, 0, 0.5f},
+                                 Layered{"RoughCoat", 1, 0, 0.9f, 1, 1.0f, up, 0, 0.5f},
+                                 Layered{"Velvet", 1, 0, 1.0f, 0, 0.5f, up, 1, 0.5f},
+                                 Layered{"SharpVelvet", 1, 0, 1.0f, 0, 0.5f, up, 0.5f, 0.2f},
+                                 Layered{"CoatedVelvet", 1, 0, 0.7f, 0.6f, 0.4f, up, 0.7f, 0.8f},
+                                 Layered{"BentCoat", 1, 0, 0.6f, 1, 0.4f, {0.3f, 0.1f, 0.9f}, 0, 0.5f}};
+
+class Layers : public ::testing::TestWithParam<Layered> {
+ protected:
+  BsdfProbe surface_ = layered(GetParam());
+};
+
+// Below the layers nothing is absorbed: all light comes back, within what the table of albedos is interpolated to, but for what a
+// coat with another normal sends below the surface.
+TEST_P(Layers, OverASurfaceThatAbsorbsNothing_ReflectAllLight) {
+  const bool bent = GetParam().coatNormal != up;
+  constexpr std::size_t count = 1 << 17;
+  for (const double cosine : {1.0, 0.7, 0.4, 0.2, 0.1}) {
+    double sum = 0.0, squares = 0.0;
+    for (const ProbedSample& drawn : surface_.sample(directionOf(cosine, 0.3), count)) {
+      sum += double(drawn.weight.x);
+      squares += double(drawn.weight.x) * double(drawn.weight.x);
+    }
+    const double mean = sum / count, noise = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
+    EXPECT_LT(noise, 2e-3);
+    EXPECT_LT(mean, 1.005 + 3.0 * noise) << "cosine " << cosine;
+    EXPECT_GT(mean, (bent ? 0.85 : 0.995) - 3.0 * noise) << "cosine " << cosine;
+  }
+}
+
+TEST_P(Layers, Samples_WeighTheirValueByTheirDensity) {
+  for (const double cosine : {1.0, 0.5, 0.1}) {
+    const glm::vec4 wo = directionOf(cosine, 0.3);
+    std::vector<ProbedSample> samples;
+    std::vector<glm::vec4> wi;
+    for (const ProbedSample& drawn : surface_.sample(wo, 4000)) {
+      if (!drawn.goesOn()) continue;
+      samples.push_back(drawn);
+      wi.push_back(drawn.direction);
+    }
+    ASSERT_GT(samples.size(), 2000u);
+    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      EXPECT_NEAR(samples[i].density, probed.densities[i], 1e-4f * probed.densities[i]);
+      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i), 2e-4 * probed.total(i));
+    }
+  }
+}
+
+// Layers scale what is below by what they leave of light along the eye's direction, on whichever side of the path the eye is.
+TEST_P(Layers, Importance_IsTheAdjointOfRadiance) {
+  const BsdfProbe photons = layered(GetParam(), BuildOptions().define("PRELIGHT_PROBE_IMPORTANCE"));
+  std::vector<glm::vec4> a, b;
+  for (int i = 0; i < 3000; ++i) {
+    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
+    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
+  }
+  const Probed there = photons.probe(a, b), back = surface_.probe(b, a);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double expected = back.total(i) * double(b[i].z);
+    EXPECT_NEAR(there.total(i) * double(a[i].z), expected, 3e-4 * (1e-3 + expected)) << i;
+  }
+}
+
+// Chi square over cells of equal solid angle; expected counts by quadrature of the density.
+TEST_P(Layers, Sampling_FollowsItsDensity) {
+  constexpr int rings = 12, sectors = 16, fine = 24;
+  constexpr std::size_t count = 1 << 17;
+  for (const double cosine : {0.95, 0.5, 0.2}) {
+    const glm::vec4 wo = directionOf(cosine, 1.0);
+    std::vector<double> found(rings * sectors, 0.0), expected(rings * sectors, 0.0);
+    for (const ProbedSample& drawn : surface_.sample(wo, count)) {
+      if (!drawn.goesOn()) continue;
+      const double turn = std::atan2(double(drawn.direction.y), double(drawn.direction.x)) / (2 * pi) + 0.5;
+      const int ring = std::min(rings - 1, static_cast<int>(double(drawn.direction.z) * rings));
+      ++found[ring * sectors + std::min(sectors - 1, static_cast<int>(turn * sectors))];
+    }
+    std::vector<glm::vec4> wi;
+    for (int r = 0; r < rings * fine; ++r)
+      for (int s = 0; s < sectors * fine; ++s)
+        wi.push_back(directionOf((r + 0.5) / (rings * fine), 2 * pi * ((s + 0.5) / (sectors * fine) - 0.5)));
+    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    const double cell = 2.0 * pi / static_cast<double>(wi.size());
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      const int r = static_cast<int>(i) / (sectors * fine) / fine, s = static_cast<int>(i) % (sectors * fine) / fine;
+      expected[r * sectors + s] += double(probed.densities[i]) * cell * count;
+    }
+    double chiSquare = 0.0;
+    int cells = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (expected[i] < 50.0) continue;
+      chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
+      ++cells;
+    }
+    EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
+    EXPECT_GT(cells, 10);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, Layers, ::testing::ValuesIn(layeredSurfaces),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+// A mirror of a coat lets the rest of the light through to the body.
+TEST(SmoothCoat, OverAWhiteBody_ReflectsAllLight) {
+  const BsdfProbe surface = layered({"", 1, 0, 0.8f, 1, 0.0f, up, 0, 0.5f});
+  constexpr std::size_t count = 1 << 16;
+  for (const double cosine : {1.0, 0.4, 0.1}) {
+    double sum = 0.0;
+    for (const ProbedSample& drawn : surface.sample(directionOf(cosine, 0.3), count)) sum += double(drawn.weight.x);
+    EXPECT_NEAR(sum / count, 1.0, 6e-3) << "cosine " << cosine;
+  }
+}
+
+}  // namespace
+}  // namespace prelight::test
