@@ -47,8 +47,8 @@ enum Unit : GLuint {
   transmissionUnit = 18,
   specularUnit = 19,
   specularColorUnit = 20,
-  cornerTangentsUnit = 21,   ///< shaders/normal_map.glsl
-  albedosUnit = 22,          ///< shaders/scattering.glsl
+  cornerTangentsUnit = 21,  ///< shaders/normal_map.glsl
+  albedosUnit = 22,         ///< shaders/scattering.glsl
 };
 
 /// A value a vertex.

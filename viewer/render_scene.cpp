@@ -33,8 +33,13 @@ bool mirrors(const CompiledMaterial& material) {
   return makesCaustics(material) || (!material.unlit && material.metallic >= metallic);
 }
 
-bool someReflectSpecularly(const CompiledScene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(), reflectsSpecularly);
+/// What shaders look up of lobes; nothing where no material reflects specularly.
+std::vector<glm::vec4> albedosFor(const CompiledScene& scene) {
+  const auto some = [&](auto&& has) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), has);
+  };
+  const bool sheen = some(hasSheen);
+  return some(reflectsSpecularly) || some(hasLayers) ? makeAlbedoTable(sheen) : std::vector<glm::vec4>();
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
@@ -173,7 +178,8 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
   if (inputs.normalTextures && compiled.hasNormalTextures())
     tangents_ = gl::makeBufferTexture(cornerTangents(compiled), "tangents");
-  if (someReflectSpecularly(compiled)) albedos_ = gl::makeBufferTexture(makeAlbedoTable(), "reflectances");
+  const std::vector<glm::vec4> albedos = albedosFor(compiled);
+  if (!albedos.empty()) albedos_ = gl::makeBufferTexture(albedos, "reflectances");
   triangleCorners_ = gl::textureOfBuffer(triangles_, compiled.triangles.size(), GL_RGB32UI, "triangles");
   cornerPositions_ =
       gl::textureOfBuffer(streams_.front().buffer(), compiled.positions.size(), GL_RGB32F, "positions");

@@ -23,6 +23,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasGloss",
                                                          "hasGlass",
                                                          "hasLayer",
+                                                         "hasTopLayers",
                                                          "hasSurroundings",
                                                          "hasVertexColors",
                                                          "hasCharts",
@@ -86,6 +87,7 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Gloss, m.metallic > 0.0f || glass);
   features.add(Feature::Glass, glass);
   features.add(Feature::Layer, m.specular > 0.0f);
+  features.add(Feature::TopLayers, m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f));
   features.add(Feature::Surroundings, surface.showsSurroundings);
   return features;
 }

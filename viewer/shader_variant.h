@@ -30,6 +30,7 @@ enum class Feature : int {
   Gloss,         ///< metal or glass: the sky is reflected
   Glass,
   Layer,         ///< a dielectric reflects on top of what is diffuse
+  TopLayers,     ///< a clear coat or a sheen over all that
   Surroundings,  ///< what lies around is reflected
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
@@ -42,7 +43,7 @@ enum class Feature : int {
   EmitterLights,
 };
 
-constexpr int featureCount = 24;
+constexpr int featureCount = 25;
 
 class Features {
  public:

@@ -6,7 +6,8 @@
 namespace prelight::viewer {
 namespace {
 
-/// The alpha below which triangles of a surface have holes; < 0: nowhere. Of blended ones shadow_holes.glsl has thresholds.
+/// The alpha below which triangles of a surface have holes; < 0: nowhere. Of blended ones shadow_holes.glsl
+/// has thresholds.
 float cutoffOf(const Material& material) {
   if (material.alphaMode == AlphaMode::Opaque) return -1.0f;
   return material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 0.0f;

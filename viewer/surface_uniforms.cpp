@@ -65,6 +65,8 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
   p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
   p.set("absorption", surface.absorption);
   p.set("translucency", surface.translucency);
+  p.set("coatFactors", glm::vec4(m.clearcoat.factor, m.clearcoat.roughness, 0.0f, 0.0f));
+  p.set("sheenFactors", glm::vec4(m.sheen.color, m.sheen.roughness));
   p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   cullBacksOf(surface);
 }

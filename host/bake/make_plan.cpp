@@ -129,7 +129,8 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
        bounces.runs ? "cast only where the first rays meet a back" : "backs matter to bounces alone"});
   add(planTranslucent(compiled, bounces.runs));
   add({Pass::AlphaTest, compiled.hasAlphaMask(),
-       compiled.hasAlphaMask() ? "a material is alpha-masked or blended" : "no material is alpha-masked or blended"});
+       compiled.hasAlphaMask() ? "a material is alpha-masked or blended"
+                               : "no material is alpha-masked or blended"});
   add(planAlbedo(compiled, bounces.runs));
   add(planSpecular(input, techniques));
   if (anything) {

@@ -25,13 +25,15 @@ double smithTerm(double cosine, double alpha) {
   return std::sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine);
 }
 
-/// Over the normals that are visible along a direction of this cosine (Dupuy and Benyoub 2023), the share that leaves: G2 / G1.
+/// Over the normals that are visible along a direction of this cosine (Dupuy and Benyoub 2023), the share
+/// that leaves: G2 / G1.
 glm::dvec2 firstBounce(double cosine, double alpha) {
   const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
   const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, 0.0, wo.z));
   glm::dvec2 sum(0.0);
   for (int y = 0; y < heights; ++y) {
-    // Steps that shrink towards normals at right angles to the eye's stretched direction: of smooth surfaces few others matter.
+    // Steps that shrink towards normals at right angles to the eye's stretched direction: of smooth surfaces
+    // few others matter.
     const double step = (y + 0.5) / heights, weight = 3.0 * step * step;
     const double z = 1.0 - (1.0 - step * step * step) * (1.0 + v.z);
     const double radius = std::sqrt(std::max(1.0 - z * z, 0.0));
@@ -53,7 +55,8 @@ glm::dvec2 firstBounce(double cosine, double alpha) {
 double sheenFit(double x, double alpha) {
   const double k = (1.0 - alpha) * (1.0 - alpha);
   const auto between = [&](double rough, double sharp) { return rough + (sharp - rough) * k; };
-  return between(21.5473, 25.3245) / (1.0 + between(3.82987, 3.32435) * std::pow(x, between(0.19823, 0.16801))) +
+  return between(21.5473, 25.3245) /
+             (1.0 + between(3.82987, 3.32435) * std::pow(x, between(0.19823, 0.16801))) +
          between(-1.97760, -1.27393) * x + between(-4.32054, -4.85967);
 }
 
@@ -62,8 +65,8 @@ double sheenLambda(double cosine, double alpha) {
                       : std::exp(2.0 * sheenFit(0.5, alpha) - sheenFit(std::max(1.0 - cosine, 1e-6), alpha));
 }
 
-/// What sheen of colour 1 reflects of light along a direction: over directions in which it leaves, at steps that grow from the
-/// horizon, where most of it goes.
+/// What sheen of colour 1 reflects of light along a direction: over directions in which it leaves, at steps
+/// that grow from the horizon, where most of it goes.
 double sheenReflectance(double cosine, double alpha) {
   constexpr int sheenTurns = 24, sheenHeights = 24;
   const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
@@ -74,8 +77,10 @@ double sheenReflectance(double cosine, double alpha) {
     const double to = sheenLambda(std::max(z, 1e-4), alpha);
     for (int x = 0; x < sheenTurns; ++x) {
       const double turn = std::numbers::pi * (x + 0.5) / sheenTurns;
-      const glm::dvec3 h = glm::normalize(wo + glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z));
-      const double density = (2.0 + inverse) * std::pow(std::max(1.0 - h.z * h.z, 0.0), 0.5 * inverse) / (2.0 * std::numbers::pi);
+      const glm::dvec3 h =
+          glm::normalize(wo + glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z));
+      const double density = (2.0 + inverse) * std::pow(std::max(1.0 - h.z * h.z, 0.0), 0.5 * inverse) /
+                             (2.0 * std::numbers::pi);
       sum += 2.0 * root * density / (1.0 + from + to);
     }
   }
@@ -89,20 +94,21 @@ void fillRow(int r, bool sheen, std::vector<glm::vec4>& table) {
     const double step = std::max(double(c), 0.05) / (cosines - 1);
     const glm::dvec2 first = firstBounce(std::min(step * step, 1.0), alpha);
     const double roughness = std::max(root * root, double(PRELIGHT_LEAST_SHEEN_ROUGHNESS));
-    const double reflected = sheen ? sheenReflectance(std::min(step * step, 1.0), roughness * roughness) : 0.0;
+    const double reflected =
+        sheen ? sheenReflectance(std::min(step * step, 1.0), roughness * roughness) : 0.0;
     table[r * cosines + c] = glm::vec4(first.x, first.y, std::min(reflected, 1.0), 0.0);
   }
 }
 
-/// Mean over directions, weighted by the cosine, of what is looked up: exact for values between which roots of cosines are
-/// interpolated. With s = sqrt(cosine) the weight is 4 s^3 ds.
+/// Mean over directions, weighted by the cosine, of what is looked up: exact for values between which roots
+/// of cosines are interpolated. With s = sqrt(cosine) the weight is 4 s^3 ds.
 glm::vec4 meanOfRow(int r, const std::vector<glm::vec4>& table) {
   glm::dvec4 sum(0.0);
   const double step = 1.0 / (cosines - 1);
   for (int c = 0; c + 1 < cosines; ++c) {
     const double a = c * step, b = a + step;
-    const double whole = std::pow(b, 4) - std::pow(a, 4);                // of the weight
-    const double first = 0.8 * (std::pow(b, 5) - std::pow(a, 5));        // of the weight times s
+    const double whole = std::pow(b, 4) - std::pow(a, 4);          // of the weight
+    const double first = 0.8 * (std::pow(b, 5) - std::pow(a, 5));  // of the weight times s
     const double upper = (first - a * whole) / step;
     const glm::dvec4 left(table[r * cosines + c]), right(table[r * cosines + c + 1]);
     sum += left * (whole - upper) + right * upper;

@@ -18,8 +18,8 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.bumps = f.bumps || m.normalTexture.image >= 0;
   for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;
   f.translucent = f.translucent || isTranslucent(m);
-  f.scatters = f.scatters || isTranslucent(m) ||
-               hasLayers(m) || (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
+  f.scatters = f.scatters || isTranslucent(m) || hasLayers(m) ||
+               (!m.unlit && (m.baseColor != glm::vec3(0.0f) || specular || isGlass(m)));
 }
 
 }  // namespace

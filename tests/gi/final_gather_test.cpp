@@ -7,8 +7,8 @@
 
 #include "charts/make_light_map_layout.h"
 #include "receivers/surface_sampler.h"
-#include "support/ggx_albedo.h"
 #include "support/devices.h"
+#include "support/ggx_albedo.h"
 #include "support/materials.h"
 #include "support/scenes.h"
 
@@ -136,13 +136,15 @@ double ggxReflection(const glm::dvec3& n, const glm::dvec3& in, const glm::dvec3
 }
 
 /// Irradiance at a place of a wall of the room of half-width 1 whose wall at x = 1 shines with radiance 10
-/// and whose wall at x = -1 is a white metal of this roughness: midpoints of both walls. What does not leave its microfacets at
-/// the first bounce leaves later, in proportion to what either direction lets stay (Kulla and Conty 2017). staying: its share
-/// [cosine], and the mean.
+/// and whose wall at x = -1 is a white metal of this roughness: midpoints of both walls. What does not leave
+/// its microfacets at the first bounce leaves later, in proportion to what either direction lets stay (Kulla
+/// and Conty 2017). staying: its share [cosine], and the mean.
 double irradianceByRoughMetal(const glm::dvec3& place, const glm::dvec3& normal, double roughness,
                               const std::vector<double>& staying, double meanStaying) {
   const double alpha = roughness * roughness;
-  const auto stays = [&](double cosine) { return staying[std::size_t(cosine * double(staying.size() - 1) + 0.5)]; };
+  const auto stays = [&](double cosine) {
+    return staying[std::size_t(cosine * double(staying.size() - 1) + 0.5)];
+  };
   constexpr int cells = 20;
   constexpr double side = 2.0 / cells, area = side * side;
   const auto middle = [](int i) { return -1.0 + side * (i + 0.5); };
@@ -184,8 +186,9 @@ TEST(FinalGather, LampsInRoughMetal_CountAsItsLobeReflectsThem) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const device::Receiver& r = receivers[i];
     sum += static_cast<double>(found[i].x);
-    expected += irradianceByRoughMetal({r.position[0], r.position[1], r.position[2]},
-                                       {r.normal[0], r.normal[1], r.normal[2]}, roughness, staying, meanStaying);
+    expected +=
+        irradianceByRoughMetal({r.position[0], r.position[1], r.position[2]},
+                               {r.normal[0], r.normal[1], r.normal[2]}, roughness, staying, meanStaying);
   }
   EXPECT_NEAR(sum, expected, 0.02 * expected);
 }

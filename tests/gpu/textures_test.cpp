@@ -113,8 +113,8 @@ TEST(Textures, OfEveryFactor_AreLookedUpWhereTheyLie) {
   const std::vector<glm::vec2> places = {{0.2f, 0.3f}, {0.7f, 0.1f}, {0.05f, 0.9f}, {0.4f, 0.45f}};
   const Buffer<glm::vec2> at(textureDevice(), std::span<const glm::vec2>(places));
   const Buffer<glm::vec4> out(textureDevice(), 4 * places.size());
-  launchOnce(textureDevice(), test::probeFile(textureProbe), {}, "probe", {places.size(), 1}, handle.layoutBuffer(),
-             handle.surface(), handle.shading(), at, out);
+  launchOnce(textureDevice(), test::probeFile(textureProbe), {}, "probe", {places.size(), 1},
+             handle.layoutBuffer(), handle.surface(), handle.shading(), at, out);
   const std::vector<glm::vec4> found = out.read();
   const CompiledMaterial& m = scene.materials[0];
   for (std::size_t p = 0; p < places.size(); ++p) {

@@ -5,7 +5,8 @@
 
 #include "support/shot.h"
 
-// Blended surfaces are there for the share of the light that their alpha says, seen from the eye and from lights.
+// Blended surfaces are there for the share of the light that their alpha says, seen from the eye and from
+// lights.
 namespace prelight::test {
 namespace {
 

@@ -13,7 +13,8 @@ glm::dvec2 reflectedOnce(double cosine, double roughness, int steps) {
   for (int i = 0; i < steps; ++i) {
     // tan(theta) = a sqrt(x / (1 - x)) makes D constant in x.
     const double x = (i + 0.5) / steps;
-    const double tangent2 = a2 * x / (1.0 - x), c = 1.0 / std::sqrt(1.0 + tangent2), s = std::sqrt(1.0 - c * c);
+    const double tangent2 = a2 * x / (1.0 - x), c = 1.0 / std::sqrt(1.0 + tangent2),
+                 s = std::sqrt(1.0 - c * c);
     for (int j = 0; j < steps; ++j) {
       const double phi = std::numbers::pi * (j + 0.5) / steps;  // the other half mirrors this one
       const glm::dvec3 h(s * std::cos(phi), s * std::sin(phi), c);
@@ -21,7 +22,8 @@ glm::dvec2 reflectedOnce(double cosine, double roughness, int steps) {
       const double ci = 2.0 * oh * h.z - wo.z;
       if (oh <= 0.0 || ci <= 0.0) continue;
       // D cos(h) dh = dx dphi / (2 pi); dwi = 4 (wo.h) dh.
-      const double leaves = oh / (c * cosine) / (1.0 + lambda(cosine) + lambda(ci)), rise = std::pow(1.0 - oh, 5.0);
+      const double leaves = oh / (c * cosine) / (1.0 + lambda(cosine) + lambda(ci)),
+                   rise = std::pow(1.0 - oh, 5.0);
       sum += leaves * glm::dvec2(1.0 - rise, rise);
     }
   }

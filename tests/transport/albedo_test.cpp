@@ -18,7 +18,8 @@ glm::dvec2 lookedUp(const std::vector<glm::vec4>& table, double cosine, double r
   const double column = std::sqrt(cosine) * (cosines - 1), row = std::sqrt(roughness) * (roughnesses - 1);
   const int c = std::min(int(column), cosines - 2), r = std::min(int(row), roughnesses - 2);
   const auto at = [&](int dr, int dc) { return glm::dvec2(table[(r + dr) * cosines + c + dc]); };
-  return glm::mix(glm::mix(at(0, 0), at(0, 1), column - c), glm::mix(at(1, 0), at(1, 1), column - c), row - r);
+  return glm::mix(glm::mix(at(0, 0), at(0, 1), column - c), glm::mix(at(1, 0), at(1, 1), column - c),
+                  row - r);
 }
 
 TEST(AlbedoTable, BetweenItsEntries_IsWhatMicrofacetsReflect) {
@@ -58,15 +59,16 @@ TEST_P(WhiteFurnace, SurfaceThatAbsorbsNothing_ReflectsAllLight) {
   constexpr std::size_t count = 1 << 17;
   for (const float roughness : {0.06f, 0.13f, 0.29f, 0.5f, 0.77f, 1.0f}) {
     const BsdfProbe surface(BuildOptions().define("PRELIGHT_GLOSSY"),
-                            {s.diffuse, s.diffuse, s.diffuse, 1, 1, 1, s.metalShare, s.f0, s.f0, s.f0, s.f90, s.layer,
-                             roughness});
+                            {s.diffuse, s.diffuse, s.diffuse, 1, 1, 1, s.metalShare, s.f0, s.f0, s.f0, s.f90,
+                             s.layer, roughness});
     for (const double cosine : {1.0, 0.7, 0.4, 0.2, 0.1, 0.05}) {
       double sum = 0.0, squares = 0.0;
       for (const ProbedSample& drawn : surface.sample(directionOf(cosine, 0.3), count)) {
         sum += double(drawn.weight.x);
         squares += double(drawn.weight.x) * double(drawn.weight.x);
       }
-      const double mean = sum / count, noise = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
+      const double mean = sum / count,
+                   noise = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
       EXPECT_NEAR(mean, 1.0, 5e-3) << "roughness " << roughness << " cosine " << cosine << " noise " << noise;
       EXPECT_LT(noise, 2e-3);
     }
@@ -74,8 +76,10 @@ TEST_P(WhiteFurnace, SurfaceThatAbsorbsNothing_ReflectsAllLight) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, WhiteFurnace,
-                         ::testing::Values(Lossless{"Metal", 0, 1, 0, 0, 0}, Lossless{"Plastic", 1, 0, 0.04f, 1, 1},
-                                           Lossless{"Gem", 1, 0, 0.17f, 1, 1}, Lossless{"WeakLayer", 1, 0, 0.02f, 0.5f, 1},
+                         ::testing::Values(Lossless{"Metal", 0, 1, 0, 0, 0},
+                                           Lossless{"Plastic", 1, 0, 0.04f, 1, 1},
+                                           Lossless{"Gem", 1, 0, 0.17f, 1, 1},
+                                           Lossless{"WeakLayer", 1, 0, 0.02f, 0.5f, 1},
                                            Lossless{"HalfMetal", 0.5f, 0.5f, 0.04f, 1, 0.5f}),
                          [](const auto& test) { return std::string(test.param.name); });
 

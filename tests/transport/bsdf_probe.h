@@ -45,8 +45,8 @@ class BsdfProbe {
         to(device, std::span<const glm::vec4>(wi));
     const Buffer<glm::vec4> scattered(device, 2 * wo.size());
     const Buffer<float> densities(device, wo.size());
-    launchOnce(device, labKernel(device, file), options_, "probeReflection", wo.size(), surface,
-               albedos, static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
+    launchOnce(device, labKernel(device, file), options_, "probeReflection", wo.size(), surface, albedos,
+               static_cast<std::uint32_t>(wo.size()), from, to, scattered, densities);
     return {scattered.read(), densities.read()};
   }
 
@@ -55,8 +55,8 @@ class BsdfProbe {
     const Buffer<float> surface(device, std::span<const float>(values_));
     const Buffer<glm::vec4> albedos(device, std::span<const glm::vec4>(albedos_));
     const Buffer<glm::vec4> from(device, std::span<const glm::vec4>(&wo, 1)), samples(device, 2 * count);
-    launchOnce(device, labKernel(device, file), options_, "probeScatter", count, surface,
-               albedos, static_cast<std::uint32_t>(count), from, samples);
+    launchOnce(device, labKernel(device, file), options_, "probeScatter", count, surface, albedos,
+               static_cast<std::uint32_t>(count), from, samples);
     const std::vector<glm::vec4> read = samples.read();
     std::vector<ProbedSample> drawn(count);
     for (std::size_t i = 0; i < count; ++i)

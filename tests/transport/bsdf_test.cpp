@@ -50,8 +50,8 @@ class Bsdf : public ::testing::TestWithParam<Surface> {
  private:
   static std::vector<float> values() {
     const Surface& s = GetParam();
-    return {s.diffuse.x,  s.diffuse.y, s.diffuse.z, s.metal.x, s.metal.y, s.metal.z, s.metalShare,
-            s.f0.x,       s.f0.y,      s.f0.z,      s.f90,     s.layer,   s.roughness};
+    return {s.diffuse.x, s.diffuse.y, s.diffuse.z, s.metal.x, s.metal.y, s.metal.z,  s.metalShare,
+            s.f0.x,      s.f0.y,      s.f0.z,      s.f90,     s.layer,   s.roughness};
   }
 
   BsdfProbe surface_{BuildOptions().define("PRELIGHT_GLOSSY"), values()};
@@ -77,7 +77,8 @@ TEST_P(Bsdf, Reflection_IsReciprocal) {
   }
 }
 
-// Sampled by its own density, so that narrow lobes are met. The table of albedos is interpolated within 0.3 % (AlbedoTable).
+// Sampled by its own density, so that narrow lobes are met. The table of albedos is interpolated within 0.3 %
+// (AlbedoTable).
 TEST_P(Bsdf, Reflection_NeverExceedsWhatArrives) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
@@ -162,13 +163,14 @@ TEST_P(Bsdf, Sampling_FollowsItsDensity) {
   }
 }
 
-// What a coloured layer reflects is taken off the body by its largest channel, whichever that is: no channel reflects more than
-// arrives, and the white body under it loses no other light.
+// What a coloured layer reflects is taken off the body by its largest channel, whichever that is: no channel
+// reflects more than arrives, and the white body under it loses no other light.
 TEST(BsdfLayer, Colours_TakeTheirLargestChannelOffTheBody) {
   std::vector<glm::vec4> wi;
   constexpr int rings = 512, sectors = 64;
   for (int r = 0; r < rings; ++r)
-    for (int s = 0; s < sectors; ++s) wi.push_back(directionOf((r + 0.5) / rings, 2 * pi * (s + 0.5) / sectors));
+    for (int s = 0; s < sectors; ++s)
+      wi.push_back(directionOf((r + 0.5) / rings, 2 * pi * (s + 0.5) / sectors));
   const double cell = 2.0 * pi / static_cast<double>(wi.size());
   for (const glm::vec3 f0 :
        {glm::vec3(0.5f, 0.1f, 0.02f), glm::vec3(0.02f, 0.5f, 0.1f), glm::vec3(0.1f, 0.02f, 0.5f)}) {

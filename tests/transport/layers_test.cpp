@@ -23,9 +23,35 @@ struct Layered {
 BsdfProbe layered(const Layered& s, BuildOptions options = {}) {
   const float layer = s.diffuse > 0.0f ? 1.0f : 0.0f;
   return {options.define("PRELIGHT_GLOSSY").define("PRELIGHT_MIRROR").define("PRELIGHT_LAYERS"),
-          {s.diffuse,   s.diffuse,      s.diffuse,       1, 1, 1, s.metalShare, 0.04f, 0.04f, 0.04f, 1, layer,
-           s.roughness, 0,              0,               0, 0, 0, 1.0f,         0,     0,     1,     s.coat, s.coatRoughness,
-           s.coatNormal.x, s.coatNormal.y, s.coatNormal.z, s.sheen, s.sheenRoughness}};
+          {s.diffuse,
+           s.diffuse,
+           s.diffuse,
+           1,
+           1,
+           1,
+           s.metalShare,
+           0.04f,
+           0.04f,
+           0.04f,
+           1,
+           layer,
+           s.roughness,
+           0,
+           0,
+           0,
+           0,
+           0,
+           1.0f,
+           0,
+           0,
+           1,
+           s.coat,
+           s.coatRoughness,
+           s.coatNormal.x,
+           s.coatNormal.y,
+           s.coatNormal.z,
+           s.sheen,
+           s.sheenRoughness}};
 }
 
 const glm::vec3 up(0, 0, 1);
@@ -42,8 +68,8 @@ class Layers : public ::testing::TestWithParam<Layered> {
   BsdfProbe surface_ = layered(GetParam());
 };
 
-// Below the layers nothing is absorbed: all light comes back, within what the table of albedos is interpolated to, but for what a
-// coat with another normal sends below the surface.
+// Below the layers nothing is absorbed: all light comes back, within what the table of albedos is
+// interpolated to, but for what a coat with another normal sends below the surface.
 TEST_P(Layers, OverASurfaceThatAbsorbsNothing_ReflectAllLight) {
   const bool bent = GetParam().coatNormal != up;
   constexpr std::size_t count = 1 << 17;
@@ -74,12 +100,14 @@ TEST_P(Layers, Samples_WeighTheirValueByTheirDensity) {
     const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
     for (std::size_t i = 0; i < wi.size(); ++i) {
       EXPECT_NEAR(samples[i].density, probed.densities[i], 1e-4f * probed.densities[i]);
-      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i), 2e-4 * probed.total(i));
+      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
+                  2e-4 * probed.total(i));
     }
   }
 }
 
-// Layers scale what is below by what they leave of light along the eye's direction, on whichever side of the path the eye is.
+// Layers scale what is below by what they leave of light along the eye's direction, on whichever side of the
+// path the eye is.
 TEST_P(Layers, Importance_IsTheAdjointOfRadiance) {
   const BsdfProbe photons = layered(GetParam(), BuildOptions().define("PRELIGHT_PROBE_IMPORTANCE"));
   std::vector<glm::vec4> a, b;
@@ -114,7 +142,8 @@ TEST_P(Layers, Sampling_FollowsItsDensity) {
     const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
     const double cell = 2.0 * pi / static_cast<double>(wi.size());
     for (std::size_t i = 0; i < wi.size(); ++i) {
-      const int r = static_cast<int>(i) / (sectors * fine) / fine, s = static_cast<int>(i) % (sectors * fine) / fine;
+      const int r = static_cast<int>(i) / (sectors * fine) / fine,
+                s = static_cast<int>(i) % (sectors * fine) / fine;
       expected[r * sectors + s] += double(probed.densities[i]) * cell * count;
     }
     double chiSquare = 0.0;
@@ -138,7 +167,8 @@ TEST(SmoothCoat, OverAWhiteBody_ReflectsAllLight) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.4, 0.1}) {
     double sum = 0.0;
-    for (const ProbedSample& drawn : surface.sample(directionOf(cosine, 0.3), count)) sum += double(drawn.weight.x);
+    for (const ProbedSample& drawn : surface.sample(directionOf(cosine, 0.3), count))
+      sum += double(drawn.weight.x);
     EXPECT_NEAR(sum / count, 1.0, 6e-3) << "cosine " << cosine;
   }
 }

@@ -24,8 +24,10 @@ class RoughGlass : public ::testing::TestWithParam<Pane> {
   static BsdfProbe pane(const Pane& p, float eta) {
     const float layer = p.body > 0.0f ? 1.0f - p.share : 0.0f;
     return {BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_GLASS").define("PRELIGHT_ROUGH_GLASS"),
-            {p.body,      p.body, p.body, 0, 0, 0, 0, 0.04f, 0.04f, 0.04f, 1, layer,
-             p.roughness, 0,      0,      0, 0, 0, 0, p.share, p.solid ? 1.0f : 0.0f, eta}};
+            {p.body, p.body, p.body, 0, 0,     0,           0,
+             0.04f,  0.04f,  0.04f,  1, layer, p.roughness, 0,
+             0,      0,      0,      0, 0,     p.share,     p.solid ? 1.0f : 0.0f,
+             eta}};
   }
   BsdfProbe surface_ = pane(GetParam(), GetParam().eta);
 };
@@ -39,8 +41,8 @@ std::vector<glm::vec4> allDirections(int rings, int sectors) {
   return directions;
 }
 
-// Thin glass that absorbs nothing sends on all light. Solid glass loses what microfacets hide from one another, which would leave
-// later: up to half at grazing angles where it is roughest.
+// Thin glass that absorbs nothing sends on all light. Solid glass loses what microfacets hide from one
+// another, which would leave later: up to half at grazing angles where it is roughest.
 TEST_P(RoughGlass, Energy_IsKept) {
   constexpr std::size_t count = 1 << 16;
   for (const double cosine : {1.0, 0.6, 0.3, 0.1}) {
@@ -76,8 +78,8 @@ TEST_P(RoughGlass, Samples_WeighTheirValueByTheirDensity) {
   }
 }
 
-// Radiance that passes solid glass is by the square of the index larger where the index is: over it, light goes the same way
-// back as there.
+// Radiance that passes solid glass is by the square of the index larger where the index is: over it, light
+// goes the same way back as there.
 TEST_P(RoughGlass, LightThatPasses_IsReciprocal) {
   const Pane& p = GetParam();
   const BsdfProbe back = pane(p, p.solid ? 1.0f / p.eta : p.eta);
@@ -126,7 +128,8 @@ TEST_P(RoughGlass, Sampling_FollowsItsDensityOnBothSides) {
     const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
     const double cell = 4.0 * pi / static_cast<double>(wi.size());
     for (std::size_t i = 0; i < wi.size(); ++i) {
-      const int r = static_cast<int>(i) / (sectors * fine) / fine, s = static_cast<int>(i) % (sectors * fine) / fine;
+      const int r = static_cast<int>(i) / (sectors * fine) / fine,
+                s = static_cast<int>(i) % (sectors * fine) / fine;
       expected[r * sectors + s] += double(probed.densities[i]) * cell * count;
     }
     double chiSquare = 0.0;
@@ -141,12 +144,13 @@ TEST_P(RoughGlass, Sampling_FollowsItsDensityOnBothSides) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Panes, RoughGlass,
-                         ::testing::Values(Pane{"Thin", 0.5f, 1, 1.5f, false}, Pane{"RoughThin", 1, 1, 1.5f, false},
-                                           Pane{"SmoothThin", 0.2f, 1, 1.3f, false}, Pane{"Entering", 0.5f, 1, 1.5f, true},
-                                           Pane{"Leaving", 0.5f, 1, 1 / 1.5f, true}, Pane{"RoughEntering", 0.9f, 1, 1.33f, true},
-                                           Pane{"HalfGlass", 0.6f, 0.5f, 1.5f, false, 0.5f}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Panes, RoughGlass,
+    ::testing::Values(Pane{"Thin", 0.5f, 1, 1.5f, false}, Pane{"RoughThin", 1, 1, 1.5f, false},
+                      Pane{"SmoothThin", 0.2f, 1, 1.3f, false}, Pane{"Entering", 0.5f, 1, 1.5f, true},
+                      Pane{"Leaving", 0.5f, 1, 1 / 1.5f, true}, Pane{"RoughEntering", 0.9f, 1, 1.33f, true},
+                      Pane{"HalfGlass", 0.6f, 0.5f, 1.5f, false, 0.5f}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace prelight::test

@@ -22,7 +22,8 @@ struct Sheet {
 };
 
 const std::array sheets{Sheet{"Leaf", 0.0f, 0, 0, 1, 0.8f}, Sheet{"Paper", 0.5f, 0, 0, 1, 0.5f},
-                        Sheet{"WaxedPaper", 0.4f, 0.04f, 1, 0.6f, 0.6f}, Sheet{"Shade", 0.0f, 0.17f, 1, 1, 1.0f}};
+                        Sheet{"WaxedPaper", 0.4f, 0.04f, 1, 0.6f, 0.6f},
+                        Sheet{"Shade", 0.0f, 0.17f, 1, 1, 1.0f}};
 
 class TranslucentBsdf : public ::testing::TestWithParam<Sheet> {
  protected:
@@ -37,8 +38,9 @@ class TranslucentBsdf : public ::testing::TestWithParam<Sheet> {
   static std::vector<float> values() {
     const Sheet& s = GetParam();
     const float layer = s.f90 > 0.0f ? 1.0f : 0.0f;
-    return {s.diffuse,     s.diffuse,     s.diffuse,    0, 0, 0, 0, s.f0, s.f0, s.f0, s.f90, layer, s.roughness,
-            s.transmitted, s.transmitted, s.transmitted};
+    return {s.diffuse,     s.diffuse,    s.diffuse, 0,     0,     0,           0,
+            s.f0,          s.f0,         s.f0,      s.f90, layer, s.roughness, s.transmitted,
+            s.transmitted, s.transmitted};
   }
 
   BsdfProbe sheet_{BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_TRANSLUCENT"), values()};
@@ -73,8 +75,8 @@ TEST_P(TranslucentBsdf, Transmission_IsReciprocal) {
   }
 }
 
-// By quadrature over the sphere: as much of the body's light goes through as the material says, and all together is no more
-// than arrives, and no less where nothing is absorbed.
+// By quadrature over the sphere: as much of the body's light goes through as the material says, and all
+// together is no more than arrives, and no less where nothing is absorbed.
 TEST_P(TranslucentBsdf, Energy_IsKept) {
   const std::vector<glm::vec4> wi = sphereGrid(800, 64);
   const double cell = 4.0 * pi / static_cast<double>(wi.size());
@@ -86,7 +88,8 @@ TEST_P(TranslucentBsdf, Energy_IsKept) {
     for (std::size_t i = 0; i < wi.size(); ++i) (wi[i].z > 0.0f ? above : below) += probed.total(i) * cell;
     double body = 0.0;
     for (std::size_t i = 0; i < wi.size(); ++i) body += double(probed.scattered[2 * i].x) * cell;
-    EXPECT_NEAR(below, body * double(s.transmitted) / double(s.diffuse + s.transmitted), 2e-3) << "cosine " << cosine;
+    EXPECT_NEAR(below, body * double(s.transmitted) / double(s.diffuse + s.transmitted), 2e-3)
+        << "cosine " << cosine;
     EXPECT_LT(above + below, 1.003) << "cosine " << cosine;
     if (lossless) {
       EXPECT_NEAR(above + below, 1.0, 5e-3) << "cosine " << cosine;

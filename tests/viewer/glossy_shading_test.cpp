@@ -40,7 +40,8 @@ TEST(GlossyShading, OpenSurfaceInAWhiteFurnace_ShowsAlbedoPlusDirectionalReflect
         const glm::dvec3 base(0.8, 0.6, 0.4);
         const glm::dvec3 f0 = metallic > 0.0f ? base : glm::dvec3(0.04);
         const glm::dvec3 albedo = metallic > 0.0f ? glm::dvec3(0.0) : base;
-        const glm::dvec3 expected = 2.0 * (albedo + reflectedAtLast(f0, 1.0, eye.z / glm::length(eye), std::max(roughness, 0.01f)));
+        const glm::dvec3 expected =
+            2.0 * (albedo + reflectedAtLast(f0, 1.0, eye.z / glm::length(eye), std::max(roughness, 0.01f)));
         // Rows and columns of pixels are off the centre by up to a pixel of 33, which the view's angle feels.
         expectColor(pixelAt(quad.render(square(Shading::Glossy, 129))), expected, 3e-3);
       }

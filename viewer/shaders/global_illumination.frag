@@ -6,6 +6,7 @@
 #include "lights.glsl"
 #include "material.glsl"
 #include "scattering.glsl"
+#include "top_layers.glsl"
 #include "sky.glsl"
 #include "triangles.glsl"
 #include "light_map.glsl"
@@ -34,11 +35,12 @@ vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool gl
   float side = dot(geometric, toLight);
   if (largest(irradiance) <= 0.0) return vec3(0.0);
   if (hasTranslucency && translucency.a > 0.0 && nl < 0.0 && side < 0.0) {
-    return transmittedOfLight(s, max(dot(n, toEye), 0.0), -nl) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
+    return leftByLayers(max(dot(n, toEye), 0.0)) * transmittedOfLight(s, max(dot(n, toEye), 0.0), -nl) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
   }
   if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
   vec3 reflected = diffuseOfLight(s, max(dot(n, toEye), 0.0), nl);
   if (glossy) reflected += glossyOfLight(s, n, toEye, toLight);
+  if (hasTopLayers) reflected = reflected * leftByLayers(max(dot(n, toEye), 0.0)) + layersOfLight(n, toEye, toLight);
   return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
 }
 
@@ -100,18 +102,23 @@ void main() {
   vec3 indirect = lightMapIrradiance(triangle, gl_FrontFacing, vPosition);
   vec3 irradiance = indirect;
   if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
-  vec3 radiance = m.emission + diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
+  float left = leftByLayers(nv);
+  vec3 radiance = m.emission + left * diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
   if (hasTranslucency && translucency.a > 0.0) {
-    radiance += transmittedOfIrradiance(s, nv) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
+    radiance += left * transmittedOfIrradiance(s, nv) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
   }
   if (hasSurroundings && showsSurroundings != 0) {
-    radiance += reflectanceOfSurroundings(s, nv) * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
+    radiance += left * reflectanceOfSurroundings(s, nv) * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
+    if (hasTopLayers) radiance += coatAlbedo(nv) * surroundingRadiance(vPosition, reflect(-toEye, n), coatFactors.y);
   } else {
     // What lies around is not known but for the mean of its radiance.
-    radiance += reflectanceOfSurroundings(s, nv) * indirect / pi;
+    radiance += left * reflectanceOfSurroundings(s, nv) * indirect / pi;
+    if (hasTopLayers) radiance += coatAlbedo(nv) * indirect / pi;
   }
+  if (hasTopLayers) radiance += sheenFactors.rgb * sheenAlbedo(nv) * (1.0 - coatAlbedo(nv)) * indirect / pi;
   vec3 through = vec3(0.0);
-  if (hasGlass && s.glass > 0.0) radiance += shadeGlass(s, m.base, n, toEye, nv, through);
+  if (hasGlass && s.glass > 0.0) radiance += left * shadeGlass(s, m.base, n, toEye, nv, through);
+  through *= left;
   outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
   outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);
 }

@@ -86,6 +86,13 @@ vec3 transmittedOfLight(Scattering s, float nv, float nl) {
   return diffuseOfLight(s, nv, nl);
 }
 
+// Distribution and masking of microfacets over 4 cos cos; a2: square of the lobe's width.
+float microfacets(float nl, float nv, float nh, float a2) {
+  float d = nh * nh * (a2 - 1.0) + 1.0;
+  float distribution = a2 / (pi * d * d);  // [1] Eq. 33
+  return distribution * 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));  // [2]
+}
+
 vec3 glossyOfLight(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
   vec3 h = normalize(toEye + toLight);
   float nl = max(dot(n, toLight), 1e-4);
@@ -93,14 +100,11 @@ vec3 glossyOfLight(Scattering s, vec3 n, vec3 toEye, vec3 toLight) {
   float a2 = s.roughness * s.roughness;
   a2 *= a2;
   float nh = max(dot(n, h), 0.0);
-  float d = nh * nh * (a2 - 1.0) + 1.0;
-  float distribution = a2 / (pi * d * d);  // [1] Eq. 33
-  float visible = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));  // [2]
   float rise = schlickRise(dot(toEye, h));
   vec2 from = firstBounce(s, nv);
   vec2 to = firstBounce(s, nl);
   float later = (1.0 - from.x - from.y) * (1.0 - to.x - to.y) / max(s.missing, 1e-6);
-  return (s.f0 * (1.0 - rise) + s.f90 * rise) * distribution * visible + s.later * later / pi;
+  return (s.f0 * (1.0 - rise) + s.f90 * rise) * microfacets(nl, nv, nh, a2) + s.later * later / pi;
 }
 
 // Share that metal and layer reflect of surroundings of one radiance.

@@ -18,6 +18,7 @@ const bool hasTranslucency = true;
 const bool hasGloss = true;
 const bool hasGlass = true;
 const bool hasLayer = true;
+const bool hasTopLayers = true;
 const bool hasSurroundings = true;
 const bool hasVertexColors = true;
 const bool hasCharts = true;

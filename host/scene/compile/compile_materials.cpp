@@ -153,8 +153,8 @@ class MaterialCompiler {
     return alpha * found->second;
   }
 
-  /// MASK is cut at its cutoff; BLEND is there for a share of the rays. One that has no hole is opaque, for rays pay for every
-  /// look at one; what rounding might cut stays a mask.
+  /// MASK is cut at its cutoff; BLEND is there for a share of the rays. One that has no hole is opaque, for
+  /// rays pay for every look at one; what rounding might cut stays a mask.
   void setCoverage(const Material& material, CompiledMaterial& compiled) {
     if (material.alphaMode == AlphaMode::Opaque) return;
     const bool blended = material.alphaMode == AlphaMode::Blend;

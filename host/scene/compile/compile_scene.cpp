@@ -294,11 +294,19 @@ std::array<TextureRef, 3> CompiledMaterial::albedoTextures() const {
 }
 
 std::array<TextureRef, 13> CompiledMaterial::textures() const {
-  return {baseColorTexture,     surfaceTexture,      normalTexture,
-          emissionTexture,      transmissionTexture, specularTexture,
-          specularColorTexture, translucencyTexture, translucentColorTexture,
-          clearcoat.texture,    clearcoat.roughnessTexture,
-          sheen.colorTexture,   sheen.roughnessTexture};
+  return {baseColorTexture,
+          surfaceTexture,
+          normalTexture,
+          emissionTexture,
+          transmissionTexture,
+          specularTexture,
+          specularColorTexture,
+          translucencyTexture,
+          translucentColorTexture,
+          clearcoat.texture,
+          clearcoat.roughnessTexture,
+          sheen.colorTexture,
+          sheen.roughnessTexture};
 }
 
 bool CompiledScene::hasAlbedoTextures() const {

@@ -70,7 +70,8 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
   if (const auto e = extensions.find("KHR_materials_sheen")) {
     validateNumbers(*e, {"sheenRoughnessFactor"});
     validateColors(*e, {{"sheenColorFactor", 3}});
-    for (const char* texture : {"sheenColorTexture", "sheenRoughnessTexture"}) validateTextureInfo(root, *e, texture);
+    for (const char* texture : {"sheenColorTexture", "sheenRoughnessTexture"})
+      validateTextureInfo(root, *e, texture);
   }
   if (const auto e = extensions.find("KHR_materials_pbrSpecularGlossiness")) {
     validateNumbers(*e, {"glossinessFactor"});

@@ -165,8 +165,10 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
     material.specularTexture = loadTexture(context, *e, "specularTexture");
     material.specularColorTexture = loadTexture(context, *e, "specularColorTexture");
   }
-  if (const auto e = LoadContext::extension(json, "KHR_materials_clearcoat")) material.clearcoat = loadClearcoat(context, *e);
-  if (const auto e = LoadContext::extension(json, "KHR_materials_sheen")) material.sheen = loadSheen(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_clearcoat"))
+    material.clearcoat = loadClearcoat(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_sheen"))
+    material.sheen = loadSheen(context, *e);
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
 
@@ -234,7 +236,8 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
           &material.normalTexture, &material.transmissionTexture, &material.specularTexture,
           &material.specularColorTexture, &material.diffuseTransmissionTexture,
           &material.diffuseTransmissionColorTexture, &material.clearcoat.texture,
-          &material.clearcoat.roughnessTexture, &material.sheen.colorTexture, &material.sheen.roughnessTexture}) {
+          &material.clearcoat.roughnessTexture, &material.sheen.colorTexture,
+          &material.sheen.roughnessTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }
