@@ -55,7 +55,7 @@ std::vector<StructLayout> layoutsOfTracing() {
           layoutOf<CastParameters, 32>("CastParameters", offsetof(CastParameters, firstStored)),
           layoutOf<Sender, 8>("Sender", offsetof(Sender, albedo)),
           layoutOf<ReferenceParameters, 236>("ReferenceParameters", offsetof(ReferenceParameters, scene)),
-          layoutOf<ShadeMaterial, 152>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
+          layoutOf<ShadeMaterial, 156>("ShadeMaterial", offsetof(ShadeMaterial, textures)),
           layoutOf<PunctualLight, 64>("PunctualLight", offsetof(PunctualLight, coneOffset)),
           layoutOf<PathState, 64>("PathState", offsetof(PathState, arriving)),
           layoutOf<OccluderVertex, 16>("OccluderVertex", offsetof(OccluderVertex, accessibility)),

@@ -116,7 +116,63 @@ glm::vec4 meanOfRow(int r, const std::vector<glm::vec4>& table) {
   return glm::vec4(sum);
 }
 
+/// Share of unpolarised light that a dielectric reflects; eta = ior beyond / ior here.
+double fresnel(double cosine, double eta) {
+  const double sine2 = (1.0 - cosine * cosine) / (eta * eta);
+  if (sine2 >= 1.0) return 1.0;
+  const double beyond = std::sqrt(1.0 - sine2);
+  const double s = (cosine - eta * beyond) / (cosine + eta * beyond),
+               p = (eta * cosine - beyond) / (eta * cosine + beyond);
+  return 0.5 * (s * s + p * p);
+}
+
+/// Reflected and refracted at the normals that are visible along a direction, as far as they are not hidden
+/// on the way out.
+double scatteredOnce(double cosine, double alpha, double eta) {
+  constexpr int glassTurns = 12, glassHeights = 32;
+  const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+  const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, 0.0, wo.z));
+  double sum = 0.0;
+  for (int y = 0; y < glassHeights; ++y) {
+    const double step = (y + 0.5) / glassHeights;
+    const double z = 1.0 - (1.0 - step * step * step) * (1.0 + v.z),
+                 radius = std::sqrt(std::max(1.0 - z * z, 0.0));
+    for (int x = 0; x < glassTurns; ++x) {
+      const double turn = std::numbers::pi * (x + 0.5) / glassTurns;
+      const glm::dvec3 c = glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z) + v;
+      const glm::dvec3 h = glm::normalize(glm::dvec3(alpha * c.x, alpha * c.y, std::max(c.z, 1e-9)));
+      const double along = std::clamp(glm::dot(wo, h), 1e-9, 1.0), to = 2.0 * along * h.z - wo.z;
+      const double reflected = eta > 0.0 ? fresnel(along, eta) : 1.0, from = smithTerm(wo.z, alpha);
+      double leaves = 0.0;
+      if (to > 0.0) leaves += reflected * to * (wo.z + from) / (wo.z * smithTerm(to, alpha) + to * from);
+      if (reflected < 1.0) {
+        const double inside = std::sqrt(1.0 - (1.0 - along * along) / (eta * eta));
+        const double down = -((along / eta - inside) * h.z - wo.z / eta);
+        if (down > 0.0) leaves += (1.0 - reflected) * 2.0 * down / (down + smithTerm(down, alpha));
+      }
+      sum += 3.0 * step * step * leaves;
+    }
+  }
+  return sum / double(glassTurns * glassHeights);
+}
+
 }  // namespace
+
+std::vector<glm::vec4> makeGlassTable(double ior) {
+  constexpr int columns = PRELIGHT_GLASS_COSINES, rows = PRELIGHT_GLASS_ROUGHNESSES;
+  std::vector<glm::vec4> table(columns * rows);
+  parallelRanges(rows, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+      for (int c = 0; c < columns; ++c) {
+        const double root = double(r) / (rows - 1), alpha = std::max(std::pow(root, 4.0), 1e-4);
+        const double step = std::max(double(c), 0.05) / (columns - 1), cosine = std::min(step * step, 1.0);
+        table[r * columns + c] =
+            glm::vec4(scatteredOnce(cosine, alpha, ior),
+                      scatteredOnce(cosine, alpha, ior > 0.0 ? 1.0 / ior : 0.0), 0.0, 0.0);
+      }
+  });
+  return table;
+}
 
 std::vector<glm::vec4> makeAlbedoTable(bool sheen) {
   std::vector<glm::vec4> table(cosines * roughnesses);

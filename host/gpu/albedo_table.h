@@ -11,4 +11,9 @@ namespace prelight {
 /// (Estevez and Kulla 2017), 0 unless it is asked for.
 std::vector<glm::vec4> makeAlbedoTable(bool sheen = false);
 
+/// What solid rough glass of this index of refraction (0: infinite) scatters of light from one direction at
+/// the first bounce, [roughness][cosine] of PRELIGHT_GLASS_ROUGHNESSES and PRELIGHT_GLASS_COSINES: x from
+/// outside, y from inside (Walter et al. 2007).
+std::vector<glm::vec4> makeGlassTable(double ior);
+
 }  // namespace prelight

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "base/octahedral.h"
 #include "gpu/albedo_table.h"
@@ -77,8 +78,8 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_SHEEN_ROUGHNESS_TEXTURE] = upload.add(m.sheen.roughnessTexture, false);
 }
 
-/// What the kernels look up for the materials that something has.
-std::vector<glm::vec4> albedosFor(const CompiledScene& scene) {
+/// Adds what the kernels look up of lobes for the materials that something has.
+void addAlbedos(const CompiledScene& scene, ShadeArrays& arrays) {
   const std::vector<bool> used = usedMaterials(scene);
   bool rough = false, sheen = false;
   for (std::size_t i = 0; i < used.size(); ++i) {
@@ -86,7 +87,19 @@ std::vector<glm::vec4> albedosFor(const CompiledScene& scene) {
     rough = rough || mayReflectRoughly(scene.materials[i]);
     sheen = sheen || hasSheen(scene.materials[i]);
   }
-  return rough ? makeAlbedoTable(sheen) : std::vector<glm::vec4>();
+  if (!rough) return;
+  arrays.albedos = makeAlbedoTable(sheen);
+  std::map<float, std::uint32_t> tables;  // of glass, by index of refraction
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CompiledMaterial& m = scene.materials[i];
+    if (!used[i] || !m.solid || !isRoughGlass(m)) continue;
+    const auto [table, isNew] = tables.try_emplace(m.ior, static_cast<std::uint32_t>(arrays.albedos.size()));
+    if (isNew) {
+      const std::vector<glm::vec4> glass = makeGlassTable(static_cast<double>(m.ior));
+      arrays.albedos.insert(arrays.albedos.end(), glass.begin(), glass.end());
+    }
+    arrays.materials[i].glassTable = table->second;
+  }
 }
 
 }  // namespace
@@ -116,7 +129,7 @@ ShadeArrays makePlainShadeArrays(const CompiledScene& scene) {
     arrays.bases.push_back(baseMaterial(m, PRELIGHT_NO_TEXTURE));
     arrays.materials.push_back(shadeMaterial(m, m.emission));
   }
-  arrays.albedos = albedosFor(scene);
+  addAlbedos(scene, arrays);
   return arrays;
 }
 
@@ -133,7 +146,7 @@ ShadeArrays makeShadeArrays(const CompiledScene& scene, const std::vector<Image>
   }
   arrays.textures = upload.takeTextures();
   arrays.texels = upload.takeTexels();
-  arrays.albedos = albedosFor(scene);
+  addAlbedos(scene, arrays);
   return arrays;
 }
 

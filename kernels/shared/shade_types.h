@@ -44,6 +44,7 @@ typedef struct ShadeMaterial {
   float sheenRoughness;
   float coat;  ///< share of the surface that has a clear coat
   float coatRoughness;
+  uint glassTable;  ///< of solid rough glass: entry of the table of albedos at which its own begins
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;
 

@@ -7,17 +7,22 @@
 #include "core/dialect.h"
 #include "shared/albedo_types.h"
 
-// Of a direction of this cosine; both in [0,1].
-vec4 lobeAlbedo(TEXELS table, float cosine, float roughness) {
-  float column = sqrt(clamp(cosine, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ALBEDO_COSINES - 1);
-  float row = sqrt(clamp(roughness, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ALBEDO_ROUGHNESSES - 1);
-  int c = min(TO_INT(column), PRELIGHT_ALBEDO_COSINES - 2);
-  int r = min(TO_INT(row), PRELIGHT_ALBEDO_ROUGHNESSES - 2);
-  int at = r * PRELIGHT_ALBEDO_COSINES + c;
+// Between the entries of a table [roughness][cosine] that begins at `first`; both in [0,1].
+vec4 betweenAlbedos(TEXELS table, int first, int cosines, int roughnesses, float cosine, float roughness) {
+  float column = sqrt(clamp(cosine, 0.0f, 1.0f)) * TO_FLOAT(cosines - 1);
+  float row = sqrt(clamp(roughness, 0.0f, 1.0f)) * TO_FLOAT(roughnesses - 1);
+  int c = min(TO_INT(column), cosines - 2);
+  int r = min(TO_INT(row), roughnesses - 2);
+  int at = first + r * cosines + c;
   float x = column - TO_FLOAT(c);
   vec4 smoother = mix(FETCH(table, at), FETCH(table, at + 1), x);
-  vec4 rougher = mix(FETCH(table, at + PRELIGHT_ALBEDO_COSINES), FETCH(table, at + PRELIGHT_ALBEDO_COSINES + 1), x);
+  vec4 rougher = mix(FETCH(table, at + cosines), FETCH(table, at + cosines + 1), x);
   return mix(smoother, rougher, row - TO_FLOAT(r));
+}
+
+// Of a direction of this cosine.
+vec4 lobeAlbedo(TEXELS table, float cosine, float roughness) {
+  return betweenAlbedos(table, 0, PRELIGHT_ALBEDO_COSINES, PRELIGHT_ALBEDO_ROUGHNESSES, cosine, roughness);
 }
 
 // Its mean over directions, weighted by the cosine.

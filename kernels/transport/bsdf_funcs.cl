@@ -45,14 +45,15 @@ PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
 }
 
 // Scatters from wo, above the surface, to wi, above or below one that lets light through, in the frame of the shading normal.
-PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi) {
+// `eye`: the one of both directions that light goes to.
+PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, float3 eye) {
   // Light that enters and leaves the body passes the layer twice. What the layer holds back on the way out is scattered again,
   // so that in an even sky no more is lost than the body absorbs ([1] of transport/lobe_funcs.cl).
   const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo.z) * passage(b, fabs(wi.z)) * fabs(wi.z);
   Scattered r;
   r.glossy = (float3)(0.0f);
 #ifdef PRELIGHT_ROUGH_GLASS
-  if (isRoughGlass(b)) r.glossy = evalRoughGlass(b, wo, wi);
+  if (isRoughGlass(b)) r.glossy = evalRoughGlass(b, wo, wi, eye);
 #endif
   if (wi.z < 0.0f) {
 #ifdef PRELIGHT_TRANSLUCENT
@@ -69,9 +70,9 @@ PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi) {
   return r;
 }
 
-// The same with the layers over it; `eye`: the one of both directions that light goes to.
+// The same with the layers over it.
 PRELIGHT_INLINE Scattered evalLobes(Bsdf b, float3 wo, float3 wi, float3 eye) {
-  Scattered r = evalBase(b, wo, wi);
+  Scattered r = evalBase(b, wo, wi, eye);
 #ifdef PRELIGHT_LAYERS
   const float left = leftByLayers(b, eye);
   r.diffuse *= left;
@@ -195,7 +196,7 @@ PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, b
     value = diffuse ? f.diffuse : f.glossy;
 #ifdef PRELIGHT_ROUGH_GLASS
     if (isRoughGlass(b) && !diffuse) {
-      const float3 ofGlass = evalRoughGlass(b, wo, wi) * leftByLayers(b, eye);
+      const float3 ofGlass = evalRoughGlass(b, wo, wi, eye) * leftByLayers(b, eye);
       value = glass ? ofGlass : f.glossy - ofGlass;
     }
 #endif

@@ -55,6 +55,8 @@ typedef struct Bsdf {
 #ifdef PRELIGHT_ROUGH_GLASS
   float eta;   // of solid glass: index of refraction beyond the surface over that here
   bool solid;  // glass with an inside
+  bool inside;      // this side of the surface is
+  uint glassTable;  // entry of `albedos` at which the table of its index of refraction begins
 #endif
   float roughness;
   float alpha;           // width of the GGX lobe, roughness squared

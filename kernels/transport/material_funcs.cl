@@ -96,6 +96,8 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
 #ifdef PRELIGHT_ROUGH_GLASS
   b.solid = isSolid(i);
   b.eta = relativeIor(b, b.solid, i.front);
+  b.inside = !i.front;
+  b.glassTable = m->glassTable;
 #endif
   b.roughness = roughness;
   b.alpha = roughness * roughness;

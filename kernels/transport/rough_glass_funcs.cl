@@ -48,8 +48,17 @@ PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float reflected, bool passes) {
   return passes ? (1.0f - reflected) * b.tint : (float3)(reflected);
 }
 
-// Times the cosine of wi.
-PRELIGHT_INLINE float3 evalRoughGlass(Bsdf b, float3 wo, float3 wi) {
+// What solid glass scatters at the first bounce of light along the eye's direction, below the surface or above it. All that it
+// scatters is divided by that: what stays between microfacets then leaves like the rest.
+PRELIGHT_INLINE float scatteredByGlass(Bsdf b, float3 eye) {
+  if (!b.solid) return 1.0f;
+  const float4 albedo =
+      betweenAlbedos(b.albedos, (int)b.glassTable, PRELIGHT_GLASS_COSINES, PRELIGHT_GLASS_ROUGHNESSES, fabs(eye.z), b.roughness);
+  return fmax(b.inside != (eye.z < 0.0f) ? albedo.y : albedo.x, 0.05f);
+}
+
+// Times the cosine of wi; of all that light does between microfacets but scatteredByGlass.
+PRELIGHT_INLINE float3 evalRoughGlassOnce(Bsdf b, float3 wo, float3 wi) {
   const bool passes = wi.z < 0.0f;
   if (passes && b.solid) {
     float density;
@@ -62,6 +71,11 @@ PRELIGHT_INLINE float3 evalRoughGlass(Bsdf b, float3 wo, float3 wi) {
   return b.glass * (sideOfGlass(b, roughGlassReflectance(b, dot(wo, h)), passes) * evalMicrofacet(wo, mirrored, h, b.alpha) +
                     sideOfGlass(b, roughGlassReflectance(b, PRELIGHT_LATER_COSINE), passes) *
                         (PRELIGHT_INVERSE_PI * mirrored.z * later));
+}
+
+// `eye`: the one of both directions that light goes to.
+PRELIGHT_INLINE float3 evalRoughGlass(Bsdf b, float3 wo, float3 wi, float3 eye) {
+  return evalRoughGlassOnce(b, wo, wi) / scatteredByGlass(b, eye);
 }
 
 PRELIGHT_INLINE float pdfRoughGlass(Bsdf b, float3 wo, float3 wi) {

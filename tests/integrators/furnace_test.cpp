@@ -170,6 +170,35 @@ TEST(Furnace, RoughMetal_ReflectsAtEveryBounce) {
     }
 }
 
+// By light that is sampled, by directions that are drawn, and by both. The sky is found through the plate as
+// well.
+TEST(Furnace, RoughThinGlass_ShowsTheSky) {
+  for (const float roughness : {0.3f, 1.0f})
+    for (const double angle : {0.2, 1.2})
+      for (const Estimator estimator : {Estimator::ScatterOnly, Estimator::LightsOnly, Estimator::Both}) {
+        SCOPED_TRACE(::testing::Message()
+                     << "roughness " << roughness << " angle " << angle << " estimator " << int(estimator));
+        Shot shot = metalPlate(0.0f, roughness, angle);
+        shot.scene.materials[0] = glass(1.5f, false);
+        shot.scene.materials[0].roughness = roughness;
+        shot.request.estimator = estimator;
+        const MeanAndError found = meanOf(shot.render());
+        EXPECT_NEAR(found.mean, 1.0, 3e-3 + 4.0 * found.error);
+      }
+}
+
+TEST(Furnace, RoughSolidGlass_ShowsTheSky) {
+  for (const float roughness : {0.2f, 0.5f, 0.8f}) {
+    SCOPED_TRACE(::testing::Message() << "roughness " << roughness);
+    Shot shot = ballShot(glass(1.5f, true), 512);
+    shot.scene.materials[0].roughness = roughness;
+    shot.request.depth = 64;
+    const MeanAndError found = meanOf(shot.render());
+    EXPECT_NEAR(found.mean, 1.0, 8e-3 + 4.0 * found.error);
+    EXPECT_LT(found.error, 5e-3);
+  }
+}
+
 TEST(Furnace, Mirror_RisesToOneAtGrazingAngles) {
   for (const double angle : {0.0, 0.7, 1.2, 1.5}) {
     const double rise = std::pow(1.0 - std::cos(angle), 5.0);

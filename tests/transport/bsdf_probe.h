@@ -34,8 +34,12 @@ struct ProbedSample {
 /// A surface whose scattering is asked for on the device. `values`: as probeBsdf() reads them.
 class BsdfProbe {
  public:
-  BsdfProbe(BuildOptions options, std::vector<float> values)
-      : options_(std::move(options)), values_(std::move(values)) {}
+  /// `ior`: of solid rough glass.
+  BsdfProbe(BuildOptions options, std::vector<float> values, double ior = 1.5)
+      : options_(std::move(options)), values_(std::move(values)) {
+    const std::vector<glm::vec4> glass = makeGlassTable(ior);
+    albedos_.insert(albedos_.end(), glass.begin(), glass.end());
+  }
 
   Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
     DeviceContext& device = sharedDevice().context();

@@ -4,7 +4,8 @@
 #include "transport/light_funcs.cl"
 
 // values: diffuse 3, metal 3, its share, f0 3, f90, share of the layer, roughness, transmitted 3, normal of the triangle 3;
-// with PRELIGHT_ROUGH_GLASS also share of glass, whether it is solid, index of refraction beyond over that here;
+// with PRELIGHT_ROUGH_GLASS also share of glass, whether it is solid, index of refraction beyond over that here (its
+// table follows the other);
 // with PRELIGHT_LAYERS also (from 22 on) coat, its roughness, its normal 3, colour of sheen, its roughness;
 // albedos: see transport/albedo_table_funcs.cl.
 Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
@@ -21,6 +22,8 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   b.glass = values[19];
   b.solid = values[20] > 0.5f;
   b.eta = values[21];
+  b.inside = b.eta < 1.0f;
+  b.glassTable = PRELIGHT_ALBEDO_ROUGHNESSES * PRELIGHT_ALBEDO_COSINES + PRELIGHT_ALBEDO_ROUGHNESSES;
 #endif
 #ifdef PRELIGHT_LAYERS
   b.coat = values[22];
