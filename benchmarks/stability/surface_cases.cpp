@@ -6,7 +6,9 @@
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
 #include "device/launch_once.h"
+#include "gpu/albedo_table.h"
 #include "gpu/light_tables.h"
+#include "shared/albedo_types.h"
 #include "shared/shade_types.h"
 
 // How surfaces scatter light, and how the sky is sampled: benchmarks/lab/kernels/bsdf_probe_kernels.cl.
@@ -24,31 +26,81 @@ constexpr std::array<Surface, 4> surfaces = {{{"black", 0.0, 0.0, 0.0, 0.0, 0.0}
                                               {"white dielectric", 1.0, 0.0, 0.04, 1.0, 1.0},
                                               {"white metal", 0.0, 1.0, 0.0, 0.0, 0.0}}};
 
+/// Between the entries of makeAlbedoTable(), in double precision (kernels/transport/albedo_table_funcs.cl).
+class ExactAlbedos {
+ public:
+  glm::dvec2 of(double cosine, double roughness) const {
+    const double column = std::sqrt(cosine) * (cosines - 1), row = std::sqrt(roughness) * (rows - 1);
+    const int c = std::min(static_cast<int>(column), cosines - 2),
+              r = std::min(static_cast<int>(row), rows - 2);
+    const auto at = [&](int dr, int dc) {
+      return glm::dvec2(table_[std::size_t((r + dr) * cosines + c + dc)]);
+    };
+    return glm::mix(glm::mix(at(0, 0), at(0, 1), column - c), glm::mix(at(1, 0), at(1, 1), column - c),
+                    row - r);
+  }
+  glm::dvec2 mean(double roughness) const {
+    const double row = std::sqrt(roughness) * (rows - 1);
+    const int r = std::min(static_cast<int>(row), rows - 2);
+    const auto at = [&](int dr) { return glm::dvec2(table_[std::size_t(rows * cosines + r + dr)]); };
+    return glm::mix(at(0), at(1), row - r);
+  }
+  const std::vector<glm::vec4>& table() const { return table_; }
+
+ private:
+  static constexpr int cosines = PRELIGHT_ALBEDO_COSINES, rows = PRELIGHT_ALBEDO_ROUGHNESSES;
+  std::vector<glm::vec4> table_ = makeAlbedoTable();
+};
+
 /// The formulas of docs/reference.md in double precision.
 class ExactSurface {
  public:
-  ExactSurface(const Surface& s, double alpha) : s_(s), a2_(alpha * alpha) {}
-
-  double schlick(double cosine) const {
-    const double k = std::clamp(1.0 - cosine, 0.0, 1.0);
-    return s_.f0 + (s_.f90 - s_.f0) * std::pow(k, 5.0);
+  ExactSurface(const Surface& s, double roughness, const ExactAlbedos& albedos)
+      : s_(s), roughness_(roughness), a2_(std::pow(roughness, 4.0)), albedos_(&albedos) {
+    const glm::dvec2 mean = albedos.mean(roughness);
+    missing_ = std::max(1.0 - mean.x - mean.y, 0.0);
+    layerLater_ = s.layer > 0.0 ? later(s.f0, s.f90) : 0.0;
+    gain_ = 1.0 / passed(mean);
   }
+
   double diffuse(const glm::dvec3& wo, const glm::dvec3& wi) const {
-    return s_.diffuse / pi * wi.z * (1.0 - schlick(wo.z)) * (1.0 - schlick(wi.z));
+    return s_.diffuse / pi * wi.z * gain_ * passed(first(wo.z)) * passed(first(wi.z));
   }
   double glossy(const glm::dvec3& wo, const glm::dvec3& wi) const {
     const glm::dvec3 h = glm::normalize(wo + wi);
     const double visibility = 0.5 / (wo.z * lambda(wi.z) + wi.z * lambda(wo.z));
-    return (s_.metal + s_.layer * schlick(glm::dot(wo, h))) * distribution(h) * visibility * wi.z;
+    const double rise = std::pow(std::clamp(1.0 - glm::dot(wo, h), 0.0, 1.0), 5.0);
+    const double staying = stays(wo.z) * stays(wi.z) / std::max(missing_, 1e-6);
+    return (s_.metal + s_.layer * (s_.f0 + (s_.f90 - s_.f0) * rise)) * distribution(h) * visibility * wi.z +
+           laterOfBoth() * staying * wi.z / pi;
   }
   double density(const glm::dvec3& wo, const glm::dvec3& wi) const {
-    const double body = s_.diffuse * (1.0 - schlick(wo.z)), shine = s_.metal + s_.layer * schlick(wo.z);
+    const glm::dvec2 once = first(wo.z);
+    const double later = laterOfBoth() * stays(wo.z);
+    const double shine =
+        (s_.metal + s_.layer * s_.f0) * once.x + (s_.metal + s_.layer * s_.f90) * once.y + later;
+    const double body = s_.diffuse * passed(once);
     if (body + shine == 0.0) return 0.0;
     const double lobe = 0.5 * distribution(glm::normalize(wo + wi)) / (wo.z + lambda(wo.z));
-    return (body * wi.z / pi + shine * lobe) / (body + shine);
+    const double share = shine > 0.0 ? later / shine : 0.0;
+    return (body * wi.z / pi + shine * ((1.0 - share) * lobe + share * wi.z / pi)) / (body + shine);
   }
 
  private:
+  glm::dvec2 first(double cosine) const { return albedos_->of(cosine, roughness_); }
+  double stays(double cosine) const {
+    const glm::dvec2 once = first(cosine);
+    return 1.0 - once.x - once.y;
+  }
+  double later(double f0, double f90) const {
+    const double mean = f0 + (f90 - f0) / 21.0;
+    return mean * mean * (1.0 - missing_) / (1.0 - mean * missing_);
+  }
+  double laterOfBoth() const { return s_.metal * later(1.0, 1.0) + s_.layer * layerLater_; }
+  double passed(const glm::dvec2& once) const {
+    return s_.layer > 0.0 ? 1.0 - (s_.f0 * once.x + s_.f90 * once.y + layerLater_ * (1.0 - once.x - once.y))
+                          : 1.0;
+  }
   double lambda(double cosine) const { return std::sqrt(a2_ + (1.0 - a2_) * cosine * cosine); }
   double distribution(const glm::dvec3& h) const {
     const double q = h.x * h.x + h.y * h.y + a2_ * h.z * h.z;
@@ -56,7 +108,9 @@ class ExactSurface {
   }
 
   Surface s_;
-  double a2_;
+  double roughness_, a2_;
+  const ExactAlbedos* albedos_;
+  double missing_ = 0.0, layerLater_ = 0.0, gain_ = 1.0;
 };
 
 struct Pairs {
@@ -90,10 +144,11 @@ Pairs pairsOf(double leastCosine, double alpha) {
   return pairs;
 }
 
+/// Of a metal that is white.
 std::vector<float> valuesOf(const Surface& s, double alpha) {
   const auto f = [](double x) { return static_cast<float>(x); };
-  return {f(s.diffuse), f(s.diffuse), f(s.diffuse), f(s.metal), f(s.metal), f(s.metal),
-          f(s.f0),      f(s.f0),      f(s.f0),      f(s.f90),   f(s.layer), f(alpha)};
+  return {f(s.diffuse), f(s.diffuse), f(s.diffuse),       1, 1, 1, f(s.metal), f(s.f0), f(s.f0), f(s.f0),
+          f(s.f90),     f(s.layer),   f(std::sqrt(alpha))};
 }
 
 void reflect(const Surface& surface, double alpha, const char* stress, double leastCosine, Trials& trials) {
@@ -102,24 +157,29 @@ void reflect(const Surface& surface, double alpha, const char* stress, double le
   const std::size_t count = pairs.out.size();
   const std::vector<float> values = valuesOf(surface, alpha);
   const Buffer<float> valueBuffer(device, std::span<const float>(values));
+  const ExactAlbedos albedos;
+  const Buffer<glm::vec4> table(device, std::span<const glm::vec4>(albedos.table()));
   const Buffer<glm::vec4> out(device, std::span<const glm::vec4>(pairs.out)),
       in(device, std::span<const glm::vec4>(pairs.in)), reflections(device, 2 * count);
   const Buffer<float> densities(device, count);
   launchOnce(device, labKernel(device, "bsdf_probe_kernels.cl"), BuildOptions().define("PRELIGHT_GLOSSY"),
-             "probeReflection", count, valueBuffer, static_cast<std::uint32_t>(count), out, in, reflections,
-             densities);
+             "probeReflection", count, valueBuffer, table, static_cast<std::uint32_t>(count), out, in,
+             reflections, densities);
   const std::vector<glm::vec4> got = reflections.read();
   const std::vector<float> density = densities.read();
   const ExactSurface exact({surface.name, surface.diffuse, surface.metal,
                             double(static_cast<float>(surface.f0)), surface.f90, surface.layer},
-                           double(static_cast<float>(alpha)));
+                           double(static_cast<float>(std::sqrt(alpha))), albedos);
   Differences differences;
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec3 wo(pairs.out[i]), wi(pairs.in[i]);
     // 1 - cosine has lost its digits where light grazes next to the horizon: relative to the lobe without it.
     differences.add(got[2 * i].x, exact.diffuse(wo, wi), surface.diffuse * wi.z / pi);
-    differences.add(got[2 * i + 1].x, exact.glossy(wo, wi));
-    differences.add(density[i], exact.density(wo, wi));
+    // What stays after the first bounce is the small difference of numbers near 1: relative to a lobe to all
+    // sides.
+    const double even = (surface.metal + surface.layer) * wi.z / pi;
+    differences.add(got[2 * i + 1].x, exact.glossy(wo, wi), exact.glossy(wo, wi) + even);
+    differences.add(density[i], exact.density(wo, wi), exact.density(wo, wi) + even);
   }
   // The half vector is off by a few roundings, which a lobe of width alpha magnifies by 4 / alpha.
   trials.record(std::string(surface.name) + ", " + stress, differences, (48.0 + 24.0 / alpha) * unitRoundoff,
@@ -132,9 +192,11 @@ void scatter(const Surface& surface, double alpha, double cosine, Trials& trials
   const glm::vec4 wo(hemisphere(cosine, 1.0), 0.0f);
   const std::vector<float> values = valuesOf(surface, alpha);
   const Buffer<float> valueBuffer(device, std::span<const float>(values));
+  const ExactAlbedos albedos;
+  const Buffer<glm::vec4> table(device, std::span<const glm::vec4>(albedos.table()));
   const Buffer<glm::vec4> out(device, std::span(&wo, 1)), samples(device, 2 * count);
   launchOnce(device, labKernel(device, "bsdf_probe_kernels.cl"), BuildOptions().define("PRELIGHT_GLOSSY"),
-             "probeScatter", count, valueBuffer, static_cast<std::uint32_t>(count), out, samples);
+             "probeScatter", count, valueBuffer, table, static_cast<std::uint32_t>(count), out, samples);
   Differences differences;
   const std::vector<glm::vec4> drawn = samples.read();
   for (std::size_t i = 0; i < count; ++i)
