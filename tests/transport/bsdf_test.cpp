@@ -12,6 +12,7 @@
 #include "shared/shade_types.h"
 #include "support/devices.h"
 #include "transport/bsdf_probe.h"
+#include "transport/chi_square.h"
 
 // The kernels' reflection, its samplers and the sky's, one by one
 // (benchmarks/lab/kernels/bsdf_probe_kernels.cl).
@@ -54,6 +55,7 @@ class Bsdf : public ::testing::TestWithParam<Surface> {
             s.f0.x,      s.f0.y,      s.f0.z,      s.f90,     s.layer,   s.roughness};
   }
 
+ protected:
   BsdfProbe surface_{BuildOptions().define("PRELIGHT_GLOSSY"), values()};
 };
 
@@ -116,51 +118,9 @@ TEST_P(Bsdf, Samples_WeighTheirValueByTheirDensity) {
   }
 }
 
-// Chi square over cells of equal solid angle; expected counts by quadrature of the density.
 TEST_P(Bsdf, Sampling_FollowsItsDensity) {
-  constexpr int rings = 12, sectors = 16, fine = 24;
-  constexpr std::size_t count = 1 << 17;
   if (GetParam().roughness < 0.2f) GTEST_SKIP() << "narrower than the quadrature's steps";
-  for (const double cosine : {0.95, 0.5, 0.15}) {
-    const glm::vec4 wo = directionOf(cosine, 1.0);
-    std::vector<double> found(rings * sectors + 1, 0.0), expected(rings * sectors + 1, 0.0);
-    for (const ProbedSample& drawn : sample(wo, count)) {
-      if (!drawn.goesOn()) {
-        ++found.back();
-        continue;
-      }
-      const glm::vec4& wi = drawn.direction;
-      const double turn = std::atan2(static_cast<double>(wi.y), static_cast<double>(wi.x)) / (2 * pi) + 0.5;
-      const int ring = std::min(rings - 1, static_cast<int>(static_cast<double>(wi.z) * rings));
-      ++found[ring * sectors + std::min(sectors - 1, static_cast<int>(turn * sectors))];
-    }
-    std::vector<glm::vec4> wi;
-    for (int r = 0; r < rings * fine; ++r)
-      for (int s = 0; s < sectors * fine; ++s) {
-        const double turn = (s + 0.5) / (sectors * fine);
-        wi.push_back(directionOf((r + 0.5) / (rings * fine), 2 * pi * (turn - 0.5)));
-      }
-    const Probed probed = probe(std::vector<glm::vec4>(wi.size(), wo), wi);
-    const double cell = 2.0 * pi / static_cast<double>(wi.size());
-    expected.back() = static_cast<double>(count);
-    for (std::size_t i = 0; i < wi.size(); ++i) {
-      const int r = static_cast<int>(i) / (sectors * fine) / fine,
-                s = static_cast<int>(i) % (sectors * fine) / fine;
-      const double share = static_cast<double>(probed.densities[i]) * cell;
-      expected[r * sectors + s] += share * count;
-      expected.back() -= share * count;
-    }
-    double chiSquare = 0.0;
-    int cells = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (expected[i] < 50.0) continue;
-      chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
-      ++cells;
-    }
-    // Low-discrepancy points scatter less than random ones; the upper bound is that of chance at 4 sigma.
-    EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
-    EXPECT_GT(cells, 10);
-  }
+  for (const double cosine : {0.95, 0.5, 0.15}) expectSamplesToFollowDensity(surface_, cosine);
 }
 
 // What a coloured layer reflects is taken off the body by its largest channel, whichever that is: no channel

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "transport/bsdf_probe.h"
+#include "transport/chi_square.h"
 
 // Clear coats and sheen over other materials (kernels/transport/layer_funcs.cl).
 namespace prelight::test {
@@ -122,40 +123,8 @@ TEST_P(Layers, Importance_IsTheAdjointOfRadiance) {
   }
 }
 
-// Chi square over cells of equal solid angle; expected counts by quadrature of the density.
 TEST_P(Layers, Sampling_FollowsItsDensity) {
-  constexpr int rings = 12, sectors = 16, fine = 24;
-  constexpr std::size_t count = 1 << 17;
-  for (const double cosine : {0.95, 0.5, 0.2}) {
-    const glm::vec4 wo = directionOf(cosine, 1.0);
-    std::vector<double> found(rings * sectors, 0.0), expected(rings * sectors, 0.0);
-    for (const ProbedSample& drawn : surface_.sample(wo, count)) {
-      if (!drawn.goesOn()) continue;
-      const double turn = std::atan2(double(drawn.direction.y), double(drawn.direction.x)) / (2 * pi) + 0.5;
-      const int ring = std::min(rings - 1, static_cast<int>(double(drawn.direction.z) * rings));
-      ++found[ring * sectors + std::min(sectors - 1, static_cast<int>(turn * sectors))];
-    }
-    std::vector<glm::vec4> wi;
-    for (int r = 0; r < rings * fine; ++r)
-      for (int s = 0; s < sectors * fine; ++s)
-        wi.push_back(directionOf((r + 0.5) / (rings * fine), 2 * pi * ((s + 0.5) / (sectors * fine) - 0.5)));
-    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
-    const double cell = 2.0 * pi / static_cast<double>(wi.size());
-    for (std::size_t i = 0; i < wi.size(); ++i) {
-      const int r = static_cast<int>(i) / (sectors * fine) / fine,
-                s = static_cast<int>(i) % (sectors * fine) / fine;
-      expected[r * sectors + s] += double(probed.densities[i]) * cell * count;
-    }
-    double chiSquare = 0.0;
-    int cells = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (expected[i] < 50.0) continue;
-      chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
-      ++cells;
-    }
-    EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
-    EXPECT_GT(cells, 10);
-  }
+  for (const double cosine : {0.95, 0.5, 0.2}) expectSamplesToFollowDensity(surface_, cosine);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, Layers, ::testing::ValuesIn(layeredSurfaces),

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "transport/bsdf_probe.h"
+#include "transport/chi_square.h"
 
 // Scattering to both sides of a translucent surface (kernels/transport/bsdf_funcs.cl).
 namespace prelight::test {
@@ -43,17 +44,9 @@ class TranslucentBsdf : public ::testing::TestWithParam<Sheet> {
             s.transmitted, s.transmitted};
   }
 
+ protected:
   BsdfProbe sheet_{BuildOptions().define("PRELIGHT_GLOSSY").define("PRELIGHT_TRANSLUCENT"), values()};
 };
-
-/// Directions over the sphere in a grid of equal solid angles.
-std::vector<glm::vec4> sphereGrid(int rings, int sectors) {
-  std::vector<glm::vec4> directions;
-  for (int r = 0; r < rings; ++r)
-    for (int s = 0; s < sectors; ++s)
-      directions.push_back(directionOf(2.0 * (r + 0.5) / rings - 1.0, 2 * pi * ((s + 0.5) / sectors - 0.5)));
-  return directions;
-}
 
 // What goes there through the sheet comes back along the same way; the other side's frame is this one upside
 // down.
@@ -100,42 +93,8 @@ TEST_P(TranslucentBsdf, Energy_IsKept) {
   }
 }
 
-// Chi square over cells of the sphere of equal solid angle; expected counts by quadrature of the density.
 TEST_P(TranslucentBsdf, Sampling_FollowsItsDensityOnBothSides) {
-  constexpr int rings = 16, sectors = 12, fine = 24;
-  constexpr std::size_t count = 1 << 17;
-  for (const double cosine : {0.95, 0.5, 0.15}) {
-    const glm::vec4 wo = directionOf(cosine, 1.0);
-    std::vector<double> found(rings * sectors, 0.0), expected(rings * sectors, 0.0);
-    double lost = 0.0;  // what a glossy lobe sends below the horizon goes nowhere
-    const auto cellOf = [](const glm::vec4& w) {
-      const double turn = std::atan2(double(w.y), double(w.x)) / (2 * pi) + 0.5;
-      const int ring = std::clamp(int((double(w.z) + 1.0) / 2.0 * rings), 0, rings - 1);
-      return std::size_t(ring * sectors + std::min(sectors - 1, int(turn * sectors)));
-    };
-    for (const ProbedSample& drawn : sample(wo, count))
-      ++(drawn.goesOn() ? found[cellOf(drawn.direction)] : lost);
-    const std::vector<glm::vec4> wi = sphereGrid(rings * fine, sectors * fine);
-    const Probed probed = probe(std::vector<glm::vec4>(wi.size(), wo), wi);
-    const double cell = 4.0 * pi / static_cast<double>(wi.size());
-    double below = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < wi.size(); ++i) {
-      expected[cellOf(wi[i])] += double(probed.densities[i]) * cell * count;
-      all += double(probed.densities[i]) * cell * count;
-      if (wi[i].z < 0.0f) below += double(probed.densities[i]) * cell * count;
-    }
-    double chiSquare = 0.0;
-    int cells = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      if (expected[i] < 50.0) continue;
-      chiSquare += (found[i] - expected[i]) * (found[i] - expected[i]) / expected[i];
-      ++cells;
-    }
-    EXPECT_LT(chiSquare, cells + 4.0 * std::sqrt(2.0 * cells)) << "cosine " << cosine;
-    EXPECT_GT(cells, 10);
-    EXPECT_GT(below, 0.05 * count);
-    EXPECT_NEAR(all, count - lost, 4.0 * std::sqrt(double(count))) << "the density counts what goes on";
-  }
+  for (const double cosine : {0.95, 0.5, 0.15}) expectSamplesToFollowDensity(sheet_, cosine);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sheets, TranslucentBsdf, ::testing::ValuesIn(sheets),
