@@ -74,7 +74,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   const BuildOptions transport = transportOptions(options_.bounceColumns);
   store_ = {device_, "cast/transport_kernels.cl", transport, "storeSenders"};
   gather_ = {device_, "cast/transport_kernels.cl", transport, "gatherBounce"};
-  senders_.emplace(device_, options_.raysPerReceiver, options_.rowsInMemory, blockSize_);
+  senders_.emplace(device_, options_.raysPerReceiver, options_.rowsInMemory, blockSize_, blocks_.size());
   marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
   marks_.fill(0);
   device_.finish();  // before the other lane marks any
@@ -124,16 +124,18 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
   block.count = static_cast<std::uint32_t>(receivers.size());
   block.set = purpose.set;
   block.occluders = purpose.occluders;
-  const std::uint32_t* row = purpose.storedRow;
-  setParameters(block, block.count,
-                row != nullptr ? senders_.value().roomFor(*row, block.count).firstRow : 0);
+  block.storedRow.reset();
+  if (purpose.storedRow != nullptr) block.storedRow = *purpose.storedRow;
+  setParameters(
+      block, block.count,
+      block.storedRow ? senders_.value().roomFor(*block.storedRow, block.count, block.lane).firstRow : 0);
   generate(block, receivers);
   const std::size_t rayCount = std::size_t{block.count} * options_.raysPerReceiver;
-  const bool closest = row != nullptr || purpose.occluders || options_.marksInside ||
+  const bool closest = block.storedRow || purpose.occluders || options_.marksInside ||
                        options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
   closest ? tracer.traceClosest(block.rays, block.hits, rayCount, 0, block.lane)
           : tracer.traceAny(block.rays, block.hits, rayCount, 0, block.lane);
-  if (row != nullptr) store(block, *row);
+  if (block.storedRow) store(block);
   project_.launch({block.count, block.lane}, block.parameters, shTable_, block.rays, block.hits,
                   block.values);
   if (options_.texelFaceSize > 0) codeTexels(block);
@@ -143,6 +145,7 @@ void Caster::finish(std::size_t place, CastValues& values) {
   const Block& block = blocks_[place];
   values.values.resize(std::size_t{block.count} * valueCount_);
   block.values.read(std::span(values.values));
+  if (block.storedRow) senders_.value().keep(*block.storedRow, block.count, block.lane);
   if (options_.texelFaceSize > 0) {
     values.texels.resize(std::size_t{block.count} * options_.raysPerReceiver);
     block.texels.read(std::span(values.texels));
@@ -167,14 +170,11 @@ void Caster::codeTexels(Block& block) {
                      block.texels);
 }
 
-void Caster::store(const Block& block, std::uint32_t firstRow) {
-  SenderRows& rows = senders_.value();
+void Caster::store(const Block& block) {
+  const SenderRows::Place room = senders_.value().roomFor(*block.storedRow, block.count, block.lane);
   store_.launch({std::size_t{block.count} * options_.raysPerReceiver, block.lane}, block.parameters,
                 tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, block.receivers,
-                block.rays, block.hits, rows.roomFor(firstRow, block.count).buffer, marks_);
-  if (rows.inMemory(firstRow, block.count)) return;
-  device_.finish();  // the file's rows are read in another lane
-  rows.keep(firstRow, block.count);
+                block.rays, block.hits, room.buffer, marks_);
 }
 
 void Caster::save(StateWriter& state, std::uint32_t rows) const {

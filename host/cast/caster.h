@@ -154,6 +154,7 @@ class Caster {
     std::uint32_t count = 0;  ///< receivers
     std::uint32_t set = 0;
     bool occluders = false;
+    std::optional<std::uint32_t> storedRow;  ///< the first, where rows of senders are stored
   };
 
   Block makeBlock(DeviceLane lane) const;
@@ -163,7 +164,7 @@ class Caster {
   void generate(Block& block, std::span<const device::Receiver> receivers);
   void markInside(const Block& block, std::vector<std::uint8_t>& inside);
   void codeTexels(Block& block);
-  void store(const Block& block, std::uint32_t firstRow);
+  void store(const Block& block);
 
   Tracer& tracer_;
   DeviceContext& device_;

@@ -7,16 +7,16 @@ namespace prelight {
 using device::Sender;
 
 SenderRows::SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uint32_t inMemory,
-                       std::uint32_t blockRows)
-    : raysPerRow_(raysPerRow),
-      inMemory_(inMemory),
-      memory_(device, std::size_t{inMemory} * raysPerRow),
-      block_(device, std::size_t{blockRows} * raysPerRow) {}
+                       std::uint32_t blockRows, std::size_t lanes)
+    : raysPerRow_(raysPerRow), inMemory_(inMemory), memory_(device, std::size_t{inMemory} * raysPerRow) {
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    blocks_.emplace_back(device, std::size_t{blockRows} * raysPerRow, DeviceLane{lane});
+}
 
-void SenderRows::keep(std::uint32_t first, std::uint32_t count) {
+void SenderRows::keep(std::uint32_t first, std::uint32_t count, DeviceLane lane) {
   if (inMemory(first, count)) return;
   host_.resize(std::size_t{count} * raysPerRow_);
-  block_.read(std::span(host_));
+  blocks_[lane.number].read(std::span(host_));
   write(first, host_);
 }
 
@@ -24,8 +24,8 @@ SenderRows::Place SenderRows::rows(std::uint32_t first, std::uint32_t count) {
   if (inMemory(first, count)) return {memory_, first};
   host_.resize(std::size_t{count} * raysPerRow_);
   read(first, host_);
-  block_.write(std::span<const Sender>(host_));
-  return {block_, 0};
+  blocks_.front().write(std::span<const Sender>(host_));
+  return {blocks_.front(), 0};
 }
 
 /// Of `senders` that begin with row `first`, how many are in memory.

@@ -15,9 +15,10 @@ namespace prelight {
 /// was given no room for lie in a file.
 class SenderRows {
  public:
-  /// At most `blockRows` rows are stored or read at once; as many in memory as `inMemory`.
-  SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uint32_t inMemory,
-             std::uint32_t blockRows);
+  /// At most `blockRows` rows are stored or read at once; as many in memory as `inMemory`. Each of `lanes`
+  /// lanes has rows of its own on their way to the file.
+  SenderRows(DeviceContext& device, std::uint32_t raysPerRow, std::uint32_t inMemory, std::uint32_t blockRows,
+             std::size_t lanes = 1);
 
   /// Rows as a kernel finds them.
   struct Place {
@@ -25,11 +26,12 @@ class SenderRows {
     std::uint32_t firstRow;
   };
 
-  /// Where a kernel puts rows [first, first + count); they are kept with keep().
-  Place roomFor(std::uint32_t first, std::uint32_t count) {
-    return inMemory(first, count) ? Place{memory_, first} : Place{block_, 0};
+  /// Where a kernel in `lane` puts rows [first, first + count); once it is through, they are kept with
+  /// keep().
+  Place roomFor(std::uint32_t first, std::uint32_t count, DeviceLane lane = {}) {
+    return inMemory(first, count) ? Place{memory_, first} : Place{blocks_[lane.number], 0};
   }
-  void keep(std::uint32_t first, std::uint32_t count);
+  void keep(std::uint32_t first, std::uint32_t count, DeviceLane lane = {});
 
   /// Whether rows stay where a kernel puts them: keep() has nothing to do.
   bool inMemory(std::uint32_t first, std::uint32_t count) const { return first + count <= inMemory_; }
@@ -47,7 +49,7 @@ class SenderRows {
   std::uint32_t raysPerRow_;
   std::uint32_t inMemory_;
   Buffer<device::Sender> memory_;
-  Buffer<device::Sender> block_;  ///< rows on their way to the file and back
+  std::vector<Buffer<device::Sender>> blocks_;  ///< [lane], rows on their way to the file; back by the first
   std::vector<device::Sender> host_;
   std::optional<SpillFile> file_;  ///< made when it is needed; a row stands where it would if all were in it
 };
