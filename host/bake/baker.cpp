@@ -19,6 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double savingSeconds = 3.4e-7;  // a triangle, that a state of the first rays takes to write
+
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -109,9 +111,10 @@ class ProjectorsRun {
 };
 
 /// Runs, saving what is done now and then and at the end of a run that is interrupted.
-Bake runSaving(ProjectorsRun& run, Progress& progress, BakeCheckpoint* checkpoint) {
+Bake runSaving(ProjectorsRun& run, std::uint32_t triangles, Progress& progress, BakeCheckpoint* checkpoint) {
   if (checkpoint == nullptr) return run.run(progress);
-  SavingProgress saving(progress, checkpoint->interval(), [&] { run.save(*checkpoint); });
+  SavingProgress saving(progress, checkpoint->interval(), triangles * savingSeconds,
+                        [&] { run.save(*checkpoint); });
   try {
     return run.run(saving);
   } catch (const Interrupted&) {
@@ -146,7 +149,7 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   ProjectorsRun run(context);
   run.prepare(saved, progress);
   saved.reset();
-  Bake bake = runSaving(run, progress, checkpoint);
+  Bake bake = runSaving(run, scene.triangleCount(), progress, checkpoint);
   bake.info = {std::string("Prelight ") + PRELIGHT_VERSION,
                request.seed,
                report.rays,

@@ -17,12 +17,12 @@ std::chrono::steady_clock::duration duration(double seconds) {
 
 }  // namespace
 
-SavingProgress::SavingProgress(Progress& outer, double interval, std::function<void()> save)
+SavingProgress::SavingProgress(Progress& outer, double interval, double expected, std::function<void()> save)
     : outer_(outer),
       interval_(interval),
       save_(std::move(save)),
       wait_(interval * firstShare),
-      next_(Clock::now() + duration(wait_)) {}
+      next_(Clock::now() + duration(interval > 0.0 ? std::max(wait_, leastRatio * expected) : 0.0)) {}
 
 bool SavingProgress::stopRequested() const {
   if (outer_.stopRequested()) return true;

@@ -10,8 +10,7 @@ namespace prelight::cli {
 
 void keepFreedMemory() {
 #ifdef __GLIBC__
-  constexpr int largestThreshold = 32 << 20;  // glibc takes no more
-  mallopt(M_MMAP_THRESHOLD, largestThreshold);
+  mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
 }
