@@ -119,7 +119,7 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   const CompiledScene scene = floorScene(1.0, 1, matte(1.0));
   const Tracer tracer(scene, trials.device());
   constexpr std::uint32_t columns = 9, receivers = 30, slots = 8, width = PRELIGHT_PART_VALUES,
-                          firstValue = 16;
+                          firstValue = 10;
   Random random(43);
   std::vector<float> transfer = random.floats(slots * width, magnitude);
   if (white)
@@ -134,7 +134,7 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   const Buffer<float> values(device, receivers * width);
   launchOnce(device, "cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns),
-             "gatherBounce", {receivers, 8}, parameterBuffer, firstValue, std::uint32_t{0}, senderBuffer,
+             "gatherBounce", receivers, parameterBuffer, firstValue, std::uint32_t{0}, senderBuffer,
              transferBuffer, values);
   const std::vector<float> got = values.read();
   Differences differences;

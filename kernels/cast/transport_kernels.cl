@@ -100,17 +100,17 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, uint fir
                            __global const Sender* senders, __global const float* transfer, __global float* values) {
   const size_t receiver = get_global_id(0);
   if (receiver >= parameters->receiverCount) return;
-  const uint8 value = firstValue + (uint8)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u);
-  const uint8 shift = 10u * min(value / PRELIGHT_COLUMNS, 2u);
+  const uint16 value = firstValue + (uint16)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, 13u, 14u, 15u);
+  const uint16 shift = 10u * min(value / PRELIGHT_COLUMNS, 2u);
   senders += ((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver;
-  float8 sum = 0.0f;
+  float16 sum = 0.0f;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const Sender s = senders[j];
     if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
-    const float8 albedo = convert_float8(((uint8)s.albedo >> shift) & 1023u) * (1.0f / 1023.0f);
-    sum += albedo * vload8((size_t)firstPlace + s.vertex, transfer);
+    const float16 albedo = convert_float16(((uint16)s.albedo >> shift) & 1023u) * (1.0f / 1023.0f);
+    sum += albedo * vload16((size_t)firstPlace + s.vertex, transfer);
   }
-  vstore8(sum * (1.0f / (float)parameters->raysPerReceiver), receiver, values);
+  vstore16(sum * (1.0f / (float)parameters->raysPerReceiver), receiver, values);
 }
 
 #ifdef PRELIGHT_GLOSSY_ORDER

@@ -5,7 +5,7 @@
 #include "shared/compat.h"
 
 /// Values of a vertex's transfer that a bounce carries at once.
-#define PRELIGHT_PART_VALUES 8
+#define PRELIGHT_PART_VALUES 16
 
 PRELIGHT_SHARED_BEGIN
 
