@@ -13,11 +13,9 @@ namespace {
 constexpr std::size_t rowRange = 1024;
 constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
 
-/// A power of two that brings the largest of a column's values to about 1, so that no square leaves the range
-/// of single precision. `values` are those of all columns from this one on.
-float scaleOf(std::span<const float> values, std::size_t columns) {
-  float largest = 0.0f;
-  for (std::size_t i = 0; i < values.size(); i += columns) largest = std::max(largest, std::abs(values[i]));
+/// A power of two that brings a column whose values are at most `largest` to about 1, so that no square leaves
+/// the range of single precision.
+float scaleOf(float largest) {
   int exponent = 0;
   if (largest > 0.0f && std::isfinite(largest)) std::frexp(largest, &exponent);
   return std::ldexp(1.0f, std::clamp(-exponent, -100, 100));
@@ -41,9 +39,7 @@ class BlockSolver {
   /// Columns [first, first + count) of right sides, which have `columns` in all, become their solutions.
   void run(std::span<float> values, std::size_t columns, std::size_t first, std::size_t count) {
     const auto place = [&](std::size_t row) { return equations_.slots()[row] * columns + first; };
-    std::array<float, W> scale;
-    scale.fill(1.0f);
-    for (std::size_t c = 0; c < count; ++c) scale[c] = scaleOf(values.subspan(first + c), columns);
+    const std::array<float, W> scale = scales(values, columns, first, count);
     runTeam(std::clamp<std::size_t>(partial_.size(), 1, limits_.threads), [&](const TeamMember& member) {
       forRows(member, [&](std::size_t i) { std::fill_n(&x_[i * W], W, 0.0f); });
       member.wait();
@@ -60,6 +56,15 @@ class BlockSolver {
 
  private:
   using Sums = std::array<double, W>;
+
+  static std::array<float, W> scales(std::span<const float> values, std::size_t columns, std::size_t first,
+                                     std::size_t count) {
+    std::array<float, W> largest{};
+    for (std::size_t i = first; i < values.size(); i += columns)
+      for (std::size_t c = 0; c < count; ++c) largest[c] = std::max(largest[c], std::abs(values[i + c]));
+    std::transform(largest.begin(), largest.end(), largest.begin(), scaleOf);
+    return largest;
+  }
 
   template <typename Work>
   void forRows(const TeamMember& member, const Work& work) const {
@@ -99,14 +104,13 @@ class BlockSolver {
     });
   }
 
-  /// residual = right(row, column) - operator x; the sums of its squares over the preconditioner.
-  template <typename Right>
-  Sums trueResidual(const TeamMember& member, const Right& right) {
-    apply(member, x_);
+  /// residual = right(row, column) - image; the sums of its squares over the preconditioner.
+  template <typename Right, typename Image>
+  Sums setResidual(const TeamMember& member, const Right& right, const Image& image) {
     return sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
       const float inverse = equations_.inverseDiagonal(i);
       for (std::size_t c = 0; c < W; ++c) {
-        const float r = right(i, c) - image_[i * W + c];
+        const float r = right(i, c) - image(i, c);
         residual_[i * W + c] = r;
         sum[c] += r * r * inverse;
       }
@@ -122,13 +126,15 @@ class BlockSolver {
   // The true residual cannot fall much below what single precision tells from 0: a second start is enough.
   template <typename Right>
   void solve(const TeamMember& member, const Right& right) {
-    Sums rho = trueResidual(member, right), goal = rho;
+    Sums rho = setResidual(member, right, [](std::size_t, std::size_t) { return 0.0f; }), goal = rho;
     for (double& sum : goal) sum *= limits_.tolerance * limits_.tolerance;
-    int left = limits_.iterations;
-    for (int start = 0; start < 2 && left > 0 && !reached(rho, goal); ++start) {
+    for (int start = 0; start < 2 && !reached(rho, goal); ++start) {
       turn(member, Sums{});
-      for (; left > 0 && !reached(rho, goal); --left) rho = step(member, rho);
-      rho = trueResidual(member, right);
+      for (int left = limits_.iterations; left > 0 && !reached(rho, goal); --left)
+        rho = step(member, rho, goal);
+      if (!limits_.verified) return;
+      apply(member, x_);
+      rho = setResidual(member, right, [&](std::size_t i, std::size_t c) { return image_[i * W + c]; });
     }
   }
 
@@ -144,11 +150,12 @@ class BlockSolver {
     member.wait();
   }
 
-  Sums step(const TeamMember& member, const Sums& rho) {
+  // A column that is as close as wanted stays, so that it does not matter which are solved beside it.
+  Sums step(const TeamMember& member, const Sums& rho, const Sums& goal) {
     const Sums curvature = apply(member, direction_);
-    std::array<float, W> length;
+    std::array<float, W> length{};
     for (std::size_t c = 0; c < W; ++c)
-      length[c] = curvature[c] > 0.0 ? static_cast<float>(rho[c] / curvature[c]) : 0.0f;
+      if (rho[c] > goal[c] && curvature[c] > 0.0) length[c] = static_cast<float>(rho[c] / curvature[c]);
     const Sums next = sumOver(member, [&](std::size_t i, std::array<float, W>& sum) {
       const float inverse = equations_.inverseDiagonal(i);
       for (std::size_t c = 0; c < W; ++c) {
@@ -158,8 +165,9 @@ class BlockSolver {
         sum[c] += r * r * inverse;
       }
     });
-    Sums beta;
-    for (std::size_t c = 0; c < W; ++c) beta[c] = rho[c] > 0.0 ? next[c] / rho[c] : 0.0;
+    Sums beta{};
+    for (std::size_t c = 0; c < W; ++c)
+      if (rho[c] > goal[c]) beta[c] = next[c] / rho[c];
     turn(member, beta);
     return next;
   }

@@ -36,7 +36,7 @@ using Part = std::vector<float>;
 constexpr std::size_t slotGrain = 4096;
 
 /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
-SolveLimits roughly() { return {1e-2, 32, hardwareThreads()}; }
+SolveLimits roughly() { return {.tolerance = 1e-2, .iterations = 32, .verified = false}; }
 
 /// Takes the groups' mean off every slot's values, and scales them.
 Deviations centred(std::vector<float> values, double factor) {

@@ -187,10 +187,10 @@ std::vector<float> VertexFit::solveColumn(double lambda, std::size_t column) con
   return solveColumn(equations(lambda), column);
 }
 
-std::vector<float> VertexFit::solve(const NormalEquations& equations) const {
-  if (parked_) return solve(equations, parkedRight(), columns_);
-  return triangleWeights_.empty() ? solve(equations, right_, columns_)
-                                  : solve(equations, rightSide(0, columns_), columns_);
+std::vector<float> VertexFit::solve(const NormalEquations& equations, const SolveLimits& limits) const {
+  if (parked_) return solve(equations, parkedRight(), columns_, limits);
+  return triangleWeights_.empty() ? solve(equations, right_, columns_, limits)
+                                  : solve(equations, rightSide(0, columns_), columns_, limits);
 }
 
 std::vector<float> VertexFit::solveColumn(const NormalEquations& equations, std::size_t column) const {

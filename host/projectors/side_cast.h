@@ -55,7 +55,10 @@ class SideCast {
   FittedSide solve() const { return sums_.solve(); }
 
   /// Fitted unit mean open direction minus the slot's normal, [slot][3]. Only where the schedule asks for it.
-  std::vector<float> solveBentNormal() const { return sums_.bentFit().solve(defaultSmoothing); }
+  std::vector<float> solveBentNormal() const {
+    const VertexFit& fit = sums_.bentFit();
+    return fit.solve(fit.equations(defaultSmoothing), noisyValues());
+  }
 
   /// Fitted direct light of groups of lights, [slot][3][group]. Only where the projections ask for it.
   std::vector<float> solveLights() const { return sums_.lightFit().solve(defaultSmoothing); }

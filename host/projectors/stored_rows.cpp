@@ -36,7 +36,7 @@ std::vector<float> StoredRows::fit(std::size_t columns, std::uint32_t most, cons
     }
     adding.finish();
   }
-  return samples().solve(equations_, std::move(right), columns);
+  return samples().solve(equations_, std::move(right), columns, noisyValues());
 }
 
 /// Block by block, as they were cast, whatever was gathered at once: sums round at the end of a block.

@@ -88,6 +88,24 @@ TEST(ConjugateGradients, AnyNumberOfThreads_GivesTheSameBits) {
   EXPECT_EQ(alone, together);
 }
 
+// How columns are shared out to blocks is a matter of memory.
+TEST(ConjugateGradients, Column_DoesNotDependOnThoseBesideIt) {
+  constexpr std::size_t columns = 13;
+  const FitMesh mesh = makeFitMesh(test::ground(40, 1.0f));
+  const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
+  std::vector<float> together = randomRight(mesh.slotCount() * columns);
+  for (std::size_t s = 0; s < mesh.slotCount(); ++s)  // smooth and rough ones take different numbers of steps
+    for (std::size_t c = 0; c < 6; ++c) together[s * columns + c] = mesh.positions[s].x + static_cast<float>(c);
+  const std::vector<float> right = together;
+  conjugateGradients(equations, together, columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    std::vector<float> alone(mesh.slotCount());
+    for (std::size_t s = 0; s < alone.size(); ++s) alone[s] = right[s * columns + c];
+    conjugateGradients(equations, alone, 1);
+    for (std::size_t s = 0; s < alone.size(); ++s) ASSERT_EQ(alone[s], together[s * columns + c]) << c;
+  }
+}
+
 // Squares of such values have no place in single precision.
 TEST(ConjugateGradients, TinyAndHugeRightSides_AreSolvedAlike) {
   const FitMesh mesh = makeFitMesh(test::ground(8, 1.0f));
