@@ -6,6 +6,7 @@
 #include "basis/sh_table.h"
 #include "benchmarks/stability/cases.h"
 #include "benchmarks/stability/shapes.h"
+#include "cast/caster.h"
 #include "device/launch_once.h"
 #include "gpu/tracer.h"
 #include "shared/cast_types.h"
@@ -118,8 +119,7 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   DeviceContext& device = trials.context();
   const CompiledScene scene = floorScene(1.0, 1, matte(1.0));
   const Tracer tracer(scene, trials.device());
-  constexpr std::uint32_t columns = 9, receivers = 30, slots = 8, width = PRELIGHT_PART_VALUES,
-                          firstValue = 10;
+  constexpr std::uint32_t columns = 9, receivers = 30, slots = 8, width = widestPart, firstValue = 10;
   Random random(43);
   std::vector<float> transfer = random.floats(slots * width, magnitude);
   if (white)
@@ -133,9 +133,11 @@ void gather(const char* stress, double magnitude, bool white, std::uint32_t rayC
   const Buffer<Sender> senderBuffer(device, std::span<const Sender>(senders));
   const Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   const Buffer<float> values(device, receivers * width);
-  launchOnce(device, "cast/transport_kernels.cl", tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns),
-             "gatherBounce", receivers, parameterBuffer, firstValue, std::uint32_t{0}, senderBuffer,
-             transferBuffer, values);
+  launchOnce(
+      device, "cast/transport_kernels.cl",
+      tracer.surfaceOptions().define("PRELIGHT_COLUMNS", columns).define("PRELIGHT_PART_VALUES", width),
+      "gatherBounce", receivers, parameterBuffer, firstValue, std::uint32_t{0}, senderBuffer, transferBuffer,
+      values);
   const std::vector<float> got = values.read();
   Differences differences;
   for (std::size_t r = 0; r < receivers; ++r)

@@ -100,7 +100,7 @@ std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Inst
   const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * fourColumns) * n.vertices,
                      kept};
   if (!n.bounces) return {cast, errors, {}};
-  const std::uint64_t part = 4 * PRELIGHT_PART_VALUES;
+  const std::uint64_t part = 4 * partValuesOf(parks);
   const Stage bounce{
       waiting + 2 * fitted + (equationBytes + solverBytes + part + 12 * n.coefficients) * n.vertices,
       kept + 2 * part * n.vertices};

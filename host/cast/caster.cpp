@@ -88,8 +88,7 @@ Caster::Block Caster::makeBlock(DeviceLane lane) const {
   block.receivers = {device_, blockSize_, lane};
   block.rays = {device_, rays, lane};
   block.hits = {device_, rays, lane};
-  block.values = {device_, std::size_t{blockSize_} * std::max<std::size_t>(valueCount_, PRELIGHT_PART_VALUES),
-                  lane};
+  block.values = {device_, std::size_t{blockSize_} * std::max(valueCount_, options_.partValues), lane};
   if (options_.texelFaceSize > 0) block.texels = {device_, rays, lane};
   return block;
 }
@@ -97,6 +96,7 @@ Caster::Block Caster::makeBlock(DeviceLane lane) const {
 BuildOptions Caster::transportOptions(std::size_t columns) const {
   return tracer_.surfaceOptions()
       .define("PRELIGHT_COLUMNS", static_cast<int>(std::max<std::size_t>(columns, 1)))
+      .define("PRELIGHT_PART_VALUES", options_.partValues)
       .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
 }
 
@@ -225,17 +225,17 @@ void Caster::gather(std::uint32_t first, std::uint32_t count, const TransferPart
                     std::vector<float>& values) {
   SenderRows& senders = senders_.value();
   Block& block = blocks_.front();
-  const std::size_t room = std::size_t{rowsPerGather()} * PRELIGHT_PART_VALUES;
+  const std::size_t room = std::size_t{rowsPerGather()} * options_.partValues;
   if (gatheredValues_.size() < room) gatheredValues_ = Buffer<float>(device_, room);
-  values.resize(std::size_t{count} * PRELIGHT_PART_VALUES);
+  values.resize(std::size_t{count} * options_.partValues);
   for (std::uint32_t done = 0, some = 0; done < count; done += some) {
     some = senders.inMemory(first + done, count - done) ? count - done : std::min(blockSize_, count - done);
     const SenderRows::Place rows = senders.rows(first + done, some);
     setParameters(block, some, rows.firstRow);
     gather_.launch(some, block.parameters, part.firstValue, part.firstPlace, rows.buffer, transfer_,
                    gatheredValues_);
-    gatheredValues_.read(std::span(values).subspan(std::size_t{done} * PRELIGHT_PART_VALUES,
-                                                   std::size_t{some} * PRELIGHT_PART_VALUES));
+    gatheredValues_.read(std::span(values).subspan(std::size_t{done} * options_.partValues,
+                                                   std::size_t{some} * options_.partValues));
   }
 }
 

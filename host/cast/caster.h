@@ -27,12 +27,19 @@ std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene);
 /// Receivers a block, of that many rays each: what one round of launches takes.
 std::uint32_t receiversPerBlock(const DeviceInfo& device, std::uint32_t raysPerReceiver);
 
+/// Values of a vertex's transfer that a bounce carries at once. Results are the same whatever their number.
+constexpr std::uint32_t widestPart = 16;
+
+/// How many where memory is short, and where it is not.
+constexpr std::uint32_t partValuesOf(bool memoryIsShort) { return memoryIsShort ? 8 : widestPart; }
+
 struct CastOptions {
   int shOrder = 0;                        ///< 0: no SH
   std::uint32_t raysPerReceiver = 64;     ///< a power of two, 8 to 256
   std::uint32_t storedReceivers = 0;      ///< rows of senders that may be kept; 0: no bounces follow
   std::uint32_t rowsInMemory = 0;         ///< of them; further ones lie in a file
   std::size_t bounceColumns = 0;          ///< values a channel that bounces carry
+  std::uint32_t partValues = widestPart;  ///< of them that they carry at once, 8 or 16
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   int incidentOrder = 0;                  ///< of the lights: incident radiance in SH of this order as well
@@ -65,8 +72,8 @@ struct CastPurpose {
   bool occluders = false;  ///< tell occluders apart; after setAccessibility()
 };
 
-/// Of the values of a vertex's transfer, [3][columns], the PRELIGHT_PART_VALUES from firstValue on. They
-/// stand together, [vertex][PRELIGHT_PART_VALUES], in the transfer on the device, from vertex firstPlace on.
+/// Of the values of a vertex's transfer, [3][columns], the partValues from firstValue on. They stand
+/// together, [vertex][partValues], in the transfer on the device, from vertex firstPlace on.
 struct TransferPart {
   std::uint32_t firstValue = 0;
   std::uint32_t firstPlace = 0;
@@ -110,6 +117,7 @@ class Caster {
   std::uint64_t furtherRays() const { return occluders_ ? occluders_->rays() : 0; }
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
+  std::uint32_t partValues() const { return options_.partValues; }
   std::uint32_t rowsInMemory() const { return options_.rowsInMemory; }
   DeviceContext& device() const { return device_; }
   std::uint32_t groupCount() const { return lights_ ? lights_->groupCount() : 0; }
@@ -132,7 +140,7 @@ class Caster {
   std::uint32_t rowsPerGather() const { return 4 * blockSize_; }
 
   /// Mean over each stored row's rays of albedo x transfer, for rows [first, first + count), and for a part
-  /// of a vertex's values [3][bounceColumns]: [row][PRELIGHT_PART_VALUES].
+  /// of a vertex's values [3][bounceColumns]: [row][partValues].
   void gather(std::uint32_t first, std::uint32_t count, const TransferPart& part, std::vector<float>& values);
 
   /// The same into transfer matrices: mean of Y_i(direction) x albedo x transfer, [row][i][3][columns] with i

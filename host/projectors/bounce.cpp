@@ -8,7 +8,7 @@ Bounce::Bounce(const FitMesh& mesh, Caster& caster, const SceneCast& cast)
     : mesh_(mesh), caster_(caster), cast_(cast), fronts_(caster, cast.front()) {}
 
 void Bounce::send(const std::vector<float>& fronts, const std::vector<float>& backs) {
-  constexpr std::size_t width = PRELIGHT_PART_VALUES;
+  const std::size_t width = caster_.partValues();
   constexpr std::size_t some = 16384;  // vertices: not all need be in memory twice
   const std::size_t vertices = mesh_.slotOfVertex.size();
   caster_.resizeTransfer(vertices * width * (backs.empty() ? 1 : 2));
@@ -38,7 +38,7 @@ std::vector<float> Bounce::receiveBacks(std::uint32_t firstValue, Progress& prog
 std::vector<float> Bounce::receive(const StoredRows& rows, const SideCast& side, std::uint32_t firstValue,
                                    Progress& progress) {
   return rows.fit(
-      PRELIGHT_PART_VALUES, caster_.rowsPerGather(),
+      caster_.partValues(), caster_.rowsPerGather(),
       [&](std::uint32_t first, std::uint32_t count, std::vector<float>& values) {
         caster_.gather(side.storedFirst() + first, count, {firstValue, 0}, values);
       },

@@ -12,7 +12,7 @@
 
 namespace prelight {
 
-/// Sends a part of the slots' transfer over the surface, [slot][PRELIGHT_PART_VALUES], and fits what the
+/// Sends a part of the slots' transfer over the surface, [slot][partValues], and fits what the
 /// slots receive of it through the stored rows.
 class Bounce {
  public:

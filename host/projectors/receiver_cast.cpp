@@ -36,6 +36,7 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.raysPerReceiver = schedule.raysPerReceiver;
   options.storedReceivers = capacity;
   options.rowsInMemory = rowsInMemory(context, schedule.raysPerReceiver);
+  options.partValues = partValuesOf(context.plan.parks);
   options.bounceColumns = static_cast<std::size_t>(order * order) + groupCount(needs);
   options.texelFaceSize = needs.texelFaceSize;
   options.lights = needs.lights;

@@ -13,7 +13,6 @@ namespace prelight {
 namespace {
 
 constexpr double nothingLeft = 1e-6;  // of transfer, whose open value is about 1
-constexpr std::size_t partValues = PRELIGHT_PART_VALUES;
 constexpr std::size_t slotRange = 4096;
 
 /// What one side of the surface receives directly.
@@ -65,6 +64,7 @@ class TransferBounces {
         request_(request),
         transfer_(transfer),
         slots_(mesh.slotCount()),
+        partValues_(caster.partValues()),
         bounce_(mesh, caster, cast) {
     if (cast.back() != nullptr) {
       backFitted_ = cast.back()->fit().solve(defaultSmoothing);
@@ -80,16 +80,16 @@ class TransferBounces {
   int run(Progress& progress) {
     const std::size_t values = 3 * transfer_.columns();
     int needed = 0;
-    for (std::size_t first = 0; first < values; first += partValues) {
+    for (std::size_t first = 0; first < values; first += partValues_) {
       needed = std::max(needed, runPart(first, progress));
-      progress.report("bounce", double(std::min(values, first + partValues)) / double(values));
+      progress.report("bounce", double(std::min(values, first + partValues_)) / double(values));
     }
     return needed;
   }
 
  private:
   int runPart(std::size_t first, Progress& progress) {
-    std::vector<float> fronts(slots_ * partValues, 0.0f), backs;
+    std::vector<float> fronts(slots_ * partValues_, 0.0f), backs;
     forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
       fronts[place] = transfer_.total[placeOf(slot, value)];
     });
@@ -109,7 +109,7 @@ class TransferBounces {
   }
 
   std::vector<float> directBacks(std::size_t first) const {
-    std::vector<float> backs(slots_ * partValues, 0.0f);
+    std::vector<float> backs(slots_ * partValues_, 0.0f);
     forValues(first, [&](std::size_t slot, std::size_t place, std::size_t value) {
       if (covered_[slot] != 0) backs[place] = backs_->value(slot, value);
     });
@@ -127,13 +127,13 @@ class TransferBounces {
     });
   }
 
-  /// Calls use(slot, place in [slot][partValues], value of [3][column]) for the values of a part.
+  /// Calls use(slot, place in [slot][partValues_], value of [3][column]) for the values of a part.
   template <typename Use>
   void forValues(std::size_t first, const Use& use) const {
-    const std::size_t count = std::min(partValues, 3 * transfer_.columns() - first);
+    const std::size_t count = std::min(partValues_, 3 * transfer_.columns() - first);
     parallelRanges(slots_, slotRange, [&](std::size_t begin, std::size_t end) {
       for (std::size_t slot = begin; slot < end; ++slot)
-        for (std::size_t i = 0; i < count; ++i) use(slot, slot * partValues + i, first + i);
+        for (std::size_t i = 0; i < count; ++i) use(slot, slot * partValues_ + i, first + i);
     });
   }
 
@@ -145,6 +145,7 @@ class TransferBounces {
   const TransferRequest& request_;
   SlotTransfer& transfer_;
   std::size_t slots_;
+  std::size_t partValues_;
   Bounce bounce_;
   std::vector<float> backFitted_;
   std::optional<DirectTransfer> backs_;

@@ -12,6 +12,22 @@
 #define PRELIGHT_COLUMNS 1
 #endif
 
+// PRELIGHT_PART_VALUES, 8 or 16: values of a vertex's transfer that a bounce carries at once.
+#ifndef PRELIGHT_PART_VALUES
+#define PRELIGHT_PART_VALUES 16
+#endif
+#if PRELIGHT_PART_VALUES == 16
+typedef float16 Part;
+typedef uint16 PartIndex;
+#define PRELIGHT_PART_OF(name) name##16
+#define PRELIGHT_PART_NUMBERS (uint16)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, 13u, 14u, 15u)
+#else
+typedef float8 Part;
+typedef uint8 PartIndex;
+#define PRELIGHT_PART_OF(name) name##8
+#define PRELIGHT_PART_NUMBERS (uint8)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u)
+#endif
+
 // Rays ahead of the one at hand whose triangle is asked for: it lies anywhere in memory.
 #define PRELIGHT_RAYS_AHEAD 24
 
@@ -100,17 +116,17 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, uint fir
                            __global const Sender* senders, __global const float* transfer, __global float* values) {
   const size_t receiver = get_global_id(0);
   if (receiver >= parameters->receiverCount) return;
-  const uint16 value = firstValue + (uint16)(0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, 13u, 14u, 15u);
-  const uint16 shift = 10u * min(value / PRELIGHT_COLUMNS, 2u);
+  const PartIndex value = firstValue + PRELIGHT_PART_NUMBERS;
+  const PartIndex shift = 10u * min(value / PRELIGHT_COLUMNS, 2u);
   senders += ((size_t)parameters->firstStored + receiver) * parameters->raysPerReceiver;
-  float16 sum = 0.0f;
+  Part sum = 0.0f;
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const Sender s = senders[j];
     if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
-    const float16 albedo = convert_float16(((uint16)s.albedo >> shift) & 1023u) * (1.0f / 1023.0f);
-    sum += albedo * vload16((size_t)firstPlace + s.vertex, transfer);
+    const Part albedo = PRELIGHT_PART_OF(convert_float)(((PartIndex)s.albedo >> shift) & 1023u) * (1.0f / 1023.0f);
+    sum += albedo * PRELIGHT_PART_OF(vload)((size_t)firstPlace + s.vertex, transfer);
   }
-  vstore16(sum * (1.0f / (float)parameters->raysPerReceiver), receiver, values);
+  PRELIGHT_PART_OF(vstore)(sum * (1.0f / (float)parameters->raysPerReceiver), receiver, values);
 }
 
 #ifdef PRELIGHT_GLOSSY_ORDER

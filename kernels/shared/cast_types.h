@@ -4,9 +4,6 @@
 
 #include "shared/compat.h"
 
-/// Values of a vertex's transfer that a bounce carries at once.
-#define PRELIGHT_PART_VALUES 16
-
 PRELIGHT_SHARED_BEGIN
 
 /// A point of the surface that looks at its hemisphere.

@@ -97,7 +97,7 @@ class StoredRoom : public ::testing::Test {
   }
 
   void send(const std::function<float(std::size_t place)>& value) {
-    std::vector<float> transfer(std::size_t{scene_.vertexCount()} * PRELIGHT_PART_VALUES);
+    std::vector<float> transfer(std::size_t{scene_.vertexCount()} * widestPart);
     for (std::size_t i = 0; i < transfer.size(); ++i) transfer[i] = value(i);
     caster_.resizeTransfer(transfer.size());
     caster_.setTransfer(transfer);
@@ -114,10 +114,9 @@ TEST_F(StoredRoom, EvenTransfer_ComesBackInEveryRow) {
   send([](std::size_t) { return 0.75f; });
   std::vector<float> values;
   caster_.gather(0, rows_, {}, values);
-  ASSERT_EQ(values.size(), std::size_t{rows_} * PRELIGHT_PART_VALUES);
+  ASSERT_EQ(values.size(), std::size_t{rows_} * widestPart);
   for (std::size_t row = 0; row < rows_; ++row)
-    for (std::size_t c = 0; c < 3; ++c)
-      ASSERT_NEAR(values[row * PRELIGHT_PART_VALUES + c], 0.75f, 1e-5f) << row;
+    for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(values[row * widestPart + c], 0.75f, 1e-5f) << row;
 }
 
 TEST_F(StoredRoom, RowsGatheredAtOnce_AreThoseOfEachBlock) {
@@ -130,7 +129,7 @@ TEST_F(StoredRoom, RowsGatheredAtOnce_AreThoseOfEachBlock) {
   for (std::uint32_t first = 0; first < rows_; first += 100) {
     const std::uint32_t count = std::min(100u, rows_ - first);
     caster_.gather(first, count, {}, part);
-    const auto* begin = &atOnce[std::size_t{first} * PRELIGHT_PART_VALUES];
+    const auto* begin = &atOnce[std::size_t{first} * widestPart];
     ASSERT_EQ(std::vector<float>(begin, begin + part.size()), part) << first;
   }
 }

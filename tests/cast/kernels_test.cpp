@@ -306,11 +306,16 @@ TEST_F(TransportKernels, StoreSenders_PicksCornersByWeightAndMarksBacks) {
   EXPECT_NEAR(picked[11] / odd, 0.125, 0.03);
 }
 
-TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
+class GatherBounce : public TransportKernels, public testing::WithParamInterface<int> {};
+
+INSTANTIATE_TEST_SUITE_P(PartValues, GatherBounce, testing::Values(8, 16));
+
+TEST_P(GatherBounce, AnyPart_AgreesWithDoubleReference) {
+  const auto width = static_cast<std::size_t>(GetParam());
   DeviceContext& device = test::sharedDevice().context();
   Tracer tracer(scene_, test::sharedDevice());
   constexpr int order = 3;
-  constexpr std::size_t n = order * order, receivers = 30, first = 5, width = PRELIGHT_PART_VALUES;
+  constexpr std::size_t n = order * order, receivers = 30, first = 5;
   constexpr std::size_t firstValue = 10, firstPlace = 3;  // green and blue: 9 to 17, 18 to 26
   std::mt19937 random(2);
   std::vector<float> transfer((firstPlace + 12) * width);
@@ -326,9 +331,11 @@ TEST_F(TransportKernels, GatherBounce_AgreesWithDoubleReference) {
   Buffer<float> transferBuffer(device, std::span<const float>(transfer));
   Buffer<float> values(device, receivers * width);
   launchOnce(device, "cast/transport_kernels.cl",
-             tracer.surfaceOptions().define("PRELIGHT_COLUMNS", order * order), "gatherBounce", receivers,
-             parameterBuffer, static_cast<std::uint32_t>(firstValue), static_cast<std::uint32_t>(firstPlace),
-             senderBuffer, transferBuffer, values);
+             tracer.surfaceOptions()
+                 .define("PRELIGHT_COLUMNS", order * order)
+                 .define("PRELIGHT_PART_VALUES", GetParam()),
+             "gatherBounce", receivers, parameterBuffer, static_cast<std::uint32_t>(firstValue),
+             static_cast<std::uint32_t>(firstPlace), senderBuffer, transferBuffer, values);
   const auto result = values.read();
   for (std::size_t r = 0; r < receivers; ++r)
     for (std::size_t i = 0; i < width; ++i) {

@@ -11,7 +11,7 @@ namespace prelight {
 namespace {
 
 constexpr std::uint32_t leastRaysPerReceiver = 16;  // as of vertices (schedule.cpp)
-constexpr std::size_t partValues = PRELIGHT_PART_VALUES;
+constexpr std::size_t partValues = widestPart;
 
 std::uint32_t raysPerReceiver(const ChartTransferOptions& options) {
   return std::max(leastRaysPerReceiver, options.rays / ChartSampler::positionsPerTexel);
