@@ -38,6 +38,7 @@ void validateBuffers(const JsonCursor& root, const GltfUse& use, Warnings& warni
 void validateAccessors(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 void validateMeshes(const JsonCursor& root);
 void validateNodes(const JsonCursor& root);
+void validateSkins(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 void validateCamerasAndLights(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 void validateMaterials(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 
