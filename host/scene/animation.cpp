@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace prelight {
 
@@ -61,18 +62,31 @@ std::vector<float>::const_iterator firstKeyAfter(const AnimationSampler& sampler
                           [](double s, float time) { return s < double(time); });
 }
 
+/// Those of all channels; one may come more than once.
+template <class Visit>
+void forEachSampler(const Animation& animation, Visit visit) {
+  for (const AnimationChannel& channel : animation.channels) visit(animation.samplers[channel.sampler]);
+  for (const PropertyChannel& channel : animation.properties) {
+    visit(animation.samplers[channel.sampler]);
+    if (channel.factorSampler >= 0)
+      visit(animation.samplers[static_cast<std::size_t>(channel.factorSampler)]);
+  }
+}
+
 }  // namespace
 
-/// Every sampler belongs to a channel.
 double Animation::startTime() const {
-  double start = samplers.empty() ? 0.0 : samplers.front().times.front();
-  for (const AnimationSampler& sampler : samplers) start = std::min(start, double(sampler.times.front()));
-  return start;
+  std::optional<double> start;
+  forEachSampler(*this, [&](const AnimationSampler& sampler) {
+    start = std::min(start.value_or(sampler.times.front()), double(sampler.times.front()));
+  });
+  return start.value_or(0.0);
 }
 
 double Animation::endTime() const {
   double end = 0.0;
-  for (const AnimationSampler& sampler : samplers) end = std::max(end, double(sampler.times.back()));
+  forEachSampler(*this,
+                 [&](const AnimationSampler& sampler) { end = std::max(end, double(sampler.times.back())); });
   return end;
 }
 

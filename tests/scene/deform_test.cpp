@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void expectNear(const glm::dvec3& got, const glm::dvec3& expected) {
+void expectClose(const glm::dvec3& got, const glm::dvec3& expected) {
   EXPECT_LT(glm::length(got - expected), 1e-6) << got.x << ' ' << got.y << ' ' << got.z;
 }
 
@@ -34,8 +34,8 @@ TEST(Skins, BarAtRest_StandsAsItWasBound) {
   const CompiledScene scene = test::recompile(test::bentBar(), warnings);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   for (std::size_t v = 0; v < test::barPositions().size(); ++v) {
-    expectNear(worldOf(scene, v), glm::dvec3(test::barPositions()[v]));
-    expectNear(glm::dvec3(scene.normals[v]), {1, 0, 0});
+    expectClose(worldOf(scene, v), glm::dvec3(test::barPositions()[v]));
+    expectClose(glm::dvec3(scene.normals[v]), {1, 0, 0});
   }
 }
 
@@ -47,14 +47,14 @@ TEST(Skins, BarBentByAQuarter_IsTheClosedForm) {
   for (std::size_t v = 0; v < test::barPositions().size(); ++v) {
     const glm::dvec3 p(test::barPositions()[v]);
     if (p.y < 0.5) {
-      expectNear(worldOf(scene, v), p);
-      expectNear(glm::dvec3(scene.normals[v]), {1, 0, 0});
+      expectClose(worldOf(scene, v), p);
+      expectClose(glm::dvec3(scene.normals[v]), {1, 0, 0});
     } else if (p.y > 1.5) {
-      expectNear(worldOf(scene, v), {1.0 - p.y, 1.0 + p.x, p.z});
-      expectNear(glm::dvec3(scene.normals[v]), {0, 1, 0});
+      expectClose(worldOf(scene, v), {1.0 - p.y, 1.0 + p.x, p.z});
+      expectClose(glm::dvec3(scene.normals[v]), {0, 1, 0});
     } else {
-      expectNear(worldOf(scene, v), {p.x / 2, 1.0 + p.x / 2, p.z});
-      expectNear(glm::dvec3(scene.normals[v]), {root, root, 0});
+      expectClose(worldOf(scene, v), {p.x / 2, 1.0 + p.x / 2, p.z});
+      expectClose(glm::dvec3(scene.normals[v]), {root, root, 0});
     }
   }
 }
@@ -101,7 +101,7 @@ TEST(Skins, StretchedJoint_TurnsNormalsByTheInverseTranspose) {
       test::appendFloats(document, normals, "VEC3");
   Warnings warnings;
   const CompiledScene scene = test::recompile(document, warnings);
-  expectNear(glm::dvec3(scene.normals[0]), glm::normalize(glm::dvec3(1.0, 0.5, 0.0)));
+  expectClose(glm::dvec3(scene.normals[0]), glm::normalize(glm::dvec3(1.0, 0.5, 0.0)));
 }
 
 TEST(Skins, MirroringSkeleton_KeepsFacesAndNormalsOnTheSameSide) {
@@ -109,7 +109,7 @@ TEST(Skins, MirroringSkeleton_KeepsFacesAndNormalsOnTheSameSide) {
   document.json["nodes"][0]["scale"] = {-1, 1, 1};
   Warnings warnings;
   const CompiledScene scene = test::recompile(document, warnings);
-  expectNear(worldOf(scene, 0), glm::dvec3(-test::barPositions()[0].x, test::barPositions()[0].y, 0));
+  expectClose(worldOf(scene, 0), glm::dvec3(-test::barPositions()[0].x, test::barPositions()[0].y, 0));
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t)
     EXPECT_GT(glm::dot(geometricNormal(scene, t), glm::dvec3(0, 0, 1)), 0.0);
 }
@@ -146,15 +146,15 @@ TEST(Morphs, WeightsOfMeshAndNode_AddTheTarget) {
   Warnings warnings;
   EXPECT_EQ(worldOf(test::recompile(document, warnings), 2).z, 0.0) << "weights are 0 where none are given";
   document.json["meshes"][0]["weights"] = {0.5};
-  expectNear(worldOf(test::recompile(document, warnings), 2), {0, 1, 2});
+  expectClose(worldOf(test::recompile(document, warnings), 2), {0, 1, 2});
   document.json["nodes"][0]["weights"] = {1.0};
   const CompiledScene scene = test::recompile(document, warnings);
-  expectNear(worldOf(scene, 0), {0, 0, 1});
-  expectNear(worldOf(scene, 1), {1, 0, 2});
-  expectNear(worldOf(scene, 2), {0, 1, 4});
-  expectNear(glm::dvec3(scene.normals[0]), {0, 1, 0});
-  expectNear(glm::dvec3(scene.normals[1]), {0, 0, 1});
-  expectNear(glm::dvec3(scene.normals[2]), glm::normalize(glm::dvec3(1, 0, 1)));
+  expectClose(worldOf(scene, 0), {0, 0, 1});
+  expectClose(worldOf(scene, 1), {1, 0, 2});
+  expectClose(worldOf(scene, 2), {0, 1, 4});
+  expectClose(glm::dvec3(scene.normals[0]), {0, 1, 0});
+  expectClose(glm::dvec3(scene.normals[1]), {0, 0, 1});
+  expectClose(glm::dvec3(scene.normals[2]), glm::normalize(glm::dvec3(1, 0, 1)));
   EXPECT_EQ(scene.colors[0], glm::vec4(1, 1, 0, 1));
   EXPECT_EQ(scene.colors[1], glm::vec4(0.75f, 0.5f, 0.5f, 1));
   EXPECT_EQ(scene.colors[2], glm::vec4(1, 0, 0, 1)) << "colours are kept within 0..1";
@@ -181,8 +181,8 @@ TEST(Morphs, TangentsOfTargets_KeepTheirSign) {
   Warnings warnings;
   const Scene scene = test::reload(document, warnings);
   const auto tangents = deformedMesh(scene, scene.meshNodes[0]).mesh.primitives[0].tangents;
-  expectNear(glm::dvec3(tangents[0]), {0, 1, 0});
-  expectNear(glm::dvec3(tangents[1]), glm::normalize(glm::dvec3(1, 1, 0)));
+  expectClose(glm::dvec3(tangents[0]), {0, 1, 0});
+  expectClose(glm::dvec3(tangents[1]), glm::normalize(glm::dvec3(1, 1, 0)));
   for (const glm::vec4& tangent : tangents) EXPECT_EQ(tangent.w, -1.0f);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
 }
@@ -214,9 +214,9 @@ TEST(Morphs, SparseAndNormalisedTargets_AreRead) {
   document.json["nodes"][0]["weights"] = {1.0, 2.0};
   Warnings warnings;
   const CompiledScene scene = test::recompile(document, warnings);
-  expectNear(worldOf(scene, 0), {2, 0, 0});
-  expectNear(worldOf(scene, 1), {1, -2, 0});
-  expectNear(worldOf(scene, 2), {0, 1, 3});
+  expectClose(worldOf(scene, 0), {2, 0, 0});
+  expectClose(worldOf(scene, 1), {1, -2, 0});
+  expectClose(worldOf(scene, 2), {0, 1, 3});
 }
 
 TEST(Morphs, NodesOfTheSameWeights_ShareAShape) {

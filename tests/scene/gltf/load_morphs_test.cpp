@@ -32,7 +32,7 @@ GltfDocument animatedTargets() {
   return document;
 }
 
-Scene loaded(const GltfDocument& document) {
+Scene loadedMorphs(const GltfDocument& document) {
   Warnings warnings;
   Scene scene = test::reload(document, warnings);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
@@ -45,7 +45,7 @@ double liftAt(const Scene& scene, double seconds) {
   return compiled.origin.z + double(compiled.positions[2].z);
 }
 
-void expectError(const GltfDocument& document, const std::vector<std::string>& parts) {
+void expectMorphError(const GltfDocument& document, const std::vector<std::string>& parts) {
   Warnings warnings;
   const std::string error = test::inputErrorOf([&] { test::reload(document, warnings); });
   for (const std::string& part : parts) EXPECT_NE(error.find(part), std::string::npos) << error;
@@ -53,11 +53,11 @@ void expectError(const GltfDocument& document, const std::vector<std::string>& p
 
 TEST(MorphWeights, LinearAndStep_AreTakenBetweenTheKeys) {
   GltfDocument document = animatedTargets();
-  EXPECT_NEAR(liftAt(loaded(document), 0.25), 0.25 * 1 + 0.125 * 10, 1e-6);
-  EXPECT_NEAR(liftAt(loaded(document), 2.0), 1 + 0.5 * 10, 1e-6);
+  EXPECT_NEAR(liftAt(loadedMorphs(document), 0.25), 0.25 * 1 + 0.125 * 10, 1e-6);
+  EXPECT_NEAR(liftAt(loadedMorphs(document), 2.0), 1 + 0.5 * 10, 1e-6);
   document.json["animations"][0]["samplers"][0]["interpolation"] = "STEP";
-  EXPECT_NEAR(liftAt(loaded(document), 0.75), 0.0, 1e-6);
-  EXPECT_NEAR(liftAt(loaded(document), 1.0), 6.0, 1e-6);
+  EXPECT_NEAR(liftAt(loadedMorphs(document), 0.75), 0.0, 1e-6);
+  EXPECT_NEAR(liftAt(loadedMorphs(document), 1.0), 6.0, 1e-6);
 }
 
 /// From 0 with an outgoing slope of 4 to 1 with an incoming one of 0: 4 (t - 2 t^2 + t^3) + 3 t^2 - 2 t^3 at
@@ -68,7 +68,7 @@ TEST(MorphWeights, CubicSpline_IsHermites) {
       {"input", document.json["animations"][0]["samplers"][0]["input"]},
       {"output", test::appendFloats(document, {9, 9, 0, 0.2f, 4, 0, 0, 0, 1, 0.2f, 9, 9}, "SCALAR")},
       {"interpolation", "CUBICSPLINE"}};
-  const Scene scene = loaded(document);
+  const Scene scene = loadedMorphs(document);
   EXPECT_NEAR(liftAt(scene, 0.5), 1.0 + 2.0, 1e-6);
   EXPECT_NEAR(liftAt(scene, 0.0), 2.0, 1e-6);
   EXPECT_NEAR(liftAt(scene, 1.0), 3.0, 1e-6);
@@ -79,7 +79,7 @@ TEST(MorphWeights, NormalisedBytes_AreSharesOfOne) {
   const int bytes = test::appendBytes(document, {0, 0, 255, 51}, "SCALAR", 4, 5121);
   document.json["accessors"][static_cast<std::size_t>(bytes)]["normalized"] = true;
   document.json["animations"][0]["samplers"][0]["output"] = bytes;
-  EXPECT_NEAR(liftAt(loaded(document), 1.0), 1 + 0.2 * 10, 1e-6);
+  EXPECT_NEAR(liftAt(loadedMorphs(document), 1.0), 1 + 0.2 * 10, 1e-6);
 }
 
 TEST(MorphWeights, WhatIsNotAnimated_RestsAgain) {
@@ -87,7 +87,7 @@ TEST(MorphWeights, WhatIsNotAnimated_RestsAgain) {
   document.json["nodes"][0]["weights"] = {0.0, 0.1};
   document.json["animations"].push_back(
       {{"name", "still"}, {"samplers", Json::array()}, {"channels", Json::array()}});
-  Scene scene = loaded(document);
+  Scene scene = loadedMorphs(document);
   setPose(scene, 0, 1.0);
   EXPECT_EQ(scene.meshNodes[0].weights, (std::vector<float>{1.0f, 0.5f}));
   setPose(scene, 1, 0.0);
@@ -95,14 +95,15 @@ TEST(MorphWeights, WhatIsNotAnimated_RestsAgain) {
 }
 
 TEST(MorphWeights, TheirAnimation_MovesMeshes) {
-  const Scene scene = loaded(animatedTargets());
+  const Scene scene = loadedMorphs(animatedTargets());
   EXPECT_TRUE(movesMeshes(scene, scene.animations[0]));
 }
 
 TEST(MorphWeights, WrongCounts_AreRefusedOrWarnedOf) {
   GltfDocument document = animatedTargets();
   document.json["animations"][0]["samplers"][0]["output"] = test::appendFloats(document, {0, 0, 1}, "SCALAR");
-  expectError(document, {"/animations/0/samplers/0/output", "3 values", "expected 4", "2 morph targets"});
+  expectMorphError(document,
+                   {"/animations/0/samplers/0/output", "3 values", "expected 4", "2 morph targets"});
   document = twoTargets();
   document.json["meshes"][0]["weights"] = {0.25};
   Warnings warnings;
@@ -114,7 +115,7 @@ TEST(MorphTargets, OtherNumbersOfVertices_AreRefused) {
   GltfDocument document = twoTargets();
   document.json["meshes"][0]["primitives"][0]["targets"][1]["POSITION"] =
       test::appendFloats(document, {0, 0, 0}, "VEC3");
-  expectError(document, {"/meshes/0/primitives/0/targets/1", "1 vertices", "3"});
+  expectMorphError(document, {"/meshes/0/primitives/0/targets/1", "1 vertices", "3"});
 }
 
 TEST(MorphTargets, OtherCountThanThatOfAnotherPrimitive_IsAWarning) {
@@ -146,7 +147,7 @@ TEST(MorphTargets, FarMoreThanTheFileHolds_AreRefused) {
   primitive["attributes"]["POSITION"] = 3;
   primitive["attributes"].erase("NORMAL");
   for (int i = 0; i < 100; ++i) primitive["targets"].push_back({{"POSITION", 3}});
-  expectError(document, {"/nodes/0", "vertices"});
+  expectMorphError(document, {"/nodes/0", "vertices"});
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A triangle, a spot light and a camera with an animation of 1 s that moves nothing yet.
-GltfDocument still() {
+GltfDocument stillScene() {
   GltfDocument document = test::triangleDocument();
   document.json["cameras"] =
       Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}])");
@@ -28,8 +28,8 @@ GltfDocument still() {
   return document;
 }
 
-void addChannel(GltfDocument& document, const std::string& pointer, const std::vector<float>& values,
-                const std::string& type) {
+void addPointerChannel(GltfDocument& document, const std::string& pointer, const std::vector<float>& values,
+                       const std::string& type) {
   auto& animation = document.json["animations"][0];
   const std::size_t sampler = animation["samplers"].size();
   animation["samplers"].push_back({{"input", 3}, {"output", test::appendFloats(document, values, type)}});
@@ -39,7 +39,7 @@ void addChannel(GltfDocument& document, const std::string& pointer, const std::v
         {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}}}});
 }
 
-Scene posed(const GltfDocument& document, double seconds) {
+Scene posedStill(const GltfDocument& document, double seconds) {
   Warnings warnings;
   Scene scene = sceneAt(test::reload(document, warnings), 0, seconds);
   EXPECT_TRUE(warnings.empty()) << warnings.front();
@@ -47,19 +47,19 @@ Scene posed(const GltfDocument& document, double seconds) {
 }
 
 TEST(AnimationPointers, NodesOfPointers_MoveAsThoseOfChannels) {
-  GltfDocument document = still();
-  addChannel(document, "/nodes/0/translation", {0, 0, 0, 2, 0, 0}, "VEC3");
-  EXPECT_EQ(posed(document, 0.5).meshNodes[0].transforms[0][3], glm::dvec4(1, 0, 0, 1));
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/nodes/0/translation", {0, 0, 0, 2, 0, 0}, "VEC3");
+  EXPECT_EQ(posedStill(document, 0.5).meshNodes[0].transforms[0][3], glm::dvec4(1, 0, 0, 1));
 }
 
 TEST(AnimationPointers, MaterialsLightsAndCameras_AreFollowed) {
-  GltfDocument document = still();
-  addChannel(document, "/materials/0/pbrMetallicRoughness/baseColorFactor", {0, 0, 0, 1, 1, 0.5f, 0, 1},
-             "VEC4");
-  addChannel(document, "/materials/0/pbrMetallicRoughness/roughnessFactor", {0, 1}, "SCALAR");
-  addChannel(document, "/cameras/0/perspective/yfov", {0.5f, 1.5f}, "SCALAR");
-  addChannel(document, "/extensions/KHR_lights_punctual/lights/0/range", {0, 8}, "SCALAR");
-  const Scene scene = posed(document, 0.5);
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/materials/0/pbrMetallicRoughness/baseColorFactor",
+                    {0, 0, 0, 1, 1, 0.5f, 0, 1}, "VEC4");
+  addPointerChannel(document, "/materials/0/pbrMetallicRoughness/roughnessFactor", {0, 1}, "SCALAR");
+  addPointerChannel(document, "/cameras/0/perspective/yfov", {0.5f, 1.5f}, "SCALAR");
+  addPointerChannel(document, "/extensions/KHR_lights_punctual/lights/0/range", {0, 8}, "SCALAR");
+  const Scene scene = posedStill(document, 0.5);
   EXPECT_EQ(scene.materials[0].baseColor, glm::vec4(0.5f, 0.25f, 0, 1));
   EXPECT_EQ(scene.materials[0].roughness, 0.5f);
   EXPECT_NEAR(scene.cameras[0].yFov, 1.0, 1e-6);
@@ -69,50 +69,51 @@ TEST(AnimationPointers, MaterialsLightsAndCameras_AreFollowed) {
 TEST(AnimationPointers, ColourAndWhatMultipliesIt_AreOneProperty) {
   const char* color = "/extensions/KHR_lights_punctual/lights/0/color";
   const char* intensity = "/extensions/KHR_lights_punctual/lights/0/intensity";
-  GltfDocument document = still();
-  addChannel(document, intensity, {0, 10}, "SCALAR");
-  addChannel(document, "/materials/0/emissiveFactor", {0, 0, 0, 0, 1, 1}, "VEC3");
-  EXPECT_EQ(posed(document, 1.0).lights[0].intensity, glm::vec3(10, 5, 0));
-  EXPECT_EQ(posed(document, 1.0).materials[0].emission, glm::vec3(0, 4, 4));
-  addChannel(document, color, {0, 0, 0, 0, 0, 1}, "VEC3");
-  addChannel(document, "/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength", {1, 2},
-             "SCALAR");
-  EXPECT_EQ(posed(document, 1.0).lights[0].intensity, glm::vec3(0, 0, 10));
-  EXPECT_EQ(posed(document, 1.0).materials[0].emission, glm::vec3(0, 2, 2));
+  GltfDocument document = stillScene();
+  addPointerChannel(document, intensity, {0, 10}, "SCALAR");
+  addPointerChannel(document, "/materials/0/emissiveFactor", {0, 0, 0, 0, 1, 1}, "VEC3");
+  EXPECT_EQ(posedStill(document, 1.0).lights[0].intensity, glm::vec3(10, 5, 0));
+  EXPECT_EQ(posedStill(document, 1.0).materials[0].emission, glm::vec3(0, 4, 4));
+  addPointerChannel(document, color, {0, 0, 0, 0, 0, 1}, "VEC3");
+  addPointerChannel(document, "/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength",
+                    {1, 2}, "SCALAR");
+  EXPECT_EQ(posedStill(document, 1.0).lights[0].intensity, glm::vec3(0, 0, 10));
+  EXPECT_EQ(posedStill(document, 1.0).materials[0].emission, glm::vec3(0, 2, 2));
 }
 
 TEST(AnimationPointers, ValuesBeyondWhatFilesMaySay_AreClamped) {
-  GltfDocument document = still();
-  addChannel(document, "/materials/0/pbrMetallicRoughness/metallicFactor", {-1, 3}, "SCALAR");
-  EXPECT_EQ(posed(document, 0.0).materials[0].metallic, 0.0f);
-  EXPECT_EQ(posed(document, 1.0).materials[0].metallic, 1.0f);
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/materials/0/pbrMetallicRoughness/metallicFactor", {-1, 3}, "SCALAR");
+  EXPECT_EQ(posedStill(document, 0.0).materials[0].metallic, 0.0f);
+  EXPECT_EQ(posedStill(document, 1.0).materials[0].metallic, 1.0f);
 }
 
 TEST(AnimationPointers, WhatAnotherAnimationChanges_Rests) {
-  GltfDocument document = still();
-  addChannel(document, "/materials/0/pbrMetallicRoughness/roughnessFactor", {0.25f, 0.25f}, "SCALAR");
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/materials/0/pbrMetallicRoughness/roughnessFactor", {0.25f, 0.25f}, "SCALAR");
   document.json["animations"].push_back({{"samplers", Json::array()}, {"channels", Json::array()}});
-  Scene scene = posed(document, 0.0);
+  Scene scene = posedStill(document, 0.0);
   EXPECT_EQ(scene.materials[0].roughness, 0.25f);
   setPose(scene, 1, 0.0);
   EXPECT_EQ(scene.materials[0].roughness, 1.0f);
 }
 
 TEST(AnimationPointers, SurfacesThatChange_ChangeTransportAndLightsDoNot) {
-  GltfDocument document = still();
-  addChannel(document, "/extensions/KHR_lights_punctual/lights/0/intensity", {0, 10}, "SCALAR");
-  Scene scene = posed(document, 0.0);
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/extensions/KHR_lights_punctual/lights/0/intensity", {0, 10}, "SCALAR");
+  Scene scene = posedStill(document, 0.0);
   EXPECT_FALSE(changesTransport(scene, scene.animations[0]));
-  addChannel(document, "/materials/0/pbrMetallicRoughness/baseColorFactor", {0, 0, 0, 1, 1, 1, 1, 1}, "VEC4");
-  scene = posed(document, 0.0);
+  addPointerChannel(document, "/materials/0/pbrMetallicRoughness/baseColorFactor", {0, 0, 0, 1, 1, 1, 1, 1},
+                    "VEC4");
+  scene = posedStill(document, 0.0);
   EXPECT_TRUE(changesTransport(scene, scene.animations[0]));
   EXPECT_FALSE(movesMeshes(scene, scene.animations[0]));
 }
 
 TEST(AnimationPointers, WhatIsNotFollowed_RestsWithAWarningThatNamesIt) {
-  GltfDocument document = still();
+  GltfDocument document = stillScene();
   const char* pointer = "/materials/0/occlusionTexture/strength";
-  addChannel(document, pointer, {0, 1}, "SCALAR");
+  addPointerChannel(document, pointer, {0, 1}, "SCALAR");
   Warnings warnings;
   EXPECT_TRUE(test::reload(document, warnings).animations[0].properties.empty());
   EXPECT_TRUE(test::anyContains(warnings, pointer));
@@ -123,22 +124,22 @@ TEST(AnimationPointers, BadPointers_AreRefusedWithTheirPlace) {
        {std::tuple{"/materials/7/emissiveFactor", "VEC3", "leads to nothing"},
         {"/nodes/9/translation", "VEC3", "leads to nothing"},
         {"/materials/0/emissiveFactor", "VEC4", "VEC3"}}) {
-    GltfDocument document = still();
-    addChannel(document, pointer, std::vector<float>(type == std::string("VEC3") ? 6 : 8, 0.0f), type);
+    GltfDocument document = stillScene();
+    addPointerChannel(document, pointer, std::vector<float>(type == std::string("VEC3") ? 6 : 8, 0.0f), type);
     Warnings warnings;
     const std::string error = test::inputErrorOf([&] { test::reload(document, warnings); });
     EXPECT_NE(error.find("/animations/0/"), std::string::npos) << error;
     EXPECT_NE(error.find(part), std::string::npos) << error;
   }
-  GltfDocument document = still();
-  addChannel(document, "/materials/0/emissiveFactor", std::vector<float>(6, 0.0f), "VEC3");
-  addChannel(document, "/materials/0/emissiveFactor", std::vector<float>(6, 0.0f), "VEC3");
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/materials/0/emissiveFactor", std::vector<float>(6, 0.0f), "VEC3");
+  addPointerChannel(document, "/materials/0/emissiveFactor", std::vector<float>(6, 0.0f), "VEC3");
   Warnings warnings;
   EXPECT_NE(test::inputErrorOf([&] { test::reload(document, warnings); }).find("twice"), std::string::npos);
 }
 
 /// Materials by variant: red is the triangle's own.
-GltfDocument variants() {
+GltfDocument variantScene() {
   GltfDocument document = test::triangleDocument();
   document.json["materials"] = Json::parse(R"([{"name": "red"}, {"name": "blue"}])");
   document.json["extensions"]["KHR_materials_variants"] =
@@ -152,19 +153,19 @@ GltfDocument variants() {
 TEST(Variants, PrimitivesHaveTheMaterialsOfTheChosenOne) {
   Warnings warnings;
   const auto material = [&](const std::string& variant) {
-    return loadScene(variants(), warnings, variant).meshes[0].primitives[0].material;
+    return loadScene(variantScene(), warnings, variant).meshes[0].primitives[0].material;
   };
   EXPECT_EQ(material(""), 0);
   EXPECT_EQ(material("warm"), 0) << "a variant that says nothing of a primitive leaves it its own";
   EXPECT_EQ(material("cold"), 1);
-  EXPECT_EQ(test::reload(variants(), warnings).variants, (std::vector<std::string>{"warm", "cold"}));
+  EXPECT_EQ(test::reload(variantScene(), warnings).variants, (std::vector<std::string>{"warm", "cold"}));
   EXPECT_TRUE(warnings.empty());
 }
 
 TEST(Variants, UnknownNames_ListWhatThereIs) {
   Warnings warnings;
   try {
-    loadScene(variants(), warnings, "hot");
+    loadScene(variantScene(), warnings, "hot");
     ADD_FAILURE();
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("\"warm\", \"cold\""), std::string::npos) << error.what();
@@ -172,7 +173,7 @@ TEST(Variants, UnknownNames_ListWhatThereIs) {
 }
 
 TEST(Variants, MaterialsThatAreNotThere_AreRefusedWithTheirPlace) {
-  GltfDocument document = variants();
+  GltfDocument document = variantScene();
   document
       .json["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"][0]["material"] =
       9;

@@ -12,20 +12,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void expectError(const GltfDocument& document, const std::vector<std::string>& parts) {
+void expectSkinError(const GltfDocument& document, const std::vector<std::string>& parts) {
   Warnings warnings;
   const std::string error = test::inputErrorOf([&] { test::reload(document, warnings); });
   for (const std::string& part : parts) EXPECT_NE(error.find(part), std::string::npos) << error;
 }
 
-Scene loadWith(const GltfDocument& document, std::string_view warning) {
+Scene loadBarWith(const GltfDocument& document, std::string_view warning) {
   Warnings warnings;
   Scene scene = test::reload(document, warnings);
   EXPECT_TRUE(test::anyContains(warnings, warning)) << (warnings.empty() ? "no warning" : warnings.front());
   return scene;
 }
 
-Json& attributesOf(GltfDocument& document) {
+Json& barAttributes(GltfDocument& document) {
   return document.json["meshes"][0]["primitives"][0]["attributes"];
 }
 
@@ -35,7 +35,7 @@ GltfDocument barOfWeights(float low, float high) {
   std::vector<float> weights;
   for (std::size_t v = 0; v < test::barPositions().size(); ++v)
     weights.insert(weights.end(), {low, high, 0, 0});
-  attributesOf(document)["WEIGHTS_0"] = test::appendFloats(document, weights, "VEC4");
+  barAttributes(document)["WEIGHTS_0"] = test::appendFloats(document, weights, "VEC4");
   return document;
 }
 
@@ -56,12 +56,12 @@ TEST(LoadSkins, JointThatTheSkinLacks_IsRefusedWithItsPlace) {
   const std::size_t vertices = test::barPositions().size();
   std::vector<std::uint8_t> joints;
   for (std::size_t v = 0; v < vertices; ++v) joints.insert(joints.end(), {0, 2, 9, 9});
-  attributesOf(document)["JOINTS_0"] = test::appendBytes(document, joints, "VEC4", vertices, 5121);
-  expectError(document, {"/meshes/0/primitives/0/attributes/JOINTS_0", "vertex 2", "joint 2", "0..1"});
+  barAttributes(document)["JOINTS_0"] = test::appendBytes(document, joints, "VEC4", vertices, 5121);
+  expectSkinError(document, {"/meshes/0/primitives/0/attributes/JOINTS_0", "vertex 2", "joint 2", "0..1"});
 }
 
 TEST(LoadSkins, WeightsThatDoNotSumUpToOne_AreScaledWithAWarning) {
-  const Scene scene = loadWith(barOfWeights(1.0f, 3.0f), "do not sum up to 1");
+  const Scene scene = loadBarWith(barOfWeights(1.0f, 3.0f), "do not sum up to 1");
   const Primitive& primitive = scene.meshes[0].primitives[0];
   EXPECT_EQ(primitive.jointWeights[0], 0.25f);
   EXPECT_EQ(primitive.jointWeights[1], 0.75f);
@@ -71,11 +71,11 @@ TEST(LoadSkins, WeightsThatAreNoShares_CountAsNone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const float bad : {-1.0f, nan, std::numeric_limits<float>::infinity()}) {
     const Primitive one =
-        loadWith(barOfWeights(bad, 1.0f), "below 0 or that are not finite").meshes[0].primitives[0];
+        loadBarWith(barOfWeights(bad, 1.0f), "below 0 or that are not finite").meshes[0].primitives[0];
     EXPECT_EQ(one.jointWeights[0], 0.0f);
     EXPECT_EQ(one.jointWeights[1], 1.0f);
   }
-  const Primitive none = loadWith(barOfWeights(0.0f, 0.0f), "no weight").meshes[0].primitives[0];
+  const Primitive none = loadBarWith(barOfWeights(0.0f, 0.0f), "no weight").meshes[0].primitives[0];
   EXPECT_EQ(none.jointWeights[0], 1.0f) << "a vertex without weights hangs on its first joint";
 }
 
@@ -86,7 +86,7 @@ TEST(LoadSkins, BytesAndShorts_AreSharesOfOne) {
   for (std::size_t v = 0; v < vertices; ++v) weights.insert(weights.end(), {51, 204, 0, 0});
   const int accessor = test::appendBytes(document, weights, "VEC4", vertices, 5121);
   document.json["accessors"][static_cast<std::size_t>(accessor)]["normalized"] = true;
-  attributesOf(document)["WEIGHTS_0"] = accessor;
+  barAttributes(document)["WEIGHTS_0"] = accessor;
   Warnings warnings;
   const Scene scene = test::reload(document, warnings);
   EXPECT_NEAR(scene.meshes[0].primitives[0].jointWeights[0], 0.2, 1e-7);
@@ -105,17 +105,17 @@ TEST(LoadSkins, BadBindMatrices_AreRefusedWithTheirPlace) {
   GltfDocument document = test::bentBar();
   const auto matrices = document.json["skins"][0]["inverseBindMatrices"].get<std::size_t>();
   document.json["accessors"][matrices]["count"] = 1;
-  expectError(document, {"/skins/0/inverseBindMatrices", "1 matrices", "expected 2"});
+  expectSkinError(document, {"/skins/0/inverseBindMatrices", "1 matrices", "expected 2"});
   document.json["skins"][0]["inverseBindMatrices"] = 0;
-  expectError(document, {"/skins/0/inverseBindMatrices", "MAT4", "VEC3"});
+  expectSkinError(document, {"/skins/0/inverseBindMatrices", "MAT4", "VEC3"});
   document.json["skins"][0]["inverseBindMatrices"] = 99;
-  expectError(document, {"/skins/0/inverseBindMatrices", "99"});
+  expectSkinError(document, {"/skins/0/inverseBindMatrices", "99"});
 }
 
 TEST(LoadSkins, BindMatrixThatIsNotFinite_IsRefused) {
   GltfDocument document = test::bentBar();
   test::replaceFloats(document, -1.0f, std::numeric_limits<float>::quiet_NaN());
-  expectError(document, {"/skins/0/inverseBindMatrices", "joint 1", "nan"});
+  expectSkinError(document, {"/skins/0/inverseBindMatrices", "joint 1", "nan"});
 }
 
 TEST(LoadSkins, BadJoints_AreRefusedWithTheirPlace) {
@@ -124,38 +124,38 @@ TEST(LoadSkins, BadJoints_AreRefusedWithTheirPlace) {
     document.json["skins"][0]["joints"] = joints;
     return document;
   };
-  expectError(changed(Json::array({0, 7})), {"/skins/0/joints/1", "7"});
-  expectError(changed(Json::array({0, 0})), {"/skins/0/joints/1", "twice"});
-  expectError(changed(Json::array()), {"/skins/0/joints", "a joint"});
-  expectError(changed("x"), {"/skins/0/joints", "array"});
+  expectSkinError(changed(Json::array({0, 7})), {"/skins/0/joints/1", "7"});
+  expectSkinError(changed(Json::array({0, 0})), {"/skins/0/joints/1", "twice"});
+  expectSkinError(changed(Json::array()), {"/skins/0/joints", "a joint"});
+  expectSkinError(changed("x"), {"/skins/0/joints", "array"});
 }
 
 TEST(LoadSkins, BrokenSkinThatNothingUses_IsAWarning) {
   GltfDocument document = test::bentBar();
   document.json["skins"].push_back({{"joints", {77}}});
-  loadWith(document, "/skins/1/joints/0");
+  loadBarWith(document, "/skins/1/joints/0");
 }
 
 TEST(LoadSkins, JointOutsideTheScene_LeavesTheSkinOutWithAWarning) {
   GltfDocument document = test::bentBar();
   document.json["scenes"][0]["nodes"] = {2};
-  EXPECT_EQ(loadWith(document, "/skins/0/joints/0").meshNodes[0].skin, -1);
+  EXPECT_EQ(loadBarWith(document, "/skins/0/joints/0").meshNodes[0].skin, -1);
 }
 
 TEST(LoadSkins, MeshWithoutJoints_LeavesTheSkinOutWithAWarning) {
   GltfDocument document = test::bentBar();
-  attributesOf(document).erase("JOINTS_0");
-  attributesOf(document).erase("WEIGHTS_0");
-  EXPECT_EQ(loadWith(document, "/nodes/2/skin").meshNodes[0].skin, -1);
+  barAttributes(document).erase("JOINTS_0");
+  barAttributes(document).erase("WEIGHTS_0");
+  EXPECT_EQ(loadBarWith(document, "/nodes/2/skin").meshNodes[0].skin, -1);
 }
 
 TEST(LoadSkins, JointsWithoutWeightsAndWrongTypes_AreRefused) {
   GltfDocument document = test::bentBar();
-  attributesOf(document).erase("WEIGHTS_0");
-  expectError(document, {"/attributes/JOINTS_0", "WEIGHTS_0"});
+  barAttributes(document).erase("WEIGHTS_0");
+  expectSkinError(document, {"/attributes/JOINTS_0", "WEIGHTS_0"});
   document = test::bentBar();
-  attributesOf(document)["JOINTS_0"] = attributesOf(document)["WEIGHTS_0"];
-  expectError(document, {"/attributes/JOINTS_0", "5126"});
+  barAttributes(document)["JOINTS_0"] = barAttributes(document)["WEIGHTS_0"];
+  expectSkinError(document, {"/attributes/JOINTS_0", "5126"});
 }
 
 }  // namespace
