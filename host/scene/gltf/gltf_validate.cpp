@@ -119,6 +119,7 @@ void validateGltf(const JsonCursor& root, Warnings& warnings) {
   validateNodes(root);
   validateSkins(root, use, warnings);
   validateMaterials(root, use, warnings);
+  warnOfMorphs(root, warnings);
 }
 
 void validateBinaryData(const GltfDocument& document) {

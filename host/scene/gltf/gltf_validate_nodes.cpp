@@ -121,29 +121,7 @@ void validateScenes(const JsonCursor& root, const std::vector<std::int64_t>& par
   });
 }
 
-void validateSkin(const JsonCursor& root, const JsonCursor& skin) {
-  skin.stringOr("name", "");
-  const std::size_t nodes = root.countOf("nodes");
-  const JsonCursor joints = skin.at("joints");
-  if (joints.arraySize() == 0) joints.fail("expected a joint at least, got none");
-  std::vector<bool> listed(nodes, false);
-  for (std::size_t i = 0; i < joints.arraySize(); ++i) {
-    const std::size_t node = joints.at(i).asIndex(nodes, "node");
-    if (listed[node]) joints.at(i).fail(fmt::format("node {} is listed twice", node));
-    listed[node] = true;
-  }
-  if (const auto skeleton = skin.find("skeleton")) skeleton->asIndex(nodes, "node");
-  if (const auto matrices = skin.find("inverseBindMatrices"))
-    matrices->asIndex(root.countOf("accessors"), "accessor");
-}
-
 }  // namespace
-
-void validateSkins(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
-  root.forEachObject("skins", [&](const JsonCursor& skin, std::size_t index) {
-    checkPart(use.skins.contains(index), warnings, [&] { validateSkin(root, skin); });
-  });
-}
 
 void validateNodes(const JsonCursor& root) {
   const std::size_t lights = countLights(root);

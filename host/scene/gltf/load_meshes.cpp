@@ -219,20 +219,6 @@ Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& s
   return primitive;
 }
 
-/// glTF demands as many targets of each primitive.
-void warnOfTargetCounts(const LoadContext& context, const std::string& path, const Mesh& mesh) {
-  const std::size_t most = countTargets(mesh);
-  for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-    const Primitive& primitive = mesh.primitives[p];
-    if (!primitive.triangles.empty() && primitive.targets.size() != most)
-      context.warn(
-          fmt::format("{}/primitives/{}", path, p),
-          fmt::format("{} morph targets, another primitive of the mesh has {}; those that it lacks move "
-                      "nothing of it",
-                      primitive.targets.size(), most));
-  }
-}
-
 }  // namespace
 
 Mesh loadMesh(const LoadContext& context, std::size_t mesh, int variant) {
@@ -252,9 +238,8 @@ Mesh loadMesh(const LoadContext& context, std::size_t mesh, int variant) {
         result.primitives.emplace_back(loadPrimitive(context, source.primitives[i], json, path));
     primitive.material = materialOfVariant(context, json, variant, primitive.material);
   }
-  warnOfTargetCounts(context, fmt::format("/meshes/{}", mesh), result);
   result.weights.assign(countTargets(result), 0.0f);
-  result.weights = loadWeights(context, meshJson, result);
+  result.weights = loadWeights(meshJson, result);
   return result;
 }
 

@@ -96,17 +96,13 @@ std::size_t countTargets(const Mesh& mesh) {
   return most;
 }
 
-std::vector<float> loadWeights(const LoadContext& context, const JsonCursor& holder, const Mesh& mesh) {
+std::vector<float> loadWeights(const JsonCursor& holder, const Mesh& mesh) {
   const std::size_t targets = countTargets(mesh);
   const auto json = holder.find("weights");
-  if (!json) return targets > 0 ? mesh.weights : std::vector<float>();
-  const std::size_t count = json->arraySize();
+  if (!json) return mesh.weights;
   std::vector<float> weights(targets, 0.0f);
-  for (std::size_t i = 0; i < std::min(count, targets); ++i) weights[i] = finiteFloat(json->at(i));
-  if (count != targets)
-    context.warnings.push_back(fmt::format("{}: {} weights for {} morph targets; {}", json->where(), count,
-                                           targets,
-                                           count < targets ? "the others are 0" : "the rest is left out"));
+  for (std::size_t i = 0; i < std::min(json->arraySize(), targets); ++i)
+    weights[i] = finiteFloat(json->at(i));
   return weights;
 }
 

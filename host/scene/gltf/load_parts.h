@@ -64,7 +64,7 @@ void loadInfluences(const LoadContext& context, const JsonCursor& json, const st
 std::size_t countTargets(const Mesh& mesh);
 
 /// The `weights` of a node or a mesh, one for each target; the mesh's where a node has none.
-std::vector<float> loadWeights(const LoadContext& context, const JsonCursor& holder, const Mesh& mesh);
+std::vector<float> loadWeights(const JsonCursor& holder, const Mesh& mesh);
 
 /// Reads skins once nodes ask for them.
 class SkinLoader {

@@ -111,12 +111,6 @@ std::vector<glm::dmat4> readBindMatrices(const LoadContext& context, const JsonC
   if (!reference) return std::vector<glm::dmat4>(joints, glm::dmat4(1.0));
   const AccessorReader reader(context.document,
                               reference->asIndex(context.root.countOf("accessors"), "accessor"));
-  if (reader.type() != "MAT4" || reader.componentType() != skinFloat32)
-    reference->fail(fmt::format("expected matrices of type MAT4 and component type {}, got {} and {}",
-                                skinFloat32, reader.type(), reader.componentType()));
-  if (reader.count() < joints)
-    reference->fail(fmt::format("{} matrices, expected {}: one for each joint", reader.count(), joints),
-                    "export the skin again");
   const std::vector<float> numbers = reader.floats();
   std::vector<glm::dmat4> matrices;
   for (std::size_t j = 0; j < joints; ++j) matrices.push_back(bindMatrix(context, *reference, numbers, j));

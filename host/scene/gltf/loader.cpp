@@ -132,7 +132,7 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::str
       MeshNode& drawn = scene.meshNodes.emplace_back(
           MeshNode{index, node.name, node.mesh, {}, i, loadInstances(context, index)});
       const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(index));
-      drawn.weights = drawn.restWeights = loadWeights(context, json, scene.meshes[mesh]);
+      drawn.weights = drawn.restWeights = loadWeights(json, scene.meshes[mesh]);
       drawn.skin = skins.skinOf(json, mesh, scene.meshes[mesh], scene.skins);
     }
     if (node.camera >= 0) {

@@ -129,6 +129,15 @@ TEST(MorphTargets, OtherCountThanThatOfAnotherPrimitive_IsAWarning) {
   EXPECT_TRUE(test::anyContains(warnings, "/meshes/0/primitives/1: 1 morph targets"));
 }
 
+TEST(MorphTargets, AttributeThatThePrimitiveLacks_IsLeftOutWithAWarning) {
+  GltfDocument document = twoTargets();
+  document.json["meshes"][0]["primitives"][0]["targets"][0]["TANGENT"] = 1;
+  Warnings warnings;
+  const Scene scene = test::reload(document, warnings);
+  EXPECT_TRUE(scene.meshes[0].primitives[0].targets[0].tangents.empty());
+  EXPECT_TRUE(test::anyContains(warnings, "/targets/0/TANGENT: the primitive has no TANGENT"));
+}
+
 TEST(MorphTargets, NumbersThatAreNotFinite_CountAsNone) {
   GltfDocument document = twoTargets();
   document.json["meshes"][0]["weights"] = {1.0, 1.0};

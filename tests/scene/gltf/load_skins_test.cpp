@@ -136,6 +136,14 @@ TEST(LoadSkins, BrokenSkinThatNothingUses_IsAWarning) {
   loadBarWith(document, "/skins/1/joints/0");
 }
 
+TEST(LoadSkins, SkinOrWeightsOfANodeWithoutMesh_AreWarnedOf) {
+  GltfDocument document = test::bentBar();
+  document.json["nodes"][0]["skin"] = 0;
+  document.json["nodes"][1]["weights"] = {1};
+  loadBarWith(document, "/nodes/0/skin");
+  loadBarWith(document, "/nodes/1/weights");
+}
+
 TEST(LoadSkins, JointOutsideTheScene_LeavesTheSkinOutWithAWarning) {
   GltfDocument document = test::bentBar();
   document.json["scenes"][0]["nodes"] = {2};
