@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 
 #include "prelight/error.h"
 #include "scene/animated_properties.h"
@@ -110,11 +111,12 @@ std::vector<glm::dmat4> jointsToWorld(const Scene& scene, const Skin& skin, std:
 
 /// Weights of mesh nodes that an animation has at a time; others rest.
 void setWeights(Scene& scene, const Animation& played, double seconds) {
-  for (MeshNode& node : scene.meshNodes) node.weights = node.restWeights;
-  for (const AnimationChannel& channel : played.channels) {
-    if (channel.path != AnimatedPath::Weights) continue;
-    for (MeshNode& node : scene.meshNodes)
-      if (node.sceneNode == channel.node) node.weights = weightsAt(played.samplers[channel.sampler], seconds);
+  std::map<std::size_t, const AnimationSampler*> samplers;  // by node of the scene
+  for (const AnimationChannel& channel : played.channels)
+    if (channel.path == AnimatedPath::Weights) samplers[channel.node] = &played.samplers[channel.sampler];
+  for (MeshNode& node : scene.meshNodes) {
+    const auto sampler = samplers.find(node.sceneNode);
+    node.weights = sampler == samplers.end() ? node.restWeights : weightsAt(*sampler->second, seconds);
   }
 }
 
@@ -222,13 +224,11 @@ bool movesMeshes(const Scene& scene, const Animation& animation) {
     const std::vector<std::size_t>& joints = scene.skins[static_cast<std::size_t>(skin)].joints;
     return std::any_of(joints.begin(), joints.end(), [&](std::size_t joint) { return moves[joint]; });
   };
-  const auto movesWeights = [&](const MeshNode& node) {
-    return std::any_of(animation.channels.begin(), animation.channels.end(), [&](const auto& channel) {
-      return channel.path == AnimatedPath::Weights && channel.node == node.sceneNode;
-    });
-  };
+  std::vector<bool> morphs(scene.nodes.size(), false);
+  for (const AnimationChannel& channel : animation.channels)
+    if (channel.path == AnimatedPath::Weights) morphs[channel.node] = true;
   return std::any_of(scene.meshNodes.begin(), scene.meshNodes.end(), [&](const MeshNode& node) {
-    return (node.skin < 0 ? moves[node.sceneNode] : movesSkin(node.skin)) || movesWeights(node);
+    return (node.skin < 0 ? moves[node.sceneNode] : movesSkin(node.skin)) || morphs[node.sceneNode];
   });
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "scene/gltf/gltf_validate.h"
@@ -80,15 +82,20 @@ std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const Js
 
 /// Every set of joints has its weights.
 void validateInfluences(const JsonCursor& attributes) {
-  attributes.forEachMember([&](const JsonCursor& attribute, const std::string& name) {
-    for (const auto& [one, other] :
-         {std::pair<std::string, std::string>{"JOINTS_", "WEIGHTS_"}, {"WEIGHTS_", "JOINTS_"}}) {
-      if (!name.starts_with(one)) continue;
-      const std::string set = other + name.substr(one.size());
-      if (!attributes.find(set))
-        attribute.fail(fmt::format("there is no {} beside it", set), "export the skin again");
-    }
+  std::set<std::string> joints, weights;  // the ends of their names
+  attributes.forEachMember([&](const JsonCursor&, const std::string& name) {
+    if (name.starts_with("JOINTS_")) joints.insert(name.substr(7));
+    if (name.starts_with("WEIGHTS_")) weights.insert(name.substr(8));
   });
+  const auto requireBeside = [&](const std::set<std::string>& sets, const char* own,
+                                 const std::set<std::string>& others, const char* other) {
+    for (const std::string& set : sets)
+      if (!others.contains(set))
+        attributes.at(own + set).fail(fmt::format("there is no {}{} beside it", other, set),
+                                      "export the skin again");
+  };
+  requireBeside(joints, "JOINTS_", weights, "WEIGHTS_");
+  requireBeside(weights, "WEIGHTS_", joints, "JOINTS_");
 }
 
 void validateIndices(const JsonCursor& root, const JsonCursor& indices) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "scene/gltf/gltf_validate.h"
@@ -93,13 +94,17 @@ void validateSkins(const JsonCursor& root, const GltfUse& use, Warnings& warning
 }
 
 void warnOfMorphs(const JsonCursor& root, Warnings& warnings) {
+  std::map<std::uint64_t, std::size_t> targets;  // of meshes that nodes with weights draw
   root.forEachObject("meshes", [&](const JsonCursor& mesh, std::size_t) { warnOfMesh(mesh, warnings); });
   root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t) {
     const auto mesh = node.find("mesh");
     for (const char* member : {"skin", "weights"})
       if (const auto of = node.find(member); of && !mesh)
         warnings.push_back(fmt::format("{}: the node has no mesh; ignored", of->where()));
-    if (mesh) warnOfWeights(node, targetsOf(root.at("meshes").at(mesh->asUnsigned())), warnings);
+    if (!mesh || !node.find("weights")) return;
+    const auto [known, fresh] = targets.try_emplace(mesh->asUnsigned());
+    if (fresh) known->second = targetsOf(root.at("meshes").at(known->first));
+    warnOfWeights(node, known->second, warnings);
   });
 }
 

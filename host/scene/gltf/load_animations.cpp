@@ -52,7 +52,8 @@ std::vector<float> readTimes(const LoadContext& context, const JsonCursor& input
 struct ValueShape {
   std::size_t numbers = 3;
   std::size_t targets = 0;  ///< 0: vectors
-  bool integers = false;    ///< normalised ones may stand for shares of 1
+  bool integers = false;    ///< may be integers
+  bool shares = false;      ///< which are shares of 1 even where the file forgets to say so
   bool rotation = false;
   auto operator<=>(const ValueShape&) const = default;
 };
@@ -69,15 +70,19 @@ std::vector<float> readNumbers(const LoadContext& context, const JsonCursor& out
   const char* type = typeOf(shape);
   if (reader.type() != type)
     output.fail(fmt::format("expected values of type {}, got {}", type, reader.type()));
-  if (reader.componentType() != float32 && (!shape.integers || reader.componentType() == 5125))
+  if (reader.componentType() != float32 &&
+      (!shape.integers || (shape.shares && reader.componentType() == 5125)))
     output.fail(fmt::format("expected values of component type {}{}, got {}", float32,
-                            shape.integers ? " or normalised integers" : "", reader.componentType()));
+                            shape.shares     ? " or normalised integers"
+                            : shape.integers ? " or integers"
+                                             : "",
+                            reader.componentType()));
   const std::size_t count = expected * std::max<std::size_t>(shape.targets, 1);
   if (reader.count() != count)
     output.fail(fmt::format(
         "{} values, expected {}: {}one for each time, or three with CUBICSPLINE", reader.count(), count,
         shape.targets > 0 ? fmt::format("of each of {} morph targets ", shape.targets) : ""));
-  std::vector<float> numbers = reader.floats(shape.integers && reader.componentType() != float32);
+  std::vector<float> numbers = reader.floats(shape.shares && reader.componentType() != float32);
   const auto bad = std::find_if(numbers.begin(), numbers.end(), [](float v) { return !std::isfinite(v); });
   if (bad != numbers.end())
     output.fail(fmt::format("number {} is {}, expected finite ones", bad - numbers.begin(), *bad));
@@ -99,11 +104,18 @@ const char* nameOfPath(AnimatedPath path) {
   return names[static_cast<std::size_t>(path)];
 }
 
+/// Where channels of a file lead to.
+struct AnimatedPlaces {
+  std::map<std::size_t, std::size_t> nodes;  ///< of the file, into Scene::nodes
+  std::vector<std::size_t> targets;          ///< [node of the scene], morph targets of its mesh
+  PointerFinder pointers;
+};
+
 /// Reads an animation channel by channel; samplers that several share are read once for each kind of value.
 class AnimationLoader {
  public:
   AnimationLoader(const LoadContext& context, const JsonCursor& json, Scene& scene,
-                  const std::map<std::size_t, std::size_t>& places)
+                  const AnimatedPlaces& places)
       : context_(context), json_(json), scene_(scene), places_(places) {}
 
   Animation load() {
@@ -135,17 +147,18 @@ class AnimationLoader {
   }
 
   void addNode(const JsonCursor& channel, const JsonCursor& target, std::size_t index, AnimatedPath path) {
-    const auto place = places_.find(index);
-    if (place == places_.end()) return;
+    const auto place = places_.nodes.find(index);
+    if (place == places_.nodes.end()) return;
     if (path != AnimatedPath::Weights && context_.root.at("nodes").at(index).find("matrix")) {
       warn(target, fmt::format("node {} has a matrix, which cannot be animated; it rests", index));
       return;
     }
     ValueShape shape{.numbers = path == AnimatedPath::Rotation ? std::size_t{4} : std::size_t{3},
                      .integers = path == AnimatedPath::Rotation,
+                     .shares = path == AnimatedPath::Rotation,
                      .rotation = path == AnimatedPath::Rotation};
     if (path == AnimatedPath::Weights) {
-      shape = {.numbers = 1, .targets = targetsOf(place->second), .integers = true};
+      shape = {.numbers = 1, .targets = places_.targets[place->second], .integers = true, .shares = true};
       if (shape.targets == 0) {
         warn(target, fmt::format("node {} has no mesh with morph targets; its weights are left out", index));
         return;
@@ -162,7 +175,7 @@ class AnimationLoader {
   }
 
   void addPointer(const JsonCursor& channel, const JsonCursor& pointer) {
-    const std::optional<AnimationTarget> target = findAnimationTarget(context_, scene_, pointer);
+    const std::optional<AnimationTarget> target = places_.pointers.find(pointer);
     if (!target) return rests(pointer, pointer.asString());
     if (target->path) return addNode(channel, pointer, target->node, *target->path);
     if (target->objects.empty()) return;
@@ -179,9 +192,10 @@ class AnimationLoader {
 
   /// A vector and the number that multiplies it are one property, whichever is animated.
   void addProperty(const AnimationTarget& target, std::size_t object, std::size_t sampler) {
-    for (PropertyChannel& other : animation_.properties) {
-      if (other.property != *target.property || other.object != object) continue;
-      other.factorSampler = static_cast<int>(sampler);
+    const auto [known, fresh] =
+        properties_.try_emplace({*target.property, object}, animation_.properties.size());
+    if (!fresh) {
+      animation_.properties[known->second].factorSampler = static_cast<int>(sampler);
       return;
     }
     PropertyChannel channel;
@@ -191,12 +205,6 @@ class AnimationLoader {
     channel.rest = propertyOf(scene_, *target.property, object);
     channel.factor = target.other;
     animation_.properties.push_back(channel);
-  }
-
-  std::size_t targetsOf(std::size_t sceneNode) const {
-    for (const MeshNode& node : scene_.meshNodes)
-      if (node.sceneNode == sceneNode) return node.restWeights.size();
-    return 0;
   }
 
   std::size_t indexOfSampler(const JsonCursor& channel) const {
@@ -243,8 +251,9 @@ class AnimationLoader {
   const LoadContext& context_;
   const JsonCursor& json_;
   Scene& scene_;
-  const std::map<std::size_t, std::size_t>& places_;
+  const AnimatedPlaces& places_;
   Animation animation_;
+  std::map<std::pair<AnimatedProperty, std::size_t>, std::size_t> properties_;  ///< with their objects
   std::set<std::string> unsupported_;
   std::set<std::string> pointers_;
   std::set<std::pair<std::size_t, AnimatedPath>> targets_;
@@ -254,10 +263,12 @@ class AnimationLoader {
 }  // namespace
 
 std::vector<Animation> loadAnimations(const LoadContext& context, Scene& scene) {
-  std::map<std::size_t, std::size_t> places;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-    places[static_cast<std::size_t>(scene.nodes[i].node)] = i;
   std::vector<Animation> animations;
+  if (context.root.countOf("animations") == 0) return animations;
+  AnimatedPlaces places{{}, std::vector<std::size_t>(scene.nodes.size(), 0), PointerFinder(context, scene)};
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+    places.nodes[static_cast<std::size_t>(scene.nodes[i].node)] = i;
+  for (const MeshNode& node : scene.meshNodes) places.targets[node.sceneNode] = node.restWeights.size();
   context.root.forEachObject("animations", [&](const JsonCursor& json, std::size_t) {
     animations.push_back(AnimationLoader(context, json, scene, places).load());
   });

@@ -81,6 +81,7 @@ class SkinLoader {
  private:
   const LoadContext& context_;
   const std::vector<SceneNode>& nodes_;
+  std::map<std::size_t, std::size_t> places_;  ///< of the file's nodes in nodes_, once a skin is asked for
   std::map<std::size_t, int> known_;
 };
 
@@ -98,9 +99,25 @@ struct AnimationTarget {
 /// A node's property by the name that channels give it.
 std::optional<AnimatedPath> animatedPath(std::string_view name);
 
-/// What KHR_animation_pointer's pointer leads to; nullopt for what is not animated.
-std::optional<AnimationTarget> findAnimationTarget(const LoadContext& context, const Scene& scene,
-                                                   const JsonCursor& pointer);
+/// Follows the pointers of KHR_animation_pointer.
+class PointerFinder {
+ public:
+  /// The arguments outlive it.
+  PointerFinder(const LoadContext& context, const Scene& scene);
+
+  /// What a pointer leads to; nullopt for what is not animated. Throws InputError for one that leads nowhere.
+  std::optional<AnimationTarget> find(const JsonCursor& pointer) const;
+
+ private:
+  using Objects =
+      std::map<std::size_t, std::vector<std::size_t>>;  ///< of the scene, by their index in the file
+
+  AnimationTarget lightTarget(AnimationTarget target, std::size_t light) const;
+
+  const LoadContext& context_;
+  const Scene& scene_;
+  Objects lights_, cameras_;
+};
 
 /// Names of the file's sets of materials (KHR_materials_variants).
 std::vector<std::string> loadVariants(const LoadContext& context);

@@ -116,35 +116,6 @@ AnimationTarget materialTarget(const LoadContext& context, const PointerName& na
   return target;
 }
 
-AnimationTarget lightTarget(const LoadContext& context, const Scene& scene, const PointerName& name,
-                            std::size_t index, std::string text) {
-  AnimationTarget target = propertyTarget(name, std::move(text));
-  const JsonCursor nodes = context.root.at("nodes");
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const int node = scene.nodes[scene.lights[i].sceneNode].node;
-    const auto light =
-        LoadContext::extension(nodes.at(static_cast<std::size_t>(node)), "KHR_lights_punctual");
-    if (light && light->at("light").asUnsigned() == index) target.objects.push_back(i);
-  }
-  if (name.property != AnimatedProperty::LightIntensity) return target;
-  const JsonCursor light =
-      LoadContext::extension(context.root, "KHR_lights_punctual")->at("lights").at(index);
-  target.other = name.isFactor ? vectorOr(light, "color", 1.0f) : numberOr(light, "intensity", 1.0f);
-  return target;
-}
-
-AnimationTarget cameraTarget(const LoadContext& context, const Scene& scene, const PointerName& name,
-                             std::size_t index, std::string text) {
-  AnimationTarget target = propertyTarget(name, std::move(text));
-  const JsonCursor nodes = context.root.at("nodes");
-  for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-    const int node = scene.nodes[scene.cameras[i].sceneNode].node;
-    if (nodes.at(static_cast<std::size_t>(node)).at("camera").asUnsigned() == index)
-      target.objects.push_back(i);
-  }
-  return target;
-}
-
 std::size_t countLightsOf(const LoadContext& context) {
   const auto punctual = LoadContext::extension(context.root, "KHR_lights_punctual");
   return punctual ? punctual->countOf("lights") : 0;
@@ -160,36 +131,58 @@ std::optional<AnimatedPath> animatedPath(std::string_view name) {
   return std::nullopt;
 }
 
-std::optional<AnimationTarget> findAnimationTarget(const LoadContext& context, const Scene& scene,
-                                                   const JsonCursor& pointer) {
+PointerFinder::PointerFinder(const LoadContext& context, const Scene& scene)
+    : context_(context), scene_(scene) {
+  const auto nodeOf = [&](std::size_t sceneNode) {
+    return context.root.at("nodes").at(static_cast<std::size_t>(scene.nodes[sceneNode].node));
+  };
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (const auto light = LoadContext::extension(nodeOf(scene.lights[i].sceneNode), "KHR_lights_punctual"))
+      lights_[light->at("light").asUnsigned()].push_back(i);
+  for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+    cameras_[nodeOf(scene.cameras[i].sceneNode).at("camera").asUnsigned()].push_back(i);
+}
+
+AnimationTarget PointerFinder::lightTarget(AnimationTarget target, std::size_t light) const {
+  if (const auto found = lights_.find(light); found != lights_.end()) target.objects = found->second;
+  if (*target.property != AnimatedProperty::LightIntensity) return target;
+  const JsonCursor json =
+      LoadContext::extension(context_.root, "KHR_lights_punctual")->at("lights").at(light);
+  target.other = target.isFactor ? vectorOr(json, "color", 1.0f) : numberOr(json, "intensity", 1.0f);
+  return target;
+}
+
+std::optional<AnimationTarget> PointerFinder::find(const JsonCursor& pointer) const {
   const std::string& text = pointer.asString();
   const auto checked = [&](std::size_t index, std::size_t count) {
     if (index >= count) pointer.fail(fmt::format("\"{}\" leads to nothing in this file", text));
     return index;
   };
   if (const auto node = elementOf(text, "/nodes/")) {
-    const auto path = animatedPath(node->rest);
-    if (!path) return std::nullopt;
     AnimationTarget target;
     target.text = text;
-    target.node = checked(node->index, context.root.countOf("nodes"));
-    target.path = path;
+    target.path = animatedPath(node->rest);
+    if (!target.path) return std::nullopt;
+    target.node = checked(node->index, context_.root.countOf("nodes"));
     return target;
   }
   if (const auto material = elementOf(text, "/materials/")) {
     const PointerName* name = nameOf(materialPointers, material->rest);
     if (name == nullptr) return std::nullopt;
-    return materialTarget(context, *name, checked(material->index, scene.materials.size()), text);
+    return materialTarget(context_, *name, checked(material->index, scene_.materials.size()), text);
   }
   if (const auto light = elementOf(text, "/extensions/KHR_lights_punctual/lights/")) {
     const PointerName* name = nameOf(lightPointers, light->rest);
     if (name == nullptr) return std::nullopt;
-    return lightTarget(context, scene, *name, checked(light->index, countLightsOf(context)), text);
+    return lightTarget(propertyTarget(*name, text), checked(light->index, countLightsOf(context_)));
   }
   if (const auto camera = elementOf(text, "/cameras/")) {
     const PointerName* name = nameOf(cameraPointers, camera->rest);
     if (name == nullptr) return std::nullopt;
-    return cameraTarget(context, scene, *name, checked(camera->index, context.root.countOf("cameras")), text);
+    AnimationTarget target = propertyTarget(*name, text);
+    const auto found = cameras_.find(checked(camera->index, context_.root.countOf("cameras")));
+    if (found != cameras_.end()) target.objects = found->second;
+    return target;
   }
   return std::nullopt;
 }

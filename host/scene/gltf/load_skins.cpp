@@ -27,8 +27,14 @@ struct OddWeights {
 
 /// Reads sets JOINTS_n and WEIGHTS_n, [vertex][influence].
 void readInfluences(const LoadContext& context, const JsonCursor& attributes, Primitive& primitive) {
+  if (!attributes.find("JOINTS_0")) return;
+  std::map<std::string, std::size_t> accessors;
+  attributes.forEachMember([&](const JsonCursor& attribute, const std::string& name) {
+    if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) accessors[name] = attribute.asUnsigned();
+  });
   std::size_t sets = 0;
-  while (attributes.find(fmt::format("JOINTS_{}", sets)) && attributes.find(fmt::format("WEIGHTS_{}", sets)))
+  while (accessors.contains(fmt::format("JOINTS_{}", sets)) &&
+         accessors.contains(fmt::format("WEIGHTS_{}", sets)))
     ++sets;
   const std::size_t vertices = primitive.positions.size();
   primitive.influences = 4 * sets;
@@ -36,7 +42,7 @@ void readInfluences(const LoadContext& context, const JsonCursor& attributes, Pr
   primitive.jointWeights.assign(vertices * primitive.influences, 0.0f);
   for (std::size_t set = 0; set < sets; ++set) {
     const auto read = [&](const char* name) {
-      return AccessorReader(context.document, attributes.at(fmt::format("{}_{}", name, set)).asUnsigned());
+      return AccessorReader(context.document, accessors.at(fmt::format("{}_{}", name, set)));
     };
     const AccessorReader weights = read("WEIGHTS");
     const std::vector<std::uint32_t> joints = read("JOINTS").unsignedIntegers();
@@ -119,9 +125,7 @@ std::vector<glm::dmat4> readBindMatrices(const LoadContext& context, const JsonC
 
 /// nullopt, with a warning, where a joint is not in the scene: nothing says where it stands.
 std::optional<Skin> loadSkin(const LoadContext& context, const JsonCursor& json,
-                             const std::vector<SceneNode>& nodes) {
-  std::map<std::size_t, std::size_t> places;
-  for (std::size_t i = 0; i < nodes.size(); ++i) places[static_cast<std::size_t>(nodes[i].node)] = i;
+                             const std::map<std::size_t, std::size_t>& places) {
   Skin skin;
   skin.name = json.stringOr("name", "");
   const JsonCursor joints = json.at("joints");
@@ -182,9 +186,11 @@ int SkinLoader::skinOf(const JsonCursor& node, std::size_t mesh, const Mesh& loa
   const auto reference = node.find("skin");
   if (!reference) return none;
   const std::size_t index = reference->asUnsigned();
+  if (places_.empty())
+    for (std::size_t i = 0; i < nodes_.size(); ++i) places_[static_cast<std::size_t>(nodes_[i].node)] = i;
   const auto [known, fresh] = known_.try_emplace(index, none);
   if (fresh) {
-    std::optional<Skin> skin = loadSkin(context_, context_.root.at("skins").at(index), nodes_);
+    std::optional<Skin> skin = loadSkin(context_, context_.root.at("skins").at(index), places_);
     if (skin) {
       known->second = static_cast<int>(skins.size());
       skins.push_back(*std::move(skin));

@@ -88,6 +88,16 @@ TEST(AnimationPointers, ValuesBeyondWhatFilesMaySay_AreClamped) {
   EXPECT_EQ(posedStill(document, 1.0).materials[0].metallic, 1.0f);
 }
 
+TEST(AnimationPointers, IntegersThatAreNotNormalised_AreTheNumbersTheyAre) {
+  GltfDocument document = stillScene();
+  addPointerChannel(document, "/extensions/KHR_lights_punctual/lights/0/range", {0, 0}, "SCALAR");
+  const int bytes = test::appendBytes(document, {0, 200}, "SCALAR", 2, 5121);
+  document.json["animations"][0]["samplers"][0]["output"] = bytes;
+  EXPECT_EQ(posedStill(document, 0.5).lights[0].range, 100.0f);
+  document.json["accessors"][static_cast<std::size_t>(bytes)]["normalized"] = true;
+  EXPECT_NEAR(posedStill(document, 1.0).lights[0].range, 200.0 / 255.0, 1e-6);
+}
+
 TEST(AnimationPointers, WhatAnotherAnimationChanges_Rests) {
   GltfDocument document = stillScene();
   addPointerChannel(document, "/materials/0/pbrMetallicRoughness/roughnessFactor", {0.25f, 0.25f}, "SCALAR");
