@@ -1,7 +1,6 @@
 #include "scene/deform.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <utility>
@@ -138,12 +137,6 @@ glm::dmat3 normalMatrix(const glm::dmat4& matrix) {
 
 bool mirrors(const glm::dmat4& matrix) {
   return glm::dot(glm::dvec3(matrix[0]), glm::cross(glm::dvec3(matrix[1]), glm::dvec3(matrix[2]))) < 0.0;
-}
-
-glm::dvec3 unitOrZero(const glm::dvec3& vector) {
-  const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
-  if (!(largest > 0.0) || !std::isfinite(largest)) return glm::dvec3(0.0);
-  return glm::normalize(vector / largest);
 }
 
 DrawnMeshes::DrawnMeshes(const Scene& scene) : scene_(scene) {

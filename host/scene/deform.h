@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -34,7 +36,11 @@ glm::dmat3 normalMatrix(const glm::dmat4& matrix);
 bool mirrors(const glm::dmat4& matrix);
 
 /// A vector of length 1, or 0 where there is no direction; components may be tiny.
-glm::dvec3 unitOrZero(const glm::dvec3& vector);
+inline glm::dvec3 unitOrZero(const glm::dvec3& vector) {
+  const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+  if (!(largest > 0.0) || !std::isfinite(largest)) return glm::dvec3(0.0);
+  return glm::normalize(vector / largest);
+}
 
 /// The meshes that a scene's nodes draw as they are posed.
 class DrawnMeshes {

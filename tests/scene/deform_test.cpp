@@ -114,6 +114,24 @@ TEST(Skins, MirroringSkeleton_KeepsFacesAndNormalsOnTheSameSide) {
     EXPECT_GT(glm::dot(geometricNormal(scene, t), glm::dvec3(0, 0, 1)), 0.0);
 }
 
+/// Normal +x, tangent +y, bitangent +z; mirrored in x the bitangent stays, which n x t alone would turn
+/// round.
+TEST(Skins, MirroringSkeleton_KeepsTheBitangentOnItsSide) {
+  GltfDocument document = test::bentBar();
+  document.json["nodes"][0]["scale"] = {-1, 1, 1};
+  std::vector<float> tangents;
+  for (std::size_t v = 0; v < test::barPositions().size(); ++v) tangents.insert(tangents.end(), {0, 1, 0, 1});
+  document.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] =
+      test::appendFloats(document, tangents, "VEC4");
+  Warnings warnings;
+  const Scene scene = test::reload(document, warnings);
+  const Primitive bent = deformedMesh(scene, scene.meshNodes[0]).mesh.primitives[0];
+  const glm::dvec3 normal(bent.normals[0]), tangent(bent.tangents[0]);
+  expectClose(normal, {-1, 0, 0});
+  expectClose(tangent, {0, 1, 0});
+  expectClose(double(bent.tangents[0].w) * glm::cross(normal, tangent), {0, 0, 1});
+}
+
 TEST(Skins, TwoNodesOfOneMesh_AreTwoShapes) {
   GltfDocument document = test::bentBar();
   document.json["nodes"].push_back({{"mesh", 0}, {"skin", 0}});

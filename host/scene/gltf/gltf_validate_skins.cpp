@@ -41,6 +41,36 @@ void validateSkin(const JsonCursor& root, const JsonCursor& skin) {
     validateBindMatrices(root, *matrices, joints.arraySize());
 }
 
+/// [node] The one that is above it and hangs on none; of nodes that are a tree.
+std::vector<std::size_t> rootsOfNodes(const JsonCursor& root) {
+  const std::size_t count = root.countOf("nodes");
+  std::vector<std::size_t> parents(count), roots(count);
+  for (std::size_t i = 0; i < count; ++i) parents[i] = i;
+  root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t index) {
+    const auto children = node.find("children");
+    for (std::size_t i = 0; children && i < children->arraySize(); ++i)
+      parents[children->at(i).asUnsigned()] = index;
+  });
+  // Each way up is halved as it is walked, so that chains of any length are quick.
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t at = i;
+    while (parents[at] != parents[parents[at]]) at = parents[at] = parents[parents[at]];
+    roots[i] = parents[at];
+  }
+  return roots;
+}
+
+/// glTF demands one node above all joints; skins do without.
+void warnOfRoots(const JsonCursor& skin, const std::vector<std::size_t>& roots, Warnings& warnings) {
+  const JsonCursor joints = skin.at("joints");
+  const std::size_t first = joints.at(0).asUnsigned();
+  for (std::size_t i = 1; i < joints.arraySize(); ++i) {
+    if (roots[joints.at(i).asUnsigned()] == roots[first]) continue;
+    warnings.push_back(fmt::format("{}: no node is above both it and joint 0", joints.at(i).where()));
+    return;
+  }
+}
+
 /// The most morph targets that a primitive of a mesh has.
 std::size_t targetsOf(const JsonCursor& mesh) {
   std::size_t most = 0;
@@ -88,8 +118,13 @@ void warnOfMesh(const JsonCursor& mesh, Warnings& warnings) {
 }  // namespace
 
 void validateSkins(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
+  std::vector<std::size_t> roots;
   root.forEachObject("skins", [&](const JsonCursor& skin, std::size_t index) {
-    checkPart(use.skins.contains(index), warnings, [&] { validateSkin(root, skin); });
+    checkPart(use.skins.contains(index), warnings, [&] {
+      validateSkin(root, skin);
+      if (roots.empty()) roots = rootsOfNodes(root);
+      warnOfRoots(skin, roots, warnings);
+    });
   });
 }
 

@@ -134,6 +134,11 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::str
       const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(index));
       drawn.weights = drawn.restWeights = loadWeights(json, scene.meshes[mesh]);
       drawn.skin = skins.skinOf(json, mesh, scene.meshes[mesh], scene.skins);
+      if (drawn.skin >= 0 && !drawn.instances.empty())
+        context.warn(
+            fmt::format("/nodes/{}/extensions/EXT_mesh_gpu_instancing", index),
+            "glTF does not say where instances of a skinned mesh stand; they are moved from where its "
+            "joints have it");
     }
     if (node.camera >= 0) {
       scene.cameras.push_back(loadCamera(context, index, world[i]));

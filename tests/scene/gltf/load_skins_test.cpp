@@ -136,6 +136,23 @@ TEST(LoadSkins, BrokenSkinThatNothingUses_IsAWarning) {
   loadBarWith(document, "/skins/1/joints/0");
 }
 
+TEST(LoadSkins, JointsWithoutACommonRoot_AreAppliedWithAWarning) {
+  GltfDocument document = test::bentBar();
+  document.json["nodes"][0].erase("children");
+  document.json["scenes"][0]["nodes"] = {0, 1, 2};
+  EXPECT_EQ(loadBarWith(document, "/skins/0/joints/1: no node is above both").meshNodes[0].skin, 0);
+}
+
+TEST(LoadSkins, InstancesOfASkinnedMesh_AreMovedWithAWarning) {
+  GltfDocument document = test::bentBar();
+  const int offsets = test::appendFloats(document, {0, 0, 0, 4, 0, 0}, "VEC3");
+  document.json["nodes"][2]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = offsets;
+  document.json["nodes"][2]["translation"] = {0, 0, 9};
+  const Scene scene = loadBarWith(document, "instances of a skinned mesh");
+  ASSERT_EQ(scene.meshNodes[0].transforms.size(), 2u);
+  EXPECT_EQ(scene.meshNodes[0].transforms[1][3], glm::dvec4(4, 0, 0, 1));
+}
+
 TEST(LoadSkins, SkinOrWeightsOfANodeWithoutMesh_AreWarnedOf) {
   GltfDocument document = test::bentBar();
   document.json["nodes"][0]["skin"] = 0;
