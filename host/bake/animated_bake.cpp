@@ -44,6 +44,11 @@ BakeRequest onlySh(const BakeRequest& request) {
 std::uint64_t poseHash(const CompiledScene& scene) {
   StateHash hash;
   hash.values(scene.positions).values(scene.normals);
+  hash.values(scene.texCoords).values(scene.texCoords1).values(scene.colors).values(scene.tangents);
+  for (const CompiledMaterial& m : scene.materials) {
+    hash.values(std::vector<glm::vec3>{m.baseColor, m.albedo, m.diffuseTransmission});
+    hash.values(std::vector<float>{m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission});
+  }
   for (int i = 0; i < 3; ++i) hash.value(scene.origin[i]);
   return hash.result();
 }
@@ -121,10 +126,8 @@ class PoseBaker {
 /// Times of the animation's own keys, thinned out where there are many: what moves does so between them.
 std::vector<double> motionKeys(const Animation& animation) {
   std::set<double> times;
-  for (const AnimationChannel& channel : animation.channels) {
-    const std::vector<float>& keys = animation.samplers[channel.sampler].times;
-    times.insert(keys.begin(), keys.end());
-  }
+  for (const AnimationSampler& sampler : animation.samplers)
+    times.insert(sampler.times.begin(), sampler.times.end());
   constexpr std::size_t most = 16;
   const std::size_t stride = (times.size() + most - 1) / most;
   std::vector<double> some;
@@ -161,13 +164,14 @@ AnimatedTransfer bakeAnimation(const Scene& scene, const CompiledScene& compiled
   PoseBaker baker(scene, compiled, animation, request, rest, device, progress, report);
   const Animation& played = scene.animations.at(animation);
   const double start = played.startTime();
-  const bool moves = movesMeshes(scene, played);
+  const bool moves = changesTransport(scene, played);
   KeyRequest withMoments = keys;
   if (keys.error) withMoments.moments = motionKeys(played);
   const ChosenKeys<SharedTransfer> chosen =
       chooseMoments(baker, start, moves ? played.endTime() : start, withMoments);
   report.error = chosen.error;
-  if (!moves) report.notes.push_back("animation: skipped but for one key, it moves no mesh");
+  if (!moves)
+    report.notes.push_back("animation: skipped but for one key, it moves no mesh and changes no surface");
   if (keys.error && chosen.error > *keys.error)
     report.notes.push_back(fmt::format("animation: {} keys are not enough for an error of {:g}: {:.3g}",
                                        chosen.times.size(), *keys.error, chosen.error));

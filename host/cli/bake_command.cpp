@@ -10,6 +10,7 @@
 #include "cli/option_names.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
+#include "cli/scene_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "cli/waiting_data.h"
@@ -33,6 +34,7 @@ struct BakeCommand {
   std::filesystem::path environment;
   bool resume = false;
   bool quantizesOccluders = false;
+  LoadOptions load;
   std::string animation;  ///< name or number; empty: none
   std::optional<int> keyCount;
   KeyRequest keys;
@@ -47,6 +49,11 @@ void checkBakeOutputs(const BakeCommand& command) {
 }
 
 void checkAnimationOptions(const BakeCommand& command, const BakeRequest& request) {
+  if (command.load.at) {
+    if (command.keyCount || command.keys.error)
+      throw UsageError("--at", "keys are moments of their own", "leave out --at, or --keys and --key-error");
+    return;
+  }
   if (command.animation.empty()) {
     if (command.keyCount || command.keys.error)
       throw UsageError(command.keyCount ? "--keys" : "--key-error", "there is no animation to take keys of",
@@ -85,7 +92,9 @@ BakeRequest requestOf(const BakeCommand& command, Session& session) {
 }
 
 /// Radiosity and light maps alone depend on the sky.
-void readSky(const BakeCommand& command, Session& session, BakeRequest& request) {
+void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& session, BakeRequest& request) {
+  if (command.environment.empty() && (request.radiosity || request.lightMap))
+    request.radiosity.environment = loaded.sky;
   if (command.environment.empty()) return;
   const Environment sky = readEnvironment(command.environment);
   if (request.radiosity || request.lightMap)
@@ -143,11 +152,12 @@ QuantizedOccluders quantizeBaked(Session& session, const CompiledScene& scene, B
 
 /// Without --animation, that there is something to play.
 std::optional<std::size_t> animationOf(Session& session, const BakeCommand& command, const Scene& scene) {
+  if (command.load.at) return std::nullopt;
   if (!command.animation.empty()) return findAnimation(scene, command.animation);
-  if (!scene.animations.empty())
-    session.console().note(
-        fmt::format("the scene has {} animation{}; the rest pose is baked (--animation bakes keys)",
-                    scene.animations.size(), scene.animations.size() == 1 ? "" : "s"));
+  if (!scene.animations.empty() && !scene.moment)
+    session.console().note(fmt::format(
+        "the scene has {} animation{}; the rest pose is baked (--at bakes a moment, --animation keys)",
+        scene.animations.size(), scene.animations.size() == 1 ? "" : "s"));
   return std::nullopt;
 }
 
@@ -224,11 +234,13 @@ void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
 void runBake(const BakeCommand& command, Context& context) {
   checkMapOptions(command.bake.request);
   Session session(context);
-  LoadedScene loaded = session.load(command.scene);
+  LoadOptions load = command.load;
+  if (load.at) load.animation = command.animation;
+  LoadedScene loaded = session.load(command.scene, load);
   requireTriangles(loaded);
   checkBakeOutputs(command);
   BakeRequest request = requestOf(command, session);
-  readSky(command, session, request);
+  readSky(command, loaded, session, request);
   const std::optional<std::size_t> animation = animationOf(session, command, loaded.scene);
 
   DeviceOptions deviceOptions = session.deviceOptions();
@@ -256,9 +268,11 @@ void runBake(const BakeCommand& command, Context& context) {
 }
 
 void addAnimationOptions(CLI::App& app, BakeCommand& command) {
-  app.add_option("--animation", command.animation,
-                 "bake the SH transfer at moments of this animation of the file too")
+  app.add_option(
+         "--animation", command.animation,
+         "bake the SH transfer at moments of this animation of the file too; with --at, what that means")
       ->type_name("NAME|INDEX");
+  addMomentOption(app, command.load);
   CLI::Option* keys = addWholeNumber(
       app, "--keys", {1, static_cast<std::uint64_t>(command.keys.mostKeys)},
       [&command](std::uint64_t n) {
@@ -298,6 +312,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
                 "store vector occluders in whole numbers, in about a quarter of the bytes");
   addMapPhotonOptions(*app, command->bake.request);
   addEffortOptions(*app, command->bake);
+  addSceneOptions(*app, command->load);
   addAnimationOptions(*app, *command);
   app->add_option("--env", command->environment,
                   "sky of the radiosity and the light map; accepted for scripts besides, as transfer does "

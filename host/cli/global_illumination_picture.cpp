@@ -91,11 +91,15 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   options.bake.addTo(deviceOptions);
   std::future<Device> opening =
       std::async(std::launch::async, [&deviceOptions] { return Device::open(deviceOptions); });
-  const LoadedScene loaded = session.load(options.scene);
+  LoadedScene loaded = session.load(options.scene, options.load);
+  Bake none;
+  poseScene(session, options.pose, loaded, none);
   requireTriangles(loaded);
   std::optional<Environment> sky;
   if (!options.environment.empty())
     sky = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
+  else if (loaded.sky)
+    sky = *loaded.sky;
   checkOutputFile("-o", output, {".exr", ".png"});
   const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
   GlobalIlluminationPictureRequest request = asked;

@@ -10,6 +10,7 @@
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
 #include "cli/report.h"
+#include "cli/scene_options.h"
 #include "cli/session.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
@@ -23,6 +24,7 @@ using Json = nlohmann::ordered_json;
 
 struct InfoCommand {
   std::filesystem::path scene;
+  LoadOptions load;
   BakeOptions bake;
 };
 
@@ -42,6 +44,13 @@ std::size_t countMaterials(const Scene& scene, bool (*is)(const Material&)) {
   return static_cast<std::size_t>(std::count_if(scene.materials.begin(), scene.materials.end(), is));
 }
 
+/// Of all meshes that are drawn.
+std::size_t countMorphTargets(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Mesh& mesh : scene.meshes) count += mesh.weights.size();
+  return count;
+}
+
 Json contentsJson(const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   const CompiledScene& compiled = loaded.compiled;
@@ -58,7 +67,9 @@ Json contentsJson(const LoadedScene& loaded) {
     animations.push_back({{"name", animation.name},
                           {"start", animation.startTime()},
                           {"end", animation.endTime()},
-                          {"channels", animation.channels.size()}});
+                          {"channels", animation.channels.size() + animation.properties.size()}});
+  Json skins = Json::array();
+  for (const Skin& skin : scene.skins) skins.push_back({{"name", skin.name}, {"joints", skin.joints.size()}});
   Json json = {{"meshes", scene.meshes.size()},
                {"meshNodes", scene.meshNodes.size()},
                {"primitives", compiled.primitives.size()},
@@ -73,8 +84,15 @@ Json contentsJson(const LoadedScene& loaded) {
                 countMaterials(scene, [](const Material& m) { return m.transmission > 0.0f; })},
                {"images", scene.images.size()},
                {"lights", lights},
+               {"skins", skins},
+               {"morphTargets", countMorphTargets(scene)},
                {"animations", animations},
-               {"cameras", cameras}};
+               {"scenes", scene.scenes},
+               {"scene", scene.chosen < 0 ? Json(nullptr) : Json(scene.chosen)},
+               {"variants", scene.variants},
+               {"variant", scene.variant.empty() ? Json(nullptr) : Json(scene.variant)},
+               {"cameras", cameras},
+               {"sky", loaded.sky != nullptr}};
   if (compiled.vertexCount() > 0) {
     const glm::dvec3 low = compiled.origin + glm::dvec3(compiled.boundsMin);
     const glm::dvec3 high = compiled.origin + glm::dvec3(compiled.boundsMax);
@@ -110,6 +128,8 @@ void printContents(const Console& console, const LoadedScene& loaded) {
     console.line("light", fmt::format("{} '{}', {:g} {:g} {:g} {}", lightTypeName(light.type), light.name,
                                       light.intensity.x, light.intensity.y, light.intensity.z,
                                       light.type == LightType::Directional ? "W/m2" : "W/sr"));
+  if (loaded.sky)
+    console.line("sky", fmt::format("the file's own, {} x {} texels", loaded.sky->width, loaded.sky->height));
   for (const Camera& camera : scene.cameras)
     console.line("camera",
                  fmt::format("{} '{}'", camera.perspective ? "perspective" : "orthographic", camera.name));
@@ -126,14 +146,30 @@ void printBaked(const Console& console, const std::optional<Bake>& bake, std::si
   if (techniques.empty()) console.line("holds", "nothing that this version reads");
 }
 
+/// What the file leaves to choose.
+void printChoices(const Console& console, const Scene& scene) {
+  for (std::size_t i = 0; scene.scenes.size() > 1 && i < scene.scenes.size(); ++i)
+    console.line("scene", fmt::format("{} '{}'{}", i, scene.scenes[i],
+                                      static_cast<int>(i) == scene.chosen ? ", this one" : ""));
+  for (const std::string& variant : scene.variants)
+    console.line("variant", fmt::format("'{}'{}", variant, variant == scene.variant ? ", this one" : ""));
+}
+
+void printDeformations(const Console& console, const Scene& scene) {
+  for (const Skin& skin : scene.skins)
+    console.line("skin", fmt::format("'{}', {} joints", skin.name, skin.joints.size()));
+  for (const Mesh& mesh : scene.meshes)
+    if (!mesh.weights.empty())
+      console.line("morphs", fmt::format("{} targets of mesh '{}'", mesh.weights.size(), mesh.name));
+}
+
 void printAnimations(const Console& console, const Scene& scene) {
   for (const Animation& animation : scene.animations)
     console.line("animation",
                  fmt::format("'{}', {:g} s to {:g} s, {} channels{}", animation.name, animation.startTime(),
-                             animation.endTime(), animation.channels.size(),
+                             animation.endTime(), animation.channels.size() + animation.properties.size(),
                              movesMeshes(scene, animation) ? "" : ", moves no mesh"));
 }
-
 
 Json treeJson(const BvhReport& tree) {
   return {{"cost", tree.sahCost},
@@ -187,7 +223,8 @@ TreeReport reportTree(Session& session, const CompiledScene& scene) {
 
 void runInfo(const InfoCommand& command, Context& context) {
   Session session(context);
-  const LoadedScene loaded = session.load(command.scene);
+  checkMoment(command.load);
+  const LoadedScene loaded = session.load(command.scene, command.load);
   BakeRequest request = command.bake.request;
   if (!command.bake.techniqueGiven()) useDefaultTechniques(request);
   const std::optional<Bake> bake = readBakeOrWarn(session, loaded);
@@ -199,6 +236,8 @@ void runInfo(const InfoCommand& command, Context& context) {
   if (loaded.compiled.triangleCount() > 0 && (console.detailsWanted() || console.jsonWanted()))
     tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
+  printChoices(console, loaded.scene);
+  printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);
   if (tree) console.line("tree", tree->text);
   printBaked(console, bake, loaded.compiled.vertexCount());
@@ -223,6 +262,8 @@ void addInfoCommand(CLI::App& program, Context& context) {
   app->add_option("SCENE", command->scene, "glTF file, baked or not (.gltf or .glb)")
       ->required()
       ->type_name("");
+  addSceneOptions(*app, command->load);
+  addMomentOptions(*app, command->load);
   addTechniqueOptions(*app, command->bake);
   addEffortOptions(*app, command->bake);
   app->footer(

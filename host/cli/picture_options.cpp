@@ -11,6 +11,7 @@
 #include "cli/global_illumination_picture.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
+#include "cli/scene_options.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
@@ -166,7 +167,7 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
          viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
   if ((shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) && !shaded.run &&
-      (options.lights || shaded.environment))
+      (options.lights || !options.environment.empty()))
     session.warn(
         "--light, --env: the irradiance that the file carries is of the lights that it was baked with");
   if (shading == viewer::Shading::Lights && options.lights)
@@ -224,6 +225,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   app.add_option("SCENE", options.scene, "glTF file, baked or not (.gltf or .glb)")
       ->required()
       ->type_name("");
+  addSceneOptions(app, options.load);
   addShadingOptions(app, options);
   addWholeNumber(
       app, "--camera", {0, maxCameraIndex}, [&](std::uint64_t n) { options.camera = static_cast<int>(n); },
@@ -278,11 +280,13 @@ Bake carriedBake(Session& session, const LoadedScene& loaded) {
 ShadedScene prepareScene(Session& session, const PictureOptions& options, bool everyShading,
                          const std::function<void()>& checkOutputs) {
   ShadedScene shaded;
-  shaded.loaded = session.load(options.scene);
+  shaded.loaded = session.load(options.scene, options.load);
   shaded.bake = carriedBake(session, shaded.loaded);
   poseScene(session, options.pose, shaded.loaded, shaded.bake);
   if (!options.environment.empty())
     shaded.environment = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
+  else if (shaded.loaded.sky)
+    shaded.environment = *shaded.loaded.sky;
   checkOutputs();
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 

@@ -39,6 +39,7 @@ struct PictureOptions {
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
   viewer::Lobe lobe = viewer::Lobe::Ggx;
   std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics
+  LoadOptions load;                  ///< scene and variant
   PoseOptions pose;
   BakeOptions bake;
 };

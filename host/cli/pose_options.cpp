@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -15,8 +16,6 @@
 namespace prelight::cli {
 
 namespace {
-
-using Transforms = std::vector<std::vector<glm::dmat4>>;
 
 constexpr double farthestMove = 1e6;  // m, degrees
 
@@ -35,6 +34,13 @@ std::optional<std::vector<double>> numbersOf(std::string_view text) {
   }
 }
 
+/// What a node turns about: with a skin, where its first joint takes the origin of the mesh.
+glm::dvec3 originOf(const Scene& scene, const MeshNode& node, const glm::dmat4& transform) {
+  if (node.skin < 0) return glm::dvec3(transform[3]);
+  const Skin& skin = scene.skins[static_cast<std::size_t>(node.skin)];
+  return glm::dvec3(transform * skin.toWorld[0][3]);
+}
+
 void moveNodes(Scene& scene, const NodeMove& move) {
   bool found = false;
   for (MeshNode& node : scene.meshNodes) {
@@ -42,7 +48,7 @@ void moveNodes(Scene& scene, const NodeMove& move) {
     if (!matchesPattern(name, move.pattern)) continue;
     found = true;
     for (glm::dmat4& transform : node.transforms) {
-      const glm::dvec3 origin(transform[3]);
+      const glm::dvec3 origin = originOf(scene, node, transform);
       const glm::dmat4 turn =
           glm::rotate(glm::dmat4(1.0), glm::radians(move.yawDegrees), glm::dvec3(0.0, 1.0, 0.0));
       transform = glm::translate(glm::dmat4(1.0), origin + move.by) * turn *
@@ -54,21 +60,38 @@ void moveNodes(Scene& scene, const NodeMove& move) {
                      "see the names with prelight info");
 }
 
-Transforms transformsOf(const Scene& scene) {
-  Transforms transforms;
-  for (const MeshNode& node : scene.meshNodes) transforms.push_back(node.transforms);
-  return transforms;
+/// What skins and morph targets bend moves in no way that occluders can follow.
+void requireRigid(const Scene& before, const Scene& after) {
+  for (std::size_t n = 0; n < after.meshNodes.size(); ++n) {
+    const MeshNode& node = after.meshNodes[n];
+    const auto skin = static_cast<std::size_t>(std::max(node.skin, 0));
+    const bool bent = node.skin >= 0 && before.skins[skin].toWorld != after.skins[skin].toWorld;
+    if (bent || before.meshNodes[n].weights != node.weights)
+      throw InputError("vector occluders",
+                       fmt::format("node \"{}\" is bent, and they only move rigidly", node.name),
+                       "bake the scene as it is then, with --at");
+  }
 }
 
-/// `loaded` is posed, its compiled scene still at rest.
+/// A scene without what does not move.
+Scene posesOf(const Scene& scene) {
+  Scene poses;
+  poses.meshNodes = scene.meshNodes;
+  poses.skins = scene.skins;
+  return poses;
+}
+
+/// `loaded` is posed, its compiled scene still as it was.
 std::optional<OccluderTransfer> movedOccluders(Session& session, const LoadedScene& loaded,
-                                               const Transforms& before, const OccluderTransfer& rest) {
+                                               const Scene& before, const OccluderTransfer& rest) {
   try {
+    requireRigid(before, loaded.scene);
     const auto members = membersOf(loaded.compiled, rest);
     if (!members)
       throw InputError("vector occluders", "their names are not those of the scene's parts", "bake it anew");
-    const OccluderMotions motions = motionsBetween(loaded.scene, loaded.compiled, *members, before,
-                                                   transformsOf(loaded.scene), rest.names);
+    const OccluderMotions motions =
+        motionsBetween(loaded.scene, loaded.compiled, *members, transformsOf(before).nodes,
+                       transformsOf(loaded.scene).nodes, rest.names);
     return OccluderMover(rest, loaded.compiled, *members).moved(motions);
   } catch (const InputError& error) {
     session.warn(fmt::format("{}; left out", error.what()));
@@ -104,7 +127,7 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
   constexpr double mostSeconds = 1e6;
   addRealNumber(
       app, "--at", {0.0, mostSeconds}, [&](double seconds) { options.at = seconds; },
-      "show the scene at this moment of an animation, seconds (default: at rest)")
+      "show the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
       ->type_name("SECONDS");
   app.add_option("--animation", options.animation,
                  "the animation that --at means (default: the one that was baked, else the first)")
@@ -125,14 +148,17 @@ void poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded
     throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
   if (!options.at && options.moves.empty()) return;
   session.times().measure("pose", [&] {
-    const Transforms before = transformsOf(loaded.scene);
+    const Scene before = posesOf(loaded.scene);
+    const std::optional<SceneMoment> moment = loaded.scene.moment;
     Bake posed;
     if (options.at) {
       const std::size_t animation = !options.animation.empty()
                                         ? findAnimation(loaded.scene, options.animation)
                                     : bake.animation ? bake.animation->animation
+                                    : moment         ? moment->animation
                                                      : 0;
       setPose(loaded.scene, animation, *options.at);
+      if (moment == loaded.scene.moment && options.moves.empty()) return;
       if (bake.animation && bake.animation->animation == animation && options.moves.empty())
         posed.sh = transferAt(*bake.animation, loaded.scene, loaded.compiled, *options.at);
     }

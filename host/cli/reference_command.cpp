@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
+#include "cli/scene_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
 #include "integrators/film_state.h"
@@ -39,6 +40,7 @@ struct ReferenceCommand {
   std::optional<std::vector<Light>> lights;
   ReferenceRequest request;
   bool resume = false;
+  LoadOptions load;
 };
 
 /// A finished picture with all that is known of how it was made.
@@ -172,11 +174,14 @@ void traceResumably(const reference::ReferenceInputs& inputs, const Device& devi
 
 void runReference(const ReferenceCommand& command, Context& context) {
   Session session(context);
-  const LoadedScene loaded = session.load(command.scene);
+  checkMoment(command.load);
+  const LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
   std::optional<Environment> sky;
   if (!command.environment.empty())
     sky = session.times().measure("sky", [&] { return readEnvironment(command.environment); });
+  else if (loaded.sky)
+    sky = *loaded.sky;
   checkOutputFile("-o", command.output, {".exr"});
 
   const reference::ReferenceInputs inputs{loaded.compiled,
@@ -281,6 +286,8 @@ void addReferenceCommand(CLI::App& program, Context& context) {
       ->type_name("IMG.exr");
   addPathOptions(*app, *command);
   app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.state)");
+  addSceneOptions(*app, command->load);
+  addMomentOptions(*app, command->load);
   addViewOptions(*app, *command);
   app->footer(
       "Examples:\n"

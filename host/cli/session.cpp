@@ -11,10 +11,11 @@ void Session::warn(const std::string& warning) {
   console_.warn({warning});
 }
 
-LoadedScene Session::load(const std::filesystem::path& path) {
+LoadedScene Session::load(const std::filesystem::path& path, LoadOptions options) {
+  options.allowOutside = context_.options.allowOutside;
   Warnings found;
-  LoadedScene loaded = openScene(
-      [&](Warnings& odd) { return readGltf(path, odd, {context_.options.allowOutside}); }, found, steps_);
+  LoadedScene loaded = openScene([&](Warnings& odd) { return readGltf(path, odd, {options.allowOutside}); },
+                                 options, found, steps_);
   console_.warn(found);
   warnings_.insert(warnings_.end(), found.begin(), found.end());
   return loaded;
@@ -30,8 +31,8 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   };
   BakeRun run;
   times_.measureProcessor("bake", [&] {
-    run =
-        runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request, {steps_, open, keyed});
+    run = runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request,
+                  {steps_, open, keyed});
   });
   progress_.clear();
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);

@@ -36,7 +36,7 @@ class Session {
   void warn(const std::string& warning);
 
   /// Reads and flattens a glTF file and shows what was odd about it.
-  LoadedScene load(const std::filesystem::path& path);
+  LoadedScene load(const std::filesystem::path& path, LoadOptions options = {});
 
   /// Plans and bakes; throws as runBake().
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,

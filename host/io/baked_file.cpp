@@ -1,6 +1,9 @@
 #include "io/baked_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "io/bake_reader.h"
 #include "io/bake_writer.h"
@@ -17,18 +20,34 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json infoToJson(const BakeInfo& info) {
-  return {{"version", 1},
-          {"generator", info.generator},
-          {"seed", info.seed},
-          {"rays", info.rays},
-          {"error", info.error},
-          {"bounces", info.bounces},
-          {"plan", toJson(info.plan)},
-          {"device", info.device},
-          {"seconds", info.seconds}};
+  Json json = {{"version", 1},
+               {"generator", info.generator},
+               {"seed", info.seed},
+               {"rays", info.rays},
+               {"error", info.error},
+               {"bounces", info.bounces},
+               {"plan", toJson(info.plan)},
+               {"device", info.device},
+               {"seconds", info.seconds}};
+  if (info.moment)
+    json["moment"] = {{"animation", info.moment->animation}, {"seconds", info.moment->seconds}};
+  if (!info.variant.empty()) json["variant"] = info.variant;
+  return json;
 }
 
-BakeInfo infoFromJson(const JsonCursor& json) {
+RecordedChoice choiceFromJson(const JsonCursor& json, std::size_t animations) {
+  RecordedChoice choice;
+  choice.variant = json.stringOr("variant", "");
+  const auto moment = json.find("moment");
+  if (!moment) return choice;
+  const double seconds = moment->at("seconds").asNumber();
+  if (!(std::isfinite(seconds) && seconds >= 0.0))
+    moment->at("seconds").fail(fmt::format("expected seconds >= 0, got {}", seconds));
+  choice.moment = {moment->at("animation").asIndex(animations, "animation"), seconds};
+  return choice;
+}
+
+BakeInfo infoFromJson(const JsonCursor& json, std::size_t animations) {
   BakeInfo info;
   info.generator = json.stringOr("generator", "");
   info.seed = json.unsignedOr("seed", 0);
@@ -40,6 +59,9 @@ BakeInfo infoFromJson(const JsonCursor& json) {
   if (const auto plan = json.find("plan")) info.plan = planFromJson(*plan);
   info.device = json.stringOr("device", "");
   info.seconds = json.numberOr("seconds", 0.0);
+  const RecordedChoice choice = choiceFromJson(json, animations);
+  info.moment = choice.moment;
+  info.variant = choice.variant;
   return info;
 }
 
@@ -68,6 +90,13 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
   requireFiniteBake(document, ownAccessors);
 }
 
+RecordedChoice readRecordedChoice(const GltfDocument& document) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  const auto extension = transferExtension(root);
+  return extension ? choiceFromJson(*extension, root.countOf("animations")) : RecordedChoice{};
+}
+
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
@@ -75,7 +104,7 @@ std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& 
   BakeReader reader(input);
   if (!reader.readVertices()) return std::nullopt;
   BakeInfo info;
-  if (input.extension) info = infoFromJson(*input.extension);
+  if (input.extension) info = infoFromJson(*input.extension, root.countOf("animations"));
   std::optional<Bake> bake = reader.finish();
   bake->info = std::move(info);
   return bake;

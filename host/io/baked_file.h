@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "compress/quantized_occluders.h"
 #include "prelight/bake.h"
@@ -15,6 +16,15 @@ namespace prelight {
 /// is embedLightMap's. Throws Error (RuntimeFailure) for a bake that is not finite.
 void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& bake,
                const QuantizedOccluders* occluders = nullptr);
+
+/// What was chosen of a scene that was baked, as its file records it.
+struct RecordedChoice {
+  std::optional<SceneMoment> moment;  ///< none: it stood at rest
+  std::string variant;                ///< empty: its own materials
+};
+
+/// Nothing of a document without a bake. Throws InputError for a moment of an animation that is not there.
+RecordedChoice readRecordedChoice(const GltfDocument& document);
 
 /// Reads the PRELIGHT_transfer data of a document; nullopt when it carries none.
 /// Quantized records come back as full ones, and light maps from the files beside the document. Throws

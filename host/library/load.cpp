@@ -10,31 +10,38 @@ namespace prelight {
 
 namespace {
 
-LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read) {
+LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options) {
   Progress ignored;
   Steps steps(ignored);
   Warnings warnings;
-  OpenedScene opened = openScene(read, warnings, steps);
-  return {std::move(opened.scene), std::move(opened.compiled), std::move(warnings), std::move(opened.path),
-          std::make_shared<const GltfDocument>(std::move(opened.document))};
+  OpenedScene opened = openScene(read, options, warnings, steps);
+  return {std::move(opened.scene),
+          std::move(opened.compiled),
+          std::move(warnings),
+          std::move(opened.path),
+          std::make_shared<const GltfDocument>(std::move(opened.document)),
+          std::move(opened.sky)};
 }
 
 }  // namespace
 
 LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) {
-  return loadDocument([&](Warnings& warnings) { return readGltf(path, warnings, {options.allowOutside}); });
+  return loadDocument([&](Warnings& warnings) { return readGltf(path, warnings, {options.allowOutside}); },
+                      options);
 }
 
 LoadedScene load(std::span<const std::byte> bytes, const std::filesystem::path& folder,
                  const LoadOptions& options) {
   const std::span<const std::uint8_t> text(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  return loadDocument([&](Warnings& warnings) {
-    return parseGltf(text, folder / "memory", warnings, {options.allowOutside});
-  });
+  return loadDocument(
+      [&](Warnings& warnings) {
+        return parseGltf(text, folder / "memory", warnings, {options.allowOutside});
+      },
+      options);
 }
 
 LoadedScene loadBuiltin(const std::string& name) {
-  return loadDocument([&](Warnings&) { return makeBuiltinScene(name); });
+  return loadDocument([&](Warnings&) { return makeBuiltinScene(name); }, {});
 }
 
 std::optional<Bake> carriedBake(const LoadedScene& scene) {

@@ -2,16 +2,79 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/baked_file.h"
+#include "scene/gltf/json_cursor.h"
+#include "scene/gltf/load_sky.h"
 #include "scene/gltf/loader.h"
+#include "scene/pose.h"
 
 namespace prelight {
 
-OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, Warnings& warnings, Steps& steps) {
+namespace {
+
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += fmt::format("{}{} \"{}\"", i == 0 ? "" : ", ", i, names[i]);
+  return list;
+}
+
+/// Makes a scene, by its number or its name, the default one.
+void chooseScene(GltfDocument& document, const std::string& chosen) {
+  if (chosen.empty()) return;
+  std::vector<std::string> names;
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  root.forEachObject(
+      "scenes", [&](const JsonCursor& scene, std::size_t) { names.push_back(scene.stringOr("name", "")); });
+  const std::string place = fmt::format("LoadOptions::scene {}", chosen);
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != chosen) continue;
+    if (found)
+      throw UsageError(place, "several are of that name", "give its number: the file has " + listOf(names));
+    found = i;
+  }
+  for (std::size_t i = 0; !found && i < names.size(); ++i)
+    if (std::to_string(i) == chosen) found = i;
+  if (!found)
+    throw UsageError(place, "there is none of that name or number",
+                     names.empty() ? "the file has no scenes" : "the file has " + listOf(names));
+  document.json["scene"] = *found;
+}
+
+void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded) {
+  if (options.at) {
+    setPose(scene, options.animation.empty() ? 0 : findAnimation(scene, options.animation), *options.at);
+  } else if (recorded.moment) {
+    setPose(scene, recorded.moment->animation, recorded.moment->seconds);
+  }
+}
+
+}  // namespace
+
+OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
+                      Warnings& warnings, Steps& steps) {
   OpenedScene opened;
   steps.run("load", [&] {
     opened.document = read(warnings);
     steps.progress().check();
-    opened.scene = loadScene(opened.document, warnings);
+    chooseScene(opened.document, options.scene);
+    const RecordedChoice recorded = readRecordedChoice(opened.document);
+    const bool other =
+        !recorded.variant.empty() && !options.variant.empty() && options.variant != recorded.variant;
+    if (other)
+      warnings.push_back(fmt::format("{}: what it carries was baked of variant \"{}\"",
+                                     opened.document.path.string(), recorded.variant));
+    opened.scene =
+        loadScene(opened.document, warnings, options.variant.empty() ? recorded.variant : options.variant);
+    poseAsChosen(opened.scene, options, recorded);
+    if (auto sky = loadSky(opened.document, warnings))
+      opened.sky = std::make_shared<const Environment>(*std::move(sky));
   });
   opened.path = opened.document.path;
   steps.run("compile", [&] { opened.compiled = compileScene(opened.scene, warnings); });

@@ -58,6 +58,8 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
   BakeCheckpoint* checkpoint = means.checkpoint(bakeKey(scene.compiled, request, run.device));
   run.bake = bakeScene(scene.compiled, request, run.plan, *device, means.steps.progress(), run.report,
                        checkpoint, &charts, &scene.scene);
+  run.bake.info.moment = scene.scene.moment;
+  run.bake.info.variant = scene.scene.variant;
   return run;
 }
 

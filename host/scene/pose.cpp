@@ -7,8 +7,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 
 #include "prelight/error.h"
+#include "scene/animated_properties.h"
 
 namespace prelight {
 
@@ -40,6 +42,8 @@ void animate(SceneNode& node, AnimatedPath path, const glm::dvec4& value) {
     case AnimatedPath::Scale:
       node.scale = glm::dvec3(value);
       break;
+    case AnimatedPath::Weights:
+      break;
   }
 }
 
@@ -55,15 +59,18 @@ std::string placeOf(std::size_t animation, double seconds) {
   return fmt::format("animation {} at {} s: ", animation, seconds);
 }
 
+const Animation& animationOf(const Scene& scene, std::size_t animation) {
+  if (animation < scene.animations.size()) return scene.animations[animation];
+  throw UsageError(fmt::format("animation {}", animation), "there is none", animationList(scene));
+}
+
 /// A matrix for each of Scene::nodes.
-std::vector<glm::dmat4> worldAt(const Scene& scene, std::size_t animation, double seconds) {
-  if (animation >= scene.animations.size())
-    throw UsageError(fmt::format("animation {}", animation), "there is none", animationList(scene));
-  const Animation& played = scene.animations[animation];
+std::vector<glm::dmat4> worldAt(const Scene& scene, const Animation& played, double seconds) {
   std::vector<SceneNode> nodes = scene.nodes;
   for (const AnimationChannel& channel : played.channels)
-    animate(nodes[channel.node], channel.path,
-            sampleAt(played.samplers[channel.sampler], channel.path, seconds));
+    if (channel.path != AnimatedPath::Weights)
+      animate(nodes[channel.node], channel.path,
+              sampleAt(played.samplers[channel.sampler], channel.path, seconds));
   std::vector<glm::dmat4> world;
   world.reserve(nodes.size());
   for (const SceneNode& node : nodes) {
@@ -76,15 +83,53 @@ std::vector<glm::dmat4> worldAt(const Scene& scene, std::size_t animation, doubl
 /// Of a node's instances.
 std::vector<glm::dmat4> transformsOf(const MeshNode& node, std::span<const glm::dmat4> world,
                                      const std::string& prefix) {
+  const glm::dmat4 own = node.skin >= 0 ? glm::dmat4(1.0) : world[node.sceneNode];
   std::vector<glm::dmat4> transforms;
-  if (node.instances.empty()) transforms.push_back(world[node.sceneNode]);
-  for (const glm::dmat4& instance : node.instances) transforms.push_back(world[node.sceneNode] * instance);
+  if (node.instances.empty()) transforms.push_back(own);
+  for (const glm::dmat4& instance : node.instances) transforms.push_back(own * instance);
   const auto bad = std::find_if_not(transforms.begin(), transforms.end(), isFinite);
   if (bad == transforms.end()) return transforms;
   const std::string instanced = node.instances.empty() ? "" : "/extensions/EXT_mesh_gpu_instancing";
   throw InputError(fmt::format("{}/nodes/{}{}", prefix, node.node, instanced),
                    fmt::format("the transform of instance {} is not finite", bad - transforms.begin()),
                    "check the scales of the node and its ancestors");
+}
+
+/// From a mesh to world space by way of each of a skin's joints.
+std::vector<glm::dmat4> jointsToWorld(const Scene& scene, const Skin& skin, std::span<const glm::dmat4> world,
+                                      const std::string& prefix) {
+  std::vector<glm::dmat4> matrices;
+  for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+    matrices.push_back(world[skin.joints[j]] * skin.inverseBind[j]);
+    if (!isFinite(matrices.back()))
+      throw InputError(fmt::format("{}/nodes/{}", prefix, scene.nodes[skin.joints[j]].node),
+                       fmt::format("as joint {} of a skin its transform is not finite", j),
+                       "check the scales of the node and its ancestors, and the inverse bind matrix");
+  }
+  return matrices;
+}
+
+/// Weights of mesh nodes that an animation has at a time; others rest.
+void setWeights(Scene& scene, const Animation& played, double seconds) {
+  std::map<std::size_t, const AnimationSampler*> samplers;  // by node of the scene
+  for (const AnimationChannel& channel : played.channels)
+    if (channel.path == AnimatedPath::Weights) samplers[channel.node] = &played.samplers[channel.sampler];
+  for (MeshNode& node : scene.meshNodes) {
+    const auto sampler = samplers.find(node.sceneNode);
+    node.weights = sampler == samplers.end() ? node.restWeights : weightsAt(*sampler->second, seconds);
+  }
+}
+
+/// [node of the scene] Whether an animation moves it.
+std::vector<bool> movedNodes(const Scene& scene, const Animation& animation) {
+  std::vector<bool> moves(scene.nodes.size(), false);
+  for (const AnimationChannel& channel : animation.channels)
+    if (channel.path != AnimatedPath::Weights) moves[channel.node] = true;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const int parent = scene.nodes[i].parent;
+    if (parent >= 0 && moves[static_cast<std::size_t>(parent)]) moves[i] = true;
+  }
+  return moves;
 }
 
 }  // namespace
@@ -120,22 +165,35 @@ bool placeCamera(Camera& camera, const glm::dmat4& world) {
 }
 
 void placeMeshes(Scene& scene, std::span<const glm::dmat4> world, const std::string& prefix) {
+  for (Skin& skin : scene.skins) skin.toWorld = jointsToWorld(scene, skin, world, prefix);
   for (MeshNode& node : scene.meshNodes) node.transforms = transformsOf(node, world, prefix);
 }
 
-std::vector<std::vector<glm::dmat4>> transformsAt(const Scene& scene, std::size_t animation, double seconds) {
-  const std::vector<glm::dmat4> world = worldAt(scene, animation, seconds);
-  std::vector<std::vector<glm::dmat4>> transforms;
-  for (const MeshNode& node : scene.meshNodes)
-    transforms.push_back(transformsOf(node, world, placeOf(animation, seconds)));
+PosedTransforms transformsOf(const Scene& scene) {
+  PosedTransforms transforms;
+  for (const MeshNode& node : scene.meshNodes) transforms.nodes.push_back(node.transforms);
+  for (const Skin& skin : scene.skins) transforms.joints.push_back(skin.toWorld);
+  return transforms;
+}
+
+PosedTransforms transformsAt(const Scene& scene, std::size_t animation, double seconds) {
+  const std::vector<glm::dmat4> world = worldAt(scene, animationOf(scene, animation), seconds);
+  const std::string prefix = placeOf(animation, seconds);
+  PosedTransforms transforms;
+  for (const MeshNode& node : scene.meshNodes) transforms.nodes.push_back(transformsOf(node, world, prefix));
+  for (const Skin& skin : scene.skins) transforms.joints.push_back(jointsToWorld(scene, skin, world, prefix));
   return transforms;
 }
 
 void setPose(Scene& scene, std::size_t animation, double seconds) {
-  const std::vector<glm::dmat4> world = worldAt(scene, animation, seconds);
+  const Animation& played = animationOf(scene, animation);
+  const std::vector<glm::dmat4> world = worldAt(scene, played, seconds);
+  setWeights(scene, played, seconds);
   placeMeshes(scene, world, placeOf(animation, seconds));
   for (Camera& camera : scene.cameras) placeCamera(camera, world[camera.sceneNode]);
   for (Light& light : scene.lights) placeLight(light, world[light.sceneNode]);
+  setProperties(scene, played, seconds);
+  scene.moment = {animation, seconds};
 }
 
 Scene sceneAt(Scene scene, std::size_t animation, double seconds) {
@@ -161,14 +219,21 @@ std::size_t findAnimation(const Scene& scene, const std::string& nameOrIndex) {
 }
 
 bool movesMeshes(const Scene& scene, const Animation& animation) {
-  std::vector<bool> moves(scene.nodes.size(), false);
-  for (const AnimationChannel& channel : animation.channels) moves[channel.node] = true;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const int parent = scene.nodes[i].parent;
-    if (parent >= 0 && moves[static_cast<std::size_t>(parent)]) moves[i] = true;
-  }
-  return std::any_of(scene.meshNodes.begin(), scene.meshNodes.end(),
-                     [&](const MeshNode& node) { return moves[node.sceneNode]; });
+  const std::vector<bool> moves = movedNodes(scene, animation);
+  const auto movesSkin = [&](int skin) {
+    const std::vector<std::size_t>& joints = scene.skins[static_cast<std::size_t>(skin)].joints;
+    return std::any_of(joints.begin(), joints.end(), [&](std::size_t joint) { return moves[joint]; });
+  };
+  std::vector<bool> morphs(scene.nodes.size(), false);
+  for (const AnimationChannel& channel : animation.channels)
+    if (channel.path == AnimatedPath::Weights) morphs[channel.node] = true;
+  return std::any_of(scene.meshNodes.begin(), scene.meshNodes.end(), [&](const MeshNode& node) {
+    return (node.skin < 0 ? moves[node.sceneNode] : movesSkin(node.skin)) || morphs[node.sceneNode];
+  });
+}
+
+bool changesTransport(const Scene& scene, const Animation& animation) {
+  return movesMeshes(scene, animation) || changesSurfaces(animation);
 }
 
 }  // namespace prelight

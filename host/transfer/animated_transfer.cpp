@@ -7,13 +7,11 @@
 #include <span>
 
 #include "basis/sh_rotation.h"
-#include "scene/pose.h"
+#include "scene/deform.h"
 
 namespace prelight {
 
 namespace {
-
-using Transforms = std::vector<std::vector<glm::dmat4>>;
 
 double greatestDifference(const glm::dmat3& a, const glm::dmat3& b) {
   double greatest = 0.0;
@@ -45,6 +43,36 @@ void addTurned(std::span<const float> transfer, int order, const glm::dmat3& tur
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * turned[i];
 }
 
+/// What one primitive of a scene turns by between two poses.
+class Turns {
+ public:
+  Turns(const Scene& scene, const MeshNode& node, std::size_t meshNode, const PrimitiveRange& range)
+      : meshNode_(meshNode),
+        instance_(static_cast<std::size_t>(range.instance)),
+        skin_(node.skin),
+        primitive_(node.skin < 0 ? nullptr
+                                 : &scene.meshes[static_cast<std::size_t>(node.mesh)]
+                                        .primitives[static_cast<std::size_t>(range.primitive)]) {}
+
+  bool vertexByVertex() const { return primitive_ != nullptr; }
+
+  /// `vertex` of the primitive; without a skin any.
+  glm::dmat3 between(const PosedTransforms& from, const PosedTransforms& to, std::size_t vertex) const {
+    return turnBetween(placed(from, vertex), placed(to, vertex));
+  }
+
+ private:
+  glm::dmat4 placed(const PosedTransforms& pose, std::size_t vertex) const {
+    const glm::dmat4& node = pose.nodes[meshNode_][instance_];
+    if (primitive_ == nullptr) return node;
+    return node * blendedTransform(*primitive_, vertex, pose.joints[static_cast<std::size_t>(skin_)]);
+  }
+
+  std::size_t meshNode_, instance_;
+  int skin_;
+  const Primitive* primitive_;
+};
+
 }  // namespace
 
 glm::dmat3 rotationOf(const glm::dmat4& map) {
@@ -63,8 +91,8 @@ glm::dmat3 rotationOf(const glm::dmat4& map) {
 }
 
 HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& last, double blend,
-                              const Transforms& transforms, const Scene& scene, const CompiledScene& compiled,
-                              KeyMix mix) {
+                              const PosedTransforms& transforms, const Scene& scene,
+                              const CompiledScene& compiled, KeyMix mix) {
   assert(first.transfer.coefficients.size() == last.transfer.coefficients.size());
   HarmonicTransfer result = first.transfer;
   const auto width = static_cast<std::size_t>(result.channels * result.order * result.order);
@@ -73,14 +101,16 @@ HarmonicTransfer mixTransfers(const PosedTransfer& first, const PosedTransfer& l
   std::vector<double> sum;
   for (const PrimitiveRange& range : compiled.primitives) {
     const std::size_t node = meshNodes.at(range.node), begin = range.firstVertex * width;
-    const auto instance = static_cast<std::size_t>(range.instance);
+    const Turns turns(scene, scene.meshNodes[node], node, range);
     sum.assign(range.vertexCount * width, 0.0);
+    const std::size_t part = turns.vertexByVertex() && mix == KeyMix::Turned ? width : sum.size();
     const auto add = [&](const PosedTransfer& key, double weight) {
-      const glm::dmat3 turn = mix == KeyMix::Linear
-                                  ? glm::dmat3(1.0)
-                                  : turnBetween(key.transforms[node][instance], transforms[node][instance]);
-      addTurned(std::span(key.transfer.coefficients).subspan(begin, sum.size()), result.order, turn, weight,
-                sum);
+      for (std::size_t at = 0; at < sum.size(); at += part) {
+        const glm::dmat3 turn =
+            mix == KeyMix::Linear ? glm::dmat3(1.0) : turns.between(key.transforms, transforms, at / width);
+        addTurned(std::span(key.transfer.coefficients).subspan(begin + at, part), result.order, turn, weight,
+                  std::span(sum).subspan(at, part));
+      }
     };
     add(first, 1.0 - blend);
     add(last, blend);

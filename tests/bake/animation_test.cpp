@@ -16,6 +16,7 @@
 #include "scene/gltf/loader.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
+#include "support/bent_bar.h"
 #include "support/devices.h"
 #include "transfer/animated_transfer.h"
 
@@ -173,6 +174,30 @@ TEST_F(AnimatedScene, TurnedMixOfOpenSurfaces_IsExact) {
   };
   EXPECT_LT(error(KeyMix::Turned), 1e-6);
   EXPECT_GT(error(KeyMix::Linear), 0.01);
+}
+
+/// A lobe about the normal, which the vertices of a bar that bends by a quarter turn with: by half of that
+/// where they hang on both joints by halves. Half way both keys turn to the same lobe.
+TEST(SkinnedTransfer, VerticesTurnByTheirOwnJoints) {
+  Warnings warnings;
+  const Scene scene = loadScene(test::bentBar(), warnings);
+  const CompiledScene compiled = compileScene(scene, warnings);
+  const auto keyAt = [](double quarter) {
+    HarmonicTransfer transfer;
+    transfer.order = 2;
+    transfer.channels = 1;
+    for (const glm::vec3& p : test::barPositions()) {
+      const double angle = quarter * 1.57079632679489662 * double(p.y) / 2.0;
+      transfer.coefficients.insert(transfer.coefficients.end(), {0.5f, static_cast<float>(std::sin(angle)),
+                                                                 0.0f, static_cast<float>(std::cos(angle))});
+    }
+    return transfer;
+  };
+  const AnimatedTransfer animated{0, {0.0, 1.0}, {keyAt(0.0), keyAt(1.0)}};
+  const HarmonicTransfer half = transferAt(animated, scene, compiled, 0.5);
+  const HarmonicTransfer expected = keyAt(0.5);
+  for (std::size_t i = 0; i < expected.coefficients.size(); ++i)
+    EXPECT_NEAR(half.coefficients[i], expected.coefficients[i], 1e-6) << i;
 }
 
 TEST_F(AnimatedScene, Bake_AgreesWithBakesOfThePoses) {

@@ -11,6 +11,7 @@
 #include "prelight/light_map.h"
 #include "prelight/plan.h"
 #include "prelight/request.h"
+#include "prelight/scene.h"
 #include "prelight/transfer.h"
 
 namespace prelight {
@@ -29,6 +30,8 @@ struct BakeInfo {
   Plan plan;
   std::string device;
   double seconds = 0.0;
+  std::optional<SceneMoment> moment = {};  ///< that the scene was posed at; none: at rest
+  std::string variant = {};                ///< of its materials; empty: the file's own
 };
 
 /// Baked values of every vertex of a CompiledScene, in its vertex order. A technique that was not asked for

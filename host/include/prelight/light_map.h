@@ -34,7 +34,8 @@ struct LightMapLayout {
   }
 };
 
-/// Light that arrives at vertices, or at the texels of a light map, as an encoding stores it (docs/encodings.md).
+/// Light that arrives at vertices, or at the texels of a light map, as an encoding stores it
+/// (docs/encodings.md).
 struct EncodedLight {
   std::string encoding;       ///< its name
   std::vector<float> values;  ///< [vertex][value], or [y][x][value] of texels, 0 where there is no surface

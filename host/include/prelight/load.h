@@ -11,6 +11,7 @@
 #include "prelight/bake.h"
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
+#include "prelight/picture.h"
 #include "prelight/scene.h"
 
 namespace prelight {
@@ -25,16 +26,22 @@ struct LoadedScene {
   Warnings warnings;  ///< what was odd but usable
   std::filesystem::path path;                    ///< of the file, for messages
   std::shared_ptr<const GltfDocument> document;  ///< the file itself, for save()
+  std::shared_ptr<const Environment> sky = {};   ///< EXT_lights_image_based's; nullptr: the file has none
 };
 
 struct LoadOptions {
   /// Files that the scene names may lie outside of its folder. A scene from a stranger could have any file of
   /// the machine copied into what is saved.
   bool allowOutside = false;
+  std::string scene = {};    ///< name or number; empty: the file's default scene
+  std::string variant = {};  ///< of the materials (KHR_materials_variants); empty: what was baked, or none
+  std::optional<double> at = {};  ///< s, moment to pose the scene at; none: what was baked, or rest
+  std::string animation = {};     ///< name or number of the one that has the moment; empty: the first
 };
 
 /// Reads a .gltf or .glb with all that it names. Throws InputError naming the file and the JSON path of what
-/// cannot be used; images that are missing or broken are warnings.
+/// cannot be used; images that are missing or broken are warnings. Throws UsageError for a scene, a variant
+/// or an animation that the file lacks. A scene other than the default is the default of what save() writes.
 LoadedScene load(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// Reads the bytes of a .gltf or .glb. Files that it names are looked for in `folder`; empty: the current

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,17 @@ struct Material {
   bool isEmissive() const { return emission.x > 0.0f || emission.y > 0.0f || emission.z > 0.0f; }
 };
 
+/// What a morph target adds to the vertices of a primitive where its weight is 1; an attribute that it leaves
+/// alone is empty.
+struct MorphTarget {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec3> tangents;  ///< of the direction; the sign stays
+  std::vector<glm::vec2> texCoords0;
+  std::vector<glm::vec2> texCoords1;
+  std::vector<glm::vec4> colors;
+};
+
 /// One glTF primitive in object space. Vertices keep the file's order, so that baked values can be written
 /// back vertex by vertex. Strips and fans are already triangles. A primitive of points or lines has no
 /// triangles.
@@ -97,11 +109,24 @@ struct Primitive {
   std::vector<glm::vec4> colors;      ///< linear RGBA of COLOR_0; empty means white
   std::vector<glm::uvec3> triangles;  ///< vertex indices, every one in range
   int material = -1;                  ///< index into Scene::materials; -1 means glTF's default material
+  std::vector<MorphTarget> targets = {};
+  std::size_t influences = 0;              ///< joints that a vertex hangs on, at most; 0: it has no skin
+  std::vector<std::uint32_t> joints = {};  ///< [vertex][influence], into Skin::joints
+  std::vector<float> jointWeights = {};    ///< [vertex][influence], >= 0, of sum 1
 };
 
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
+  std::vector<float> weights = {};  ///< [morph target], where nodes give none of their own
+};
+
+/// Joints that the vertices of meshes hang on.
+struct Skin {
+  std::string name;
+  std::vector<std::size_t> joints;       ///< into Scene::nodes
+  std::vector<glm::dmat4> inverseBind;   ///< [joint], from the mesh to the joint as it was bound
+  std::vector<glm::dmat4> toWorld = {};  ///< [joint], from the mesh to world space as the joint stands
 };
 
 /// A node of the hierarchy with its transform to its parent: a matrix, or translation, rotation and scale.
@@ -121,9 +146,14 @@ struct MeshNode {
   int node = 0;  ///< index in the glTF file
   std::string name;
   int mesh = 0;
-  std::vector<glm::dmat4> transforms;      ///< object to world, column vectors
+  /// Object to world, column vectors. With a skin, which leads to world space by itself and whatever its
+  /// node's place, what comes after it: the identity, or the instances.
+  std::vector<glm::dmat4> transforms;
   std::size_t sceneNode = 0;               ///< into Scene::nodes
   std::vector<glm::dmat4> instances = {};  ///< object to node, as many as transforms; empty: not instanced
+  int skin = -1;                           ///< into Scene::skins; -1: none
+  std::vector<float> restWeights = {};     ///< [morph target of the mesh]
+  std::vector<float> weights = {};         ///< the same as the scene is posed
 };
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };
@@ -154,7 +184,7 @@ struct Camera {
   std::size_t sceneNode = 0;  ///< into Scene::nodes
 };
 
-enum class AnimatedPath : std::uint8_t { Translation, Rotation, Scale };
+enum class AnimatedPath : std::uint8_t { Translation, Rotation, Scale, Weights };
 
 enum class Interpolation : std::uint8_t { Linear, Step, CubicSpline };
 
@@ -163,8 +193,10 @@ struct AnimationSampler {
   Interpolation interpolation = Interpolation::Linear;
   std::vector<float> times;  ///< [key], seconds, >= 0, strictly ascending, never empty
   /// [key], or [key][in-tangent, value, out-tangent] with cubic splines. x, y, z of translations and scales,
-  /// x, y, z, w of rotations. Finite.
+  /// x, y, z, w of rotations, as many as they have of properties. Finite.
   std::vector<glm::vec4> values;
+  std::vector<float> weights = {};  ///< in place of values, the same for each morph target: [...][target]
+  std::size_t targets = 0;          ///< of weights
 };
 
 struct AnimationChannel {
@@ -173,11 +205,51 @@ struct AnimationChannel {
   std::size_t sampler = 0;  ///< into Animation::samplers
 };
 
-/// A glTF animation, as far as it moves nodes of the scene.
+/// What KHR_animation_pointer may change besides nodes.
+enum class AnimatedProperty : std::uint8_t {
+  BaseColor,
+  Metallic,
+  Roughness,
+  Emission,
+  AlphaCutoff,
+  NormalScale,
+  Transmission,
+  Thickness,
+  AttenuationColor,
+  AttenuationDistance,
+  Ior,
+  Specular,
+  SpecularColor,
+  DiffuseTransmission,
+  DiffuseTransmissionColor,
+  Clearcoat,
+  ClearcoatRoughness,
+  SheenColor,
+  SheenRoughness,
+  LightIntensity,
+  LightRange,
+  InnerConeAngle,
+  OuterConeAngle,
+  YFov,
+  XMag,
+  YMag,
+};
+
+struct PropertyChannel {
+  AnimatedProperty property = AnimatedProperty::BaseColor;
+  std::size_t object = 0;   ///< into Scene::materials, lights or cameras
+  std::size_t sampler = 0;  ///< into Animation::samplers
+  glm::vec4 rest{0.0f};     ///< the property where no animation changes it
+  glm::vec4 factor{1.0f};   ///< of the values
+  int factorSampler = -1;   ///< into Animation::samplers, in place of `factor`; -1: none
+};
+
+/// A glTF animation, as far as it moves nodes of the scene or changes what it has.
 struct Animation {
   std::string name;
   std::vector<AnimationSampler> samplers;
   std::vector<AnimationChannel> channels;
+  std::vector<PropertyChannel> properties = {};
 
   /// Seconds of the first and the last key of all channels; 0 without channels.
   double startTime() const;
@@ -188,6 +260,17 @@ struct Animation {
 /// quaternions, linear ones taken the short way round (glTF 2.0, appendix C); one of length 0 is none.
 glm::dvec4 sampleAt(const AnimationSampler& sampler, AnimatedPath path, double seconds);
 
+/// The same of a sampler of morph weights: [morph target].
+std::vector<float> weightsAt(const AnimationSampler& sampler, double seconds);
+
+/// A moment of one of Scene::animations.
+struct SceneMoment {
+  std::size_t animation = 0;
+  double seconds = 0.0;
+
+  bool operator==(const SceneMoment&) const = default;
+};
+
 /// What a glTF file says, resolved but not yet flattened: meshes in object space, everything else in world
 /// space.
 struct Scene {
@@ -195,11 +278,17 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<SceneNode> nodes;     ///< of the scene, depth first; parents before their children
   std::vector<MeshNode> meshNodes;  ///< in depth-first order of the scene's nodes
+  std::vector<Skin> skins = {};     ///< that mesh nodes have
   std::vector<Material> materials;
   std::vector<Image> images;
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  std::vector<Animation> animations;  ///< the file's, in its order
+  std::vector<Animation> animations;       ///< the file's, in its order
+  std::optional<SceneMoment> moment = {};  ///< that the scene is posed at; none: at rest
+  std::vector<std::string> scenes = {};    ///< names of the file's
+  int chosen = -1;                         ///< of them: what this is
+  std::vector<std::string> variants = {};  ///< names of the file's sets of materials
+  std::string variant = {};                ///< of them, that primitives have; empty: the file's own materials
 
   /// The material of a primitive; glTF's default material when it names none.
   const Material& materialOf(const Primitive& primitive) const;

@@ -49,6 +49,8 @@ std::vector<float> leastVertexAlphas(const Scene& scene) {
       float& alpha =
           primitive.material < 0 ? least.back() : least[static_cast<std::size_t>(primitive.material)];
       for (const glm::vec4& color : primitive.colors) alpha = std::min(alpha, color.a);
+      for (const MorphTarget& target : primitive.targets)
+        if (!target.colors.empty()) alpha = 0.0f;  // whatever the weights
     }
   return least;
 }

@@ -4,6 +4,7 @@
 
 #include "prelight/compiled_scene.h"
 #include "prelight/scene.h"
+#include "scene/deform.h"
 
 namespace prelight {
 
@@ -11,7 +12,7 @@ namespace prelight {
 std::vector<CompiledMaterial> compileMaterials(const Scene& scene);
 
 /// Adds the meshes of a flattened scene that are drawn more than once, and where.
-void findShapes(const Scene& scene, CompiledScene& compiled);
+void findShapes(const Scene& scene, const DrawnMeshes& meshes, CompiledScene& compiled);
 
 /// sRGB byte to linear [0,1] and back.
 float linearFromSrgb(std::uint8_t value);

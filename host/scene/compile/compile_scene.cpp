@@ -8,6 +8,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
 #include "scene/compile/compile_parts.h"
+#include "scene/deform.h"
 
 namespace prelight {
 
@@ -37,16 +38,18 @@ std::string placeOf(const Draw& draw) {
                      draw.range.primitive);
 }
 
-std::vector<Draw> listDraws(const Scene& scene) {
+std::vector<Draw> listDraws(const Scene& scene, const DrawnMeshes& drawn) {
   std::vector<Draw> draws;
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
-  for (const MeshNode& node : scene.meshNodes) {
-    const Mesh& mesh = scene.meshes[static_cast<std::size_t>(node.mesh)];
+  for (std::size_t n = 0; n < scene.meshNodes.size(); ++n) {
+    const MeshNode& node = scene.meshNodes[n];
+    const Mesh& mesh = drawn.meshOf(n);
     for (std::size_t instance = 0; instance < node.transforms.size(); ++instance) {
+      const glm::dmat4 transform = drawn.transformOf(n, instance);
       for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
         const Primitive& primitive = mesh.primitives[p];
-        Draw draw{&node, &primitive, {}, node.transforms[instance]};
+        Draw draw{&node, &primitive, {}, transform};
         draw.range.node = node.node;
         draw.range.name = node.name;
         draw.range.mesh = node.mesh;
@@ -82,20 +85,6 @@ Bounds worldBounds(const std::vector<Draw>& draws) {
     }
   }
   return bounds;
-}
-
-/// Cofactors of the upper 3 x 3, which are det(M) inverse(M)^T: they turn normals like the inverse transpose
-/// does, and still do where a scale of 0 leaves no inverse.
-glm::dmat3 normalMatrix(const glm::dmat4& m) {
-  const glm::dvec3 x(m[0]);
-  const glm::dvec3 y(m[1]);
-  const glm::dvec3 z(m[2]);
-  const glm::dmat3 cofactors(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y));
-  return glm::dot(x, cofactors[0]) < 0.0 ? -cofactors : cofactors;
-}
-
-bool mirrors(const glm::dmat4& m) {
-  return glm::dot(glm::dvec3(m[0]), glm::cross(glm::dvec3(m[1]), glm::dvec3(m[2]))) < 0.0;
 }
 
 /// Tangents are for normal textures; where a file has no normals, glTF ignores its tangents.
@@ -169,7 +158,7 @@ class Flattener {
     std::vector<glm::dvec3> normals(draw.range.vertexCount, glm::dvec3(0.0));
     bool complete = !flat;
     for (std::size_t i = 0; !flat && i < normals.size(); ++i) {
-      normals[i] = unit(matrix * glm::dvec3(draw.primitive->normals[i]));
+      normals[i] = unitOrZero(matrix * glm::dvec3(draw.primitive->normals[i]));
       complete = complete && normals[i] != glm::dvec3(0.0);
     }
     if (!complete) fillFromFaces(draw, normals);
@@ -187,15 +176,9 @@ class Flattener {
       }
     }
     for (std::size_t i = 0; i < normals.size(); ++i) {
-      if (normals[i] == glm::dvec3(0.0)) normals[i] = unit(sums[i]);
+      if (normals[i] == glm::dvec3(0.0)) normals[i] = unitOrZero(sums[i]);
       if (normals[i] == glm::dvec3(0.0)) normals[i] = {0.0, 1.0, 0.0};
     }
-  }
-
-  static glm::dvec3 unit(const glm::dvec3& v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0.0) || !std::isfinite(largest)) return glm::dvec3(0.0);
-    return glm::normalize(v / largest);
   }
 
   static void addTexCoords(const Draw& draw, const std::vector<glm::vec2>& source,
@@ -220,7 +203,7 @@ class Flattener {
     const float mirror = mirrors(draw.transform) ? -1.0f : 1.0f;
     for (std::size_t i = 0; i < draw.range.vertexCount; ++i) {
       const glm::vec4& tangent = draw.primitive->tangents[i];
-      const glm::dvec3 world = unit(matrix * glm::dvec3(tangent));
+      const glm::dvec3 world = unitOrZero(matrix * glm::dvec3(tangent));
       if (world != glm::dvec3(0.0))
         scene_.tangents[draw.range.firstVertex + i] = {glm::vec3(world), mirror * tangent.w};
     }
@@ -340,7 +323,8 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   CompiledScene compiled;
   compiled.lights = scene.lights;
   compiled.materials = compileMaterials(scene);
-  std::vector<Draw> draws = listDraws(scene);
+  const DrawnMeshes meshes(scene);
+  std::vector<Draw> draws = listDraws(scene, meshes);
   const std::vector<bool> drawn = drawnMaterials(draws, compiled.materials.size());
   const int sets = texCoordSets(compiled, drawn);
   copyAlbedoImages(scene, drawn, compiled);
@@ -349,7 +333,7 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   reserveArrays(draws, sets, compiled);
   Flattener flattener(compiled, sets);
   for (Draw& draw : draws) flattener.add(draw);
-  findShapes(scene, compiled);
+  findShapes(scene, meshes, compiled);
   if (!bounds.empty()) {
     compiled.boundsMin = glm::vec3(bounds.low - compiled.origin);
     compiled.boundsMax = glm::vec3(bounds.high - compiled.origin);

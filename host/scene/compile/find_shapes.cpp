@@ -12,7 +12,8 @@ namespace {
 
 /// All primitives of a mesh where a node draws it.
 struct Drawing {
-  const glm::dmat4* toWorld = nullptr;
+  std::size_t meshNode = 0;
+  glm::dmat4 toWorld{1.0};
   std::uint32_t firstTriangle = 0;
   std::uint32_t triangleCount = 0;
   std::uint32_t firstVertex = 0;
@@ -20,21 +21,23 @@ struct Drawing {
 };
 
 /// In the order in which they were flattened.
-std::vector<std::pair<int, Drawing>> listDrawings(const Scene& scene, const CompiledScene& compiled) {
-  std::vector<std::pair<int, Drawing>> drawings;
+std::vector<Drawing> listDrawings(const Scene& scene, const DrawnMeshes& meshes,
+                                  const CompiledScene& compiled) {
+  std::vector<Drawing> drawings;
   auto range = compiled.primitives.begin();
-  for (const MeshNode& node : scene.meshNodes)
-    for (const glm::dmat4& transform : node.transforms) {
+  for (std::size_t n = 0; n < scene.meshNodes.size(); ++n)
+    for (std::size_t instance = 0; instance < scene.meshNodes[n].transforms.size(); ++instance) {
       Drawing drawing;
-      drawing.toWorld = &transform;
-      const std::size_t primitives = scene.meshes[static_cast<std::size_t>(node.mesh)].primitives.size();
+      drawing.meshNode = n;
+      drawing.toWorld = meshes.transformOf(n, instance);
+      const std::size_t primitives = meshes.meshOf(n).primitives.size();
       for (std::size_t p = 0; p < primitives; ++p, ++range) {
         if (p == 0) drawing.firstTriangle = range->firstTriangle;
         if (p == 0) drawing.firstVertex = range->firstVertex;
         drawing.triangleCount += range->triangleCount;
         drawing.vertexCount += range->vertexCount;
       }
-      if (drawing.triangleCount > 0) drawings.emplace_back(node.mesh, drawing);
+      if (drawing.triangleCount > 0) drawings.push_back(drawing);
     }
   return drawings;
 }
@@ -88,7 +91,7 @@ void addShape(const Mesh& mesh, const Drawing& model, const std::vector<const Dr
   scene.shapes.push_back({model.firstTriangle, model.triangleCount, model.firstVertex, model.vertexCount,
                           centredPositions(mesh, centre)});
   for (const Drawing* drawing : drawings) {
-    glm::dmat4 toWorld = *drawing->toWorld;
+    glm::dmat4 toWorld = drawing->toWorld;
     toWorld[3] = glm::dvec4(glm::dvec3(toWorld * glm::dvec4(centre, 1.0)) - scene.origin, 1.0);
     scene.instances.push_back({shape, drawing->firstTriangle, drawing->firstVertex, toWorld});
   }
@@ -96,18 +99,18 @@ void addShape(const Mesh& mesh, const Drawing& model, const std::vector<const Dr
 
 }  // namespace
 
-void findShapes(const Scene& scene, CompiledScene& compiled) {
+void findShapes(const Scene& scene, const DrawnMeshes& meshes, CompiledScene& compiled) {
   // Drawings that mirror have triangles of their own: their corners go round the other way.
   std::map<std::pair<int, bool>, std::vector<Drawing>> drawingsOf;
-  for (const auto& [mesh, drawing] : listDrawings(scene, compiled))
-    if (hasUsableInverse(*drawing.toWorld))
-      drawingsOf[{mesh, glm::determinant(glm::dmat3(*drawing.toWorld)) < 0.0}].push_back(drawing);
+  for (const Drawing& drawing : listDrawings(scene, meshes, compiled))
+    if (hasUsableInverse(drawing.toWorld))
+      drawingsOf[{meshes.shapeOf(drawing.meshNode), glm::determinant(glm::dmat3(drawing.toWorld)) < 0.0}]
+          .push_back(drawing);
   for (const auto& [key, drawings] : drawingsOf) {
     std::vector<const Drawing*> same;
     for (const Drawing& drawing : drawings)
       if (sameTriangles(compiled, drawings[0], drawing)) same.push_back(&drawing);
-    if (same.size() > 1)
-      addShape(scene.meshes[static_cast<std::size_t>(key.first)], drawings[0], same, compiled);
+    if (same.size() > 1) addShape(meshes.meshOf(drawings[0].meshNode), drawings[0], same, compiled);
   }
   std::sort(compiled.instances.begin(), compiled.instances.end(),
             [](const auto& a, const auto& b) { return a.firstTriangle < b.firstTriangle; });

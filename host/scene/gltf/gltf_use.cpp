@@ -36,7 +36,18 @@ void forEachElement(const Json& array, Visit visit) {
   for (const Json& element : array) visit(element);
 }
 
-/// The attributes that meshes are loaded with; others are not read.
+void addInfluences(const Json& attributes, GltfUse& use) {
+  if (!attributes.is_object()) return;
+  for (const auto& [name, accessor] : attributes.items())
+    if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) addIndex(accessor, use.accessors);
+}
+
+void addSkins(const Json& root, GltfUse& use) {
+  for (const std::size_t index : use.skins)
+    addIndex(memberOf(elementOf(memberOf(root, "skins"), index), "inverseBindMatrices"), use.accessors);
+}
+
+/// The attributes that meshes and their morph targets are loaded with; others but joints are not read.
 void addMeshes(const Json& root, GltfUse& use) {
   constexpr std::array<std::string_view, 6> read = {"POSITION",   "NORMAL",     "TANGENT",
                                                     "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"};
@@ -44,6 +55,10 @@ void addMeshes(const Json& root, GltfUse& use) {
     forEachElement(memberOf(mesh, "primitives"), [&](const Json& primitive) {
       const Json& attributes = memberOf(primitive, "attributes");
       for (const std::string_view name : read) addIndex(memberOf(attributes, name), use.accessors);
+      addInfluences(attributes, use);
+      forEachElement(memberOf(primitive, "targets"), [&](const Json& target) {
+        for (const std::string_view name : read) addIndex(memberOf(target, name), use.accessors);
+      });
       addIndex(memberOf(primitive, "indices"), use.accessors);
     });
   });
@@ -68,6 +83,7 @@ void addNumbers(const Json& json, Indices& indices) {
 void addNodes(const Json& root, GltfUse& use) {
   forEachElement(memberOf(root, "nodes"), [&](const Json& node) {
     addIndex(memberOf(node, "camera"), use.cameras);
+    addIndex(memberOf(node, "skin"), use.skins);
     const Json& extensions = memberOf(node, "extensions");
     addIndex(memberOf(memberOf(extensions, "KHR_lights_punctual"), "light"), use.lights);
     const Json& instances = memberOf(memberOf(extensions, "EXT_mesh_gpu_instancing"), "attributes");
@@ -92,6 +108,15 @@ void addViews(const Json& root, GltfUse& use) {
     addIndex(memberOf(elementOf(memberOf(root, "bufferViews"), index), "buffer"), use.buffers);
 }
 
+/// Pictures of skies, of the sharpest level.
+void addSkies(const Json& root, GltfUse& use) {
+  const Json& extension = memberOf(memberOf(root, "extensions"), "EXT_lights_image_based");
+  forEachElement(memberOf(extension, "lights"), [&](const Json& light) {
+    forEachElement(elementOf(memberOf(light, "specularImages"), 0),
+                   [&](const Json& image) { addIndex(image, use.images); });
+  });
+}
+
 }  // namespace
 
 GltfUse findUse(const Json& root) {
@@ -99,8 +124,10 @@ GltfUse findUse(const Json& root) {
   addMeshes(root, use);
   addAnimations(root, use);
   addNodes(root, use);
+  addSkins(root, use);
   forEachElement(memberOf(root, "textures"),
                  [&](const Json& texture) { addIndex(memberOf(texture, "source"), use.images); });
+  addSkies(root, use);
   addViews(root, use);
   return use;
 }

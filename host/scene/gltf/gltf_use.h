@@ -15,6 +15,7 @@ struct GltfUse {
   std::set<std::size_t> images;       ///< that textures show
   std::set<std::size_t> cameras;      ///< of nodes
   std::set<std::size_t> lights;       ///< of nodes
+  std::set<std::size_t> skins;        ///< of nodes
 };
 
 /// Looks at a tree of any shape, checked or not.

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 17> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -30,7 +30,10 @@ constexpr std::array<std::string_view, 14> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_materials_pbrSpecularGlossiness",
                                                               "KHR_materials_diffuse_transmission",
                                                               "KHR_materials_clearcoat",
-                                                              "KHR_materials_sheen"};
+                                                              "KHR_materials_sheen",
+                                                              "KHR_materials_variants",
+                                                              "KHR_animation_pointer",
+                                                              "EXT_lights_image_based"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||
@@ -114,7 +117,9 @@ void validateGltf(const JsonCursor& root, Warnings& warnings) {
   validateMeshes(root);
   validateCamerasAndLights(root, use, warnings);
   validateNodes(root);
+  validateSkins(root, use, warnings);
   validateMaterials(root, use, warnings);
+  warnOfMorphs(root, warnings);
 }
 
 void validateBinaryData(const GltfDocument& document) {

@@ -38,6 +38,9 @@ void validateBuffers(const JsonCursor& root, const GltfUse& use, Warnings& warni
 void validateAccessors(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 void validateMeshes(const JsonCursor& root);
 void validateNodes(const JsonCursor& root);
+void validateSkins(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
+/// Of morph targets and weights that do not fit; after all else is checked.
+void warnOfMorphs(const JsonCursor& root, Warnings& warnings);
 void validateCamerasAndLights(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 void validateMaterials(const JsonCursor& root, const GltfUse& use, Warnings& warnings);
 

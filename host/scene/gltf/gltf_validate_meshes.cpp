@@ -4,6 +4,8 @@
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "scene/gltf/gltf_validate.h"
@@ -12,6 +14,8 @@ namespace prelight {
 
 namespace {
 
+constexpr std::uint64_t uint8 = 5121;
+constexpr std::uint64_t uint16 = 5123;
 constexpr std::uint64_t uint32 = 5125;
 
 /// What an attribute may be made of; Prelight reads no others and only checks their index.
@@ -20,11 +24,16 @@ struct AttributeRule {
   std::array<std::string_view, 2> types;
 };
 
-constexpr std::array<AttributeRule, 5> attributeRules = {{{"POSITION", {"VEC3", "VEC3"}},
+constexpr std::array<AttributeRule, 7> attributeRules = {{{"POSITION", {"VEC3", "VEC3"}},
                                                           {"NORMAL", {"VEC3", "VEC3"}},
                                                           {"TANGENT", {"VEC4", "VEC4"}},
                                                           {"TEXCOORD_", {"VEC2", "VEC2"}},
-                                                          {"COLOR_", {"VEC3", "VEC4"}}}};
+                                                          {"COLOR_", {"VEC3", "VEC4"}},
+                                                          {"JOINTS_", {"VEC4", "VEC4"}},
+                                                          {"WEIGHTS_", {"VEC4", "VEC4"}}}};
+
+/// Of a morph target, whose tangents leave the sign alone.
+constexpr AttributeRule tangentOfTarget = {"TANGENT", {"VEC3", "VEC3"}};
 
 /// nullptr for attributes that Prelight does not read.
 const AttributeRule* ruleOf(const std::string& name) {
@@ -40,20 +49,23 @@ void validateAttributeType(const JsonCursor& attribute, const std::string& name,
     attribute.fail(fmt::format("expected an accessor of type {}, got {}", rule.types[1], type));
   }
   const std::uint64_t component = accessor.at("componentType").asUnsigned();
+  if (name.starts_with("JOINTS_") && component != uint8 && component != uint16)
+    attribute.fail(fmt::format("expected joints of component type 5121 or 5123, got {}", component));
   if (component == uint32) {  // 8 and 16 bits are normalised or come through KHR_mesh_quantization
     attribute.fail(fmt::format("component type {} does not fit {}", component, name));
   }
 }
 
 /// Checks every attribute and returns the common number of vertices of those that are read.
-std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const JsonCursor& attributes) {
+std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const JsonCursor& attributes,
+                                                bool ofTarget = false) {
   attributes.expectObject();
   const std::size_t accessors = root.countOf("accessors");
   std::optional<std::uint64_t> vertices;
   std::string first;
   attributes.forEachMember([&](const JsonCursor& attribute, const std::string& name) {
     const std::size_t index = attribute.asIndex(accessors, "accessor");
-    const AttributeRule* rule = ruleOf(name);
+    const AttributeRule* rule = ofTarget && name == "TANGENT" ? &tangentOfTarget : ruleOf(name);
     if (rule == nullptr) return;
     const JsonCursor accessor = root.at("accessors").at(index);
     validateAttributeType(attribute, name, *rule, accessor);
@@ -66,6 +78,24 @@ std::optional<std::uint64_t> validateAttributes(const JsonCursor& root, const Js
     }
   });
   return vertices;
+}
+
+/// Every set of joints has its weights.
+void validateInfluences(const JsonCursor& attributes) {
+  std::set<std::string> joints, weights;  // the ends of their names
+  attributes.forEachMember([&](const JsonCursor&, const std::string& name) {
+    if (name.starts_with("JOINTS_")) joints.insert(name.substr(7));
+    if (name.starts_with("WEIGHTS_")) weights.insert(name.substr(8));
+  });
+  const auto requireBeside = [&](const std::set<std::string>& sets, const char* own,
+                                 const std::set<std::string>& others, const char* other) {
+    for (const std::string& set : sets)
+      if (!others.contains(set))
+        attributes.at(own + set).fail(fmt::format("there is no {}{} beside it", other, set),
+                                      "export the skin again");
+  };
+  requireBeside(joints, "JOINTS_", weights, "WEIGHTS_");
+  requireBeside(weights, "WEIGHTS_", joints, "JOINTS_");
 }
 
 void validateIndices(const JsonCursor& root, const JsonCursor& indices) {
@@ -81,7 +111,9 @@ void validateIndices(const JsonCursor& root, const JsonCursor& indices) {
 }
 
 void validatePrimitive(const JsonCursor& root, const JsonCursor& primitive) {
-  const auto vertices = validateAttributes(root, primitive.at("attributes"));
+  const JsonCursor attributes = primitive.at("attributes");
+  const auto vertices = validateAttributes(root, attributes);
+  validateInfluences(attributes);
   if (const auto indices = primitive.find("indices")) validateIndices(root, *indices);
   if (const auto material = primitive.find("material"))
     material->asIndex(root.countOf("materials"), "material");
@@ -89,7 +121,7 @@ void validatePrimitive(const JsonCursor& root, const JsonCursor& primitive) {
     mode->fail(fmt::format("expected 0..6, got {}", mode->asUnsigned()));
   }
   primitive.forEachObject("targets", [&](const JsonCursor& target, std::size_t) {
-    const auto count = validateAttributes(root, target);
+    const auto count = validateAttributes(root, target, true);
     if (count && vertices && *count != *vertices) {
       target.fail(fmt::format("a morph target of {} vertices for {}", *count, *vertices));
     }

@@ -189,7 +189,7 @@ std::vector<glm::uvec3> assembleTriangles(const std::vector<std::uint32_t>& v, i
   return triangles;
 }
 
-Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& source,
+Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& source, const JsonCursor& json,
                         const std::string& path) {
   Primitive primitive;
   primitive.material = source.material;
@@ -202,7 +202,6 @@ Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& s
     context.warn(path + "/mode", "points and lines carry no surface; the primitive is skipped");
     return primitive;
   }
-  if (!source.targets.empty()) context.warn(path + "/targets", "morph targets are not applied");
   primitive.positions = loadPositions(context, source, path);
   const std::vector<std::uint32_t> indices = loadIndices(context, source, primitive.positions.size(), path);
   if (indices.size() < 3 || (mode == Triangles && indices.size() % 3 != 0)) {
@@ -215,24 +214,32 @@ Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& s
   primitive.texCoords0 = loadTexCoords(context, source, path, "TEXCOORD_0");
   primitive.texCoords1 = loadTexCoords(context, source, path, "TEXCOORD_1");
   primitive.colors = loadColors(context, source, path);
+  loadMorphTargets(context, json, primitive);
+  loadInfluences(context, json, path, primitive);
   return primitive;
 }
 
 }  // namespace
 
-Mesh loadMesh(const LoadContext& context, std::size_t mesh) {
+Mesh loadMesh(const LoadContext& context, std::size_t mesh, int variant) {
   const tinygltf::Mesh& source = context.model.meshes[mesh];
+  const JsonCursor meshJson = context.root.at("meshes").at(mesh);
   Mesh result;
   result.name = source.name;
   for (std::size_t i = 0; i < source.primitives.size(); ++i) {
     const std::string path = fmt::format("/meshes/{}/primitives/{}", mesh, i);
-    if (lacksData(context.document, context.root.at("meshes").at(mesh).at("primitives").at(i))) {
+    const JsonCursor json = meshJson.at("primitives").at(i);
+    if (lacksData(context.document, json)) {
       context.warn(path, "its data lie in a buffer that the file leaves out; the primitive is skipped");
       result.primitives.emplace_back().material = source.primitives[i].material;
       continue;
     }
-    result.primitives.push_back(loadPrimitive(context, source.primitives[i], path));
+    Primitive& primitive =
+        result.primitives.emplace_back(loadPrimitive(context, source.primitives[i], json, path));
+    primitive.material = materialOfVariant(context, json, variant, primitive.material);
   }
+  result.weights.assign(countTargets(result), 0.0f);
+  result.weights = loadWeights(meshJson, result);
   return result;
 }
 

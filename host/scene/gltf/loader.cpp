@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "prelight/error.h"
@@ -56,6 +57,31 @@ tinygltf::Model parseModel(const GltfDocument& document, const std::string& file
   return model;
 }
 
+/// What the file leaves to choose, and what of it is chosen.
+void nameChoices(const LoadContext& context, const std::string& variant, Scene& scene) {
+  const tinygltf::Model& model = context.model;
+  for (const tinygltf::Scene& one : model.scenes) scene.scenes.push_back(one.name);
+  const std::size_t chosen = model.defaultScene >= 0 ? static_cast<std::size_t>(model.defaultScene) : 0;
+  if (chosen < model.scenes.size()) {
+    scene.chosen = static_cast<int>(chosen);
+    scene.name = model.scenes[chosen].name;
+  }
+  scene.variants = loadVariants(context);
+  scene.variant = variant;
+}
+
+/// -1 without a variant.
+int indexOfVariant(const Scene& scene) {
+  if (scene.variant.empty()) return -1;
+  const auto found = std::find(scene.variants.begin(), scene.variants.end(), scene.variant);
+  if (found != scene.variants.end()) return static_cast<int>(found - scene.variants.begin());
+  std::string list;
+  for (const std::string& name : scene.variants)
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+  throw UsageError(fmt::format("LoadOptions::variant \"{}\"", scene.variant), "there is none of that name",
+                   list.empty() ? "the file has no variants of its materials" : "the file has " + list);
+}
+
 }  // namespace
 
 LoadContext::LoadContext(const GltfDocument& source, Warnings& out)
@@ -81,7 +107,7 @@ const Material& Scene::materialOf(const Primitive& primitive) const {
   return primitive.material < 0 ? defaultMaterial : materials[static_cast<std::size_t>(primitive.material)];
 }
 
-Scene loadScene(const GltfDocument& document, Warnings& warnings) {
+Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::string& variant) {
   const LoadContext context(document, warnings);
   const tinygltf::Model& model = context.model;
   Scene scene;
@@ -93,17 +119,26 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings) {
   scene.nodes = loadNodes(context);
   checkSceneSize(context, scene.nodes);
   const std::vector<glm::dmat4> world = restTransforms(context, scene.nodes);
+  nameChoices(context, variant, scene);
+  const int variantIndex = indexOfVariant(scene);
+  SkinLoader skins(context, scene.nodes);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const int index = scene.nodes[i].node;
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
     if (node.mesh >= 0) {
       const auto mesh = static_cast<std::size_t>(node.mesh);
-      if (!loaded[mesh]) scene.meshes[mesh] = loadMesh(context, mesh);
+      if (!loaded[mesh]) scene.meshes[mesh] = loadMesh(context, mesh, variantIndex);
       loaded[mesh] = true;
-      if (node.skin >= 0) {
-        context.warn(fmt::format("/nodes/{}/skin", index), "the skin is not applied; the bind pose is used");
-      }
-      scene.meshNodes.push_back({index, node.name, node.mesh, {}, i, loadInstances(context, index)});
+      MeshNode& drawn = scene.meshNodes.emplace_back(
+          MeshNode{index, node.name, node.mesh, {}, i, loadInstances(context, index)});
+      const JsonCursor json = context.root.at("nodes").at(static_cast<std::size_t>(index));
+      drawn.weights = drawn.restWeights = loadWeights(json, scene.meshes[mesh]);
+      drawn.skin = skins.skinOf(json, mesh, scene.meshes[mesh], scene.skins);
+      if (drawn.skin >= 0 && !drawn.instances.empty())
+        context.warn(
+            fmt::format("/nodes/{}/extensions/EXT_mesh_gpu_instancing", index),
+            "glTF does not say where instances of a skinned mesh stand; they are moved from where its "
+            "joints have it");
     }
     if (node.camera >= 0) {
       scene.cameras.push_back(loadCamera(context, index, world[i]));
@@ -115,15 +150,13 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings) {
     }
   }
   placeMeshes(scene, world, context.file + ": ");
-  scene.animations = loadAnimations(context, scene.nodes);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!loaded[i]) {
       scene.meshes[i].name = model.meshes[i].name;
       scene.meshes[i].primitives.resize(model.meshes[i].primitives.size());
     }
   }
-  const std::size_t chosen = model.defaultScene >= 0 ? static_cast<std::size_t>(model.defaultScene) : 0;
-  if (chosen < model.scenes.size()) scene.name = model.scenes[chosen].name;
+  scene.animations = loadAnimations(context, scene);
   return scene;
 }
 

@@ -37,6 +37,24 @@ DrawnSize sizeOfPrimitive(const LoadContext& context, const JsonCursor& primitiv
   return size;
 }
 
+/// Vertices that are read besides those drawn: of morph targets, and sets of joints.
+double extraVertices(const LoadContext& context, std::uint64_t mesh) {
+  double count = 0.0;
+  context.root.at("meshes").at(mesh).forEachObject(
+      "primitives", [&](const JsonCursor& primitive, std::size_t) {
+        // Three attributes or so are as large as a vertex.
+        primitive.forEachObject("targets", [&](const JsonCursor& target, std::size_t) {
+          target.forEachMember([&](const JsonCursor& attribute, const std::string&) {
+            count += countOf(context, attribute) / 3.0;
+          });
+        });
+        primitive.at("attributes").forEachMember([&](const JsonCursor& attribute, const std::string& name) {
+          if (name.starts_with("JOINTS_")) count += countOf(context, attribute);
+        });
+      });
+  return count;
+}
+
 DrawnSize sizeOfMesh(const LoadContext& context, std::uint64_t mesh) {
   DrawnSize size;
   context.root.at("meshes").at(mesh).forEachObject(
@@ -89,7 +107,10 @@ void checkSceneSize(const LoadContext& context, const std::vector<SceneNode>& no
     const auto mesh = node.find("mesh");
     if (!mesh) continue;
     const auto [known, fresh] = meshes.try_emplace(mesh->asUnsigned());
-    if (fresh) known->second = sizeOfMesh(context, known->first);
+    if (fresh) {
+      known->second = sizeOfMesh(context, known->first);
+      drawn.vertices += extraVertices(context, known->first);
+    }
     const double count = instancesOf(context, node);
     instances += count;
     drawn.vertices += count * known->second.vertices;
