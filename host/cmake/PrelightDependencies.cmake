@@ -9,7 +9,12 @@ find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
 get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
+find_package(libavif CONFIG REQUIRED)       # libavif-dev
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
+find_package(draco REQUIRED)                # libdraco-dev
+find_package(meshoptimizer REQUIRED)        # libmeshoptimizer-dev
+# Who builds that library needs its definition, not who uses it.
+set_target_properties(meshoptimizer::meshoptimizer PROPERTIES INTERFACE_COMPILE_DEFINITIONS "")
 find_package(nlohmann_json REQUIRED)        # nlohmann-json3-dev
 find_package(Eigen3 REQUIRED)               # libeigen3-dev
 find_package(fmt REQUIRED)                  # libfmt-dev

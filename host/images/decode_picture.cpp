@@ -10,7 +10,8 @@
 namespace prelight {
 
 bool isDecoded(PictureFormat format) {
-  return format == PictureFormat::Png || format == PictureFormat::Jpeg || format == PictureFormat::WebP;
+  return format == PictureFormat::Png || format == PictureFormat::Jpeg || format == PictureFormat::WebP ||
+         format == PictureFormat::Avif;
 }
 
 void requireDecodable(const PictureExtent& extent, const std::string& where) {
@@ -29,6 +30,8 @@ std::string imageMimeType(std::span<const std::uint8_t> bytes) {
       return "image/jpeg";
     case PictureFormat::WebP:
       return "image/webp";
+    case PictureFormat::Avif:
+      return "image/avif";
     case PictureFormat::Ktx2:
       return "image/ktx2";
     case PictureFormat::Dds:
@@ -52,7 +55,7 @@ void checkExtent(std::span<const std::uint8_t> bytes, const std::string& where) 
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where) {
   const PictureFormat format = pictureFormat(bytes);
-  if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG or WebP picture");
+  if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG, WebP or AVIF picture");
   checkExtent(bytes, where);
   return imageLibrary().decodeImage(bytes, format, where);
 }

@@ -5,6 +5,7 @@
 
 #include "base/read_file.h"
 #include "prelight/error.h"
+#include "scene/gltf/decompress.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/glb_container.h"
 #include "scene/gltf/glb_output.h"
@@ -36,6 +37,7 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
     checkFileReferences(document);
     validateGltf(JsonCursor(file, document.json), warnings);
     embedBuffers(document, chunks.bin, warnings);
+    decompress(document, warnings);
     validateBinaryData(document);
     embedImages(document, warnings);
   } catch (const nlohmann::json::exception& error) {
