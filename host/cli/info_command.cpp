@@ -187,7 +187,7 @@ TreeReport reportTree(Session& session, const CompiledScene& scene) {
 
 void runInfo(const InfoCommand& command, Context& context) {
   Session session(context);
-  const LoadedScene loaded = session.load(command.scene);
+  const LoadedScene loaded = session.load(command.scene, true);
   BakeRequest request = command.bake.request;
   if (!command.bake.techniqueGiven()) useDefaultTechniques(request);
   const std::optional<Bake> bake = readBakeOrWarn(session, loaded);

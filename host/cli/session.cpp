@@ -11,10 +11,10 @@ void Session::warn(const std::string& warning) {
   console_.warn({warning});
 }
 
-LoadedScene Session::load(const std::filesystem::path& path) {
+LoadedScene Session::load(const std::filesystem::path& path, bool tellOddities) {
   Warnings found;
-  LoadedScene loaded = openScene(
-      [&](Warnings& odd) { return readGltf(path, odd, {context_.options.allowOutside}); }, found, steps_);
+  const ReadOptions options{context_.options.allowOutside, tellOddities};
+  LoadedScene loaded = openScene([&](Warnings& odd) { return readGltf(path, odd, options); }, found, steps_);
   console_.warn(found);
   warnings_.insert(warnings_.end(), found.begin(), found.end());
   return loaded;
@@ -30,8 +30,8 @@ BakeRun Session::bake(const LoadedScene& loaded, const BakeRequest& request,
   };
   BakeRun run;
   times_.measureProcessor("bake", [&] {
-    run =
-        runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request, {steps_, open, keyed});
+    run = runBake({loaded.path, loaded.document, loaded.scene, loaded.compiled}, request,
+                  {steps_, open, keyed});
   });
   progress_.clear();
   for (const auto& [stage, seconds] : run.report.stageSeconds) times_.add(stage, seconds);

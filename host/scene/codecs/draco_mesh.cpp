@@ -158,6 +158,13 @@ DracoMesh::DracoMesh(std::span<const std::uint8_t> bytes, std::uint64_t mostByte
                      fmt::format("method {} of Draco is not known, expected 0 or 1", header.encoder_method),
                      exportAgain);
   }
+  for (const std::uint32_t vertex : indices()) {
+    if (vertex >= vertices())
+      throw InputError(where,
+                       fmt::format("a triangle of the Draco data has vertex {}, expected 0..{}", vertex,
+                                   std::int64_t(vertices()) - 1),
+                       exportAgain);
+  }
 }
 
 DracoMesh::~DracoMesh() = default;

@@ -110,7 +110,7 @@ void addDeltas(std::uint8_t channel, const std::array<std::uint8_t, 4>& delta, s
   } else {
     std::uint32_t stored = 0;
     for (std::size_t k = 0; k < 4; ++k) stored |= std::uint32_t{delta[k]} << (8 * k);
-    stored = std::rotl(stored, channel >> 4);
+    stored = std::rotr(stored, channel >> 4);
     for (std::size_t k = 0; k < 4; ++k) last[k] ^= static_cast<std::uint8_t>(stored >> (8 * k));
   }
 }

@@ -7,7 +7,7 @@
 namespace prelight {
 
 DecodedBytes::DecodedBytes(std::uint64_t documentBytes)
-    : left_((std::uint64_t{1} << 28) + 256 * documentBytes) {}
+    : left_((std::uint64_t{1} << 26) + 256 * documentBytes) {}
 
 void DecodedBytes::take(std::uint64_t bytes, const std::string& where) {
   if (bytes > left_)

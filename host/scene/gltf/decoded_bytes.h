@@ -5,7 +5,7 @@
 
 namespace prelight {
 
-/// What the compressed parts of a document may be decoded to, all together: 2^28 bytes and 256 for each byte
+/// What the compressed parts of a document may be decoded to, all together: 2^26 bytes and 256 for each byte
 /// of its data, as parts may share their data.
 class DecodedBytes {
  public:

@@ -26,6 +26,8 @@ struct ReadOptions {
   /// Files that the document names may lie outside of its folder. A scene from a stranger could have any file
   /// of the machine copied into what is written.
   bool allowOutside = false;
+  /// What breaks a rule of glTF that nothing here depends on is a warning too.
+  bool tellOddities = false;
 };
 
 /// Reads a .gltf or .glb, checks its structure (types, index ranges, accessors against buffers, node cycles,

@@ -49,6 +49,9 @@ std::vector<glm::dmat4> loadInstances(const LoadContext& context, int node);
 std::vector<Animation> loadAnimations(const LoadContext& context, const std::vector<SceneNode>& nodes);
 
 Mesh loadMesh(const LoadContext& context, std::size_t mesh);
+/// One warning that counts the primitives of points and lines of the meshes that are marked: they are left
+/// empty.
+void warnOfPointsAndLines(const LoadContext& context, const std::vector<bool>& meshes);
 std::vector<Material> loadMaterials(const LoadContext& context);
 /// Decodes the images that materials use; the others are white texels, as are those that cannot be read, with
 /// a warning. Materials lose normal textures that cannot be read.

@@ -114,6 +114,7 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings) {
       scene.lights.push_back(*std::move(light));
     }
   }
+  warnOfPointsAndLines(context, loaded);
   placeMeshes(scene, world, context.file + ": ");
   scene.animations = loadAnimations(context, scene.nodes);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
