@@ -20,8 +20,9 @@ find_package(Eigen3 REQUIRED)               # libeigen3-dev
 find_package(fmt REQUIRED)                  # libfmt-dev
 find_package(CLI11 REQUIRED)                # libcli11-dev
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # libssl-dev: SHA-256 of the kernel cache keys
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)  # libzstd-dev
 if(PRELIGHT_VIEWER)
-  find_package(PkgConfig REQUIRED)
   find_package(glfw3 REQUIRED)              # libglfw3-dev
   pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)  # libepoxy-dev
   pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)      # libegl-dev

@@ -12,6 +12,7 @@ namespace {
 // [2] ITU-T T.81 (JPEG), B.1 and B.2
 // [3] RFC 9649 (WebP), 2.5 to 2.7
 // [4] ISO/IEC 14496-12 (boxes), 4.2, 8.11; ISO/IEC 23008-12 (ispe), 6.5.3
+// [5] KTX 2.0, 3
 
 struct Magic {
   std::string_view bytes;
@@ -41,6 +42,7 @@ class Header {
   std::uint64_t big16(std::size_t at) const { return byte(at) << 8 | byte(at + 1); }
   std::uint64_t big32(std::size_t at) const { return big16(at) << 16 | big16(at + 2); }
   std::uint64_t little16(std::size_t at) const { return byte(at + 1) << 8 | byte(at); }
+  std::uint64_t little32(std::size_t at) const { return little16(at + 2) << 16 | little16(at); }
   std::uint64_t little24(std::size_t at) const { return byte(at + 2) << 16 | little16(at); }
   bool has(std::string_view text, std::size_t at) const {
     return at + text.size() <= bytes_.size() &&
@@ -106,6 +108,13 @@ std::optional<PictureExtent> webpExtent(const Header& header) {
   if (header.has("VP8 ", 12))
     return PictureExtent{header.little16(26) & low14, header.little16(28) & low14, 0};
   return std::nullopt;
+}
+
+/// [5]
+std::optional<PictureExtent> ktx2Extent(const Header& header) {
+  constexpr std::size_t end = 80;
+  if (header.size() < end) return std::nullopt;
+  return PictureExtent{header.little32(20), header.little32(24), 0};
 }
 
 /// A box of [4]: what is in it lies in [begin, end).
@@ -185,6 +194,7 @@ std::optional<PictureExtent> pictureExtent(std::span<const std::uint8_t> bytes) 
   if (format == PictureFormat::Png) extent = pngExtent(Header(bytes));
   if (format == PictureFormat::Jpeg) extent = jpegExtent(Header(bytes));
   if (format == PictureFormat::WebP) extent = webpExtent(Header(bytes));
+  if (format == PictureFormat::Ktx2) extent = ktx2Extent(Header(bytes));
   if (format == PictureFormat::Avif) extent = avifExtent(Header(bytes));
   if (extent && extent->texels() == 0) return std::nullopt;
   return extent;

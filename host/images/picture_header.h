@@ -27,7 +27,7 @@ PictureFormat pictureFormat(std::span<const std::uint8_t> bytes);
 /// "PNG", for messages; "an unknown format".
 const char* nameOf(PictureFormat format);
 
-/// What the header of a PNG, JPEG, WebP or AVIF picture claims.
+/// What the header of a PNG, JPEG, WebP, AVIF or KTX2 picture claims.
 struct PictureExtent {
   std::uint64_t width = 0;
   std::uint64_t height = 0;

@@ -120,7 +120,7 @@ GltfUse findUse(const Json& root) {
   addNodes(root, use);
   forEachElement(memberOf(root, "textures"), [&](const Json& texture) {
     addIndex(memberOf(texture, "source"), use.images);
-    for (const char* name : decodedTextureExtensions)
+    for (const char* name : textureExtensions)
       addIndex(memberOf(memberOf(memberOf(texture, "extensions"), name), "source"), use.images);
   });
   addViews(root, use);

@@ -71,7 +71,7 @@ TextureRef loadTexture(const LoadContext& context, const JsonCursor& holder, con
   if (!info) return ref;
   const std::size_t index = info->at("index").asUnsigned();
   const tinygltf::Texture& texture = context.model.textures[index];
-  const auto image = textureImage(context.root.at("textures").at(index), context.warnings);
+  const auto image = textureImage(context.root.at("textures").at(index));
   std::uint64_t texCoord = info->unsignedOr("texCoord", 0);
   if (const auto transform = LoadContext::extension(*info, "KHR_texture_transform")) {
     ref.transform = textureTransform(*transform);
