@@ -28,15 +28,22 @@ struct EncodedMesh {
   Json attributes = Json::object();  ///< name to number
 };
 
+/// As floats, or as the 16-bit integers that an accessor of KHR_mesh_quantization has.
 int addAttribute(::draco::Mesh& mesh, ::draco::GeometryAttribute::Type type, const AccessorReader& reader) {
+  constexpr int uint16 = 5123;
+  const bool isInteger = reader.componentType() == uint16;
   const std::vector<float> values = reader.floats();
+  const std::vector<std::uint16_t> integers(values.begin(), values.end());
   const auto components = static_cast<std::int8_t>(reader.components());
   ::draco::GeometryAttribute attribute;
-  attribute.Init(type, nullptr, components, ::draco::DT_FLOAT32, false, components * 4, 0);
+  attribute.Init(type, nullptr, components, isInteger ? ::draco::DT_UINT16 : ::draco::DT_FLOAT32, false,
+                 components * (isInteger ? 2 : 4), 0);
   const int id = mesh.AddAttribute(attribute, true, static_cast<std::uint32_t>(reader.count()));
-  for (std::uint32_t i = 0; i < reader.count(); ++i)
-    mesh.attribute(id)->SetAttributeValue(::draco::AttributeValueIndex(i),
-                                          &values[i * static_cast<std::size_t>(components)]);
+  for (std::uint32_t i = 0; i < reader.count(); ++i) {
+    const std::size_t first = i * static_cast<std::size_t>(components);
+    const void* value = isInteger ? static_cast<const void*>(&integers[first]) : &values[first];
+    mesh.attribute(id)->SetAttributeValue(::draco::AttributeValueIndex(i), value);
+  }
   return id;
 }
 

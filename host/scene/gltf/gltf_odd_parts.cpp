@@ -1,39 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
-#include <string_view>
-#include <vector>
 
 #include "scene/gltf/gltf_oddities.h"
-#include "scene/gltf/json_cursor.h"
+#include "scene/gltf/json_parts.h"
+#include "scene/gltf/texture_source.h"
 
 namespace prelight {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A member, null where there is none.
-const Json& part(const Json& object, const char* key) {
-  static const Json none;
-  if (!object.is_object()) return none;
-  const auto found = object.find(key);
-  return found == object.end() ? none : *found;
-}
-
-double numberOf(const Json& value, double fallback) {
-  return value.is_number() ? value.get<double>() : fallback;
-}
-
-template <class Visit>
-void forEachPart(const Json& root, const char* list, Visit visit) {
-  const Json& parts = part(root, list);
-  if (!parts.is_array()) return;
-  for (std::size_t i = 0; i < parts.size(); ++i) visit(parts[i], fmt::format("/{}/{}", list, i));
-}
 
 void findOddBuffers(const Json& root, Oddities& odd) {
   constexpr double vertices = 34962.0;
@@ -90,6 +69,11 @@ void findOddNodes(const Json& root, Oddities& odd) {
       if (node.contains(member) && !node.contains("mesh"))
         odd.add(fmt::format("{} without a mesh; ignored", member), place + "/" + member);
     }
+    const Json& mesh = partAt(part(root, "meshes"), part(node, "mesh"));
+    const Json& primitives = part(mesh, "primitives");
+    if (node.contains("weights") && primitives.is_array() && !primitives.empty() &&
+        part(primitives[0], "targets").size() != node["weights"].size())
+      odd.add("other than one weight for each morph target", place + "/weights");
   });
   forEachPart(root, "cameras", [&](const Json& camera, const std::string& place) {
     if (!camera.is_object()) return;
@@ -100,80 +84,6 @@ void findOddNodes(const Json& root, Oddities& odd) {
       if (numberOf(part(lens, "zfar"), INFINITY) <= numberOf(part(lens, "znear"), 0.0))
         odd.add("zfar is not beyond znear; neither is used", place + "/" + kind);
     }
-  });
-}
-
-bool isKnownAttribute(std::string_view name) {
-  constexpr std::array<std::string_view, 7> known = {"POSITION", "NORMAL",  "TANGENT", "TEXCOORD_",
-                                                     "COLOR_",   "JOINTS_", "WEIGHTS_"};
-  return name.starts_with("_") ||
-         std::any_of(known.begin(), known.end(), [&](std::string_view k) { return name.starts_with(k); });
-}
-
-void findOddAttributes(const Json& attributes, const std::string& place, Oddities& odd) {
-  if (!attributes.is_object()) return;
-  for (const auto& attribute : attributes.items()) {
-    if (!isKnownAttribute(attribute.key()))
-      odd.add("an attribute of no known name, which is to begin with _; it is not read",
-              place + "/" + attribute.key());
-  }
-}
-
-/// The sets of texture coordinates that a material's textures name, with what is in their extensions.
-void addTextureSets(const Json& json, std::set<std::uint64_t>& sets) {
-  if (!json.is_structured()) return;
-  for (auto member = json.begin(); member != json.end(); ++member) {
-    if (json.is_object() && member.key() == "extras") continue;
-    const bool isTexture = json.is_object() && member.key().ends_with("Texture") && member->is_object();
-    const Json& transform = isTexture ? part(part(*member, "extensions"), "KHR_texture_transform") : json;
-    if (isTexture) {
-      const auto own = unsignedValue(part(*member, "texCoord"));
-      const auto moved = unsignedValue(part(transform, "texCoord"));
-      sets.insert(moved ? *moved : own.value_or(0));
-    } else {
-      addTextureSets(*member, sets);
-    }
-  }
-}
-
-using TextureSets = std::vector<std::set<std::uint64_t>>;  // [material]
-
-TextureSets textureSets(const Json& root) {
-  TextureSets sets;
-  for (const Json& material : part(root, "materials")) addTextureSets(material, sets.emplace_back());
-  return sets;
-}
-
-void findOddPrimitive(const TextureSets& sets, const Json& primitive, const std::string& place,
-                      Oddities& odd) {
-  const Json& attributes = part(primitive, "attributes");
-  findOddAttributes(attributes, place + "/attributes", odd);
-  const Json& targets = part(primitive, "targets");
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    findOddAttributes(targets[i], fmt::format("{}/targets/{}", place, i), odd);
-  const auto material = unsignedValue(part(primitive, "material"));
-  if (!material || *material >= sets.size()) return;
-  for (const std::uint64_t set : sets[*material]) {
-    if (part(attributes, fmt::format("TEXCOORD_{}", set).c_str()).is_null())
-      odd.add("a material with textures, and no coordinates in the primitive for them; they are taken as 0",
-              place + "/material");
-  }
-}
-
-void findOddMeshes(const Json& root, Oddities& odd) {
-  const TextureSets sets = textureSets(root);
-  forEachPart(root, "meshes", [&](const Json& mesh, const std::string& place) {
-    const Json& primitives = part(mesh, "primitives");
-    std::set<std::size_t> targets;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
-      findOddPrimitive(sets, primitives[i], fmt::format("{}/primitives/{}", place, i), odd);
-      targets.insert(part(primitives[i], "targets").size());
-    }
-    if (targets.size() > 1)
-      odd.add("primitives of one mesh with different numbers of morph targets", place + "/primitives");
-    const Json& weights = part(mesh, "weights");
-    if (weights.is_array() && !targets.contains(weights.size()))
-      odd.add("other than one weight for each morph target", place + "/weights");
   });
 }
 
@@ -196,12 +106,40 @@ void findOddLights(const Json& root, Oddities& odd) {
   }
 }
 
+void findOddAnimations(const Json& root, Oddities& odd) {
+  forEachPart(root, "animations", [&](const Json& animation, const std::string& place) {
+    forEachPart(animation, "samplers", [&](const Json& sampler, const std::string& within) {
+      const Json& accessor = partAt(part(root, "accessors"), part(sampler, "input"));
+      if (accessor.is_object() && (part(accessor, "min").is_null() || part(accessor, "max").is_null()))
+        odd.add("times without min and max; they are not needed", place + within + "/input");
+    });
+  });
+}
+
+void findOddTextures(const Json& root, Oddities& odd) {
+  const std::size_t images = part(root, "images").size();
+  forEachPart(root, "textures", [&](const Json& texture, const std::string& place) {
+    for (const char* extension : textureExtensions) {
+      const auto source = unsignedValue(part(part(part(texture, "extensions"), extension), "source"));
+      if (source && *source >= images)
+        odd.add("an image index out of range", fmt::format("{}/extensions/{}/source", place, extension));
+    }
+  });
+}
+
+bool isListed(const Json& root, const char* list, const Json& name) {
+  const Json& names = part(root, list);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void findDuplicateNames(const Json& root, Oddities& odd) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     std::set<std::string> seen;
     forEachPart(root, list, [&](const Json& name, const std::string& place) {
       if (name.is_string() && !seen.insert(name.get<std::string>()).second)
         odd.add("an extension that is listed twice", place);
+      if (name == "KHR_mesh_quantization" && !isListed(root, "extensionsRequired", name))
+        odd.add("an extension that extensionsRequired is to list too", place);
     });
   }
 }
@@ -212,8 +150,9 @@ void findOddParts(const Json& root, Oddities& odd) {
   findOddBuffers(root, odd);
   findOddImages(root, odd);
   findOddNodes(root, odd);
-  findOddMeshes(root, odd);
   findOddLights(root, odd);
+  findOddAnimations(root, odd);
+  findOddTextures(root, odd);
   findDuplicateNames(root, odd);
 }
 

@@ -137,6 +137,7 @@ void warnOfOddities(const Json& root, const std::string& file, Warnings& warning
   Oddities odd;
   findOddStructure(root, odd);
   findOddParts(root, odd);
+  findOddMeshes(root, odd);
   odd.addTo(warnings, file);
 }
 

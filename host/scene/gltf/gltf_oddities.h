@@ -6,12 +6,16 @@
 #include <vector>
 
 #include "prelight/error.h"
+#include "scene/gltf/gltf_document.h"
 
 namespace prelight {
 
 /// What breaks a rule of glTF that nothing here depends on, in a tree that validateGltf accepts: one warning
 /// for each rule, with its first place and the number of others.
 void warnOfOddities(const nlohmann::ordered_json& root, const std::string& file, Warnings& warnings);
+
+/// The same of the numbers of a read document's accessors.
+void warnOfOddValues(const GltfDocument& document, Warnings& warnings);
 
 /// The oddities so far, by rule.
 class Oddities {
@@ -29,8 +33,9 @@ class Oddities {
   std::vector<Found> found_;
 };
 
-/// The parts of warnOfOddities: everywhere in the tree, and part by part.
+/// The parts of warnOfOddities: everywhere in the tree, part by part, and in meshes.
 void findOddStructure(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddParts(const nlohmann::ordered_json& root, Oddities& odd);
+void findOddMeshes(const nlohmann::ordered_json& root, Oddities& odd);
 
 }  // namespace prelight

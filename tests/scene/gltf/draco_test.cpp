@@ -131,6 +131,29 @@ TEST(DracoFile, Written_HasPlainAccessorsAndNoExtension) {
   EXPECT_EQ(written.meshes[0].primitives[0].positions, read.meshes[0].primitives[0].positions);
 }
 
+/// KHR_mesh_quantization: 16-bit positions that the node scales.
+TEST(DracoFile, QuantisedPositions_AreScaledByTheNode) {
+  GltfDocument document = test::triangleDocument();
+  const std::vector<std::uint16_t> positions = {0, 0, 0, 0, 16383, 0, 0, 0, 0, 16383, 0, 0};
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(positions.data());
+  const int accessor =
+      test::appendBytes(document, std::vector<std::uint8_t>(bytes, bytes + 24), "VEC3", 3, 5123);
+  const auto view = document.json["accessors"][accessor]["bufferView"].get<std::size_t>();
+  document.json["bufferViews"][view]["byteStride"] = 8;
+  document.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = accessor;
+  document.json["nodes"][0]["scale"] = {1.0 / 16383.0, 1.0 / 16383.0, 1.0 / 16383.0};
+  document.json["extensionsUsed"] = {"KHR_mesh_quantization"};
+  document.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  for (const bool edgebreaker : {false, true}) {
+    Warnings warnings;
+    const CompiledScene scene = test::recompile(test::withDraco(document, {edgebreaker, 0, 10}), warnings);
+    EXPECT_THAT(warnings, testing::IsEmpty());
+    ASSERT_EQ(scene.positions.size(), 3u);
+    const glm::vec3 a = scene.positions[0], b = scene.positions[1], c = scene.positions[2];
+    EXPECT_NEAR(glm::length(glm::cross(b - a, c - a)), 1.0f, 1e-6f);
+  }
+}
+
 /// A triangle with Draco data beside the uncompressed ones, not required.
 GltfDocument triangleWithBoth() {
   GltfDocument document = test::triangleDocument();

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_oddities.h"
 #include "scene/gltf/loader.h"
@@ -24,7 +26,57 @@ void expectOdd(const std::string& json, const std::string& text) {
 }
 
 TEST(Oddities, RightFile_HasNone) {
-  EXPECT_THAT(odditiesOf(test::triangleDocument().json.dump()), testing::IsEmpty());
+  GltfDocument document = test::triangleDocument();
+  document.json["accessors"][0]["min"] = {0, 0, 0};
+  document.json["accessors"][0]["max"] = {1, 1, 0};
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "a.glb", document);
+  Warnings warnings;
+  (void)readGltf(folder / "a.glb", warnings, {.tellOddities = true});
+  EXPECT_THAT(warnings, testing::IsEmpty());
+}
+
+/// They are told of where they are asked for.
+TEST(Oddities, ValuesOutsideOfTheirLimits_AreTold) {
+  GltfDocument document = test::triangleDocument();
+  document.json["accessors"][0]["min"] = {0, 0, 0};
+  document.json["accessors"][0]["max"] = {0.5, 1, 0};
+  const int accessor = test::appendFloats(document, {NAN, 1, 2}, "SCALAR");
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "a.glb", document);
+  Warnings silent, warnings;
+  (void)readGltf(folder / "a.glb", silent);
+  (void)readGltf(folder / "a.glb", warnings, {.tellOddities = true});
+  EXPECT_THAT(silent, testing::IsEmpty());
+  EXPECT_THAT(warnings,
+              testing::ElementsAre(testing::HasSubstr("/accessors/0: values outside of min and max"),
+                                   testing::HasSubstr("/accessors/" + std::to_string(accessor) +
+                                                      ": values that are not finite")));
+}
+
+TEST(Oddities, Meshes_NamePlaceAndRule) {
+  const std::string place = "/meshes/0/primitives/0";
+  const auto withPrimitive = [](const std::string& primitive, const std::string& rest) {
+    return R"({"meshes": [{"primitives": [)" + primitive + "]}]" + rest + "}";
+  };
+  expectOdd(withPrimitive(R"({"attributes": {"POSITION": 0}})", R"(, "accessors": [{"type": "VEC3"}])"),
+            place + "/attributes/POSITION: positions without min and max");
+  expectOdd(withPrimitive(R"({"attributes": {"NORMAL": 0}})",
+                          R"(, "accessors": [{"bufferView": 0, "byteOffset": 2}])"),
+            place + "/attributes/NORMAL: vertices that do not begin");
+  expectOdd(withPrimitive(R"({"attributes": {"_A": 0}})", R"(, "accessors": [{"componentType": 5125}])"),
+            place + "/attributes/_A: vertices of 32-bit");
+  expectOdd(withPrimitive(
+                R"({"attributes": {}, "indices": 0})",
+                R"(, "accessors": [{"bufferView": 0}], "bufferViews": [{"byteStride": 4, "byteLength": 8}])"),
+            place + "/indices: indices in a buffer view with a byteStride");
+  expectOdd(withPrimitive(R"({"attributes": {"JOINTS_0": 0}})", ""),
+            place + "/attributes: other than a set of weights");
+  expectOdd(withPrimitive(R"({"attributes": {}, "targets": [{"NORMAL": 0}]})", ""),
+            place + "/targets/0/NORMAL: a morph target of an attribute");
+  expectOdd(withPrimitive(R"({"attributes": {}, "material": 0})",
+                          R"(, "materials": [{"normalTexture": {"texCoord": 1}}])"),
+            place + "/material: a material with textures");
 }
 
 TEST(Oddities, EmptyArrays_AreCounted) {

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/gltf_oddities.h"
+#include "scene/gltf/json_parts.h"
+#include "scene/gltf/missing_data.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Values as they are stored against the accessor's own min and max.
+void findOddNumbers(const Json& accessor, const AccessorReader& reader, const std::string& place,
+                    Oddities& odd) {
+  const Json& low = part(accessor, "min");
+  const Json& high = part(accessor, "max");
+  const bool isNormalized = part(accessor, "normalized") == true;  // the limits are not
+  const std::size_t components = reader.components();
+  const std::vector<float> values = reader.floats();
+  bool finite = true, within = true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double value = values[i];
+    finite = finite && std::isfinite(value);
+    if (isNormalized) continue;
+    const std::size_t c = i % components;
+    // As floats, like the values.
+    if (low.is_array() && c < low.size())
+      within = within && !(value < static_cast<float>(numberOf(low[c], value)));
+    if (high.is_array() && c < high.size())
+      within = within && !(value > static_cast<float>(numberOf(high[c], value)));
+  }
+  if (!finite) odd.add("values that are not finite", place);
+  if (!within) odd.add("values outside of min and max, which are not needed", place);
+}
+
+}  // namespace
+
+void warnOfOddValues(const GltfDocument& document, Warnings& warnings) {
+  // Accessors may share their data, so that a small file could keep this busy.
+  std::uint64_t left = std::uint64_t{1} << 24;
+  Oddities odd;
+  std::size_t index = 0;
+  forEachPart(document.json, "accessors", [&](const Json& accessor, const std::string& place) {
+    const std::size_t i = index++;
+    try {
+      if (!accessor.is_object() || !accessor.contains("bufferView") || lacksData(document, i)) return;
+      const AccessorReader reader(document, i);
+      const std::uint64_t numbers = reader.count() * std::uint64_t{reader.components()};
+      if (numbers > left) return;
+      left -= numbers;
+      findOddNumbers(accessor, reader, place, odd);
+    } catch (const InputError&) {
+      // What is broken and not used has been told of.
+    }
+  });
+  odd.addTo(warnings, document.path.string());
+}
+
+}  // namespace prelight
