@@ -45,8 +45,8 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
     embedBuffers(document, chunks.bin, warnings);
     decompress(document, warnings);
     validateBinaryData(document);
-    if (options.tellOddities) warnOfOddValues(document, warnings);
     embedImages(document, warnings);
+    if (options.tellOddities) warnOfOddValues(document, warnings);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file, error.what());
   }

@@ -7,6 +7,7 @@
 #include "scene/gltf/gltf_oddities.h"
 #include "scene/gltf/json_parts.h"
 #include "scene/gltf/texture_source.h"
+#include "scene/gltf/uri.h"
 
 namespace prelight {
 
@@ -14,11 +15,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+bool isListed(const Json& root, const char* list, const Json& name) {
+  const Json& names = part(root, list);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The MIME type that a data URI states; empty for other URIs.
+std::string mimeOfUri(const Json& uri) {
+  if (!uri.is_string() || !isDataUri(uri.get_ref<const std::string&>())) return {};
+  const std::string& text = uri.get_ref<const std::string&>();
+  const std::size_t begin = text.find(':') + 1;
+  return text.substr(begin, text.find_first_of(";,", begin) - begin);
+}
+
+/// Whether a picture of this type may stand in a file, which says to use the extension that brings it.
+bool isAllowedPicture(const Json& root, const std::string& mimeType) {
+  if (mimeType == "image/png" || mimeType == "image/jpeg") return true;
+  return (mimeType == "image/webp" && isListed(root, "extensionsUsed", "EXT_texture_webp")) ||
+         (mimeType == "image/avif" && isListed(root, "extensionsUsed", "EXT_texture_avif")) ||
+         (mimeType == "image/ktx2" && isListed(root, "extensionsUsed", "KHR_texture_basisu"));
+}
+
 void findOddBuffers(const Json& root, Oddities& odd) {
   constexpr double vertices = 34962.0;
   forEachPart(root, "buffers", [&](const Json& buffer, const std::string& place) {
     if (numberOf(part(buffer, "byteLength"), 1.0) == 0.0)
       odd.add("a buffer of 0 bytes, expected 1 at least", place + "/byteLength");
+    const std::string mimeType = mimeOfUri(part(buffer, "uri"));
+    if (!mimeType.empty() && mimeType != "application/octet-stream" && mimeType != "application/gltf-buffer")
+      odd.add("a MIME type other than application/octet-stream and application/gltf-buffer", place + "/uri");
   });
   forEachPart(root, "bufferViews", [&](const Json& view, const std::string& place) {
     if (!view.is_object() || !view.contains("byteStride")) return;
@@ -43,6 +68,15 @@ void findOddImages(const Json& root, Oddities& odd) {
     if (!image.is_object()) return;
     const bool inView = image.contains("bufferView");
     if (inView == image.contains("uri")) odd.add("an image names either a uri or a bufferView", place);
+    const std::string stated =
+        part(image, "mimeType").is_string() ? image["mimeType"].get<std::string>() : "";
+    const std::string inUri = mimeOfUri(part(image, "uri"));
+    for (const std::string& mimeType : {stated, inUri}) {
+      if (!mimeType.empty() && !isAllowedPicture(root, mimeType))
+        odd.add("a picture of a type that the file may not have without an extension", place);
+    }
+    if (!stated.empty() && !inUri.empty() && stated != inUri)
+      odd.add("a mimeType that is not that of the URI", place + "/mimeType");
     if (!inView) return;
     if (!image.contains("mimeType"))
       odd.add("an image in a buffer view without a mimeType", place + "/bufferView");
@@ -125,11 +159,6 @@ void findOddTextures(const Json& root, Oddities& odd) {
         odd.add("an image index out of range", fmt::format("{}/extensions/{}/source", place, extension));
     }
   });
-}
-
-bool isListed(const Json& root, const char* list, const Json& name) {
-  const Json& names = part(root, list);
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void findDuplicateNames(const Json& root, Oddities& odd) {

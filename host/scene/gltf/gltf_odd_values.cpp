@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
+#include "images/decode_picture.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_oddities.h"
 #include "scene/gltf/json_parts.h"
@@ -56,6 +58,17 @@ void warnOfOddValues(const GltfDocument& document, Warnings& warnings) {
     } catch (const InputError&) {
       // What is broken and not used has been told of.
     }
+  });
+  const Json& views = part(document.json, "bufferViews");
+  forEachPart(document.json, "images", [&](const Json& image, const std::string& place) {
+    const Json& view = partAt(views, part(image, "bufferView"));
+    if (!view.is_object() || view.value("buffer", missingBuffer) == missingBuffer) return;
+    const auto bytes =
+        std::span(document.bin)
+            .subspan(view.value("byteOffset", std::size_t{0}), view.value("byteLength", std::size_t{0}));
+    const PictureFormat format = pictureFormat(bytes);
+    if (format == PictureFormat::Unknown || (isDecoded(format) && !pictureExtent(bytes)))
+      odd.add("data that are no picture", place);
   });
   odd.addTo(warnings, document.path.string());
 }

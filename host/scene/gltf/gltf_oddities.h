@@ -14,7 +14,7 @@ namespace prelight {
 /// for each rule, with its first place and the number of others.
 void warnOfOddities(const nlohmann::ordered_json& root, const std::string& file, Warnings& warnings);
 
-/// The same of the numbers of a read document's accessors.
+/// The same of the numbers of a read document's accessors and of its pictures.
 void warnOfOddValues(const GltfDocument& document, Warnings& warnings);
 
 /// The oddities so far, by rule.

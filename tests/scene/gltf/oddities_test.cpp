@@ -54,6 +54,18 @@ TEST(Oddities, ValuesOutsideOfTheirLimits_AreTold) {
                                                       ": values that are not finite")));
 }
 
+TEST(Oddities, PictureThatIsNone_IsTold) {
+  GltfDocument document = test::triangleDocument();
+  document.json["accessors"][0]["min"] = {0, 0, 0};
+  document.json["accessors"][0]["max"] = {1, 1, 0};
+  document.json["images"] = {{{"bufferView", 0}, {"mimeType", "image/png"}}};
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "a.glb", document);
+  Warnings warnings;
+  (void)readGltf(folder / "a.glb", warnings, {.tellOddities = true});
+  EXPECT_THAT(warnings, testing::ElementsAre(testing::HasSubstr("/images/0: data that are no picture")));
+}
+
 TEST(Oddities, Meshes_NamePlaceAndRule) {
   const std::string place = "/meshes/0/primitives/0";
   const auto withPrimitive = [](const std::string& primitive, const std::string& rest) {
@@ -108,6 +120,10 @@ TEST(Oddities, Parts_NamePlaceAndRule) {
             "not for vertices");
   expectOdd(R"({"images": [{}]})", "/images/0: an image names either");
   expectOdd(R"({"images": [{"bufferView": 0}]})", "without a mimeType");
+  expectOdd(R"({"images": [{"uri": "a.webp", "mimeType": "image/webp"}]})", "/images/0: a picture of a type");
+  expectOdd(R"({"images": [{"uri": "data:image/png;base64,AA==", "mimeType": "image/jpeg"}]})",
+            "/images/0/mimeType");
+  expectOdd(R"({"buffers": [{"uri": "data:text/plain,a"}]})", "/buffers/0/uri: a MIME type other than");
   expectOdd(R"({"nodes": [{"rotation": [0, 0, 0, 2]}]})", "/nodes/0/rotation");
   expectOdd(R"({"nodes": [{"matrix": [1], "scale": [1, 1, 1]}]})", "/nodes/0/matrix");
   expectOdd(R"({"nodes": [{"skin": 0}]})", "/nodes/0/skin: skin without a mesh");
