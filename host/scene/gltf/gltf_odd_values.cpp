@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "images/decode_picture.h"
 #include "scene/gltf/accessor.h"
@@ -15,25 +17,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Values as they are stored against the accessor's own min and max.
+/// The limits of each component as floats, like the values; `none` where the accessor states none, or others
+/// than of the values: those of normalised integers are of the integers.
+std::vector<float> limitsOf(const Json& accessor, const char* name, std::size_t components, float none) {
+  std::vector<float> limits(components, none);
+  const Json& stated = part(accessor, name);
+  if (part(accessor, "normalized") == true || !stated.is_array()) return limits;
+  for (std::size_t c = 0; c < std::min(components, stated.size()); ++c)
+    limits[c] = static_cast<float>(numberOf(stated[c], none));
+  return limits;
+}
+
 void findOddNumbers(const Json& accessor, const AccessorReader& reader, const std::string& place,
                     Oddities& odd) {
-  const Json& low = part(accessor, "min");
-  const Json& high = part(accessor, "max");
-  const bool isNormalized = part(accessor, "normalized") == true;  // the limits are not
   const std::size_t components = reader.components();
+  const std::vector<float> low = limitsOf(accessor, "min", components, -INFINITY);
+  const std::vector<float> high = limitsOf(accessor, "max", components, INFINITY);
   const std::vector<float> values = reader.floats();
   bool finite = true, within = true;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double value = values[i];
-    finite = finite && std::isfinite(value);
-    if (isNormalized) continue;
-    const std::size_t c = i % components;
-    // As floats, like the values.
-    if (low.is_array() && c < low.size())
-      within = within && !(value < static_cast<float>(numberOf(low[c], value)));
-    if (high.is_array() && c < high.size())
-      within = within && !(value > static_cast<float>(numberOf(high[c], value)));
+  for (std::size_t i = 0; i < values.size(); i += components) {
+    for (std::size_t c = 0; c < components; ++c) {
+      finite = finite && std::isfinite(values[i + c]);
+      within = within && !(values[i + c] < low[c]) && !(values[i + c] > high[c]);
+    }
   }
   if (!finite) odd.add("values that are not finite", place);
   if (!within) odd.add("values outside of min and max, which are not needed", place);
