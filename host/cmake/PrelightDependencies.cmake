@@ -11,8 +11,7 @@ list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
 find_package(libavif CONFIG REQUIRED)       # libavif-dev
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
-# libdraco-dev. Its static library would clash: it has another tinygltf inside.
-find_package(draco REQUIRED)
+find_package(draco REQUIRED)                # libdraco-dev
 find_package(meshoptimizer REQUIRED)        # libmeshoptimizer-dev
 # Who builds that library needs its definition, not who uses it.
 set_target_properties(meshoptimizer::meshoptimizer PROPERTIES INTERFACE_COMPILE_DEFINITIONS "")

@@ -182,8 +182,7 @@ class DracoFiller {
     const auto [offset, length] = compressed_.at(view);
     if (length == 0) throw InputError(where, fmt::format("buffer view {} has no data", view));
     mesh_.reset();
-    mesh_ =
-        std::make_unique<DracoMesh>(std::span(document_.bin).subspan(offset, length), decoded_.left(), where);
+    mesh_ = decodeDraco(std::span(document_.bin).subspan(offset, length), decoded_.left(), where);
     meshView_ = view;
     constexpr std::uint64_t triangleBytes = 12;
     decoded_.take(mesh_->triangles() * triangleBytes, where);

@@ -54,7 +54,7 @@ TEST(DracoMesh, ClaimsOfBillions_AreRefusedBeforeMemoryIsTaken) {
   for (const bool edgebreaker : {false, true}) {
     const Bytes bytes = claim(edgebreaker, 1000000000, 1500000000);
     const std::string error =
-        test::inputErrorOf([&] { const DracoMesh mesh(bytes, plenty, "a.glb: /meshes/0"); });
+        test::inputErrorOf([&] { const auto mesh = decodeDraco(bytes, plenty, "a.glb: /meshes/0"); });
     EXPECT_THAT(error, testing::AllOf(testing::HasSubstr("a.glb: /meshes/0: the Draco data claim a mesh of"),
                                       testing::HasSubstr("at most")));
   }
@@ -62,14 +62,14 @@ TEST(DracoMesh, ClaimsOfBillions_AreRefusedBeforeMemoryIsTaken) {
 
 TEST(DracoMesh, MoreThanIsLeft_IsRefused) {
   const Bytes bytes = dracoBytes(makeBuiltinScene("shapes"), {});
-  EXPECT_NO_THROW(const DracoMesh mesh(bytes, plenty, "x"));
-  EXPECT_THROW(const DracoMesh mesh(bytes, 100, "x"), InputError);
+  EXPECT_NO_THROW(const auto mesh = decodeDraco(bytes, plenty, "x"));
+  EXPECT_THROW(const auto mesh = decodeDraco(bytes, 100, "x"), InputError);
 }
 
 TEST(DracoMesh, Points_AreRefused) {
   Bytes bytes = dracoBytes(test::triangleDocument(), {});
   bytes[7] = 0;
-  EXPECT_THAT(test::inputErrorOf([&] { const DracoMesh mesh(bytes, plenty, "x"); }),
+  EXPECT_THAT(test::inputErrorOf([&] { const auto mesh = decodeDraco(bytes, plenty, "x"); }),
               testing::HasSubstr("hold points"));
 }
 
@@ -87,9 +87,9 @@ TEST(DracoMesh, DamagedData_DecodeOrThrow) {
       bytes[random() % reach] = static_cast<std::uint8_t>(random());
     if (random() % 8 == 0) bytes.resize(1 + random() % bytes.size());
     try {
-      const DracoMesh mesh(bytes, plenty, "x");
-      for (const std::uint32_t vertex : mesh.indices()) ASSERT_LT(vertex, mesh.vertices()) << i;
-      (void)mesh.values({0, 5126, 3}, "x");
+      const auto mesh = decodeDraco(bytes, plenty, "x");
+      for (const std::uint32_t vertex : mesh->indices()) ASSERT_LT(vertex, mesh->vertices()) << i;
+      (void)mesh->values({0, 5126, 3}, "x");
       ++decoded;
     } catch (const InputError&) {
       ++refused;
