@@ -224,7 +224,7 @@ TreeReport reportTree(Session& session, const CompiledScene& scene) {
 void runInfo(const InfoCommand& command, Context& context) {
   Session session(context);
   checkMoment(command.load);
-  const LoadedScene loaded = session.load(command.scene, command.load);
+  const LoadedScene loaded = session.load(command.scene, command.load, true);
   BakeRequest request = command.bake.request;
   if (!command.bake.techniqueGiven()) useDefaultTechniques(request);
   const std::optional<Bake> bake = readBakeOrWarn(session, loaded);

@@ -11,11 +11,12 @@ void Session::warn(const std::string& warning) {
   console_.warn({warning});
 }
 
-LoadedScene Session::load(const std::filesystem::path& path, LoadOptions options) {
+LoadedScene Session::load(const std::filesystem::path& path, LoadOptions options, bool tellOddities) {
   options.allowOutside = context_.options.allowOutside;
   Warnings found;
-  LoadedScene loaded = openScene([&](Warnings& odd) { return readGltf(path, odd, {options.allowOutside}); },
-                                 options, found, steps_);
+  const ReadOptions read{options.allowOutside, tellOddities};
+  LoadedScene loaded =
+      openScene([&](Warnings& odd) { return readGltf(path, odd, read); }, options, found, steps_);
   console_.warn(found);
   warnings_.insert(warnings_.end(), found.begin(), found.end());
   return loaded;

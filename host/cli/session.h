@@ -35,8 +35,9 @@ class Session {
 
   void warn(const std::string& warning);
 
-  /// Reads and flattens a glTF file and shows what was odd about it.
-  LoadedScene load(const std::filesystem::path& path, LoadOptions options = {});
+  /// Reads and flattens a glTF file and shows what was odd about it; with `tellOddities` also what does no
+  /// harm here.
+  LoadedScene load(const std::filesystem::path& path, LoadOptions options = {}, bool tellOddities = false);
 
   /// Plans and bakes; throws as runBake().
   BakeRun bake(const LoadedScene& loaded, const BakeRequest& request, const DeviceOptions& deviceOptions,

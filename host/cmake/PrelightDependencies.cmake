@@ -9,14 +9,20 @@ find_package(OpenImageIO REQUIRED)          # libopenimageio-dev
 get_target_property(OIIO_INCLUDES OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
 list(FILTER OIIO_INCLUDES EXCLUDE REGEX "opencv")
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OIIO_INCLUDES}")
+find_package(libavif CONFIG REQUIRED)       # libavif-dev
 find_package(TinyGLTF REQUIRED)             # libtinygltf-dev
+find_package(draco REQUIRED)                # libdraco-dev
+find_package(meshoptimizer REQUIRED)        # libmeshoptimizer-dev
+# Who builds that library needs its definition, not who uses it.
+set_target_properties(meshoptimizer::meshoptimizer PROPERTIES INTERFACE_COMPILE_DEFINITIONS "")
 find_package(nlohmann_json REQUIRED)        # nlohmann-json3-dev
 find_package(Eigen3 REQUIRED)               # libeigen3-dev
 find_package(fmt REQUIRED)                  # libfmt-dev
 find_package(CLI11 REQUIRED)                # libcli11-dev
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # libssl-dev: SHA-256 of the kernel cache keys
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)  # libzstd-dev
 if(PRELIGHT_VIEWER)
-  find_package(PkgConfig REQUIRED)
   find_package(glfw3 REQUIRED)              # libglfw3-dev
   pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)  # libepoxy-dev
   pkg_check_modules(EGL REQUIRED IMPORTED_TARGET egl)      # libegl-dev

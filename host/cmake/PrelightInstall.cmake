@@ -12,7 +12,7 @@ if(PRELIGHT_BENCHMARKS)
   install(TARGETS prelight_bench RUNTIME OPTIONAL)
 endif()
 install(TARGETS prelight EXPORT prelight-targets)
-install(TARGETS prelight_images LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS prelight_images prelight_draco LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
 install(DIRECTORY host/include/prelight DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 

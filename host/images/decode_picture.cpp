@@ -4,13 +4,15 @@
 
 #include <optional>
 
+#include "images/basis/ktx2.h"
 #include "images/image_library.h"
 #include "prelight/error.h"
 
 namespace prelight {
 
 bool isDecoded(PictureFormat format) {
-  return format == PictureFormat::Png || format == PictureFormat::Jpeg || format == PictureFormat::WebP;
+  return format == PictureFormat::Png || format == PictureFormat::Jpeg || format == PictureFormat::WebP ||
+         format == PictureFormat::Avif || format == PictureFormat::Ktx2;
 }
 
 void requireDecodable(const PictureExtent& extent, const std::string& where) {
@@ -29,6 +31,8 @@ std::string imageMimeType(std::span<const std::uint8_t> bytes) {
       return "image/jpeg";
     case PictureFormat::WebP:
       return "image/webp";
+    case PictureFormat::Avif:
+      return "image/avif";
     case PictureFormat::Ktx2:
       return "image/ktx2";
     case PictureFormat::Dds:
@@ -52,8 +56,9 @@ void checkExtent(std::span<const std::uint8_t> bytes, const std::string& where) 
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& where) {
   const PictureFormat format = pictureFormat(bytes);
-  if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG or WebP picture");
+  if (!isDecoded(format)) throw InputError(where, "not a PNG, JPEG, WebP, AVIF or KTX2 picture");
   checkExtent(bytes, where);
+  if (format == PictureFormat::Ktx2) return decodeKtx2(bytes, where);
   return imageLibrary().decodeImage(bytes, format, where);
 }
 

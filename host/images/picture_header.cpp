@@ -1,5 +1,6 @@
 #include "images/picture_header.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -10,6 +11,8 @@ namespace {
 // [1] ISO/IEC 15948 (PNG), 11.2.1
 // [2] ITU-T T.81 (JPEG), B.1 and B.2
 // [3] RFC 9649 (WebP), 2.5 to 2.7
+// [4] ISO/IEC 14496-12 (boxes), 4.2, 8.11; ISO/IEC 23008-12 (ispe), 6.5.3
+// [5] KTX 2.0, 3
 
 struct Magic {
   std::string_view bytes;
@@ -39,6 +42,7 @@ class Header {
   std::uint64_t big16(std::size_t at) const { return byte(at) << 8 | byte(at + 1); }
   std::uint64_t big32(std::size_t at) const { return big16(at) << 16 | big16(at + 2); }
   std::uint64_t little16(std::size_t at) const { return byte(at + 1) << 8 | byte(at); }
+  std::uint64_t little32(std::size_t at) const { return little16(at + 2) << 16 | little16(at); }
   std::uint64_t little24(std::size_t at) const { return byte(at + 2) << 16 | little16(at); }
   bool has(std::string_view text, std::size_t at) const {
     return at + text.size() <= bytes_.size() &&
@@ -106,6 +110,67 @@ std::optional<PictureExtent> webpExtent(const Header& header) {
   return std::nullopt;
 }
 
+/// [5]
+std::optional<PictureExtent> ktx2Extent(const Header& header) {
+  constexpr std::size_t end = 80;
+  if (header.size() < end) return std::nullopt;
+  return PictureExtent{header.little32(20), header.little32(24), 0};
+}
+
+/// A box of [4]: what is in it lies in [begin, end).
+struct Box {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Calls visit(type's place, contents) for the boxes in [begin, end).
+template <class Visit>
+void forEachBox(const Header& header, const Box& within, Visit visit) {
+  constexpr std::size_t headBytes = 8;
+  for (std::size_t at = within.begin; at + headBytes <= within.end;) {
+    const std::uint64_t stated = header.big32(at);
+    const std::uint64_t size = stated == 0 ? within.end - at : stated;
+    if (size < headBytes || size > within.end - at) return;
+    visit(at + 4, Box{at + headBytes, static_cast<std::size_t>(at + size)});
+    at += static_cast<std::size_t>(size);
+  }
+}
+
+/// [4]: the brands of the first box.
+bool isAvif(const Header& header) {
+  if (!header.has("ftyp", 4)) return false;
+  const std::size_t end = std::min<std::uint64_t>(header.big32(0), header.size());
+  constexpr std::size_t majorBrand = 8, minorVersion = 12;
+  for (std::size_t at = majorBrand; at + 4 <= end; at += 4) {
+    if (at != minorVersion && (header.has("avif", at) || header.has("avis", at))) return true;
+  }
+  return false;
+}
+
+/// [4]: the largest of the sizes that meta, iprp, ipco hold.
+std::optional<PictureExtent> avifExtent(const Header& header) {
+  constexpr std::size_t versionBytes = 4;
+  std::optional<PictureExtent> largest;
+  const auto visitProperty = [&](std::size_t type, const Box& box) {
+    if (!header.has("ispe", type) || box.end - box.begin < versionBytes + 8) return;
+    const PictureExtent extent{header.big32(box.begin + versionBytes),
+                               header.big32(box.begin + versionBytes + 4), 0};
+    if (!largest || extent.texels() > largest->texels()) largest = extent;
+  };
+  const auto visitIn = [&](const char* name, auto inner) {
+    return [&header, name, inner](std::size_t type, const Box& box) {
+      if (header.has(name, type)) forEachBox(header, box, inner);
+    };
+  };
+  const auto visitMeta = [&](std::size_t type, const Box& box) {
+    if (header.has("meta", type) && box.end - box.begin >= versionBytes)
+      forEachBox(header, {box.begin + versionBytes, box.end},
+                 visitIn("iprp", visitIn("ipco", visitProperty)));
+  };
+  forEachBox(header, {0, header.size()}, visitMeta);
+  return largest;
+}
+
 }  // namespace
 
 PictureFormat pictureFormat(std::span<const std::uint8_t> bytes) {
@@ -114,12 +179,12 @@ PictureFormat pictureFormat(std::span<const std::uint8_t> bytes) {
     if (!header.has(magic.bytes, magic.offset)) continue;
     if (magic.format != PictureFormat::WebP || header.has("RIFF", 0)) return magic.format;
   }
-  return PictureFormat::Unknown;
+  return isAvif(header) ? PictureFormat::Avif : PictureFormat::Unknown;
 }
 
 const char* nameOf(PictureFormat format) {
-  constexpr std::array<const char*, 11> names = {
-      "an unknown format", "PNG", "JPEG", "WebP", "KTX2", "DDS", "BMP", "GIF", "TIFF", "EXR", "HDR"};
+  constexpr std::array<const char*, 12> names = {
+      "an unknown format", "PNG", "JPEG", "WebP", "KTX2", "DDS", "BMP", "GIF", "TIFF", "EXR", "HDR", "AVIF"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -129,6 +194,8 @@ std::optional<PictureExtent> pictureExtent(std::span<const std::uint8_t> bytes) 
   if (format == PictureFormat::Png) extent = pngExtent(Header(bytes));
   if (format == PictureFormat::Jpeg) extent = jpegExtent(Header(bytes));
   if (format == PictureFormat::WebP) extent = webpExtent(Header(bytes));
+  if (format == PictureFormat::Ktx2) extent = ktx2Extent(Header(bytes));
+  if (format == PictureFormat::Avif) extent = avifExtent(Header(bytes));
   if (extent && extent->texels() == 0) return std::nullopt;
   return extent;
 }

@@ -6,7 +6,20 @@
 
 namespace prelight {
 
-enum class PictureFormat : std::uint8_t { Unknown, Png, Jpeg, WebP, Ktx2, Dds, Bmp, Gif, Tiff, Exr, Hdr };
+enum class PictureFormat : std::uint8_t {
+  Unknown,
+  Png,
+  Jpeg,
+  WebP,
+  Ktx2,
+  Dds,
+  Bmp,
+  Gif,
+  Tiff,
+  Exr,
+  Hdr,
+  Avif
+};
 
 /// The format that the first bytes tell.
 PictureFormat pictureFormat(std::span<const std::uint8_t> bytes);
@@ -14,7 +27,7 @@ PictureFormat pictureFormat(std::span<const std::uint8_t> bytes);
 /// "PNG", for messages; "an unknown format".
 const char* nameOf(PictureFormat format);
 
-/// What the header of a PNG, JPEG or WebP picture claims.
+/// What the header of a PNG, JPEG, WebP, AVIF or KTX2 picture claims.
 struct PictureExtent {
   std::uint64_t width = 0;
   std::uint64_t height = 0;

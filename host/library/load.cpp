@@ -26,7 +26,7 @@ LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, con
 }  // namespace
 
 LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) {
-  return loadDocument([&](Warnings& warnings) { return readGltf(path, warnings, {options.allowOutside}); },
+  return loadDocument([&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); },
                       options);
 }
 

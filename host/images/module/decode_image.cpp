@@ -29,6 +29,7 @@ void spreadChannels(const std::vector<std::uint8_t>& from, int channels, std::ve
 }  // namespace
 
 Image decodeImage(std::span<const std::uint8_t> bytes, PictureFormat format, const std::string& where) {
+  if (format == PictureFormat::Avif) return decodeAvif(bytes, where);
   OIIO::Filesystem::IOMemReader memory(const_cast<std::uint8_t*>(bytes.data()), bytes.size());
   OIIO::Filesystem::IOProxy* proxy = &memory;
   OIIO::ImageSpec wishes;

@@ -61,6 +61,9 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file,
     const std::size_t chunkLength = readWord(bytes, offset);
     const std::uint32_t type = readWord(bytes, offset + 4);
     offset += chunkHeaderBytes;
+    if (chunkLength % 4 != 0)
+      warnings.push_back(
+          fmt::format("{}: chunk {} has {} bytes, expected a multiple of 4", file, index, chunkLength));
     if (chunkLength > bytes.size() - offset) {
       throw InputError(file, fmt::format("chunk {} says {} bytes, {} are left in the file", index,
                                          chunkLength, bytes.size() - offset));
@@ -69,8 +72,11 @@ GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::string& file,
     if ((type == jsonChunk) != (index == 0)) throw InputError(file, "expected one JSON chunk, and it first");
     if (index == 0) {
       chunks.json = withoutPadding({reinterpret_cast<const char*>(data.data()), data.size()});
-    } else if (type == binChunk && !chunks.bin) {
-      chunks.bin = data;
+    } else if (type == binChunk) {
+      if (index > 1)
+        warnings.push_back(fmt::format("{}: binary data in chunk {}, expected in chunk 1 alone{}", file,
+                                       index, chunks.bin ? "; these are ignored" : ""));
+      if (!chunks.bin) chunks.bin = data;
     }
     offset += chunkLength;
   }

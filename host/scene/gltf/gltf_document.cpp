@@ -5,12 +5,15 @@
 
 #include "base/read_file.h"
 #include "prelight/error.h"
+#include "scene/gltf/decompress.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/glb_container.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/gltf_oddities.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/json_cursor.h"
+#include "scene/gltf/other_formats.h"
 
 namespace prelight {
 
@@ -26,8 +29,11 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
   if (isGlb(bytes)) {
     chunks = splitGlb(bytes, file, warnings);
   } else {
+    refuseOtherFormats(bytes, file);
     chunks.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
+  if (chunks.json.starts_with("\xEF\xBB\xBF"))
+    warnings.push_back(file + ": a byte order mark before the JSON, expected none");
   GltfDocument document;
   document.path = path;
   document.outsideAllowed = options.allowOutside;
@@ -35,9 +41,12 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
   try {
     checkFileReferences(document);
     validateGltf(JsonCursor(file, document.json), warnings);
+    if (options.tellOddities) warnOfOddities(document.json, file, warnings);
     embedBuffers(document, chunks.bin, warnings);
+    decompress(document, warnings);
     validateBinaryData(document);
     embedImages(document, warnings);
+    if (options.tellOddities) warnOfOddValues(document, warnings);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file, error.what());
   }

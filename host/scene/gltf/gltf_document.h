@@ -14,7 +14,7 @@ namespace prelight {
 
 /// A glTF file made self-contained: one JSON tree and one binary chunk. Every buffer and image that the file
 /// named by URI (external file or data URI) is embedded, so that the document can be written as a .glb as it
-/// is.
+/// is. What was compressed is decoded, and the extensions that said so are gone.
 struct GltfDocument {
   std::filesystem::path path;   ///< for messages, and for the files that it names
   bool outsideAllowed = false;  ///< ReadOptions::allowOutside
@@ -26,6 +26,8 @@ struct ReadOptions {
   /// Files that the document names may lie outside of its folder. A scene from a stranger could have any file
   /// of the machine copied into what is written.
   bool allowOutside = false;
+  /// What breaks a rule of glTF that nothing here depends on is a warning too.
+  bool tellOddities = false;
 };
 
 /// Reads a .gltf or .glb, checks its structure (types, index ranges, accessors against buffers, node cycles,

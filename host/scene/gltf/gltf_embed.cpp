@@ -12,6 +12,7 @@
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/json_cursor.h"
+#include "scene/gltf/meshopt_views.h"
 #include "scene/gltf/missing_data.h"
 #include "scene/gltf/uri.h"
 
@@ -72,18 +73,22 @@ bool isUsable(const JsonCursor& root, const JsonCursor& view, const BufferOffset
   } catch (const InputError&) {
     return false;
   }
-  return offsets[view.at("buffer").asUnsigned()].has_value();
+  const auto compressed = meshoptOf(view);
+  return offsets[(compressed ? *compressed : view).at("buffer").asUnsigned()].has_value();
 }
 
-/// A view that is broken, or of a buffer that is, must not reach into what lies elsewhere in `bin`.
+/// A view that is broken, or of a buffer that is, must not reach into what lies elsewhere in `bin`. A
+/// compressed one has no data until it is decoded.
 void moveView(nlohmann::ordered_json& view, bool usable, const BufferOffsets& offsets) {
-  if (!usable) {
-    view["buffer"] = missingBuffer;
-    return;
+  const std::string extension = meshoptExtensionOf(view);
+  nlohmann::ordered_json& source = extension.empty() ? view : view["extensions"][extension];
+  if (usable) {
+    const std::size_t offset = *offsets[*unsignedValue(source.at("buffer"))];
+    source["buffer"] = 0;
+    if (offset > 0) source["byteOffset"] = offset + source.value("byteOffset", std::size_t{0});
   }
-  const std::size_t offset = *offsets[*unsignedValue(view.at("buffer"))];
-  view["buffer"] = 0;
-  if (offset > 0) view["byteOffset"] = offset + view.value("byteOffset", std::size_t{0});
+  if (!usable || !extension.empty()) view["buffer"] = missingBuffer;
+  if (!usable && !extension.empty()) dropExtension(view, extension);
 }
 
 /// The buffer view of an image by URI; the same URI is embedded once.
@@ -104,10 +109,12 @@ void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uin
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
   const GltfUse use = findUse(document.json);
+  const std::set<std::size_t> fallback = fallbackBuffers(document.json);
   BufferOffsets offsets;
   root.forEachObject("buffers", [&](const JsonCursor& buffer, std::size_t index) {
     alignTo4(document.bin);
     offsets.emplace_back();
+    if (fallback.contains(index)) return;
     if (isPlaceholder(buffer) && !(index == 0 && glbBin)) {
       warnings.push_back(
           buffer.where() +
@@ -171,11 +178,16 @@ void updateBufferLength(GltfDocument& document) {
   }
 }
 
-int appendBufferView(GltfDocument& document, std::span<const std::uint8_t> bytes) {
+std::size_t appendBytes(GltfDocument& document, std::span<const std::uint8_t> bytes) {
   alignTo4(document.bin);
   const std::size_t offset = document.bin.size();
   document.bin.insert(document.bin.end(), bytes.begin(), bytes.end());
   updateBufferLength(document);
+  return offset;
+}
+
+int appendBufferView(GltfDocument& document, std::span<const std::uint8_t> bytes) {
+  const std::size_t offset = appendBytes(document, bytes);
   auto& views = document.json["bufferViews"];
   nlohmann::ordered_json view = {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes.size()}};
   views.push_back(std::move(view));

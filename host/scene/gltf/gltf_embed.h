@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -20,6 +21,9 @@ void embedImages(GltfDocument& document, Warnings& warnings);
 
 /// Makes buffers[0] tell the size of `bin`; no buffers at all when that is empty.
 void updateBufferLength(GltfDocument& document);
+
+/// Appends bytes to `bin`, aligned to 4 bytes. Returns where they begin.
+std::size_t appendBytes(GltfDocument& document, std::span<const std::uint8_t> bytes);
 
 /// Appends bytes to `bin` in a buffer view of their own, aligned to 4 bytes. Returns its index.
 int appendBufferView(GltfDocument& document, std::span<const std::uint8_t> bytes);

@@ -3,7 +3,10 @@
 #include <array>
 #include <string_view>
 
+#include "scene/gltf/draco_primitives.h"
 #include "scene/gltf/json_cursor.h"
+#include "scene/gltf/meshopt_views.h"
+#include "scene/gltf/texture_source.h"
 
 namespace prelight {
 
@@ -47,6 +50,17 @@ void addSkins(const Json& root, GltfUse& use) {
     addIndex(memberOf(elementOf(memberOf(root, "skins"), index), "inverseBindMatrices"), use.accessors);
 }
 
+void addDraco(const Json& primitive, GltfUse& use) {
+  const Json& draco = memberOf(memberOf(primitive, "extensions"), dracoExtension);
+  addIndex(memberOf(draco, "bufferView"), use.bufferViews);
+  if (!draco.is_object()) return;
+  addIndex(memberOf(primitive, "indices"), use.dracoAccessors);
+  const Json& attributes = memberOf(draco, "attributes");
+  if (!attributes.is_object()) return;
+  for (const auto& attribute : attributes.items())
+    addIndex(memberOf(memberOf(primitive, "attributes"), attribute.key()), use.dracoAccessors);
+}
+
 /// The attributes that meshes and their morph targets are loaded with; others but joints are not read.
 void addMeshes(const Json& root, GltfUse& use) {
   constexpr std::array<std::string_view, 6> read = {"POSITION",   "NORMAL",     "TANGENT",
@@ -60,6 +74,7 @@ void addMeshes(const Json& root, GltfUse& use) {
         for (const std::string_view name : read) addIndex(memberOf(target, name), use.accessors);
       });
       addIndex(memberOf(primitive, "indices"), use.accessors);
+      addDraco(primitive, use);
     });
   });
 }
@@ -104,8 +119,12 @@ void addViews(const Json& root, GltfUse& use) {
   }
   for (const std::size_t index : use.images)
     addIndex(memberOf(elementOf(memberOf(root, "images"), index), "bufferView"), use.bufferViews);
-  for (const std::size_t index : use.bufferViews)
-    addIndex(memberOf(elementOf(memberOf(root, "bufferViews"), index), "buffer"), use.buffers);
+  for (const std::size_t index : use.bufferViews) {
+    const Json& view = elementOf(memberOf(root, "bufferViews"), index);
+    const std::string compression = meshoptExtensionOf(view);
+    addIndex(memberOf(compression.empty() ? view : view.at("extensions").at(compression), "buffer"),
+             use.buffers);
+  }
 }
 
 /// Pictures of skies, of the sharpest level.
@@ -125,8 +144,11 @@ GltfUse findUse(const Json& root) {
   addAnimations(root, use);
   addNodes(root, use);
   addSkins(root, use);
-  forEachElement(memberOf(root, "textures"),
-                 [&](const Json& texture) { addIndex(memberOf(texture, "source"), use.images); });
+  forEachElement(memberOf(root, "textures"), [&](const Json& texture) {
+    addIndex(memberOf(texture, "source"), use.images);
+    for (const char* name : textureExtensions)
+      addIndex(memberOf(memberOf(memberOf(texture, "extensions"), name), "source"), use.images);
+  });
   addSkies(root, use);
   addViews(root, use);
   return use;

@@ -9,8 +9,9 @@ namespace prelight {
 /// The parts of a glTF file that Prelight may read, by index: what nothing of it refers to may be broken.
 /// An index may lie out of range.
 struct GltfUse {
-  std::set<std::size_t> accessors;    ///< of meshes, animations, instances and baked data
-  std::set<std::size_t> bufferViews;  ///< of those accessors and of images that textures show
+  std::set<std::size_t> accessors;       ///< of meshes, animations, instances and baked data
+  std::set<std::size_t> dracoAccessors;  ///< that KHR_draco_mesh_compression fills
+  std::set<std::size_t> bufferViews;  ///< of those accessors, of images that textures show and of Draco data
   std::set<std::size_t> buffers;      ///< of those buffer views
   std::set<std::size_t> images;       ///< that textures show
   std::set<std::size_t> cameras;      ///< of nodes

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 17> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 23> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -33,7 +33,13 @@ constexpr std::array<std::string_view, 17> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_materials_sheen",
                                                               "KHR_materials_variants",
                                                               "KHR_animation_pointer",
-                                                              "EXT_lights_image_based"};
+                                                              "EXT_lights_image_based",
+                                                              "KHR_draco_mesh_compression",
+                                                              "EXT_meshopt_compression",
+                                                              "KHR_meshopt_compression",
+                                                              "EXT_texture_webp",
+                                                              "EXT_texture_avif",
+                                                              "KHR_texture_basisu"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||

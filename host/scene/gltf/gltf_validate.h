@@ -17,8 +17,9 @@ void validateGltf(const JsonCursor& root, Warnings& warnings);
 /// Checks what only the embedded binary data tells: sparse and vertex indices.
 void validateBinaryData(const GltfDocument& document);
 
-/// Check one accessor or buffer view with all that it refers to. Throw InputError.
-void validateAccessor(const JsonCursor& root, const JsonCursor& accessor);
+/// Check one accessor or buffer view with all that it refers to. Throw InputError. An accessor that is filled
+/// from compressed data may have any count until then.
+void validateAccessor(const JsonCursor& root, const JsonCursor& accessor, bool filledLater = false);
 void validateBufferView(const JsonCursor& root, const JsonCursor& view);
 
 /// Runs the check of a part. A complaint about one that nothing uses is but a warning.

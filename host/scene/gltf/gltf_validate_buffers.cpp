@@ -2,6 +2,7 @@
 
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_validate.h"
+#include "scene/gltf/meshopt_views.h"
 
 namespace prelight {
 
@@ -32,6 +33,7 @@ void validateView(const JsonCursor& root, const JsonCursor& view) {
       stride->fail(fmt::format("expected a multiple of 4 in 4..252, got {}", bytes));
     }
   }
+  validateMeshopt(root, view);
 }
 
 /// An element in its buffer view.
@@ -91,7 +93,7 @@ void validateBufferView(const JsonCursor& root, const JsonCursor& view) {
   validateView(root, view);
 }
 
-void validateAccessor(const JsonCursor& root, const JsonCursor& accessor) {
+void validateAccessor(const JsonCursor& root, const JsonCursor& accessor, bool filledLater) {
   const JsonCursor componentType = accessor.at("componentType");
   if (componentBytes(componentType.asUnsigned()) == 0) {
     componentType.fail(
@@ -107,7 +109,7 @@ void validateAccessor(const JsonCursor& root, const JsonCursor& accessor) {
   const ElementSize element{padded, padded - columnPadding(type.asString(), componentType.asUnsigned())};
   if (accessor.find("bufferView")) {
     validateRange(root, accessor, count, element, true);
-  } else if (count > maxZeroElements) {
+  } else if (count > maxZeroElements && !filledLater) {
     accessor.at("count").fail(
         fmt::format("{} elements without a buffer view, at most {} are taken", count, maxZeroElements));
   }
@@ -131,7 +133,8 @@ void validateBuffers(const JsonCursor& root, const GltfUse& use, Warnings& warni
 
 void validateAccessors(const JsonCursor& root, const GltfUse& use, Warnings& warnings) {
   root.forEachObject("accessors", [&](const JsonCursor& accessor, std::size_t index) {
-    checkPart(use.accessors.contains(index), warnings, [&] { validateAccessor(root, accessor); });
+    checkPart(use.accessors.contains(index), warnings,
+              [&] { validateAccessor(root, accessor, use.dracoAccessors.contains(index)); });
   });
 }
 

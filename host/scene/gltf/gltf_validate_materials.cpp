@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scene/gltf/gltf_validate.h"
+#include "scene/gltf/texture_source.h"
 
 namespace prelight {
 
@@ -26,7 +27,7 @@ void validateTextureInfo(const JsonCursor& root, const JsonCursor& object, const
   const std::size_t index = info->at("index").asIndex(root.countOf("textures"), "texture");
   const JsonCursor texture = root.at("textures").at(index);
   texture.expectObject();
-  if (const auto source = texture.find("source")) source->asIndex(root.countOf("images"), "image");
+  validateTextureSource(root, texture);
   info->unsignedOr("texCoord", 0);
   const auto extensions = info->find("extensions");
   const auto transform = extensions ? extensions->find("KHR_texture_transform") : std::nullopt;

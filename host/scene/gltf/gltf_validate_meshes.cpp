@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/gltf/draco_primitives.h"
 #include "scene/gltf/gltf_validate.h"
 
 namespace prelight {
@@ -120,6 +121,7 @@ void validatePrimitive(const JsonCursor& root, const JsonCursor& primitive) {
   if (const auto mode = primitive.find("mode"); mode && mode->asUnsigned() > 6) {
     mode->fail(fmt::format("expected 0..6, got {}", mode->asUnsigned()));
   }
+  validateDraco(root, primitive);
   primitive.forEachObject("targets", [&](const JsonCursor& target, std::size_t) {
     const auto count = validateAttributes(root, target, true);
     if (count && vertices && *count != *vertices) {

@@ -34,7 +34,8 @@ std::uint64_t texelsToDecode(const GltfDocument& document, std::size_t index) {
   const std::span<const std::uint8_t> bytes = imageBytes(document, index);
   const PictureFormat format = pictureFormat(bytes);
   if (format != PictureFormat::Unknown && !isDecoded(format))
-    throw InputError(where, fmt::format("the picture is {}, expected PNG, JPEG or WebP", nameOf(format)),
+    throw InputError(where,
+                     fmt::format("the picture is {}, expected PNG, JPEG, WebP, AVIF or KTX2", nameOf(format)),
                      "convert the picture");
   const std::optional<PictureExtent> extent = pictureExtent(bytes);
   if (!extent || bytes.size() < extent->leastBytes) return 0;

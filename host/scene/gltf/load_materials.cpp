@@ -6,6 +6,7 @@
 #include "base/magnitudes.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/load_parts.h"
+#include "scene/gltf/texture_source.h"
 
 namespace prelight {
 
@@ -68,13 +69,15 @@ TextureRef loadTexture(const LoadContext& context, const JsonCursor& holder, con
   TextureRef ref;
   const auto info = holder.find(name);
   if (!info) return ref;
-  const tinygltf::Texture& texture = context.model.textures[info->at("index").asUnsigned()];
+  const std::size_t index = info->at("index").asUnsigned();
+  const tinygltf::Texture& texture = context.model.textures[index];
+  const auto image = textureImage(context.root.at("textures").at(index));
   std::uint64_t texCoord = info->unsignedOr("texCoord", 0);
   if (const auto transform = LoadContext::extension(*info, "KHR_texture_transform")) {
     ref.transform = textureTransform(*transform);
     texCoord = transform->unsignedOr("texCoord", texCoord);
   }
-  if (texture.source < 0) {
+  if (!image) {
     context.warnings.push_back(info->where() + ": the texture names no image; it is ignored");
     return {};
   }
@@ -84,7 +87,7 @@ TextureRef loadTexture(const LoadContext& context, const JsonCursor& holder, con
                     info->where(), texCoord));
     return {};
   }
-  ref.image = texture.source;
+  ref.image = static_cast<int>(*image);
   ref.texCoord = static_cast<int>(texCoord);
   if (texture.sampler >= 0) {
     const tinygltf::Sampler& sampler = context.model.samplers[static_cast<std::size_t>(texture.sampler)];

@@ -198,10 +198,7 @@ Primitive loadPrimitive(const LoadContext& context, const tinygltf::Primitive& s
     return primitive;
   }
   const int mode = source.mode < 0 ? static_cast<int>(Triangles) : source.mode;
-  if (mode < Triangles) {
-    context.warn(path + "/mode", "points and lines carry no surface; the primitive is skipped");
-    return primitive;
-  }
+  if (mode < Triangles) return primitive;
   primitive.positions = loadPositions(context, source, path);
   const std::vector<std::uint32_t> indices = loadIndices(context, source, primitive.positions.size(), path);
   if (indices.size() < 3 || (mode == Triangles && indices.size() % 3 != 0)) {
@@ -241,6 +238,23 @@ Mesh loadMesh(const LoadContext& context, std::size_t mesh, int variant) {
   result.weights.assign(countTargets(result), 0.0f);
   result.weights = loadWeights(meshJson, result);
   return result;
+}
+
+void warnOfPointsAndLines(const LoadContext& context, const std::vector<bool>& meshes) {
+  std::string first;
+  std::size_t count = 0;
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const auto& primitives = context.model.meshes[m].primitives;
+    for (std::size_t p = 0; meshes[m] && p < primitives.size(); ++p) {
+      if (primitives[p].mode < 0 || primitives[p].mode >= Triangles) continue;
+      if (count++ == 0) first = fmt::format("/meshes/{}/primitives/{}/mode", m, p);
+    }
+  }
+  if (count == 1) context.warn(first, "points and lines carry no surface; the primitive is skipped");
+  if (count > 1)
+    context.warn(
+        first,
+        fmt::format("points and lines carry no surface; this primitive and {} more are skipped", count - 1));
 }
 
 }  // namespace prelight

@@ -125,6 +125,9 @@ std::vector<std::string> loadVariants(const LoadContext& context);
 /// The material that a primitive has in a variant; its own where the variant says nothing of it.
 int materialOfVariant(const LoadContext& context, const JsonCursor& primitive, int variant, int own);
 
+/// One warning that counts the primitives of points and lines of the meshes that are marked: they are left
+/// empty.
+void warnOfPointsAndLines(const LoadContext& context, const std::vector<bool>& meshes);
 std::vector<Material> loadMaterials(const LoadContext& context);
 /// Decodes the images that materials use; the others are white texels, as are those that cannot be read, with
 /// a warning. Materials lose normal textures that cannot be read.

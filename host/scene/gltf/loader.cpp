@@ -149,6 +149,7 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::str
       scene.lights.push_back(*std::move(light));
     }
   }
+  warnOfPointsAndLines(context, loaded);
   placeMeshes(scene, world, context.file + ": ");
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
     if (!loaded[i]) {

@@ -44,7 +44,7 @@ const BrokenCase brokenCases[] = {
     {"Version", "/asset/version", R"("1.0")", "/asset/version: glTF version \"1.0\""},
     {"VersionType", "/asset/version", "2", "/asset/version: expected a string, got 2"},
     {"Asset", "/asset", "[]", "/asset: expected an object"},
-    {"Required", "/extensionsRequired", R"(["KHR_draco_mesh_compression"])", "KHR_draco_mesh_compression"},
+    {"Required", "/extensionsRequired", R"(["GOOGLE_texture_basis"])", "GOOGLE_texture_basis"},
     {"NodesType", "/nodes", "{}", "/nodes: expected an array"},
     {"NodeType", "/nodes/0", "7", "/nodes/0: expected an object, got 7"},
     {"Mesh", "/nodes/0/mesh", "1", "/nodes/0/mesh: mesh index 1 out of range, expected 0..0"},

@@ -1,0 +1,114 @@
+#include "scene/gltf/decompress.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/gltf/decoded_bytes.h"
+#include "scene/gltf/draco_primitives.h"
+#include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/json_cursor.h"
+#include "scene/gltf/meshopt_views.h"
+#include "scene/gltf/missing_data.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isDraco(const Json& primitive) {
+  const auto extensions = primitive.find("extensions");
+  return extensions != primitive.end() && extensions->is_object() && extensions->contains(dracoExtension);
+}
+
+/// A checked tree.
+bool isCompressed(const Json& root) {
+  if (root.contains("bufferViews")) {
+    for (const Json& view : root.at("bufferViews")) {
+      if (!meshoptExtensionOf(view).empty()) return true;
+    }
+  }
+  if (!root.contains("meshes")) return false;
+  for (const Json& mesh : root.at("meshes")) {
+    const Json& primitives = mesh.at("primitives");
+    if (std::any_of(primitives.begin(), primitives.end(), isDraco)) return true;
+  }
+  return false;
+}
+
+/// The file no longer has what it said to use.
+void dropNames(Json& root) {
+  for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
+    if (!root.contains(list)) continue;
+    Json kept = Json::array();
+    for (const Json& name : root[list]) {
+      if (name != dracoExtension && name != "EXT_meshopt_compression" && name != "KHR_meshopt_compression")
+        kept.push_back(name);
+    }
+    if (kept.empty()) {
+      root.erase(list);
+    } else {
+      root[list] = std::move(kept);
+    }
+  }
+}
+
+/// Bytes [first, second) of `bin`.
+using Range = std::pair<std::size_t, std::size_t>;
+
+Range rangeOf(const Json& view) {
+  const std::size_t offset = view.value("byteOffset", std::size_t{0});
+  return {offset, offset + view.at("byteLength").get<std::size_t>()};
+}
+
+bool hasData(const Json& view) { return view.at("buffer") != missingBuffer; }
+
+/// Drops the bytes that no buffer view shows any more. Views that share bytes go on to do so.
+void dropUnseenBytes(GltfDocument& document) {
+  if (!document.json.contains("bufferViews")) return;
+  Json& views = document.json["bufferViews"];
+  std::vector<Range> ranges;
+  for (const Json& view : views) {
+    if (hasData(view)) ranges.push_back(rangeOf(view));
+  }
+  std::sort(ranges.begin(), ranges.end());
+  constexpr std::size_t alignment = 16;
+  std::vector<std::uint8_t> kept;
+  std::map<std::size_t, std::size_t> placeOf;  // of what begins there, until the next
+  std::size_t end = 0;
+  for (const auto& [first, last] : ranges) {
+    if (placeOf.empty() || first > end) {
+      while (kept.size() % alignment != first % alignment) kept.push_back(0);
+      placeOf[first] = kept.size();
+      end = first;
+    }
+    if (last <= end) continue;
+    kept.insert(kept.end(), document.bin.begin() + static_cast<std::ptrdiff_t>(end),
+                document.bin.begin() + static_cast<std::ptrdiff_t>(last));
+    end = last;
+  }
+  for (Json& view : views) {
+    if (!hasData(view)) continue;
+    const std::size_t first = rangeOf(view).first;
+    const auto piece = std::prev(placeOf.upper_bound(first));
+    view["byteOffset"] = piece->second + (first - piece->first);
+  }
+  document.bin = std::move(kept);
+  updateBufferLength(document);
+}
+
+}  // namespace
+
+void decompress(GltfDocument& document, Warnings& warnings) {
+  if (!isCompressed(document.json)) return;
+  DecodedBytes decoded(document.bin.size());
+  decodeMeshoptViews(document, decoded, warnings);
+  decodeDracoPrimitives(document, decoded, warnings);
+  dropNames(document.json);
+  dropUnseenBytes(document);
+}
+
+}  // namespace prelight

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "scene/gltf/gltf_oddities.h"
+#include "scene/gltf/json_parts.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isKnownAttribute(std::string_view name) {
+  constexpr std::array<std::string_view, 7> known = {"POSITION", "NORMAL",  "TANGENT", "TEXCOORD_",
+                                                     "COLOR_",   "JOINTS_", "WEIGHTS_"};
+  return name.starts_with("_") ||
+         std::any_of(known.begin(), known.end(), [&](std::string_view k) { return name.starts_with(k); });
+}
+
+/// How an accessor that vertices use lies in its buffer view.
+void findOddLayout(const Json& root, const Json& accessor, const std::string& place, Oddities& odd) {
+  constexpr double indices = 34963.0;
+  const Json& view = partAt(part(root, "bufferViews"), part(accessor, "bufferView"));
+  if (part(view, "target") == indices) odd.add("vertices in a buffer view that is for indices", place);
+  const double offset = numberOf(part(accessor, "byteOffset"), 0.0);
+  if (std::fmod(offset, 4.0) != 0.0) odd.add("vertices that do not begin at a multiple of 4 bytes", place);
+  constexpr double uint32 = 5125.0;
+  if (part(accessor, "componentType") == uint32) odd.add("vertices of 32-bit integers", place);
+}
+
+void findOddIndices(const Json& root, const Json& accessor, const std::string& place, Oddities& odd) {
+  constexpr double vertices = 34962.0;
+  const Json& view = partAt(part(root, "bufferViews"), part(accessor, "bufferView"));
+  if (part(view, "target") == vertices) odd.add("indices in a buffer view that is for vertices", place);
+  if (!part(view, "byteStride").is_null()) odd.add("indices in a buffer view with a byteStride", place);
+}
+
+void findOddAttributes(const Json& root, const Json& attributes, const std::string& place, Oddities& odd) {
+  if (!attributes.is_object()) return;
+  for (const auto& attribute : attributes.items()) {
+    const Json& accessor = partAt(part(root, "accessors"), attribute.value());
+    findOddLayout(root, accessor, place + "/" + attribute.key(), odd);
+    if (attribute.key() == "POSITION" && accessor.is_object() &&
+        (part(accessor, "min").is_null() || part(accessor, "max").is_null()))
+      odd.add("positions without min and max; they are not needed", place + "/POSITION");
+    if (!isKnownAttribute(attribute.key()))
+      odd.add("an attribute of no known name, which is to begin with _; it is not read",
+              place + "/" + attribute.key());
+  }
+}
+
+/// The sets of texture coordinates that a material's textures name, with what is in their extensions.
+void addTextureSets(const Json& json, std::set<std::uint64_t>& sets) {
+  if (!json.is_structured()) return;
+  for (auto member = json.begin(); member != json.end(); ++member) {
+    if (json.is_object() && member.key() == "extras") continue;
+    const bool isTexture = json.is_object() && member.key().ends_with("Texture") && member->is_object();
+    const Json& transform = isTexture ? part(part(*member, "extensions"), "KHR_texture_transform") : json;
+    if (isTexture) {
+      const auto own = unsignedValue(part(*member, "texCoord"));
+      const auto moved = unsignedValue(part(transform, "texCoord"));
+      sets.insert(moved ? *moved : own.value_or(0));
+    } else {
+      addTextureSets(*member, sets);
+    }
+  }
+}
+
+/// Attributes whose names begin so.
+std::size_t countBegin(const Json& attributes, std::string_view name) {
+  std::size_t count = 0;
+  if (!attributes.is_object()) return 0;
+  for (const auto& attribute : attributes.items()) count += attribute.key().starts_with(name) ? 1 : 0;
+  return count;
+}
+
+using TextureSets = std::vector<std::set<std::uint64_t>>;  // [material]
+
+TextureSets textureSets(const Json& root) {
+  TextureSets sets;
+  for (const Json& material : part(root, "materials")) addTextureSets(material, sets.emplace_back());
+  return sets;
+}
+
+void findOddPrimitive(const Json& root, const TextureSets& sets, const Json& primitive,
+                      const std::string& place, Oddities& odd) {
+  const Json& attributes = part(primitive, "attributes");
+  findOddAttributes(root, attributes, place + "/attributes", odd);
+  findOddIndices(root, partAt(part(root, "accessors"), part(primitive, "indices")), place + "/indices", odd);
+  if (countBegin(attributes, "JOINTS_") != countBegin(attributes, "WEIGHTS_"))
+    odd.add("other than a set of weights for each set of joints", place + "/attributes");
+  const Json& targets = part(primitive, "targets");
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const std::string within = fmt::format("{}/targets/{}", place, i);
+    findOddAttributes(root, targets[i], within, odd);
+    for (const auto& attribute : targets[i].items()) {
+      if (part(attributes, attribute.key()).is_null())
+        odd.add("a morph target of an attribute that the primitive has not", within + "/" + attribute.key());
+    }
+  }
+  const auto material = unsignedValue(part(primitive, "material"));
+  if (!material || *material >= sets.size()) return;
+  for (const std::uint64_t set : sets[*material]) {
+    if (part(attributes, fmt::format("TEXCOORD_{}", set)).is_null())
+      odd.add("a material with textures, and no coordinates in the primitive for them; they are taken as 0",
+              place + "/material");
+  }
+}
+
+}  // namespace
+
+void findOddMeshes(const Json& root, Oddities& odd) {
+  const TextureSets sets = textureSets(root);
+  forEachPart(root, "meshes", [&](const Json& mesh, const std::string& place) {
+    const Json& primitives = part(mesh, "primitives");
+    std::set<std::size_t> targets;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      findOddPrimitive(root, sets, primitives[i], fmt::format("{}/primitives/{}", place, i), odd);
+      targets.insert(part(primitives[i], "targets").size());
+    }
+    if (targets.size() > 1)
+      odd.add("primitives of one mesh with different numbers of morph targets", place + "/primitives");
+    const Json& weights = part(mesh, "weights");
+    if (weights.is_array() && !targets.contains(weights.size()))
+      odd.add("other than one weight for each morph target", place + "/weights");
+  });
+}
+
+}  // namespace prelight

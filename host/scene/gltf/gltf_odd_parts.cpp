@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scene/gltf/gltf_oddities.h"
+#include "scene/gltf/json_parts.h"
+#include "scene/gltf/texture_source.h"
+#include "scene/gltf/uri.h"
+
+namespace prelight {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isListed(const Json& root, const char* list, const Json& name) {
+  const Json& names = part(root, list);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The MIME type that a data URI states; empty for other URIs.
+std::string mimeOfUri(const Json& uri) {
+  if (!uri.is_string() || !isDataUri(uri.get_ref<const std::string&>())) return {};
+  const std::string& text = uri.get_ref<const std::string&>();
+  const std::size_t begin = text.find(':') + 1;
+  return text.substr(begin, text.find_first_of(";,", begin) - begin);
+}
+
+/// Whether a picture of this type may stand in a file, which says to use the extension that brings it.
+bool isAllowedPicture(const Json& root, const std::string& mimeType) {
+  if (mimeType == "image/png" || mimeType == "image/jpeg") return true;
+  return (mimeType == "image/webp" && isListed(root, "extensionsUsed", "EXT_texture_webp")) ||
+         (mimeType == "image/avif" && isListed(root, "extensionsUsed", "EXT_texture_avif")) ||
+         (mimeType == "image/ktx2" && isListed(root, "extensionsUsed", "KHR_texture_basisu"));
+}
+
+void findOddBuffers(const Json& root, Oddities& odd) {
+  constexpr double vertices = 34962.0;
+  forEachPart(root, "buffers", [&](const Json& buffer, const std::string& place) {
+    if (numberOf(part(buffer, "byteLength"), 1.0) == 0.0)
+      odd.add("a buffer of 0 bytes, expected 1 at least", place + "/byteLength");
+    const std::string mimeType = mimeOfUri(part(buffer, "uri"));
+    if (!mimeType.empty() && mimeType != "application/octet-stream" && mimeType != "application/gltf-buffer")
+      odd.add("a MIME type other than application/octet-stream and application/gltf-buffer", place + "/uri");
+  });
+  forEachPart(root, "bufferViews", [&](const Json& view, const std::string& place) {
+    if (!view.is_object() || !view.contains("byteStride")) return;
+    if (numberOf(view["byteStride"], 0.0) > numberOf(part(view, "byteLength"), 0.0))
+      odd.add("a byteStride that is longer than the buffer view", place + "/byteStride");
+    if (numberOf(part(view, "target"), vertices) != vertices)
+      odd.add("a byteStride in a buffer view that is not for vertices", place + "/byteStride");
+  });
+  forEachPart(root, "accessors", [&](const Json& accessor, const std::string& place) {
+    if (!accessor.is_object()) return;
+    if (accessor.contains("byteOffset") && !accessor.contains("bufferView"))
+      odd.add("a byteOffset without a bufferView", place + "/byteOffset");
+    const double type = numberOf(part(accessor, "componentType"), 0.0);
+    if (part(accessor, "normalized") == true && (type == 5126.0 || type == 5125.0))
+      odd.add("normalized is for integers of 8 and 16 bits; it is ignored", place + "/normalized");
+  });
+}
+
+void findOddImages(const Json& root, Oddities& odd) {
+  const Json& views = part(root, "bufferViews");
+  forEachPart(root, "images", [&](const Json& image, const std::string& place) {
+    if (!image.is_object()) return;
+    const bool inView = image.contains("bufferView");
+    if (inView == image.contains("uri")) odd.add("an image names either a uri or a bufferView", place);
+    const std::string stated =
+        part(image, "mimeType").is_string() ? image["mimeType"].get<std::string>() : "";
+    const std::string inUri = mimeOfUri(part(image, "uri"));
+    for (const std::string& mimeType : {stated, inUri}) {
+      if (!mimeType.empty() && !isAllowedPicture(root, mimeType))
+        odd.add("a picture of a type that the file may not have without an extension", place);
+    }
+    if (!stated.empty() && !inUri.empty() && stated != inUri)
+      odd.add("a mimeType that is not that of the URI", place + "/mimeType");
+    if (!inView) return;
+    if (!image.contains("mimeType"))
+      odd.add("an image in a buffer view without a mimeType", place + "/bufferView");
+    const auto index = unsignedValue(image["bufferView"]);
+    if (index && views.is_array() && *index < views.size() && !part(views[*index], "byteStride").is_null())
+      odd.add("an image in a buffer view with a byteStride", place + "/bufferView");
+  });
+}
+
+void findOddNodes(const Json& root, Oddities& odd) {
+  constexpr double tolerance = 0.005;
+  forEachPart(root, "nodes", [&](const Json& node, const std::string& place) {
+    if (!node.is_object()) return;
+    const bool moves = node.contains("translation") || node.contains("rotation") || node.contains("scale");
+    if (node.contains("matrix") && moves)
+      odd.add("a matrix beside translation, rotation or scale; the matrix counts", place + "/matrix");
+    if (node.contains("rotation")) {
+      double square = 0.0;
+      for (const Json& number : node["rotation"]) square += numberOf(number, 0.0) * numberOf(number, 0.0);
+      if (!(std::abs(square - 1.0) < tolerance))
+        odd.add("a rotation that is not of length 1; it is taken as if", place + "/rotation");
+    }
+    for (const char* member : {"skin", "weights"}) {
+      if (node.contains(member) && !node.contains("mesh"))
+        odd.add(fmt::format("{} without a mesh; ignored", member), place + "/" + member);
+    }
+    const Json& mesh = partAt(part(root, "meshes"), part(node, "mesh"));
+    const Json& primitives = part(mesh, "primitives");
+    if (node.contains("weights") && primitives.is_array() && !primitives.empty() &&
+        part(primitives[0], "targets").size() != node["weights"].size())
+      odd.add("other than one weight for each morph target", place + "/weights");
+  });
+  forEachPart(root, "cameras", [&](const Json& camera, const std::string& place) {
+    if (!camera.is_object()) return;
+    if (camera.contains("perspective") && camera.contains("orthographic"))
+      odd.add("a camera that is both perspective and orthographic; its type counts", place);
+    for (const char* kind : {"perspective", "orthographic"}) {
+      const Json& lens = part(camera, kind);
+      if (numberOf(part(lens, "zfar"), INFINITY) <= numberOf(part(lens, "znear"), 0.0))
+        odd.add("zfar is not beyond znear; neither is used", place + "/" + kind);
+    }
+  });
+}
+
+void findOddLights(const Json& root, Oddities& odd) {
+  constexpr double quarterTurn = 0.785398163397448309;
+  const char* name = "KHR_lights_punctual";
+  const Json& lights = part(part(part(root, "extensions"), name), "lights");
+  if (!lights.is_array()) {
+    if (!part(part(root, "extensions"), name).is_null())
+      odd.add("an extension without its lights", fmt::format("/extensions/{}", name));
+    return;
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Json& spot = part(lights[i], "spot");
+    if (!spot.is_object()) continue;
+    const double outer = numberOf(part(spot, "outerConeAngle"), quarterTurn);
+    if (numberOf(part(spot, "innerConeAngle"), 0.0) >= outer)
+      odd.add("an inner cone that is not within the outer one",
+              fmt::format("/extensions/{}/lights/{}/spot", name, i));
+  }
+}
+
+void findOddAnimations(const Json& root, Oddities& odd) {
+  forEachPart(root, "animations", [&](const Json& animation, const std::string& place) {
+    forEachPart(animation, "samplers", [&](const Json& sampler, const std::string& within) {
+      const Json& accessor = partAt(part(root, "accessors"), part(sampler, "input"));
+      if (accessor.is_object() && (part(accessor, "min").is_null() || part(accessor, "max").is_null()))
+        odd.add("times without min and max; they are not needed", place + within + "/input");
+    });
+  });
+}
+
+void findOddTextures(const Json& root, Oddities& odd) {
+  const std::size_t images = part(root, "images").size();
+  forEachPart(root, "textures", [&](const Json& texture, const std::string& place) {
+    for (const char* extension : textureExtensions) {
+      const auto source = unsignedValue(part(part(part(texture, "extensions"), extension), "source"));
+      if (source && *source >= images)
+        odd.add("an image index out of range", fmt::format("{}/extensions/{}/source", place, extension));
+    }
+  });
+}
+
+void findDuplicateNames(const Json& root, Oddities& odd) {
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+    std::set<std::string> seen;
+    forEachPart(root, list, [&](const Json& name, const std::string& place) {
+      if (name.is_string() && !seen.insert(name.get<std::string>()).second)
+        odd.add("an extension that is listed twice", place);
+      if (name == "KHR_mesh_quantization" && !isListed(root, "extensionsRequired", name))
+        odd.add("an extension that extensionsRequired is to list too", place);
+    });
+  }
+}
+
+}  // namespace
+
+void findOddParts(const Json& root, Oddities& odd) {
+  findOddBuffers(root, odd);
+  findOddImages(root, odd);
+  findOddNodes(root, odd);
+  findOddLights(root, odd);
+  findOddAnimations(root, odd);
+  findOddTextures(root, odd);
+  findDuplicateNames(root, odd);
+}
+
+}  // namespace prelight

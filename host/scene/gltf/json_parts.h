@@ -1,0 +1,42 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scene/gltf/json_cursor.h"
+
+namespace prelight {
+
+// A tree of any shape, looked at without complaints.
+
+/// A member of an object; null where there is none.
+inline const nlohmann::ordered_json& part(const nlohmann::ordered_json& object, const std::string& key) {
+  static const nlohmann::ordered_json none;
+  if (!object.is_object()) return none;
+  const auto found = object.find(key);
+  return found == object.end() ? none : *found;
+}
+
+/// The element that a reference names; null where there is none.
+inline const nlohmann::ordered_json& partAt(const nlohmann::ordered_json& list,
+                                            const nlohmann::ordered_json& reference) {
+  static const nlohmann::ordered_json none;
+  const auto index = unsignedValue(reference);
+  return index && list.is_array() && *index < list.size() ? list[*index] : none;
+}
+
+inline double numberOf(const nlohmann::ordered_json& value, double fallback) {
+  return value.is_number() ? value.get<double>() : fallback;
+}
+
+/// Calls visit(part, JSON path) for the elements of the root's member `list`.
+template <class Visit>
+void forEachPart(const nlohmann::ordered_json& root, const char* list, Visit visit) {
+  const nlohmann::ordered_json& parts = part(root, list);
+  if (!parts.is_array()) return;
+  for (std::size_t i = 0; i < parts.size(); ++i) visit(parts[i], fmt::format("/{}/{}", list, i));
+}
+
+}  // namespace prelight
