@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 17> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -30,7 +30,10 @@ constexpr std::array<std::string_view, 14> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_materials_pbrSpecularGlossiness",
                                                               "KHR_materials_diffuse_transmission",
                                                               "KHR_materials_clearcoat",
-                                                              "KHR_materials_sheen"};
+                                                              "KHR_materials_sheen",
+                                                              "KHR_materials_anisotropy",
+                                                              "KHR_materials_iridescence",
+                                                              "KHR_materials_dispersion"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||

@@ -114,8 +114,9 @@ Clearcoat loadClearcoat(const LoadContext& context, const JsonCursor& json) {
   coat.texture = loadTexture(context, json, "clearcoatTexture");
   coat.roughness = clampedOr(context, json, "clearcoatRoughnessFactor", 0.0f);
   coat.roughnessTexture = loadTexture(context, json, "clearcoatRoughnessTexture");
-  if (const auto texture = json.find("clearcoatNormalTexture"))
-    context.warnings.push_back(texture->where() + ": the coat is drawn without bumps of its own");
+  coat.normalTexture = loadTexture(context, json, "clearcoatNormalTexture");
+  if (const auto info = json.find("clearcoatNormalTexture"); info && info->find("scale"))
+    coat.normalScale = finiteFloat(info->at("scale"));
   return coat;
 }
 
@@ -126,6 +127,30 @@ Sheen loadSheen(const LoadContext& context, const JsonCursor& json) {
   sheen.roughness = clampedOr(context, json, "sheenRoughnessFactor", 0.0f);
   sheen.roughnessTexture = loadTexture(context, json, "sheenRoughnessTexture");
   return sheen;
+}
+
+Anisotropy loadAnisotropy(const LoadContext& context, const JsonCursor& json) {
+  Anisotropy anisotropy;
+  anisotropy.strength = clampedOr(context, json, "anisotropyStrength", 0.0f);
+  if (const auto rotation = json.find("anisotropyRotation")) anisotropy.rotation = finiteFloat(*rotation);
+  anisotropy.texture = loadTexture(context, json, "anisotropyTexture");
+  return anisotropy;
+}
+
+Iridescence loadIridescence(const LoadContext& context, const JsonCursor& json) {
+  Iridescence film;
+  film.factor = clampedOr(context, json, "iridescenceFactor", 0.0f);
+  film.texture = loadTexture(context, json, "iridescenceTexture");
+  film.ior = clampedOr(context, json, "iridescenceIor", 1.3f, noLimit);
+  if (film.ior < 1.0f) {
+    context.warnings.push_back(
+        fmt::format("{}: {} lies below 1; clamped", json.at("iridescenceIor").where(), film.ior));
+    film.ior = 1.0f;
+  }
+  film.thicknessMinimum = clampedOr(context, json, "iridescenceThicknessMinimum", 100.0f, noLimit);
+  film.thicknessMaximum = clampedOr(context, json, "iridescenceThicknessMaximum", 400.0f, noLimit);
+  film.thicknessTexture = loadTexture(context, json, "iridescenceThicknessTexture");
+  return film;
 }
 
 void loadExtensions(const LoadContext& context, const JsonCursor& json, Material& material) {
@@ -169,6 +194,12 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
     material.clearcoat = loadClearcoat(context, *e);
   if (const auto e = LoadContext::extension(json, "KHR_materials_sheen"))
     material.sheen = loadSheen(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_anisotropy"))
+    material.anisotropy = loadAnisotropy(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_iridescence"))
+    material.iridescence = loadIridescence(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_dispersion"))
+    material.dispersion = clampedOr(context, *e, "dispersion", 0.0f, noLimit);
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
 
@@ -237,7 +268,8 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
           &material.specularColorTexture, &material.diffuseTransmissionTexture,
           &material.diffuseTransmissionColorTexture, &material.clearcoat.texture,
           &material.clearcoat.roughnessTexture, &material.sheen.colorTexture,
-          &material.sheen.roughnessTexture}) {
+          &material.sheen.roughnessTexture, &material.anisotropy.texture, &material.clearcoat.normalTexture,
+          &material.iridescence.texture, &material.iridescence.thicknessTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }
@@ -249,8 +281,10 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
     images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
                              : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
     if (context.warnings.size() == before) continue;
-    for (Material& material : materials)  // a white texel is no normal
-      if (material.normalTexture.image == static_cast<int>(i)) material.normalTexture = {};
+    for (Material& material : materials)  // a white texel is no direction
+      for (TextureRef* ref :
+           {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture})
+        if (ref->image == static_cast<int>(i)) *ref = {};
   }
   return images;
 }

@@ -109,6 +109,42 @@ TEST(LoadMaterial, SpecularGlossiness_BecomesADielectric) {
   EXPECT_EQ(material.baseColorTexture.image, 1);
 }
 
+TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_AreRead) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"extensions": {
+    "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": -1.25, "anisotropyTexture": {"index": 0}},
+    "KHR_materials_iridescence": {"iridescenceFactor": 0.75, "iridescenceIor": 1.6, "iridescenceThicknessMinimum": 50,
+      "iridescenceThicknessMaximum": 800, "iridescenceTexture": {"index": 0, "texCoord": 1},
+      "iridescenceThicknessTexture": {"index": 0}},
+    "KHR_materials_dispersion": {"dispersion": 2.5},
+    "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatNormalTexture": {"index": 0, "scale": 0.5}}}})",
+                                         warnings);
+  EXPECT_EQ(material.anisotropy.strength, 0.5f);
+  EXPECT_EQ(material.anisotropy.rotation, -1.25f);
+  EXPECT_EQ(material.anisotropy.texture.image, 1);
+  EXPECT_EQ(material.iridescence.factor, 0.75f);
+  EXPECT_EQ(material.iridescence.ior, 1.6f);
+  EXPECT_EQ(material.iridescence.thicknessMinimum, 50.0f);
+  EXPECT_EQ(material.iridescence.thicknessMaximum, 800.0f);
+  EXPECT_EQ(material.iridescence.texture.texCoord, 1);
+  EXPECT_EQ(material.iridescence.thicknessTexture.image, 1);
+  EXPECT_EQ(material.dispersion, 2.5f);
+  EXPECT_EQ(material.clearcoat.normalTexture.image, 1);
+  EXPECT_EQ(material.clearcoat.normalScale, 0.5f);
+}
+
+TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_OutsideTheirRange_ClampWithWarnings) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"extensions": {
+    "KHR_materials_anisotropy": {"anisotropyStrength": 2}, "KHR_materials_iridescence": {"iridescenceIor": 0.5},
+    "KHR_materials_dispersion": {"dispersion": -1}}})",
+                                         warnings);
+  EXPECT_EQ(material.anisotropy.strength, 1.0f);
+  EXPECT_EQ(material.iridescence.ior, 1.0f);
+  EXPECT_EQ(material.dispersion, 0.0f);
+  EXPECT_EQ(warnings.size(), 3u);
+}
+
 TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
   Warnings warnings;
   const Material material =
