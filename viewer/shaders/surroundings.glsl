@@ -58,13 +58,14 @@ vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
   return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, 0.0) : found.rgb;
 }
 
-const int tilts = 8;
+const int tilts = 16;
 
 // The same by microfacets that are wider along one direction than across: tilts of the normal along it, each as likely, whose
-// reflections are blurred as by the width across.
+// reflections are blurred as by the width across, or so that none shows by itself.
 vec3 surroundingStretched(vec3 point, vec3 n, vec3 toEye, vec3 along, vec2 widths) {
   vec3 sum = vec3(0.0);
   float weights = 0.0;
+  float blur = sqrt(max(widths.y, 0.18 * widths.x));
   for (int k = 0; k < tilts; ++k) {
     float u = (2.0 * float(k) + 1.0) / float(tilts) - 1.0;
     vec3 h = normalize(n + widths.x * u * inversesqrt(1.0 - u * u) * along);  // quantiles of the slopes of GGX
@@ -73,7 +74,7 @@ vec3 surroundingStretched(vec3 point, vec3 n, vec3 toEye, vec3 along, vec2 width
     float leaves = dot(n, way);
     if (facing <= 0.0 || leaves <= 0.0) continue;
     float weight = facing / max(dot(n, h), 1e-3);
-    sum += weight * surroundingRadiance(point, way, sqrt(widths.y));
+    sum += weight * surroundingRadiance(point, way, blur);
     weights += weight;
   }
   return weights > 0.0 ? sum / weights : surroundingRadiance(point, reflect(-toEye, n), sqrt(widths.y));

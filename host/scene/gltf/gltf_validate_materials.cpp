@@ -88,7 +88,8 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
   if (const auto e = extensions.find("KHR_materials_pbrSpecularGlossiness")) {
     validateNumbers(*e, {"glossinessFactor"});
     validateColors(*e, {{"diffuseFactor", 4}, {"specularFactor", 3}});
-    validateTextureInfo(root, *e, "diffuseTexture");
+    for (const char* texture : {"diffuseTexture", "specularGlossinessTexture"})
+      validateTextureInfo(root, *e, texture);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/magnitudes.h"
@@ -204,16 +205,15 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
 }
 
 /// KHR_materials_pbrSpecularGlossiness as the dielectric nearest to it: the diffuse colour as it is,
-/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour; its texture is
-/// not used.
+/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour, which the
+/// texture multiplies as it does that; addRoughness() makes use of its glossiness.
 void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, Material& material) {
   material.metallic = 0.0f;
   material.baseColor = clampedColor<4>(context, json, "diffuseFactor", glm::vec4(1.0f));
   material.baseColorTexture = loadTexture(context, json, "diffuseTexture");
   material.roughness = 1.0f - clampedOr(context, json, "glossinessFactor", 1.0f);
   material.specularColor = clampedColor<3>(context, json, "specularFactor", glm::vec3(1.0f)) / 0.04f;
-  if (const auto texture = json.find("specularGlossinessTexture"))
-    context.warnings.push_back(texture->where() + ": only the factors are used, the texture is not");
+  material.specularColorTexture = loadTexture(context, json, "specularGlossinessTexture");
 }
 
 Material loadMaterial(const LoadContext& context, std::size_t index) {
@@ -247,6 +247,24 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
     loadSpecularGlossiness(context, *e, material);
   loadExtensions(context, json, material);
   return material;
+}
+
+/// The roughness of a material of KHR_materials_pbrSpecularGlossiness whose texture tells its glossiness, A:
+/// an image of its own, as core materials have it.
+void addRoughness(const JsonCursor& json, Material& material, std::vector<Image>& images) {
+  const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness");
+  if (!e || !e->find("specularGlossinessTexture") || material.specularColorTexture.image < 0) return;
+  const float glossiness = 1.0f - material.roughness;
+  Image roughness = images[static_cast<std::size_t>(material.specularColorTexture.image)];
+  for (std::size_t i = 0; i < roughness.rgba.size(); i += 4) {
+    const float rough = 255.0f - glossiness * static_cast<float>(roughness.rgba[i + 3]);
+    const std::array<std::uint8_t, 4> texel{0, static_cast<std::uint8_t>(std::lround(rough)), 0, 255};
+    std::copy(texel.begin(), texel.end(), roughness.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  material.roughness = 1.0f;
+  material.metallicRoughnessTexture = material.specularColorTexture;
+  material.metallicRoughnessTexture.image = static_cast<int>(images.size());
+  images.push_back(std::move(roughness));
 }
 
 }  // namespace
@@ -286,6 +304,8 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
            {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture})
         if (ref->image == static_cast<int>(i)) *ref = {};
   }
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    addRoughness(context.root.at("materials").at(m), materials[m], images);
   return images;
 }
 

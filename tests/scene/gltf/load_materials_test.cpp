@@ -121,7 +121,6 @@ TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_AreRead) {
                                          warnings);
   EXPECT_EQ(material.anisotropy.strength, 0.5f);
   EXPECT_EQ(material.anisotropy.rotation, -1.25f);
-  EXPECT_EQ(material.anisotropy.texture.image, 1);
   EXPECT_EQ(material.iridescence.factor, 0.75f);
   EXPECT_EQ(material.iridescence.ior, 1.6f);
   EXPECT_EQ(material.iridescence.thicknessMinimum, 50.0f);
@@ -129,7 +128,9 @@ TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_AreRead) {
   EXPECT_EQ(material.iridescence.texture.texCoord, 1);
   EXPECT_EQ(material.iridescence.thicknessTexture.image, 1);
   EXPECT_EQ(material.dispersion, 2.5f);
-  EXPECT_EQ(material.clearcoat.normalTexture.image, 1);
+  // A picture that cannot be read is white, which is no direction.
+  EXPECT_EQ(material.anisotropy.texture.image, -1);
+  EXPECT_EQ(material.clearcoat.normalTexture.image, -1);
   EXPECT_EQ(material.clearcoat.normalScale, 0.5f);
 }
 
@@ -179,12 +180,24 @@ TEST(LoadMaterial, TexturesOfExtensions_AreRead) {
   EXPECT_FALSE(test::anyContains(warnings, "texture is not"));
 }
 
-TEST(LoadMaterial, TexturesThatAreNotUsed_AreNamedInWarnings) {
+TEST(LoadMaterial, GlossinessOfATexture_BecomesARoughnessOfItsOwn) {
+  GltfDocument document = test::triangleDocument();
+  document.json["materials"][0] = Json::parse(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+    "glossinessFactor": 0.25, "specularFactor": [0.08, 0.04, 0.04],
+    "specularGlossinessTexture": {"index": 0, "texCoord": 1}}}})");
+  document.json["images"] = Json::parse(R"([{"bufferView": 0}])");
+  document.json["textures"] = Json::parse(R"([{"source": 0}])");
   Warnings warnings;
-  loadMaterial(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
-    "specularGlossinessTexture": {"index": 0}}}})",
-               warnings);
-  EXPECT_TRUE(test::anyContains(warnings, "specularGlossinessTexture: only the factors are used"));
+  const Scene scene = test::reload(document, warnings);  // a picture that cannot be read is white
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.specularColorTexture.image, 0);
+  EXPECT_NEAR(material.specularColor.r, 2.0f, 1e-6f);
+  EXPECT_EQ(material.metallic, 0.0f);
+  EXPECT_EQ(material.roughness, 1.0f);
+  EXPECT_EQ(material.metallicRoughnessTexture.image, 1);
+  EXPECT_EQ(material.metallicRoughnessTexture.texCoord, 1);
+  ASSERT_EQ(scene.images.size(), 2u);
+  EXPECT_EQ(scene.images[1].rgba.at(1), 191);  // 1 - 0.25 x 1
 }
 
 TEST(LoadMaterial, MagnificationFilter_IsRead) {
