@@ -44,8 +44,8 @@ vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3
   if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
   vec3 reflected = diffuseOfLight(s, wo, wi);
   if (glossy) reflected += glossyOfLight(s, n, toEye, toLight);
-  reflected *= nl;
-  if (hasTopLayers) reflected = reflected * left + layersOfLight(top, n, toEye, toLight);
+  if (!hasTopLayers) return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
+  reflected = reflected * nl * left + layersOfLight(top, n, toEye, toLight);
   return reflected * irradiance * visibility(k, vPosition, geometric, reach);
 }
 
