@@ -49,6 +49,14 @@ enum Unit : GLuint {
   specularColorUnit = 20,
   cornerTangentsUnit = 21,  ///< shaders/normal_map.glsl
   albedosUnit = 22,         ///< shaders/scattering.glsl
+  coatUnit = 23,            ///< shaders/top_layers.glsl
+  coatRoughnessUnit = 24,   ///< the same
+  coatNormalUnit = 25,      ///< the same
+  sheenColorUnit = 26,      ///< the same
+  sheenRoughnessUnit = 27,  ///< the same
+  anisotropyUnit = 28,      ///< shaders/anisotropy.glsl
+  filmUnit = 29,            ///< shaders/scattering.glsl
+  filmThicknessUnit = 30,   ///< the same
 };
 
 /// A value a vertex.

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "gpu/albedo_table.h"
+#include "gpu/scene_albedos.h"
 #include "photon/caustic_casters.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
@@ -31,15 +31,6 @@ constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little d
 
 bool mirrors(const CompiledMaterial& material) {
   return makesCaustics(material) || (!material.unlit && material.metallic >= metallic);
-}
-
-/// What shaders look up of lobes; nothing where no material reflects specularly.
-std::vector<glm::vec4> albedosFor(const CompiledScene& scene) {
-  const auto some = [&](auto&& has) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(), has);
-  };
-  const bool sheen = some(hasSheen);
-  return some(reflectsSpecularly) || some(hasLayers) ? makeAlbedoTable(sheen) : std::vector<glm::vec4>();
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
@@ -98,15 +89,35 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
     surface.translucency = glm::vec4(compiled.diffuseTransmission, compiled.meanTranslucency);
     const Material& m = surface.material;
     const Scene& scene = inputs.scene;
-    surface.textures = {texture(scene, m.baseColorTexture, true),
-                        texture(scene, m.metallicRoughnessTexture, false),
-                        texture(scene, m.emissiveTexture, true),
-                        texture(scene, inputs.normalTextures ? m.normalTexture : TextureRef{}, false),
-                        texture(scene, m.transmissionTexture, false),
-                        texture(scene, m.specularTexture, false),
-                        texture(scene, m.specularColorTexture, true)};
+    surface.textures = {
+        texture(scene, m.baseColorTexture, true),
+        texture(scene, m.metallicRoughnessTexture, false),
+        texture(scene, m.emissiveTexture, true),
+        texture(scene, inputs.normalTextures ? m.normalTexture : TextureRef{}, false),
+        texture(scene, m.transmissionTexture, false),
+        texture(scene, m.specularTexture, false),
+        texture(scene, m.specularColorTexture, true),
+        texture(scene, m.clearcoat.texture, false),
+        texture(scene, m.clearcoat.roughnessTexture, false),
+        texture(scene, inputs.normalTextures ? m.clearcoat.normalTexture : TextureRef{}, false),
+        texture(scene, m.sheen.colorTexture, true),
+        texture(scene, m.sheen.roughnessTexture, false),
+        texture(scene, m.anisotropy.texture, false),
+        texture(scene, m.iridescence.texture, false),
+        texture(scene, m.iridescence.thicknessTexture, false)};
     surfaces_.push_back(std::move(surface));
   }
+}
+
+void RenderScene::makeAlbedos(const CompiledScene& compiled) {
+  const auto& materials = compiled.materials;
+  if (std::none_of(materials.begin(), materials.end(),
+                   [](const CompiledMaterial& m) { return reflectsSpecularly(m) || hasLayers(m); }))
+    return;
+  const SceneAlbedos albedos =
+      makeSceneAlbedos(compiled, std::vector<bool>(materials.size(), true), GlassTables::None);
+  albedos_ = gl::makeBufferTexture(albedos.texels, "reflectances");
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].filmTable = albedos.filmTables[i];
 }
 
 SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {
@@ -176,10 +187,8 @@ void RenderScene::makeVertices(const RenderInputs& inputs) {
   if (compiled.hasVertexColors()) addAttribute(Attribute::Color, std::span(compiled.colors));
   triangles_.fill(GL_ELEMENT_ARRAY_BUFFER, std::span(compiled.triangles), GL_STATIC_DRAW);
   triangleNormals_ = gl::makeBufferTexture(geometricNormals(compiled), "triangle normals");
-  if (inputs.normalTextures && compiled.hasNormalTextures())
-    tangents_ = gl::makeBufferTexture(cornerTangents(compiled), "tangents");
-  const std::vector<glm::vec4> albedos = albedosFor(compiled);
-  if (!albedos.empty()) albedos_ = gl::makeBufferTexture(albedos, "reflectances");
+  if (compiled.needsTangents()) tangents_ = gl::makeBufferTexture(cornerTangents(compiled), "tangents");
+  makeAlbedos(compiled);
   triangleCorners_ = gl::textureOfBuffer(triangles_, compiled.triangles.size(), GL_RGB32UI, "triangles");
   cornerPositions_ =
       gl::textureOfBuffer(streams_.front().buffer(), compiled.positions.size(), GL_RGB32F, "positions");

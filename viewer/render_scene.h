@@ -26,10 +26,18 @@ enum class TextureSlot : std::uint8_t {
   Normal,
   Transmission,
   Specular,
-  SpecularColor
+  SpecularColor,
+  Coat,
+  CoatRoughness,
+  CoatNormal,
+  SheenColor,
+  SheenRoughness,
+  Anisotropy,
+  Film,
+  FilmThickness
 };
 
-constexpr std::size_t surfaceTextures = 7;
+constexpr std::size_t surfaceTextures = 15;
 
 struct SurfaceTexture {
   TextureHandle texture = nullptr;
@@ -43,6 +51,7 @@ struct Surface {
 
   glm::vec3 absorption{0.0f};    ///< inside a body, 1/m
   glm::vec4 translucency{0.0f};  ///< light that comes through diffusely: colour x share, share
+  std::uint32_t filmTable = 0;   ///< where that of its film begins in albedos()
   bool showsSurroundings =
       false;  ///< mirrors, glass, narrow lobes and metals, which reflect nothing diffusely
 
@@ -82,7 +91,7 @@ class RenderScene {
   const gl::VertexArray& vertexArray() const { return vertexArray_; }
   const gl::Texture& triangleNormals() const { return triangleNormals_.texture; }
 
-  /// makeAlbedoTable(); empty where nothing reflects specularly.
+  /// As makeSceneAlbedos() has them; empty where nothing reflects specularly.
   const gl::Texture& albedos() const { return albedos_.texture; }
   const gl::Texture& triangles() const { return triangleCorners_; }  ///< [triangle], vertices
   const gl::Texture& tangents() const { return tangents_.texture; }  ///< [triangle][corner]
@@ -104,6 +113,7 @@ class RenderScene {
   };
 
   void makeSurfaces(const RenderInputs& inputs);
+  void makeAlbedos(const CompiledScene& compiled);
   SurfaceTexture texture(const Scene& scene, const TextureRef& use, bool srgb);
   void makeBatches(const CompiledScene& compiled);
   void makeVertices(const RenderInputs& inputs);

@@ -24,6 +24,9 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasGlass",
                                                          "hasLayer",
                                                          "hasTopLayers",
+                                                         "hasLayerTextures",
+                                                         "hasAnisotropy",
+                                                         "hasFilm",
                                                          "hasSurroundings",
                                                          "hasVertexColors",
                                                          "hasCharts",
@@ -88,6 +91,12 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Glass, glass);
   features.add(Feature::Layer, m.specular > 0.0f);
   features.add(Feature::TopLayers, m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f));
+  features.add(Feature::LayerTextures,
+               surface.has(TextureSlot::Coat) || surface.has(TextureSlot::CoatRoughness) ||
+                   surface.has(TextureSlot::CoatNormal) || surface.has(TextureSlot::SheenColor) ||
+                   surface.has(TextureSlot::SheenRoughness));
+  features.add(Feature::Anisotropy, m.anisotropy.strength > 0.0f);
+  features.add(Feature::Film, m.iridescence.factor > 0.0f && m.iridescence.thicknessMaximum > 0.0f);
   features.add(Feature::Surroundings, surface.showsSurroundings);
   return features;
 }

@@ -29,9 +29,12 @@ enum class Feature : int {
   Translucency,  ///< light comes through diffusely
   Gloss,         ///< metal or glass: the sky is reflected
   Glass,
-  Layer,         ///< a dielectric reflects on top of what is diffuse
-  TopLayers,     ///< a clear coat or a sheen over all that
-  Surroundings,  ///< what lies around is reflected
+  Layer,          ///< a dielectric reflects on top of what is diffuse
+  TopLayers,      ///< a clear coat or a sheen over all that
+  LayerTextures,  ///< those have textures
+  Anisotropy,     ///< rough reflections are wider one way
+  Film,           ///< a thin film colours them
+  Surroundings,   ///< what lies around is reflected
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
   Caustics,
@@ -43,7 +46,7 @@ enum class Feature : int {
   EmitterLights,
 };
 
-constexpr int featureCount = 25;
+constexpr int featureCount = 28;
 
 class Features {
  public:

@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 23> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 31> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -37,7 +37,15 @@ void prepare(const gl::Program& program) {
        {"specularTexture", specularUnit},
        {"specularColorTexture", specularColorUnit},
        {"cornerTangents", cornerTangentsUnit},
-       {"albedos", albedosUnit}}};
+       {"albedos", albedosUnit},
+       {"coatTexture", coatUnit},
+       {"coatRoughnessTexture", coatRoughnessUnit},
+       {"coatNormalTexture", coatNormalUnit},
+       {"sheenColorTexture", sheenColorUnit},
+       {"sheenRoughnessTexture", sheenRoughnessUnit},
+       {"anisotropyTexture", anisotropyUnit},
+       {"filmTexture", filmUnit},
+       {"filmThicknessTexture", filmThicknessUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

@@ -1,6 +1,7 @@
 #include "viewer/surface_uniforms.h"
 
 #include <array>
+#include <cmath>
 
 #include "viewer/drawn_transfer.h"
 
@@ -22,13 +23,36 @@ constexpr std::array<SlotNames, surfaceTextures> slots = {
      {Feature::NormalTexture, normalTextureUnit, "normalU", "normalV"},
      {Feature::TransmissionTexture, transmissionUnit, "transmissionU", "transmissionV"},
      {Feature::SpecularTextures, specularUnit, "specularU", "specularV"},
-     {Feature::SpecularTextures, specularColorUnit, "specularColorU", "specularColorV"}}};
+     {Feature::SpecularTextures, specularColorUnit, "specularColorU", "specularColorV"},
+     {Feature::LayerTextures, coatUnit, "coatU", "coatV"},
+     {Feature::LayerTextures, coatRoughnessUnit, "coatRoughnessU", "coatRoughnessV"},
+     {Feature::LayerTextures, coatNormalUnit, "coatNormalU", "coatNormalV"},
+     {Feature::LayerTextures, sheenColorUnit, "sheenColorU", "sheenColorV"},
+     {Feature::LayerTextures, sheenRoughnessUnit, "sheenRoughnessU", "sheenRoughnessV"},
+     {Feature::Anisotropy, anisotropyUnit, "anisotropyU", "anisotropyV"},
+     {Feature::Film, filmUnit, "filmU", "filmV"},
+     {Feature::Film, filmThicknessUnit, "filmThicknessU", "filmThicknessV"}}};
 
 void setTexture(const SurfaceTexture& texture, const SlotNames& slot, const gl::Texture& white,
                 const gl::Program& p) {
   gl::bind(slot.unit, GL_TEXTURE_2D, texture.texture != nullptr ? *texture.texture : white);
   p.set(slot.u, textureRow(texture.use, 0));
   p.set(slot.v, textureRow(texture.use, 1));
+}
+
+void setLayers(const Surface& surface, const gl::Program& p) {
+  const Material& m = surface.material;
+  const float bumps = surface.has(TextureSlot::CoatNormal) ? m.clearcoat.normalScale : 0.0f;
+  p.set("coatFactors", glm::vec4(m.clearcoat.factor, m.clearcoat.roughness, bumps, 0.0f));
+  p.set("sheenFactors", glm::vec4(m.sheen.color, m.sheen.roughness));
+}
+
+void setFilm(const Surface& surface, const gl::Program& p) {
+  const Iridescence& film = surface.material.iridescence;
+  const bool textured = surface.has(TextureSlot::FilmThickness);
+  p.set("film", glm::vec4(film.factor, film.ior, textured ? film.thicknessMinimum : film.thicknessMaximum,
+                          film.thicknessMaximum));
+  p.set("filmTable", static_cast<int>(surface.filmTable));
 }
 
 }  // namespace
@@ -65,8 +89,12 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
   p.set("solidGlass", m.thickness > 0.0f ? 1 : 0);
   p.set("absorption", surface.absorption);
   p.set("translucency", surface.translucency);
-  p.set("coatFactors", glm::vec4(m.clearcoat.factor, m.clearcoat.roughness, 0.0f, 0.0f));
-  p.set("sheenFactors", glm::vec4(m.sheen.color, m.sheen.roughness));
+  if (features.has(Feature::TopLayers)) setLayers(surface, p);
+  if (features.has(Feature::Anisotropy))
+    p.set("anisotropy",
+          glm::vec4(m.anisotropy.strength, std::cos(m.anisotropy.rotation), std::sin(m.anisotropy.rotation),
+                    surface.has(TextureSlot::Anisotropy) ? 1.0f : 0.0f));
+  if (features.has(Feature::Film)) setFilm(surface, p);
   p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   cullBacksOf(surface);
 }

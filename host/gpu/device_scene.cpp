@@ -70,8 +70,8 @@ void DeviceScene::uploadShading(const CompiledScene& scene, ShadeArrays arrays) 
   if (textured) {
     layout_.shadeTexCoords = pack.add(stored_.ofVertices(spanOf(scene.texCoords)));
     layout_.shadeTexCoords1 = pack.add(stored_.ofVertices(spanOf(scene.texCoords1)));
-    layout_.tangents = pack.add(packTangents(scene));
   }
+  if (scene.needsTangents()) layout_.tangents = pack.add(packTangents(scene));
   shading_ = pack.upload(*device_);
   uploadLayout();
 }

@@ -11,11 +11,15 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   const bool specular = reflectsSpecularly(m);
   f.glass = f.glass || isGlass(m);
   f.layers = f.layers || hasLayers(m);
+  f.film = f.film || hasFilm(m);
+  f.dispersion = f.dispersion || (isGlass(m) && m.dispersion > 0.0f);
+  f.specularGlass = f.specularGlass || isSpecularGlass(m);
+  f.anisotropic = f.anisotropic || isAnisotropic(m);
   f.roughGlass = f.roughGlass || isRoughGlass(m);
   f.mirror = f.mirror || mayMirror(m);
   f.glossy = f.glossy || mayReflectRoughly(m);
   f.absorption = f.absorption || (isGlass(m) && m.solid && m.absorption != glm::vec3(0.0f));
-  f.bumps = f.bumps || m.normalTexture.image >= 0;
+  f.bumps = f.bumps || m.normalTexture.image >= 0 || m.clearcoat.normalTexture.image >= 0;
   for (const TextureRef& texture : m.textures()) f.textures = f.textures || texture.image >= 0;
   f.translucent = f.translucent || isTranslucent(m);
   f.scatters = f.scatters || isTranslucent(m) || hasLayers(m) ||
@@ -42,6 +46,10 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.glass, "PRELIGHT_GLASS")
       .defineIf(f.roughGlass, "PRELIGHT_ROUGH_GLASS")
       .defineIf(f.layers, "PRELIGHT_LAYERS")
+      .defineIf(f.film, "PRELIGHT_FILM")
+      .defineIf(f.dispersion, "PRELIGHT_DISPERSION")
+      .defineIf(f.specularGlass, "PRELIGHT_SPECULAR_GLASS")
+      .defineIf(f.anisotropic, "PRELIGHT_ANISOTROPY")
       .defineIf(f.mirror, "PRELIGHT_MIRROR")
       .defineIf(f.glossy, "PRELIGHT_GLOSSY")
       .defineIf(f.absorption, "PRELIGHT_ABSORPTION")

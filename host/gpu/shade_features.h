@@ -13,7 +13,11 @@ struct ShadeFeatures {
   bool sky = false;
   bool glass = false;
   bool roughGlass = false;
-  bool layers = false;  ///< some surface has a clear coat or a sheen
+  bool anisotropic = false;    ///< some rough lobe is wider one way than the other
+  bool film = false;           ///< a thin film colours some reflection
+  bool dispersion = false;     ///< some glass refracts by wavelength
+  bool specularGlass = false;  ///< some reflects otherwise than its index of refraction tells
+  bool layers = false;         ///< some surface has a clear coat or a sheen
   bool mirror = false;
   bool glossy = false;
   bool absorption = false;

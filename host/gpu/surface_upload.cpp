@@ -1,11 +1,13 @@
 #include "gpu/surface_upload.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <map>
+#include <utility>
 
 #include "base/octahedral.h"
-#include "gpu/albedo_table.h"
+#include "gpu/film_table.h"
+#include "gpu/scene_albedos.h"
 #include "gpu/surface_arrays.h"
 #include "gpu/texture_upload.h"
 #include "scene/lobes.h"
@@ -57,6 +59,15 @@ ShadeMaterial shadeMaterial(const CompiledMaterial& m, const glm::vec3& emission
   r.sheenRoughness = m.sheen.roughness;
   r.coat = m.clearcoat.factor;
   r.coatRoughness = m.clearcoat.roughness;
+  r.coatNormalScale = m.clearcoat.normalScale;
+  r.film = hasFilm(m) ? m.iridescence.factor : 0.0f;
+  r.filmIor = m.iridescence.ior;
+  r.filmThickness[0] = filmThicknesses(m).x;
+  r.filmThickness[1] = filmThicknesses(m).y;
+  r.dispersion = m.dispersion;
+  r.anisotropy = isAnisotropic(m) ? m.anisotropy.strength : 0.0f;
+  r.anisotropyTurn[0] = std::cos(m.anisotropy.rotation);
+  r.anisotropyTurn[1] = std::sin(m.anisotropy.rotation);
   r.flags = (m.solid ? PRELIGHT_SOLID : 0u) | (m.doubleSided ? PRELIGHT_DOUBLE_SIDED : 0u) |
             (m.unlit ? PRELIGHT_UNLIT : 0u);
   std::fill(std::begin(r.textures), std::end(r.textures), PRELIGHT_NO_TEXTURE);
@@ -76,29 +87,24 @@ void addTextures(const CompiledMaterial& m, TextureUpload& upload, ShadeMaterial
   r.textures[PRELIGHT_COAT_ROUGHNESS_TEXTURE] = upload.add(m.clearcoat.roughnessTexture, false);
   r.textures[PRELIGHT_SHEEN_COLOR_TEXTURE] = upload.add(m.sheen.colorTexture, true);
   r.textures[PRELIGHT_SHEEN_ROUGHNESS_TEXTURE] = upload.add(m.sheen.roughnessTexture, false);
+  r.textures[PRELIGHT_COAT_NORMAL_TEXTURE] = upload.add(m.clearcoat.normalTexture, false);
+  r.textures[PRELIGHT_FILM_TEXTURE] = upload.add(m.iridescence.texture, false);
+  r.textures[PRELIGHT_FILM_THICKNESS_TEXTURE] = upload.add(m.iridescence.thicknessTexture, false);
+  r.textures[PRELIGHT_ANISOTROPY_TEXTURE] = upload.add(m.anisotropy.texture, false);
 }
 
 /// Adds what the kernels look up of lobes for the materials that something has.
 void addAlbedos(const CompiledScene& scene, ShadeArrays& arrays) {
   const std::vector<bool> used = usedMaterials(scene);
-  bool rough = false, sheen = false;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i]) continue;
-    rough = rough || mayReflectRoughly(scene.materials[i]);
-    sheen = sheen || hasSheen(scene.materials[i]);
-  }
+  bool rough = false;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    rough = rough || (used[i] && mayReflectRoughly(scene.materials[i]));
   if (!rough) return;
-  arrays.albedos = makeAlbedoTable(sheen);
-  std::map<float, std::uint32_t> tables;  // of glass, by index of refraction
+  SceneAlbedos albedos = makeSceneAlbedos(scene, used);
+  arrays.albedos = std::move(albedos.texels);
   for (std::size_t i = 0; i < used.size(); ++i) {
-    const CompiledMaterial& m = scene.materials[i];
-    if (!used[i] || !m.solid || !isRoughGlass(m)) continue;
-    const auto [table, isNew] = tables.try_emplace(m.ior, static_cast<std::uint32_t>(arrays.albedos.size()));
-    if (isNew) {
-      const std::vector<glm::vec4> glass = makeGlassTable(static_cast<double>(m.ior));
-      arrays.albedos.insert(arrays.albedos.end(), glass.begin(), glass.end());
-    }
-    arrays.materials[i].glassTable = table->second;
+    arrays.materials[i].glassTable = albedos.glassTables[i];
+    arrays.materials[i].filmTable = albedos.filmTables[i];
   }
 }
 
@@ -116,7 +122,7 @@ std::vector<float> interleaveVertices(const CompiledScene& scene) {
 
 std::vector<std::uint32_t> packTangents(const CompiledScene& scene) {
   std::vector<std::uint32_t> packed;
-  if (!scene.hasNormalTextures()) return packed;
+  if (!scene.needsTangents()) return packed;
   constexpr std::uint32_t mirrored = 0x10000u;
   for (const glm::vec4& tangent : cornerTangents(scene))
     packed.push_back((packDirection(glm::dvec3(tangent)) & ~mirrored) | (tangent.w < 0.0f ? mirrored : 0u));

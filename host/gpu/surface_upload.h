@@ -14,8 +14,8 @@ namespace prelight {
 /// Position and normal of every vertex, [vertex][6].
 std::vector<float> interleaveVertices(const CompiledScene& scene);
 
-/// Tangents of normal textures, [triangle][corner], as kernels/transport/interaction_funcs.cl reads them;
-/// none where nothing has such a texture.
+/// Tangents, [triangle][corner], as kernels/transport/interaction_funcs.cl reads them;
+/// none where no material needs any.
 std::vector<std::uint32_t> packTangents(const CompiledScene& scene);
 
 /// Materials of what follows light, with their textures.

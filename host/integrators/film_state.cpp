@@ -19,9 +19,26 @@ void addMaterial(StateHash& hash, const CompiledMaterial& m) {
   for (const glm::vec3& v : {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption,
                              m.specularColor, m.translucentColor, m.sheen.color})
     addVector(hash, glm::dvec3(v));
-  for (const float v :
-       {m.alphaCutoff, m.alphaFactor, m.metallic, m.roughness, m.transmission, m.ior, m.specular,
-        m.translucency, m.normalScale, m.clearcoat.factor, m.clearcoat.roughness, m.sheen.roughness})
+  for (const float v : {m.alphaCutoff,
+                        m.alphaFactor,
+                        m.metallic,
+                        m.roughness,
+                        m.transmission,
+                        m.ior,
+                        m.specular,
+                        m.translucency,
+                        m.normalScale,
+                        m.clearcoat.factor,
+                        m.clearcoat.roughness,
+                        m.clearcoat.normalScale,
+                        m.sheen.roughness,
+                        m.anisotropy.strength,
+                        m.anisotropy.rotation,
+                        m.iridescence.factor,
+                        m.iridescence.ior,
+                        m.iridescence.thicknessMinimum,
+                        m.iridescence.thicknessMaximum,
+                        m.dispersion})
     hash.value(v);
   for (const bool v : {m.doubleSided, m.blended, m.solid, m.unlit}) hash.value(v ? 1 : 0);
   for (const TextureRef& texture : m.textures()) addTexture(hash, texture);

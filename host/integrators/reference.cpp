@@ -51,15 +51,6 @@ class Goal {
   std::uint64_t passes_;
 };
 
-void noteApproximations(const ReferenceInputs& inputs, Warnings& notes) {
-  bool roughGlass = false;
-  for (const std::uint32_t material : inputs.scene.triangleMaterials) {
-    const CompiledMaterial& m = inputs.scene.materials[material];
-    roughGlass = roughGlass || (m.transmission > 0.0f && m.roughness > 0.0f && !m.unlit);
-  }
-  if (roughGlass) notes.push_back("transmission is drawn as clear glass, whatever its roughness");
-}
-
 }  // namespace
 
 Integrator parseIntegrator(std::string_view name) {
@@ -97,7 +88,6 @@ std::uint32_t samplesPerPass(const ReferenceRequest& request) {
 void renderReference(const ReferenceInputs& inputs, const ReferenceRequest& request, const Device& device,
                      Progress& progress, const std::function<void()>& checkpoint, Film& film,
                      ReferenceReport& report) {
-  noteApproximations(inputs, report.notes);
   TransportScene scene({inputs.scene, inputs.images, inputs.lights, inputs.sky, inputs.skyRotation}, device,
                        request.integrator != Integrator::Whitted);
   PathTracer tracer(scene, inputs.scene, inputs.camera, request);

@@ -11,7 +11,12 @@ constexpr float narrowRoughness = 0.25f;  // the root of PRELIGHT_NARROW_ALPHA
 }  // namespace
 
 bool makesCaustics(const CompiledMaterial& m) {
-  const bool narrow = m.roughness <= narrowRoughness || m.surfaceTexture.image >= 0;
+  // The wider way counts, and a texture may make it narrow.
+  const float alpha = m.roughness * m.roughness, stretch = m.anisotropy.strength * m.anisotropy.strength;
+  const bool even = alpha + (1.0f - alpha) * stretch <= narrowRoughness * narrowRoughness;
+  const bool narrow = (m.anisotropy.strength > 0.0f ? even || m.anisotropy.texture.image >= 0
+                                                    : m.roughness <= narrowRoughness) ||
+                      m.surfaceTexture.image >= 0;
   const bool narrowCoat = m.clearcoat.factor > 0.0f && m.clearcoat.roughness <= narrowRoughness;
   return narrowCoat || (narrow && (isGlass(m) || reflectsSpecularly(m)));
 }

@@ -28,13 +28,32 @@ inline bool hasSheen(const CompiledMaterial& m) { return m.sheen.color != glm::v
 /// Whether a layer lies over the rest of a material.
 inline bool hasLayers(const CompiledMaterial& m) { return hasSheen(m) || m.clearcoat.factor > 0.0f; }
 
-/// Whether it has a rough lobe somewhere, or a layer, which looks lobes up like one.
+/// Whether a thin film colours what it reflects.
+inline bool hasFilm(const CompiledMaterial& m) {
+  return m.iridescence.factor > 0.0f && m.iridescence.thicknessMaximum > 0.0f && reflectsSpecularly(m);
+}
+
+/// Whether it has a rough lobe somewhere, or a layer or film, which look lobes up like one.
 inline bool mayReflectRoughly(const CompiledMaterial& m) {
-  return hasLayers(m) || ((reflectsSpecularly(m) || isGlass(m)) && m.roughness >= smoothBelow);
+  const bool rough = m.roughness >= smoothBelow || m.anisotropy.strength > 0.0f;
+  return hasLayers(m) || hasFilm(m) || ((reflectsSpecularly(m) || isGlass(m)) && rough);
+}
+
+/// Whether its rough lobe is wider one way than the other.
+inline bool isAnisotropic(const CompiledMaterial& m) {
+  return m.anisotropy.strength > 0.0f && reflectsSpecularly(m);
 }
 
 /// Whether light passes through a material by refraction at microfacets.
-inline bool isRoughGlass(const CompiledMaterial& m) { return isGlass(m) && m.roughness >= smoothBelow; }
+inline bool isRoughGlass(const CompiledMaterial& m) {
+  return isGlass(m) && (m.roughness >= smoothBelow || m.anisotropy.strength > 0.0f);
+}
+
+/// Whether glass reflects otherwise than its index of refraction tells.
+inline bool isSpecularGlass(const CompiledMaterial& m) {
+  const bool plain = m.specular == 1.0f && m.specularColor == glm::vec3(1.0f);
+  return isGlass(m) && (!plain || m.specularTexture.image >= 0 || m.specularColorTexture.image >= 0);
+}
 
 /// Whether light passes through a material diffusely.
 inline bool isTranslucent(const CompiledMaterial& m) { return m.diffuseTransmission != glm::vec3(0.0f); }

@@ -11,6 +11,12 @@ namespace prelight {
 
 namespace {
 
+/// The texture along whose coordinates the tangents of a material lie.
+const TextureRef& alongWhich(const CompiledMaterial& m) {
+  if (m.normalTexture.image >= 0) return m.normalTexture;
+  return m.anisotropy.texture.image >= 0 ? m.anisotropy.texture : m.clearcoat.normalTexture;
+}
+
 /// What corners must have in common to share a tangent: position, normal, coordinates of the texture.
 using CornerKey = std::array<float, 8>;
 
@@ -84,7 +90,7 @@ class TangentSpace {
 
   glm::dvec2 coordAt(std::uint32_t corner) const {
     const std::uint32_t triangle = triangles_[corner / 3];
-    const TextureRef& use = scene_.materials[scene_.triangleMaterials[triangle]].normalTexture;
+    const TextureRef& use = alongWhich(scene_.materials[scene_.triangleMaterials[triangle]]);
     const auto& coords = use.texCoord == 1 ? scene_.texCoords1 : scene_.texCoords;
     const glm::vec2 uv = coords[scene_.triangles[triangle][corner % 3]];
     return glm::dvec2(glm::dmat3(use.transform) * glm::dvec3(uv, 1.0));
@@ -189,7 +195,7 @@ std::vector<glm::vec4> cornerTangents(const CompiledScene& scene) {
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
     while (primitive + 1 < scene.primitives.size() && scene.primitives[primitive + 1].firstTriangle <= t)
       ++primitive;
-    if (scene.materials[scene.triangleMaterials[t]].normalTexture.image < 0) continue;
+    if (!scene.materials[scene.triangleMaterials[t]].needsTangents()) continue;
     if (!hasFileTangents(scene, t)) {
       without[primitive].push_back(t);
       continue;

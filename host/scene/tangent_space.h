@@ -7,10 +7,11 @@
 
 namespace prelight {
 
-/// Tangents at the corners of triangles whose material has a normal texture, [triangle][corner]: unit, along
+/// Tangents at the corners of triangles whose material needs some, [triangle][corner]: unit, along
 /// which the texture's u grows, w +-1 with the bitangent, along which its v falls, w n x t. They are the
 /// file's where it has some, else those of M. Mikkelsen's "Simulation of Wrinkled Surfaces Revisited" (2008)
-/// of the texture's coordinates, as glTF 2.0 asks for. 0 at the corners of other triangles.
+/// of the coordinates of its normal texture, as glTF 2.0 asks for; without one, of those of its anisotropy,
+/// of its coat's normals, or of the first set. 0 at the corners of other triangles.
 std::vector<glm::vec4> cornerTangents(const CompiledScene& scene);
 
 }  // namespace prelight

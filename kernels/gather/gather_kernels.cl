@@ -7,6 +7,7 @@
 #include "gather/irradiance_map_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/gather_types.h"
+#include "transport/dispersion_funcs.cl"
 #include "transport/irradiance_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
@@ -25,14 +26,24 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
 
 #ifdef PRELIGHT_FOLLOWS
 // Where a ray goes on from a surface by one of its lobes that are not diffuse. False: nowhere.
-PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, Interaction surface,
-                            Bsdf b, uint depth, GatherPath* path, Ray* next) {
+PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s,
+                            Interaction surface, Bsdf b, uint depth, GatherPath* path, Ray* next) {
   const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u), u = gatherPoint(p, receivers, path->ray, depth, 1u);
   const uint lobes = PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE;
+#ifdef PRELIGHT_DISPERSION
+  const float wave = gatherPoint(p, receivers, path->ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x;
+  disperse(s, surface, wave, path->dispersed != 0u, &b);
+#endif
   BsdfSample sample;
   if (!sampleBsdf(surface, b, lobes, PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
   if ((sample.lobe & narrowLobes(b)) == 0u) path->widened = 1u;
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
+#ifdef PRELIGHT_DISPERSION
+  if (path->dispersed == 0u && takesColor(s, surface, b, sample.lobe)) {
+    throughput *= colorOfWave(wave);
+    path->dispersed = 1u;
+  }
+#endif
   path->relativeIor2 *= sample.eta2;
   float survival = fmin(largest(throughput) * path->relativeIor2, 1.0f);
   if (depth >= p->longWay) survival *= 0.5f;
@@ -57,7 +68,7 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const PathScene s = scene.surface;
   const IrradianceMap map = irradianceMapOf(&p->map, irradiances);
-  GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u};
+  GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u, 0u};
   if (step.depth > 0u) path = paths[i];
   const Ray ray = rays[i];
   const Hit hit = hits[i];
@@ -75,15 +86,15 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
       vstore3(vload3(0, path.throughput) * transmittance(s, medium, hit.t), 0, path.throughput);
 #endif
     if (largest(bsdf.diffuse) > 0.0f)
-      radiance += reflectIrradiance(bsdf, surface.woLocal.z, irradianceAt(map, hit.triangle, surface.front, hit.u, hit.v));
+      radiance += reflectIrradiance(bsdf, surface.woLocal, irradianceAt(map, hit.triangle, surface.front, hit.u, hit.v));
 #ifdef PRELIGHT_TRANSLUCENT
     if (largest(bsdf.transmitted) > 0.0f)
-      radiance += transmitIrradiance(bsdf, surface.woLocal.z, irradianceAt(map, hit.triangle, !surface.front, hit.u, hit.v));
+      radiance += transmitIrradiance(bsdf, surface.woLocal, irradianceAt(map, hit.triangle, !surface.front, hit.u, hit.v));
 #endif
     radiance *= vload3(0, path.throughput);
 #ifdef PRELIGHT_FOLLOWS
     Ray next;
-    if (follow(p, receivers, surface, bsdf, step.depth, &path, &next)) {
+    if (follow(p, receivers, s, surface, bsdf, step.depth, &path, &next)) {
       rays[step.next + i] = next;
       paths[step.next + i] = path;
       marks[i] = 1;

@@ -45,9 +45,9 @@ PRELIGHT_INLINE float3 cachedRadiance(__constant const CachedPathParameters* c, 
 #ifdef PRELIGHT_CACHED_CAUSTICS
   addCaustics(c, maps, depth, at, &irradiance, &beyond);
 #endif
-  float3 radiance = reflectIrradiance(at.bsdf, v.woLocal.z, irradiance);
+  float3 radiance = reflectIrradiance(at.bsdf, v.woLocal, irradiance);
 #ifdef PRELIGHT_TRANSLUCENT
-  radiance += transmitIrradiance(at.bsdf, v.woLocal.z, beyond);
+  radiance += transmitIrradiance(at.bsdf, v.woLocal, beyond);
 #endif
   return radiance;
 }
@@ -73,7 +73,7 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
   collectAt(p, step.depth, scene.surface, scene.lights, ray, hit, surface, &path);
   // A ray of a diffuse lobe looks for lights alone.
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && step.meets != 0u && path.diffuseBounces == 0u) {
-    const PathPoint at = pathPointAt(scene.surface, surface, number);
+    const PathPoint at = dispersedAt(p, scene.surface, pathPointAt(scene.surface, surface, number), path);
     if (isDiffuse(at.bsdf)) {
       const float3 radiance = cachedRadiance(c, indirect, maps, step.depth, at);
       vstore3(vload3(0, path.radiance) + vload3(0, path.throughput) * radiance, 0, path.radiance);
@@ -87,7 +87,7 @@ __kernel void followPaths(__constant const CachedPathParameters* c, const PathSt
       mark |= 1u << PRELIGHT_PATH_SHADOW;
     }
     Ray next;
-    if (step.goesOn != 0u && scatterAt(p, step.depth, at, &path, &next)) {
+    if (step.goesOn != 0u && scatterAt(p, step.depth, scene.surface, at, &path, &next)) {
       rays[step.next + i] = next;
       mark |= 1u << PRELIGHT_PATH_NEXT;
     }

@@ -38,7 +38,8 @@ __kernel void sampleLights(__constant const ReferenceParameters* p, const PathSt
   const uint number = numbers[i];
   Ray shadow;
   float3 arriving;
-  const PathPoint at = pathPointAt(scene.surface, loadInteraction(scene.surface, rays[i], hits[i]), number);
+  const PathPoint met = pathPointAt(scene.surface, loadInteraction(scene.surface, rays[i], hits[i]), number);
+  const PathPoint at = dispersedAt(p, scene.surface, met, paths[number]);
   if (!sampleLightAt(p, step.depth, scene.surface, scene.lights, at, paths[number], step.light, &shadow, &arriving)) return;
   rays[step.shadow + i] = shadow;
   vstore3(arriving, 0, paths[number].arriving);
@@ -58,7 +59,8 @@ __kernel void scatterPaths(__constant const ReferenceParameters* p, const PathSt
   const uint number = numbers[i];
   PathState path = paths[number];
   Ray next;
-  if (!scatterAt(p, step.depth, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), number), &path, &next)) return;
+  const PathPoint at = dispersedAt(p, s, pathPointAt(s, loadInteraction(s, rays[i], hits[i]), number), path);
+  if (!scatterAt(p, step.depth, s, at, &path, &next)) return;
   paths[number] = path;
   rays[step.next + i] = next;
   marks[i] = 1u << PRELIGHT_PATH_NEXT;

@@ -5,6 +5,7 @@
 #define PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 
 #include "integrate/path_funcs.cl"
+#include "transport/dispersion_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
 
@@ -16,6 +17,20 @@ typedef struct PathPoint {
 
 PRELIGHT_INLINE PathPoint pathPointAt(PathScene s, Interaction surface, uint path) {
   const PathPoint at = {surface, loadBsdf(s, surface), path};
+  return at;
+}
+
+#ifdef PRELIGHT_DISPERSION
+PRELIGHT_INLINE float waveOf(__constant const ReferenceParameters* p, uint path) {
+  return pathPoint(p, path, PRELIGHT_PAIR_WAVELENGTH).x;
+}
+#endif
+
+// What a path has met, by its wavelength.
+PRELIGHT_INLINE PathPoint dispersedAt(__constant const ReferenceParameters* p, PathScene s, PathPoint at, PathState path) {
+#ifdef PRELIGHT_DISPERSION
+  disperse(s, at.surface, waveOf(p, at.path), path.dispersed != 0u, &at.bsdf);
+#endif
   return at;
 }
 
@@ -95,6 +110,10 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
   }
 #endif
   float3 radiance = vload3(0, path.throughput) * reflected * a.radiance / a.pdf;
+#ifdef PRELIGHT_DISPERSION
+  if (path.dispersed == 0u && splitsAsAWhole(at.bsdf) && takesColor(s, at.surface, at.bsdf, 0u))
+    radiance *= colorOfWave(waveOf(p, at.path));
+#endif
 #ifdef PRELIGHT_ABSORPTION
   if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, a.distance);
 #endif
@@ -105,7 +124,7 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
 }
 
 // Draws the direction in which a path goes on. False: it ends.
-PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathPoint at, PathState* path,
+PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint depth, PathScene s, PathPoint at, PathState* path,
                                Ray* next) {
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   const float2 chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_LOBE);
@@ -114,6 +133,12 @@ PRELIGHT_INLINE bool scatterAt(__constant const ReferenceParameters* p, uint dep
   if (!sampleBsdf(at.surface, at.bsdf, lobesOf(*path), PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
   if ((sample.lobe & PRELIGHT_LOBES_DIFFUSE) != 0u) ++path->diffuseBounces;
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
+#ifdef PRELIGHT_DISPERSION
+  if (path->dispersed == 0u && takesColor(s, at.surface, at.bsdf, sample.lobe)) {
+    throughput *= colorOfWave(waveOf(p, at.path));
+    path->dispersed = 1u;
+  }
+#endif
   path->relativeIor2 *= sample.eta2;
   const float strength = largest(throughput) * path->relativeIor2;
   if (!(strength > 0.0f)) return false;

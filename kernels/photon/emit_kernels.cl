@@ -38,6 +38,7 @@ __kernel void emitPhotons(__constant const PhotonParameters* p, __global const S
   path.scattered = 0u;
   path.photon = photon;
   path.mirrored = 0u;
+  path.dispersed = 0u;
   paths[i] = path;
   queue[i] = (uint)i;
   Ray ray;

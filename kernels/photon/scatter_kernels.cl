@@ -5,6 +5,7 @@
 #include "core/octahedral_funcs.cl"
 #include "photon/path_funcs.cl"
 #include "shared/photon_types.h"
+#include "transport/dispersion_funcs.cl"
 #include "transport/material_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
@@ -49,15 +50,25 @@ PRELIGHT_INLINE bool goesOnFrom(PhotonPath path, Bsdf b) {
 }
 
 // Draws where a photon goes on that arrives with a power. False: it is absorbed.
-PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint depth, Interaction surface, Bsdf bsdf,
+PRELIGHT_INLINE bool scatterPhoton(__constant const PhotonParameters* p, uint depth, PathScene s, Interaction surface, Bsdf bsdf,
                                    float3 power, PhotonPath* path, __global Ray* next) {
   const uint pair = PRELIGHT_PAIR_FIRST_SURFACE + depth * PRELIGHT_PAIRS_A_SURFACE;
   const float2 chance = photonPoint(p, path->photon, pair + PRELIGHT_PAIR_LOBE);
   const float2 u = photonPoint(p, path->photon, pair + PRELIGHT_PAIR_DIRECTION);
+#ifdef PRELIGHT_DISPERSION
+  const float wave = photonPoint(p, path->photon, PRELIGHT_PAIR_WAVELENGTH).x;
+  disperse(s, surface, wave, path->dispersed != 0u, &bsdf);
+#endif
   BsdfSample sample;
   if (!sampleBsdf(surface, bsdf, lobesOf(bsdf), PRELIGHT_IMPORTANCE, chance.x, u, &sample)) return false;
   const uint scattered = scatteredBy(sample.lobe, bsdf);
   float3 leaving = carriedBy(sample, power);
+#ifdef PRELIGHT_DISPERSION
+  if (path->dispersed == 0u && takesColor(s, surface, bsdf, sample.lobe)) {
+    leaving *= colorOfWave(wave);
+    path->dispersed = 1u;
+  }
+#endif
   path->mirrored = scattered == PRELIGHT_SCATTERED_SPECULAR ? path->mirrored + 1u : 0u;
   float survival = depth < p->rouletteDepth ? 1.0f : fmin(largest(leaving) / largest(power), 1.0f);
   if (path->mirrored > PRELIGHT_CAUGHT_AFTER) survival = fmin(survival, PRELIGHT_CAUGHT_SURVIVAL);
@@ -117,7 +128,7 @@ __kernel void scatterPhotons(__constant const PhotonParameters* p, const PhotonS
       stored[i] = photon;
       outcome |= PRELIGHT_PHOTON_STORED;
     }
-    if (goesOnFrom(path, bsdf) && scatterPhoton(p, step.depth, surface, bsdf, power, &path, rays + step.next + i)) {
+    if (goesOnFrom(path, bsdf) && scatterPhoton(p, step.depth, s, surface, bsdf, power, &path, rays + step.next + i)) {
       paths[queue[i]] = path;
       countPower(p, path.power, -1.0f, absorbed);
       outcome |= PRELIGHT_PHOTON_GOES_ON;

@@ -42,7 +42,7 @@ __kernel void listMirrored(__constant const CastParameters* parameters, __consta
   vstore3(surface.frame.z, 0, way.vector);
   way.share = 1.0f;
   const float glass = bsdf.glass * sampleGlassAbout(surface, bsdf, surface.frame.z, PRELIGHT_ALWAYS).reflected;
-  vstore3(clamp(specularAlbedo(bsdf, cosine) + glass, 0.0f, 1.0f), 0, way.color);
+  vstore3(clamp(specularAlbedo(bsdf, (float3)(0.0f, 0.0f, cosine)) + glass, 0.0f, 1.0f), 0, way.color);
   *mirrored = way;
   mirrorRays[i] = rayFrom(surface, direction, reach);
   marks[i] = 1;

@@ -45,6 +45,7 @@ typedef struct GatherPath {
   uint medium;
   uint ray;      ///< that it started as, of the block
   uint widened;  ///< 1: some lobe on the way was no narrow one, so that lamps count
+  uint dispersed;  ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
 } GatherPath;
 
 PRELIGHT_SHARED_END

@@ -55,6 +55,7 @@ typedef struct PhotonPath {
   uint scattered;  ///< PRELIGHT_SCATTERED_* | ...
   uint photon;     ///< of its source
   uint mirrored;   ///< times in a row that mirrors, glass and narrow lobes have scattered it
+  uint dispersed;  ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
 } PhotonPath;
 
 // What became of a photon at a surface.

@@ -52,7 +52,8 @@ typedef struct PathState {
   uint medium;         ///< material that the ray runs through, or PRELIGHT_NO_MEDIUM
   uint diffuseBounces;
   float arriving[3];  ///< radiance that the shadow ray at hand brings if nothing is in its way
-  uint pad[3];
+  uint dispersed;  ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
+  uint pad[2];
 } PathState;
 
 /// A diffuse surface that a light path has met, as a point light.
@@ -67,6 +68,10 @@ typedef struct VirtualLight {
   float layerLater;
   float through[3];  ///< W/sr the other way, of a translucent surface
   float roughness;
+  float coat;  ///< share of the surface that has a clear coat
+  float coatRoughness;
+  float sheen;  ///< its colour's largest channel
+  float sheenRoughness;
 } VirtualLight;
 
 PRELIGHT_SHARED_END

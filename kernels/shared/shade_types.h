@@ -25,7 +25,11 @@ PRELIGHT_SHARED_BEGIN
 #define PRELIGHT_COAT_ROUGHNESS_TEXTURE 9u  // G
 #define PRELIGHT_SHEEN_COLOR_TEXTURE 10u
 #define PRELIGHT_SHEEN_ROUGHNESS_TEXTURE 11u  // A
-#define PRELIGHT_SHADE_TEXTURES 12u
+#define PRELIGHT_ANISOTROPY_TEXTURE 12u       // RG direction, B strength
+#define PRELIGHT_COAT_NORMAL_TEXTURE 13u
+#define PRELIGHT_FILM_TEXTURE 14u             // R
+#define PRELIGHT_FILM_THICKNESS_TEXTURE 15u   // G
+#define PRELIGHT_SHADE_TEXTURES 16u
 
 typedef struct ShadeMaterial {
   float f0[3];          ///< reflectance of the dielectric's surface along its normal; bounded by 1, and times `specular`
@@ -44,6 +48,14 @@ typedef struct ShadeMaterial {
   float sheenRoughness;
   float coat;  ///< share of the surface that has a clear coat
   float coatRoughness;
+  float coatNormalScale;    ///< of the x and y of its normal texture
+  float anisotropy;         ///< strength
+  float anisotropyTurn[2];  ///< cosine and sine of its rotation
+  float film;               ///< share of the surface under a thin film
+  float filmIor;
+  float filmThickness[2];  ///< nm, where its texture is 0 and 1
+  uint filmTable;          ///< entry of the table of albedos at which that of what dielectrics reflect under the film begins
+  float dispersion;        ///< 20 over Abbe's number, of glass
   uint glassTable;  ///< of solid rough glass: entry of the table of albedos at which its own begins
   uint textures[PRELIGHT_SHADE_TEXTURES];  ///< places in the list of textures, or PRELIGHT_NO_TEXTURE
 } ShadeMaterial;

@@ -68,7 +68,7 @@ static bool sampleGlassImportance(Interaction i, Bsdf b, float chance, GlassSamp
   while (!(shares[way] > 0.0f)) --way;  // rounding
   g->passes = (way & 1u) != 0u;
   g->direction = ways[way];
-  g->weight = sum * (g->passes ? b.tint : (float3)(1.0f));
+  g->weight = sum * (g->passes ? b.tint : glassColor(b, solid, i.front, glassCosine(i.wo, i.frame.z)));
   g->eta2 = 1.0f;
   return true;
 }

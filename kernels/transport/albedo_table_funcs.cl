@@ -34,11 +34,11 @@ vec4 meanLobeAlbedo(TEXELS table, float roughness) {
 }
 
 // Reflectance of the light that one bounce has not let out: it bounces on among microfacets of this reflectance, until it is
-// absorbed or leaves. `missing`: mean share that stays in at a bounce. Hill's correction of [1].
+// absorbed or leaves. `mean`: their reflectance over all directions; `missing`: mean share that stays in at a bounce. Hill's correction of [1].
 // [1] Kulla and Conty 2017, "Revisiting Physically Based Shading at Imageworks".
-vec3 laterReflectance(vec3 f0, vec3 f90, float missing) {
-  vec3 mean = f0 + (f90 - f0) * (1.0f / 21.0f);
-  return mean * mean * (1.0f - missing) / (VEC3(1.0f) - mean * missing);
-}
+vec3 laterOfMean(vec3 mean, float missing) { return mean * mean * (1.0f - missing) / (VEC3(1.0f) - mean * missing); }
+
+// Of microfacets of Schlick's reflectance.
+vec3 laterReflectance(vec3 f0, vec3 f90, float missing) { return laterOfMean(f0 + (f90 - f0) * (1.0f / 21.0f), missing); }
 
 #endif

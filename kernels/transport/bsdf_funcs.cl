@@ -49,7 +49,7 @@ PRELIGHT_INLINE bool maySee(Bsdf b, float shading, float geometric) {
 PRELIGHT_INLINE Scattered evalBase(Bsdf b, float3 wo, float3 wi, float3 eye) {
   // Light that enters and leaves the body passes the layer twice. What the layer holds back on the way out is scattered again,
   // so that in an even sky no more is lost than the body absorbs ([1] of transport/lobe_funcs.cl).
-  const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo.z) * passage(b, fabs(wi.z)) * fabs(wi.z);
+  const float through = PRELIGHT_INVERSE_PI * b.bodyGain * passage(b, wo) * passage(b, upwards(wi)) * fabs(wi.z);
   Scattered r;
   r.glossy = (float3)(0.0f);
 #ifdef PRELIGHT_ROUGH_GLASS
@@ -144,7 +144,7 @@ PRELIGHT_INLINE float3 sampleWeight(Interaction i, float3 direction, uint mode, 
 PRELIGHT_INLINE bool sampleMirror(Interaction i, Bsdf b, uint mode, float chance, BsdfSample* sample) {
   sample->direction = fromFrame(i.frame, (float3)(-i.woLocal.x, -i.woLocal.y, i.woLocal.z));
   if (dot(sample->direction, i.geometric) <= 0.0f) return false;
-  float3 value = specularAlbedo(b, i.woLocal.z);
+  float3 value = specularAlbedo(b, i.woLocal);
 #ifdef PRELIGHT_LAYERS
   value *= leftByLayers(b, i.woLocal);
 #endif

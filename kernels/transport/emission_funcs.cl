@@ -75,7 +75,7 @@ PRELIGHT_INLINE Emission emitFromSurface(__constant const PhotonParameters* p, L
   e.direction = around(p->source, normal, sqrt(1.0f - u.y), u.x);  // density cos/pi
   e.origin = offsetOrigin(at.position, at.error, normal, e.direction);
   e.triangle = at.triangle;
-  e.power = emittedRadiance(s, at.triangle, at.at.x, at.at.y, front) * (M_PI_F * at.area * (twoSided ? 2.0f : 1.0f) / at.chance);
+  e.power = emittedRadiance(s, at.triangle, at.at.x, at.at.y, front, e.direction) * (M_PI_F * at.area * (twoSided ? 2.0f : 1.0f) / at.chance);
   e.power *= surfaceCoverage(s.surface, at.triangle, at.at.x, at.at.y);
   return e;
 }

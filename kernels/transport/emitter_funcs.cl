@@ -74,7 +74,7 @@ PRELIGHT_INLINE bool sampleEmitter(Lights l, __constant const LightLayout* layou
   bool front;
   if (!seeEmitter(l, e, point, a, &front)) return false;
   // Rays to the emitter's own surface do not ask whether it is there.
-  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, front) * surfaceCoverage(s.surface, e.triangle, e.at.x, e.at.y);
+  a->radiance = emittedRadiance(s, e.triangle, e.at.x, e.at.y, front, a->direction) * surfaceCoverage(s.surface, e.triangle, e.at.x, e.at.y);
   return true;
 }
 #endif

@@ -27,10 +27,50 @@ PRELIGHT_INLINE float fresnelDielectric(float cosine, float eta) {
 // Ratio of the ior beyond to that here.
 PRELIGHT_INLINE float relativeIor(Bsdf b, bool solid, bool front) { return solid && !front ? 1.0f / b.ior : b.ior; }
 
-// Share of the light that is reflected; all of it where nothing can pass.
+// The same for what passes.
+PRELIGHT_INLINE float bendingIor(Bsdf b, bool solid, bool front) {
+#ifdef PRELIGHT_DISPERSION
+  return solid && !front ? 1.0f / b.bentIor : b.bentIor;
+#else
+  return relativeIor(b, solid, front);
+#endif
+}
+
+#ifdef PRELIGHT_SPECULAR_GLASS
+// What KHR_materials_specular makes of Fresnel's share: between its own reflectances along the normal and at grazing angles as
+// far as that share has risen. What is reflected totally stays so.
+PRELIGHT_INLINE float3 specularGlass(Bsdf b, float reflected, float eta) {
+  const float root = (eta - 1.0f) / (eta + 1.0f), least = root * root;
+  if (reflected >= 1.0f || b.ior == 0.0f) return (float3)(1.0f);
+  const float rise = clamp((reflected - least) / fmax(1.0f - least, 1e-6f), 0.0f, 1.0f);
+  return mix(b.glassF0, (float3)(b.glassF90), rise);
+}
+
+// Share of the light of each channel that one surface reflects, or both of a sheet with all reflections between them.
+PRELIGHT_INLINE float3 glassReflectances(Bsdf b, bool solid, float eta, float cosine) {
+  const float3 reflected = specularGlass(b, b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, eta), eta);
+  return solid ? reflected : 2.0f * reflected / (1.0f + reflected);
+}
+#endif
+
+// Share of the light that does not pass, all of it where nothing can: of the channel of which most is reflected.
 PRELIGHT_INLINE float glassReflectance(Bsdf b, bool solid, bool front, float cosine) {
+#ifdef PRELIGHT_SPECULAR_GLASS
+  return largest(glassReflectances(b, solid, relativeIor(b, solid, front), cosine));
+#else
   const float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, relativeIor(b, solid, front));
   return solid ? reflected : 2.0f * reflected / (1.0f + reflected);  // all the reflections between two faces
+#endif
+}
+
+// Colour of what it reflects.
+PRELIGHT_INLINE float3 glassColor(Bsdf b, bool solid, bool front, float cosine) {
+#ifdef PRELIGHT_SPECULAR_GLASS
+  const float3 reflected = glassReflectances(b, solid, relativeIor(b, solid, front), cosine);
+  return reflected / fmax(largest(reflected), 1e-9f);
+#else
+  return (float3)(1.0f);
+#endif
 }
 
 PRELIGHT_INLINE float glassCosine(float3 wo, float3 n) { return fmin(fmax(dot(wo, n), 1e-6f), 1.0f); }
@@ -41,7 +81,7 @@ PRELIGHT_INLINE float3 mirrorAbout(float3 wo, float3 n) { return 2.0f * dot(wo, 
 PRELIGHT_INLINE float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, float3 n) {
   if (!solid) return -wo;
   const float cosine = glassCosine(wo, n);
-  const float eta = relativeIor(b, solid, front);
+  const float eta = bendingIor(b, solid, front);
   const float inside = sqrt(fmax(1.0f - (1.0f - cosine * cosine) / (eta * eta), 0.0f));
   return normalize((cosine / eta - inside) * n - wo / eta);
 }
@@ -49,11 +89,11 @@ PRELIGHT_INLINE float3 passGlass(Bsdf b, bool solid, bool front, float3 wo, floa
 // Reflected or refracted, in proportion to Fresnel's share: `chance` is in [0,1). `n` is on i.wo's side.
 PRELIGHT_INLINE GlassSample sampleGlassAbout(Interaction i, Bsdf b, float3 n, float chance) {
   const bool solid = isSolid(i);
-  const float eta = relativeIor(b, solid, i.front);
+  const float eta = bendingIor(b, solid, i.front);
   GlassSample g;
   g.reflected = glassReflectance(b, solid, i.front, glassCosine(i.wo, n));
   g.passes = chance >= g.reflected;
-  g.weight = g.passes ? b.tint : (float3)(1.0f);
+  g.weight = g.passes ? b.tint : glassColor(b, solid, i.front, glassCosine(i.wo, n));
   g.eta2 = g.passes && solid ? eta * eta : 1.0f;
   g.direction = g.passes ? passGlass(b, solid, i.front, i.wo, n) : mirrorAbout(i.wo, n);
   return g;

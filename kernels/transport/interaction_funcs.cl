@@ -1,5 +1,5 @@
 // A point of the surface that a ray has met: all that is known of it is found once, when it is loaded.
-// Options: PRELIGHT_BUMPS (some material has a normal texture), those of the surface (bvh/alpha_funcs.cl).
+// Options: PRELIGHT_BUMPS (some material has a normal texture), PRELIGHT_ANISOTROPY (some is anisotropic), those of the surface (bvh/alpha_funcs.cl).
 #ifndef PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_INTERACTION_FUNCS_CL
 
@@ -56,25 +56,57 @@ PRELIGHT_INLINE float3 shadingNormal(PathScene s, uint triangle, float u, float 
   return dot(unit, front) < 0.0f ? -unit : unit;
 }
 
-#ifdef PRELIGHT_BUMPS
-// How far a direction that is mirrored about a bumped normal must stay above the triangle, at most.
-#define PRELIGHT_LEAST_RISE 0.01f
-
-// The shading normal n of the front where the material's normal texture turns it (glTF 2.0, 3.9.3).
-PRELIGHT_INLINE float3 bumpedNormal(PathScene s, uint triangle, float u, float v, float3 n) {
-  const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
-  __global const ShadeMaterial* m = s.materials + t.material;
-  const uint texture = m->textures[PRELIGHT_NORMAL_TEXTURE];
-  if (texture == PRELIGHT_NO_TEXTURE) return n;
-  const float3 texel = 2.0f * textureAt(s.surface, texture, t, u, v).xyz - 1.0f;
+#if defined(PRELIGHT_BUMPS) || defined(PRELIGHT_ANISOTROPY)
+// Directions along and across the texture's u at a point whose normal, without bumps, is n of the front (glTF 2.0, 3.9.3).
+// False: the surface has none.
+PRELIGHT_INLINE bool tangentsAt(PathScene s, uint triangle, float u, float v, float3 n, float3* x, float3* y) {
   __global const uint* corners = s.tangents + 3 * (size_t)triangle;
   const float3 tangent = (1.0f - u - v) * unpackDirection(corners[0]) + u * unpackDirection(corners[1]) + v * unpackDirection(corners[2]);
   const float3 along = tangent - dot(tangent, n) * n;
   const float square = dot(along, along);
-  if (!(square > 1e-12f)) return n;
-  const float3 x = along * rsqrt(square);
-  const float3 y = (corners[0] & 0x10000u) != 0u ? -cross(n, x) : cross(n, x);
-  const float3 bumped = m->normalScale * (texel.x * x + texel.y * y) + texel.z * n;
+  if (!(square > 1e-12f)) return false;
+  *x = along * rsqrt(square);
+  *y = (corners[0] & 0x10000u) != 0u ? -cross(n, *x) : cross(n, *x);
+  return true;
+}
+#endif
+
+#ifdef PRELIGHT_ANISOTROPY
+// The frame around a shading normal whose x is the way in which an anisotropic material is rougher (KHR_materials_anisotropy).
+// n: the normal of the front without bumps.
+PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, float v, float3 n, float3 shading) {
+  const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
+  __global const ShadeMaterial* m = s.materials + t.material;
+  float3 x, y;
+  if (!(m->anisotropy > 0.0f) || !tangentsAt(s, triangle, u, v, n, &x, &y)) return frameAround(shading);
+  float2 way = (float2)(1.0f, 0.0f);
+  const uint texture = m->textures[PRELIGHT_ANISOTROPY_TEXTURE];
+  if (texture != PRELIGHT_NO_TEXTURE) way = 2.0f * textureAt(s.surface, texture, t, u, v).xy - 1.0f;
+  const float2 turn = vload2(0, m->anisotropyTurn);
+  const float3 along = (turn.x * way.x - turn.y * way.y) * x + (turn.y * way.x + turn.x * way.y) * y;
+  const float3 inPlane = along - dot(along, shading) * shading;
+  const float square = dot(inPlane, inPlane);
+  if (!(square > 1e-9f)) return frameAround(shading);
+  Frame frame;
+  frame.x = inPlane * rsqrt(square);
+  frame.y = cross(shading, frame.x);
+  frame.z = shading;
+  return frame;
+}
+#endif
+
+#ifdef PRELIGHT_BUMPS
+// How far a direction that is mirrored about a bumped normal must stay above the triangle, at most.
+#define PRELIGHT_LEAST_RISE 0.01f
+
+// The normal n of the front where a texture of normals, or PRELIGHT_NO_TEXTURE, turns it (glTF 2.0, 3.9.3).
+PRELIGHT_INLINE float3 bumpedNormal(PathScene s, uint texture, float scale, uint triangle, float u, float v, float3 n) {
+  const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
+  if (texture == PRELIGHT_NO_TEXTURE) return n;
+  const float3 texel = 2.0f * textureAt(s.surface, texture, t, u, v).xyz - 1.0f;
+  float3 x, y;
+  if (!tangentsAt(s, triangle, u, v, n, &x, &y)) return n;
+  const float3 bumped = scale * (texel.x * x + texel.y * y) + texel.z * n;
   const float length2 = dot(bumped, bumped);
   return length2 > 1e-12f ? bumped * rsqrt(length2) : n;
 }
@@ -109,16 +141,24 @@ PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   i.wo = -vload3(0, ray.direction);
   const float3 front = frontNormal(a, b, c);
   float3 shading = shadingNormal(s, hit.triangle, hit.u, hit.v, front);
+#ifdef PRELIGHT_ANISOTROPY
+  const float3 even = shading;
+#endif
   i.front = dot(i.wo, front) >= 0.0f;
   i.geometric = i.front ? front : -front;
 #ifdef PRELIGHT_BUMPS
-  if (s.materials[t.material].textures[PRELIGHT_NORMAL_TEXTURE] != PRELIGHT_NO_TEXTURE) {
-    const float3 bumped = bumpedNormal(s, hit.triangle, hit.u, hit.v, shading);
+  const uint bumps = s.materials[t.material].textures[PRELIGHT_NORMAL_TEXTURE];
+  if (bumps != PRELIGHT_NO_TEXTURE) {
+    const float3 bumped = bumpedNormal(s, bumps, s.materials[t.material].normalScale, hit.triangle, hit.u, hit.v, shading);
     shading = visibleNormal(i.front ? bumped : -bumped, i.geometric, i.wo);
     if (!i.front) shading = -shading;
   }
 #endif
+#ifdef PRELIGHT_ANISOTROPY
+  i.frame = anisotropicFrame(s, hit.triangle, hit.u, hit.v, even, i.front ? shading : -shading);
+#else
   i.frame = frameAround(i.front ? shading : -shading);
+#endif
   i.woLocal = toFrame(i.frame, i.wo);
   return i;
 }

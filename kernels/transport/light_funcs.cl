@@ -49,7 +49,7 @@ PRELIGHT_INLINE float3 evalLight(Lights l, __constant const LightLayout* layout,
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (hit.triangle != PRELIGHT_NO_TRIANGLE && l.emitterDensities[hit.triangle] > 0.0f)
-    return emittedRadiance(s, hit.triangle, hit.u, hit.v, front);
+    return emittedRadiance(s, hit.triangle, hit.u, hit.v, front, vload3(0, ray.direction));
 #endif
   return (float3)(0.0f);
 }

@@ -51,7 +51,7 @@ PRELIGHT_INLINE void addLayerChances(Bsdf b, float3 wo, uint lobes, LobeChances*
 // Chances of those among `lobes`, roughly in proportion to what they scatter of light from wo.
 PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float3 wo, uint lobes) {
   const float cosine = wo.z;
-  const float passes = passage(b, cosine);
+  const float passes = passage(b, wo);
   LobeChances c = {0.0f, 0.0f, 0.0f};
 #ifdef PRELIGHT_TRANSLUCENT
   const bool through = (lobes & PRELIGHT_LOBE_THROUGH) != 0u && cosine > 0.0f;
@@ -60,7 +60,7 @@ PRELIGHT_INLINE LobeChances lobeChances(Bsdf b, float3 wo, uint lobes) {
   if (cosine > 0.0f) {
     if ((lobes & PRELIGHT_LOBE_DIFFUSE) != 0u) c.diffuse = largest(b.diffuse) * passes;
 #if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
-    if ((lobes & (b.smooth ? PRELIGHT_LOBE_MIRROR : PRELIGHT_LOBE_GLOSSY)) != 0u) c.specular = largest(specularAlbedo(b, cosine));
+    if ((lobes & (b.smooth ? PRELIGHT_LOBE_MIRROR : PRELIGHT_LOBE_GLOSSY)) != 0u) c.specular = largest(specularAlbedo(b, wo));
 #endif
   }
 #ifdef PRELIGHT_GLASS

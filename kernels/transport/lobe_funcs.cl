@@ -2,7 +2,10 @@
 // docs/reference.md states the model.
 // [1] Kelemen and Szirmay-Kalos 2001, "A Microfacet Based Coupled Specular-Matte BRDF Model with Importance Sampling".
 // Options: PRELIGHT_GLOSSY (some surface reflects with roughness), PRELIGHT_MIRROR (some without), PRELIGHT_GLASS,
-// PRELIGHT_LAYERS (some surface has a clear coat or a sheen; needs PRELIGHT_GLOSSY),
+// PRELIGHT_DISPERSION (some glass refracts by wavelength), PRELIGHT_SPECULAR_GLASS (some reflects otherwise than its index of
+// refraction tells), PRELIGHT_LAYERS (some surface has a clear coat or a sheen; needs PRELIGHT_GLOSSY),
+// PRELIGHT_ANISOTROPY (some lobe is wider one way than the other; needs PRELIGHT_GLOSSY),
+// PRELIGHT_FILM (some lies under a thin film; needs PRELIGHT_GLOSSY),
 // PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
@@ -10,6 +13,8 @@
 #include "core/inline.h"
 #include "core/vector_funcs.cl"
 #include "transport/albedo_table_funcs.cl"
+#include "transport/anisotropic_albedo_funcs.cl"
+#include "transport/film_funcs.cl"
 
 #define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
 #define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/caustic_casters.h says the same
@@ -41,6 +46,18 @@ typedef struct Reflectance {
   float3 later;  // of what does not leave at the first bounce (laterReflectance)
 } Reflectance;
 
+// A thin film over metal and layer.
+typedef struct Film {
+  float share;      // of the surface that has it
+  float outside;    // index of refraction of what lies over it
+  float ior;
+  float thickness;  // nm
+  float relative;   // the same in its range
+  uint table;       // entry of `albedos` at which the table of the layer under it begins
+  float metalShare, layerShare;  // of the surface
+  float3 metal, layer;           // reflectance along the normal of what lies below
+} Film;
+
 typedef struct Bsdf {
   float3 diffuse;  // albedo of the body
 #ifdef PRELIGHT_TRANSLUCENT
@@ -52,6 +69,13 @@ typedef struct Bsdf {
   float glass;           // share that is glass
   float3 tint;           // of what passes through the glass
   float ior;             // 0: infinite
+#ifdef PRELIGHT_DISPERSION
+  float bentIor;  // with which it refracts; `ior` tells what it reflects
+#endif
+#ifdef PRELIGHT_SPECULAR_GLASS
+  float3 glassF0;  // reflectance of the glass along its normal
+  float glassF90;  // and at grazing angles
+#endif
 #ifdef PRELIGHT_ROUGH_GLASS
   float eta;   // of solid glass: index of refraction beyond the surface over that here
   bool solid;  // glass with an inside
@@ -60,6 +84,12 @@ typedef struct Bsdf {
 #endif
   float roughness;
   float alpha;           // width of the GGX lobe, roughness squared
+#ifdef PRELIGHT_FILM
+  Film film;
+#endif
+#ifdef PRELIGHT_ANISOTROPY
+  float2 alphas;  // widths along the frame's x and y, of metal and layer; the first is the larger one
+#endif
   float missing;         // mean share of light that does not leave microfacets at the first bounce
   bool smooth;           // metal and layer are mirrors
 #ifdef PRELIGHT_LAYERS
@@ -81,18 +111,50 @@ PRELIGHT_INLINE float schlickRise(float cosine) {
   return k2 * k2 * k;
 }
 
-// What microfacets reflect at the first bounce, of light along a direction of this cosine: of f0 and of f90.
-PRELIGHT_INLINE float2 firstBounce(Bsdf b, float cosine) {
-#ifdef PRELIGHT_GLOSSY
-  if (!b.smooth) return lobeAlbedo(b.albedos, cosine, b.roughness).xy;
+PRELIGHT_INLINE bool isAnisotropic(Bsdf b) {
+#ifdef PRELIGHT_ANISOTROPY
+  return b.alphas.x > b.alphas.y;
+#else
+  return false;
 #endif
-  const float rise = schlickRise(cosine);
+}
+
+// What microfacets reflect at the first bounce, of light along a direction above the surface: of f0 and of f90.
+PRELIGHT_INLINE float2 firstBounce(Bsdf b, float3 w) {
+#ifdef PRELIGHT_ANISOTROPY
+  if (isAnisotropic(b)) return anisotropicAlbedo(b.albedos, w, b.alphas.x, b.alphas.y).xy;
+#endif
+#ifdef PRELIGHT_GLOSSY
+  if (!b.smooth) return lobeAlbedo(b.albedos, w.z, b.roughness).xy;
+#endif
+  const float rise = schlickRise(w.z);
   return (float2)(1.0f - rise, rise);
 }
 
-// What metal and layer reflect of light from a direction of this cosine, over all directions.
-PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float cosine) {
-  const float2 first = firstBounce(b, cosine);
+// What metal and layer reflect at a microfacet, times their shares of the surface, of light under this cosine with its normal.
+PRELIGHT_INLINE float3 facetReflectance(Bsdf b, float cosine) {
+  const float rise = schlickRise(cosine);
+  float3 reflected = b.specular.f0 * (1.0f - rise) + b.specular.f90 * rise;
+#ifdef PRELIGHT_FILM
+  const Film f = b.film;
+  if (!(f.share > 0.0f)) return reflected;
+  reflected *= 1.0f - f.share;
+  if (f.metalShare > 0.0f)
+    reflected += f.share * f.metalShare * filmReflectance(cosine, f.outside, f.ior, f.thickness, f.metal);
+  if (f.layerShare > 0.0f)
+    reflected += f.share * f.layerShare * filmReflectance(cosine, f.outside, f.ior, f.thickness, f.layer);
+#endif
+  return reflected;
+}
+
+// What metal and layer reflect of light from a direction above the surface, over all directions. Under a film that is rough,
+// what the surface as a whole reflects stands for its microfacets.
+PRELIGHT_INLINE float3 specularAlbedo(Bsdf b, float3 w) {
+  const float2 first = firstBounce(b, w);
+#ifdef PRELIGHT_FILM
+  if (b.film.share > 0.0f)
+    return facetReflectance(b, w.z) * (first.x + first.y) + b.specular.later * (1.0f - first.x - first.y);
+#endif
   return b.specular.f0 * first.x + b.specular.f90 * first.y + b.specular.later * (1.0f - first.x - first.y);
 }
 
@@ -101,20 +163,59 @@ PRELIGHT_INLINE float passedLayer(Bsdf b, float2 first) {
   return fmax(1.0f - (b.layer.x * first.x + b.layer.y * first.y + b.layer.z * (1.0f - first.x - first.y)), 0.0f);
 }
 
-PRELIGHT_INLINE float passage(Bsdf b, float cosine) {
+#ifdef PRELIGHT_FILM
+// The same of a layer that lies under a film in part: `under`: what that part reflects at the first bounce.
+PRELIGHT_INLINE float passedFilm(Bsdf b, float2 first, float under) {
+  const float bare = b.layer.x * first.x + b.layer.y * first.y;
+  return fmax(1.0f - mix(bare, under, b.film.share) - b.layer.z * (1.0f - first.x - first.y), 0.0f);
+}
+#endif
+
+PRELIGHT_INLINE float passage(Bsdf b, float3 w) {
 #if defined(PRELIGHT_GLOSSY) || defined(PRELIGHT_MIRROR)
-  return passedLayer(b, firstBounce(b, cosine));
+#ifdef PRELIGHT_FILM
+  if (b.film.share > 0.0f && b.film.layerShare > 0.0f)
+    return passedFilm(b, firstBounce(b, w),
+                      filmAlbedo(b.albedos, (int)b.film.table, b.film.relative, w.z, b.smooth ? 0.0f : b.roughness));
+#endif
+  return passedLayer(b, firstBounce(b, w));
 #else
   return 1.0f;
 #endif
 }
 
-// Completes a Bsdf whose roughness, albedos and diffuse parts are set: a metal of this reflectance and a layer, with the shares
+#ifdef PRELIGHT_FILM
+// What a film makes of later bounces off what reflects `below`.
+PRELIGHT_INLINE float3 laterUnderFilm(Film f, float3 below, float3 bare, float missing) {
+  return mix(bare, laterOfMean(meanFilmReflectance(f.outside, f.ior, f.thickness, below), missing), f.share);
+}
+
+// Completes what setReflectance leaves to a film.
+PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 layer, float layerShare, float2 mean, Bsdf* b) {
+  Film* f = &b->film;
+  f->metal = metal;
+  f->metalShare = metalShare;
+  f->layer = layer;
+  f->layerShare = layerShare;
+  const float3 metalLater = laterUnderFilm(*f, metal, laterReflectance(metal, (float3)(1.0f), b->missing), b->missing);
+  const float3 layerLater = laterUnderFilm(*f, layer, (float3)(b->layer.z), b->missing);
+  b->specular.later = metalShare * metalLater + layerShare * layerLater;
+  if (!(layerShare > 0.0f)) return;
+  b->layer.z = largest(layerLater);
+  const float roughness = b->smooth ? 0.0f : b->roughness;
+  b->bodyGain = 1.0f / fmax(passedFilm(*b, mean, meanFilmAlbedo(b->albedos, (int)f->table, f->relative, roughness)), 1e-6f);
+}
+#endif
+
+// Completes a Bsdf whose roughness, albedos, film and diffuse parts are set: a metal of this reflectance and a layer, with the shares
 // of the surface that they cover.
 PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layerF0, float layerF90, float layerShare, Bsdf* b) {
   float2 mean = (float2)(20.0f / 21.0f, 1.0f / 21.0f);
 #ifdef PRELIGHT_GLOSSY
   if (!b->smooth) mean = meanLobeAlbedo(b->albedos, b->roughness).xy;
+#endif
+#ifdef PRELIGHT_ANISOTROPY
+  if (isAnisotropic(*b)) mean = meanAnisotropicAlbedo(b->albedos, b->alphas.x, b->alphas.y).xy;
 #endif
   b->missing = b->smooth ? 0.0f : fmax(1.0f - mean.x - mean.y, 0.0f);
   const float3 white = (float3)(1.0f), layerRise = (float3)(layerF90);
@@ -124,6 +225,10 @@ PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layer
   b->specular.later = metalShare * laterReflectance(metal, white, b->missing) + layerShare * layerLater;
   b->layer = layerShare > 0.0f ? (float3)(largest(layerF0), layerF90, largest(layerLater)) : (float3)(0.0f);
   b->bodyGain = 1.0f / fmax(passedLayer(*b, mean), 1e-6f);
+#ifdef PRELIGHT_FILM
+  b->film.metalShare = b->film.layerShare = 0.0f;
+  if (b->film.share > 0.0f) setFilmReflectance(metal, metalShare, layerF0, layerShare, mean, b);
+#endif
 }
 
 // Whether the body scatters any light, to either side.
@@ -150,7 +255,16 @@ PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 
 // Mirrors, and lobes that show what is there: light that they gather is followed from its source, light of wider ones is
 // found by chance.
-PRELIGHT_INLINE bool isNarrow(Bsdf b) { return b.smooth || b.alpha <= PRELIGHT_NARROW_ALPHA; }
+PRELIGHT_INLINE bool isNarrow(Bsdf b) {
+#ifdef PRELIGHT_ANISOTROPY
+  return b.smooth || b.alphas.x <= PRELIGHT_NARROW_ALPHA;
+#else
+  return b.smooth || b.alpha <= PRELIGHT_NARROW_ALPHA;
+#endif
+}
+
+// A direction that points as far above the surface as the given one above or below.
+PRELIGHT_INLINE float3 upwards(float3 wi) { return (float3)(wi.x, wi.y, fabs(wi.z)); }
 
 // The lobes that make caustics.
 PRELIGHT_INLINE uint narrowLobes(Bsdf b) {

@@ -22,11 +22,36 @@ PRELIGHT_INLINE bool emitsOn(__global const ShadeMaterial* m, bool front) {
   return front || (m->flags & PRELIGHT_DOUBLE_SIDED) != 0u;
 }
 
-// Radiance that a point of a triangle sends out.
-PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front) {
+#ifdef PRELIGHT_LAYERS
+// Share and roughness of the clear coat.
+PRELIGHT_INLINE void setCoat(PathScene s, __global const ShadeMaterial* m, uint triangle, float u, float v, Bsdf* b) {
+  b->coat = m->coat * materialTexture(s, PRELIGHT_COAT_TEXTURE, triangle, u, v).x;
+  b->coatRoughness = m->coatRoughness * materialTexture(s, PRELIGHT_COAT_ROUGHNESS_TEXTURE, triangle, u, v).y;
+  b->coatSmooth = b->coatRoughness < PRELIGHT_SMOOTH_BELOW;
+}
+
+// Share of the light that an emitter sends along a direction which its clear coat, whatever its bumps, lets out.
+PRELIGHT_INLINE float leavesCoat(PathScene s, __global const ShadeMaterial* m, uint triangle, float u, float v, float3 direction) {
+  if (!(m->coat > 0.0f)) return 1.0f;
+  const DeviceTriangle t = triangleAt(s.surface, triangle);
+  const float3 a = vertexPosition(s, t.vertex[0]), b = vertexPosition(s, t.vertex[1]), c = vertexPosition(s, t.vertex[2]);
+  Bsdf coated;
+  coated.albedos = s.albedos;
+  setCoat(s, m, triangle, u, v, &coated);
+  return 1.0f - coatAlbedo(coated, fmin(fabs(dot(direction, frontNormal(a, b, c))), 1.0f));
+}
+#endif
+
+// Radiance that a point of a triangle sends along a direction, or against it.
+PRELIGHT_INLINE float3 emittedRadiance(PathScene s, uint triangle, float u, float v, bool front, float3 direction) {
   __global const ShadeMaterial* m = s.materials + materialAt(s.surface, triangle);
   if (!emitsOn(m, front)) return (float3)(0.0f);
-  return vload3(0, m->emission) * materialTexture(s, PRELIGHT_EMISSION_TEXTURE, triangle, u, v).xyz;
+  const float3 radiance = vload3(0, m->emission) * materialTexture(s, PRELIGHT_EMISSION_TEXTURE, triangle, u, v).xyz;
+#ifdef PRELIGHT_LAYERS
+  return radiance * leavesCoat(s, m, triangle, u, v, direction);
+#else
+  return radiance;
+#endif
 }
 
 PRELIGHT_INLINE float3 baseColor(PathScene s, uint triangle, float u, float v) {
@@ -51,15 +76,54 @@ PRELIGHT_INLINE void setSpecular(PathScene s, Interaction i, float3 base, float 
   const float3 color = materialTexture(s, PRELIGHT_SPECULAR_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
   const float f90 = m->specular * materialTexture(s, PRELIGHT_SPECULAR_TEXTURE, i.triangle, i.u, i.v).w;
   const float3 f0 = f90 * fmin(vload3(0, m->f0) * color, 1.0f);
+#ifdef PRELIGHT_SPECULAR_GLASS
+  b->glassF0 = f0;
+  b->glassF90 = f90;
+#endif
   setReflectance(base, unlit ? 0.0f : metallic, f0, f90, f90 > 0.0f ? opaque : 0.0f, b);
 }
 
+#ifdef PRELIGHT_ANISOTROPY
+// Widens the lobe along the frame's x (KHR_materials_anisotropy).
+PRELIGHT_INLINE void setAnisotropy(PathScene s, Interaction i, Bsdf* b) {
+  __global const ShadeMaterial* m = s.materials + i.material;
+  const float strength = m->anisotropy * materialTexture(s, PRELIGHT_ANISOTROPY_TEXTURE, i.triangle, i.u, i.v).z;
+  if (m->anisotropy > 0.0f) {
+    b->roughness = fmax(b->roughness, PRELIGHT_SMOOTH_BELOW);
+    b->alpha = b->roughness * b->roughness;
+    b->smooth = false;
+  }
+  b->alphas = (float2)(mix(b->alpha, 1.0f, strength * strength), b->alpha);
+}
+#endif
+
+#ifdef PRELIGHT_FILM
+// After the coat: that lies over it.
+PRELIGHT_INLINE void setFilm(PathScene s, Interaction i, Bsdf* b) {
+  __global const ShadeMaterial* m = s.materials + i.material;
+  b->film.share = m->film > 0.0f ? m->film * materialTexture(s, PRELIGHT_FILM_TEXTURE, i.triangle, i.u, i.v).x : 0.0f;
+  if (!(b->film.share > 0.0f)) return;
+  b->film.relative = materialTexture(s, PRELIGHT_FILM_THICKNESS_TEXTURE, i.triangle, i.u, i.v).y;
+  b->film.thickness = mix(m->filmThickness[0], m->filmThickness[1], b->film.relative);
+  if (!(b->film.thickness > 0.0f)) b->film.share = 0.0f;
+  b->film.ior = m->filmIor;
+  b->film.table = m->filmTable;
 #ifdef PRELIGHT_LAYERS
-// The shading normal without the bumps of the material below the coat, in its frame.
+  b->film.outside = 1.0f + 0.5f * b->coat;
+#else
+  b->film.outside = 1.0f;
+#endif
+}
+#endif
+
+#ifdef PRELIGHT_LAYERS
+// The coat's normal, which knows bumps of its own alone, in the frame of the shading normal.
 PRELIGHT_INLINE float3 coatNormalAt(PathScene s, Interaction i) {
 #ifdef PRELIGHT_BUMPS
   const float3 front = i.front ? i.geometric : -i.geometric;
-  const float3 even = shadingNormal(s, i.triangle, i.u, i.v, front);
+  const float3 unbumped = shadingNormal(s, i.triangle, i.u, i.v, front);
+  __global const ShadeMaterial* m = s.materials + i.material;
+  const float3 even = bumpedNormal(s, m->textures[PRELIGHT_COAT_NORMAL_TEXTURE], m->coatNormalScale, i.triangle, i.u, i.v, unbumped);
   return toFrame(i.frame, visibleNormal(i.front ? even : -even, i.geometric, i.wo));
 #else
   return (float3)(0.0f, 0.0f, 1.0f);
@@ -68,9 +132,7 @@ PRELIGHT_INLINE float3 coatNormalAt(PathScene s, Interaction i) {
 
 PRELIGHT_INLINE void setLayers(PathScene s, Interaction i, Bsdf* b) {
   __global const ShadeMaterial* m = s.materials + i.material;
-  b->coat = m->coat * materialTexture(s, PRELIGHT_COAT_TEXTURE, i.triangle, i.u, i.v).x;
-  b->coatRoughness = m->coatRoughness * materialTexture(s, PRELIGHT_COAT_ROUGHNESS_TEXTURE, i.triangle, i.u, i.v).y;
-  b->coatSmooth = b->coatRoughness < PRELIGHT_SMOOTH_BELOW;
+  setCoat(s, m, i.triangle, i.u, i.v, b);
   b->coatNormal = coatNormalAt(s, i);
   b->sheen = vload3(0, m->sheen) * materialTexture(s, PRELIGHT_SHEEN_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
   const float roughness = m->sheenRoughness * materialTexture(s, PRELIGHT_SHEEN_ROUGHNESS_TEXTURE, i.triangle, i.u, i.v).w;
@@ -93,6 +155,9 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   b.glass = unlit ? 0.0f : (1.0f - metallic) * glass;
   b.tint = base;
   b.ior = m->ior;
+#ifdef PRELIGHT_DISPERSION
+  b.bentIor = m->ior;
+#endif
 #ifdef PRELIGHT_ROUGH_GLASS
   b.solid = isSolid(i);
   b.eta = relativeIor(b, b.solid, i.front);
@@ -103,12 +168,18 @@ PRELIGHT_INLINE Bsdf loadBsdf(PathScene s, Interaction i) {
   b.alpha = roughness * roughness;
   b.smooth = roughness < PRELIGHT_SMOOTH_BELOW;
   b.albedos = s.albedos;
-  setSpecular(s, i, base, metallic, opaque, &b);
-#ifdef PRELIGHT_TRANSLUCENT
-  setTransmitted(s, i, opaque, &b);
+#ifdef PRELIGHT_ANISOTROPY
+  setAnisotropy(s, i, &b);
 #endif
 #ifdef PRELIGHT_LAYERS
   setLayers(s, i, &b);
+#endif
+#ifdef PRELIGHT_FILM
+  setFilm(s, i, &b);
+#endif
+  setSpecular(s, i, base, metallic, opaque, &b);
+#ifdef PRELIGHT_TRANSLUCENT
+  setTransmitted(s, i, opaque, &b);
 #endif
   return b;
 }

@@ -26,14 +26,14 @@ PRELIGHT_INLINE float smithVisibility(float co, float ci, float alpha) {
   return 0.5f / (co * smithTerm(ci, alpha) + ci * smithTerm(co, alpha));
 }
 
-// Normal visible from wo, [3].
-PRELIGHT_INLINE float3 sampleVisibleNormal(float2 u, float3 wo, float alpha) {
-  const float3 v = normalize((float3)(alpha * wo.x, alpha * wo.y, wo.z));
+// Normal visible from wo, [3], of widths along x and y.
+PRELIGHT_INLINE float3 sampleVisibleNormal(float2 u, float3 wo, float2 alphas) {
+  const float3 v = normalize((float3)(alphas.x * wo.x, alphas.y * wo.y, wo.z));
   const float z = (1.0f - u.y) * (1.0f + v.z) - v.z;
   const float radius = sqrt(clamp(1.0f - z * z, 0.0f, 1.0f));
   const float turn = 2.0f * u.x;
   const float3 h = (float3)(radius * cospi(turn), radius * sinpi(turn), z) + v;
-  return normalize((float3)(alpha * h.x, alpha * h.y, fmax(h.z, 1e-7f)));
+  return normalize((float3)(alphas.x * h.x, alphas.y * h.y, fmax(h.z, 1e-7f)));
 }
 
 // The lobe without its reflectance, times the cosine of wi; h: halfway between wo and wi.
@@ -48,38 +48,83 @@ PRELIGHT_INLINE float pdfMicrofacet(float3 wo, float3 h, float alpha) {
 
 // May lie below the surface.
 PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
-  const float3 h = sampleVisibleNormal(u, wo, alpha);
+  const float3 h = sampleVisibleNormal(u, wo, (float2)(alpha));
   return 2.0f * dot(wo, h) * h - wo;
 }
 
+#ifdef PRELIGHT_ANISOTROPY
+// The same with widths along x and y.
+PRELIGHT_INLINE float anisotropicDensity(float3 h, float2 alphas) {
+  const float2 slope = h.xy / alphas;
+  const float q = slope.x * slope.x + slope.y * slope.y + h.z * h.z;
+  return PRELIGHT_INVERSE_PI / (alphas.x * alphas.y * q * q);
+}
+
+PRELIGHT_INLINE float anisotropicTerm(float3 w, float2 alphas) {
+  const float2 across = alphas * w.xy;
+  return sqrt(w.z * w.z + across.x * across.x + across.y * across.y);
+}
+#endif
+
 #ifdef PRELIGHT_GLOSSY
+// The lobe of metal and layer without its reflectance, times the cosine of wi; h: halfway between wo and wi.
+PRELIGHT_INLINE float evalFacets(Bsdf b, float3 wo, float3 wi, float3 h) {
+#ifdef PRELIGHT_ANISOTROPY
+  const float visibility = 0.5f / (wo.z * anisotropicTerm(wi, b.alphas) + wi.z * anisotropicTerm(wo, b.alphas));
+  return anisotropicDensity(h, b.alphas) * visibility * wi.z;
+#else
+  return evalMicrofacet(wo, wi, h, b.alpha);
+#endif
+}
+
+PRELIGHT_INLINE float pdfFacets(Bsdf b, float3 wo, float3 h) {
+#ifdef PRELIGHT_ANISOTROPY
+  return 0.5f * anisotropicDensity(h, b.alphas) / (wo.z + anisotropicTerm(wo, b.alphas));
+#else
+  return pdfMicrofacet(wo, h, b.alpha);
+#endif
+}
+
+// May lie below the surface.
+PRELIGHT_INLINE float3 sampleFacets(Bsdf b, float2 u, float3 wo) {
+#ifdef PRELIGHT_ANISOTROPY
+  const float3 h = sampleVisibleNormal(u, wo, b.alphas);
+  return 2.0f * dot(wo, h) * h - wo;
+#else
+  return sampleMicrofacet(u, wo, b.alpha);
+#endif
+}
+
 // What metal and layer scatter from wo to wi, times the cosine of wi: at the first bounce, and later ([4]).
 PRELIGHT_INLINE float3 evalGlossy(Bsdf b, float3 wo, float3 wi) {
   const float3 h = normalize(wo + wi);
-  const float rise = schlickRise(dot(wo, h));
-  const float2 from = firstBounce(b, wo.z), to = firstBounce(b, wi.z);
+  const float2 from = firstBounce(b, wo), to = firstBounce(b, wi);
   const float later = (1.0f - from.x - from.y) * (1.0f - to.x - to.y) / fmax(b.missing, 1e-6f);
-  return (b.specular.f0 * (1.0f - rise) + b.specular.f90 * rise) * evalMicrofacet(wo, wi, h, b.alpha) +
+  return facetReflectance(b, dot(wo, h)) * evalFacets(b, wo, wi, h) +
          b.specular.later * (PRELIGHT_INVERSE_PI * wi.z * later);
 }
 
 // Share of what the rough lobe reflects that leaves after the first bounce.
-PRELIGHT_INLINE float laterShare(Bsdf b, float cosine) {
-  const float2 first = firstBounce(b, cosine);
+PRELIGHT_INLINE float laterShare(Bsdf b, float3 wo) {
+  const float2 first = firstBounce(b, wo);
   const float later = largest(b.specular.later) * (1.0f - first.x - first.y);
+#ifdef PRELIGHT_FILM
+  const float sum = largest(facetReflectance(b, wo.z)) * (first.x + first.y) + later;
+#else
   const float sum = largest(b.specular.f0) * first.x + largest(b.specular.f90) * first.y + later;
+#endif
   return later > 0.0f ? later / sum : 0.0f;
 }
 
 PRELIGHT_INLINE float pdfGlossy(Bsdf b, float3 wo, float3 wi) {
-  const float later = laterShare(b, wo.z);
-  return (1.0f - later) * pdfMicrofacet(wo, normalize(wo + wi), b.alpha) + later * PRELIGHT_INVERSE_PI * wi.z;
+  const float later = laterShare(b, wo);
+  return (1.0f - later) * pdfFacets(b, wo, normalize(wo + wi)) + later * PRELIGHT_INVERSE_PI * wi.z;
 }
 
 // May lie below the surface. `chance`, in [0,1), picks the bounce.
 PRELIGHT_INLINE float3 sampleGlossy(Bsdf b, float chance, float2 u, float3 wo) {
-  if (chance < laterShare(b, wo.z)) return sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
-  return sampleMicrofacet(u, wo, b.alpha);
+  if (chance < laterShare(b, wo)) return sampleCosineHemisphere(u, (float3)(0.0f, 0.0f, 1.0f));
+  return sampleFacets(b, u, wo);
 }
 #endif
 

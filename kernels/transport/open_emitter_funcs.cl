@@ -67,7 +67,8 @@ PRELIGHT_INLINE float3 openIrradiance(Lights l, EmitterRange range, PathScene s,
     float3 corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = vertexPosition(s, t.vertex[k]);
     const bool front = -dot(corner[0] - point, cross(corner[1] - corner[0], corner[2] - corner[0])) > 0.0f;
-    const float3 radiance = emittedRadiance(s, triangle, 1.0f / 3.0f, 1.0f / 3.0f, front);
+    const float3 way = (corner[0] + corner[1] + corner[2]) * (1.0f / 3.0f) - point;
+    const float3 radiance = emittedRadiance(s, triangle, 1.0f / 3.0f, 1.0f / 3.0f, front, normalize(way));
     if (largest(radiance) > 0.0f) sum += M_PI_F * triangleFormFactor(point, normal, corner) * radiance;
   }
   return sum;

@@ -14,11 +14,13 @@
 PRELIGHT_INLINE bool isRoughGlass(Bsdf b) { return !b.smooth && b.glass > 0.0f; }
 
 PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
+#ifdef PRELIGHT_SPECULAR_GLASS
+  return largest(glassReflectances(b, b.solid, b.eta, clamp(cosine, 1e-6f, 1.0f)));
+#else
   const float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(clamp(cosine, 1e-6f, 1.0f), b.eta);
   return b.solid ? reflected : 2.0f * reflected / (1.0f + reflected);
+#endif
 }
-
-PRELIGHT_INLINE float3 upwards(float3 wi) { return (float3)(wi.x, wi.y, fabs(wi.z)); }
 
 // Smith's masking of one direction, [1] eq. 34.
 PRELIGHT_INLINE float smithMasking(float cosine, float alpha) { return 2.0f * cosine / (cosine + smithTerm(cosine, alpha)); }
@@ -43,8 +45,12 @@ PRELIGHT_INLINE float laterInGlass(Bsdf b, float cosine) {
   return fmax(1.0f - first.x - first.y, 0.0f);
 }
 
-// Share of what glass scatters that takes the side of wi, and its colour.
-PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float reflected, bool passes) {
+// Share of what microfacets of glass scatter, under this cosine with their normal, that takes the side of wi, and its colour.
+PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float cosine, bool passes) {
+#ifdef PRELIGHT_SPECULAR_GLASS
+  if (!passes) return glassReflectances(b, b.solid, b.eta, clamp(cosine, 1e-6f, 1.0f));
+#endif
+  const float reflected = roughGlassReflectance(b, cosine);
   return passes ? (1.0f - reflected) * b.tint : (float3)(reflected);
 }
 
@@ -64,12 +70,12 @@ PRELIGHT_INLINE float3 evalRoughGlassOnce(Bsdf b, float3 wo, float3 wi) {
     float density;
     float3 h;
     if (!refractingNormal(b, wo, wi, &density, &h)) return (float3)(0.0f);
-    return sideOfGlass(b, roughGlassReflectance(b, dot(wo, h)), true) * (b.glass * density * smithMasking(-wi.z, b.alpha));
+    return sideOfGlass(b, dot(wo, h), true) * (b.glass * density * smithMasking(-wi.z, b.alpha));
   }
   const float3 mirrored = upwards(wi), h = normalize(wo + mirrored);
   const float later = laterInGlass(b, wo.z) * laterInGlass(b, mirrored.z) / fmax(b.missing, 1e-6f);
-  return b.glass * (sideOfGlass(b, roughGlassReflectance(b, dot(wo, h)), passes) * evalMicrofacet(wo, mirrored, h, b.alpha) +
-                    sideOfGlass(b, roughGlassReflectance(b, PRELIGHT_LATER_COSINE), passes) *
+  return b.glass * (sideOfGlass(b, dot(wo, h), passes) * evalMicrofacet(wo, mirrored, h, b.alpha) +
+                    sideOfGlass(b, PRELIGHT_LATER_COSINE, passes) *
                         (PRELIGHT_INVERSE_PI * mirrored.z * later));
 }
 
@@ -98,7 +104,7 @@ PRELIGHT_INLINE bool sampleRoughGlass(Bsdf b, float3 wo, float chance, float2 u,
   const float later = laterInGlass(b, wo.z);
   const bool isLater = chance < later;
   chance = isLater ? chance / later : (chance - later) / (1.0f - later);
-  const float3 h = isLater ? (float3)(0.0f, 0.0f, 1.0f) : sampleVisibleNormal(u, wo, b.alpha);
+  const float3 h = isLater ? (float3)(0.0f, 0.0f, 1.0f) : sampleVisibleNormal(u, wo, (float2)(b.alpha));
   const float from = dot(wo, h);
   const bool passes = chance >= roughGlassReflectance(b, isLater ? PRELIGHT_LATER_COSINE : from);
   *wi = isLater ? sampleCosineHemisphere(u, h) : 2.0f * from * h - wo;

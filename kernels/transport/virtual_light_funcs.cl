@@ -1,11 +1,11 @@
 // Virtual point lights (Keller 1997): diffuse surfaces that light paths have met, as lights.
-// Options: those of transport/lobe_funcs.cl.
+// Options: those of transport/lobe_funcs.cl. Bumps of a clear coat do not count.
 #ifndef PRELIGHT_TRANSPORT_VIRTUAL_LIGHT_FUNCS_CL
 #define PRELIGHT_TRANSPORT_VIRTUAL_LIGHT_FUNCS_CL
 
 #include "shared/reference_types.h"
 #include "transport/interaction_funcs.cl"
-#include "transport/lobe_funcs.cl"
+#include "transport/layer_funcs.cl"
 
 // What a virtual light sends to a point, were nothing in the way.
 typedef struct VirtualSample {
@@ -17,7 +17,7 @@ typedef struct VirtualSample {
 // The virtual light that a surface becomes as it scatters diffusely the power that comes from i.wo.
 PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power) {
   const float arrives = fmax(i.woLocal.z, 0.0f);
-  const float enters = passage(b, arrives) * b.bodyGain;
+  const float enters = passage(b, (float3)(i.woLocal.x, i.woLocal.y, arrives)) * b.bodyGain;
   // The half of the adjoint (adjointRatio) that the way in has; sampleVirtual has the other.
   const float bent = arrives / fmax(dot(i.wo, i.geometric), 1e-6f);
   VirtualLight light;
@@ -28,6 +28,13 @@ PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power)
   light.layerF90 = b.layer.y;
   light.layerLater = b.layer.z;
   light.roughness = b.roughness;
+  light.coat = light.sheen = 0.0f;
+#ifdef PRELIGHT_LAYERS
+  light.coat = b.coat;
+  light.coatRoughness = b.coatRoughness;
+  light.sheen = largest(b.sheen);
+  light.sheenRoughness = b.sheenRoughness;
+#endif
   vstore3(power * b.diffuse * (PRELIGHT_INVERSE_PI * enters * bent), 0, light.intensity);
   vstore3((float3)(0.0f), 0, light.through);
 #ifdef PRELIGHT_TRANSLUCENT
@@ -44,7 +51,23 @@ PRELIGHT_INLINE float leavesVirtual(PathScene s, VirtualLight light, float cosin
   b.roughness = light.roughness;
   b.smooth = light.roughness < PRELIGHT_SMOOTH_BELOW;
   b.albedos = s.albedos;
-  return passage(b, cosine);
+#ifdef PRELIGHT_FILM
+  b.film.share = 0.0f;  // its colour on the way out is not kept
+#endif
+#ifdef PRELIGHT_ANISOTROPY
+  b.alphas = (float2)(light.roughness * light.roughness);  // the way that the layer is stretched is not kept
+#endif
+  float left = 1.0f;
+#ifdef PRELIGHT_LAYERS
+  // Light that leaves comes through them, that which arrives is not scaled (transport/layer_funcs.cl).
+  b.coat = light.coat;
+  b.coatRoughness = light.coatRoughness;
+  b.coatSmooth = b.coatRoughness < PRELIGHT_SMOOTH_BELOW;
+  b.sheen = (float3)(light.sheen);
+  b.sheenRoughness = light.sheenRoughness;
+  if (light.coat > 0.0f || light.sheen > 0.0f) left = belowLayers(b, cosine, cosine);
+#endif
+  return left * passage(b, (float3)(0.0f, 0.0f, cosine));
 }
 
 // Nearer than the square root of `leastSquare` a light counts as at that distance. False: nothing arrives.

@@ -33,7 +33,7 @@ __kernel void probe(__constant const SceneLayout* layout, __global const Surface
   const Bsdf b = loadBsdf(s, i);
   const float metal = (b.specular.f90.x - (1.0f - b.glass) * b.layer.y) / (1.0f - b.layer.y);
   o[2] = (float4)(b.roughness, metal, b.glass, b.layer.y);
-  o[3] = (float4)(emittedRadiance(s, 0u, at.x, at.y, true), 1.0f - b.diffuse.x / (b.tint.x * (1.0f - metal) - b.glass * b.tint.x));
+  o[3] = (float4)(emittedRadiance(s, 0u, at.x, at.y, true, (float3)(0.0f, 1.0f, 0.0f)), 1.0f - b.diffuse.x / (b.tint.x * (1.0f - metal) - b.glass * b.tint.x));
 }
 )";
 

@@ -37,6 +37,25 @@ TEST(InstantRadiosity, RoomWithALamp_IsWhatPathsFind) {
   EXPECT_GT(instant.mean, 0.97 * path.mean - 4.0 * (path.error + instant.error));
 }
 
+// Coat and sheen hold back what leaves virtual lights; what they scatter themselves is no diffuse light.
+TEST(InstantRadiosity, RoomOfCoatedWalls_IsWhatPathsFind) {
+  const auto coated = [](Integrator integrator, std::uint64_t samples) {
+    Shot shot = litRoom(integrator, samples);
+    for (CompiledMaterial& m : shot.scene.materials) {
+      m.clearcoat.factor = 1.0f;
+      m.clearcoat.roughness = 0.8f;
+      m.sheen.color = glm::vec3(0.5f);
+      m.sheen.roughness = 0.6f;
+    }
+    return shot;
+  };
+  const MeanAndError path = meanOf(coated(Integrator::Path, 1024).render());
+  const MeanAndError instant = meanOf(coated(Integrator::Instant, 24).render());
+  ASSERT_LT(path.error, 0.005 * path.mean);
+  EXPECT_LT(instant.mean, path.mean + 4.0 * (path.error + instant.error));
+  EXPECT_GT(instant.mean, 0.97 * path.mean - 4.0 * (path.error + instant.error));
+}
+
 TEST(InstantRadiosity, WithoutBounces_IsDirectLight) {
   Shot path = litRoom(Integrator::Path, 256), instant = litRoom(Integrator::Instant, 64);
   path.request.depth = instant.request.depth = 2;

@@ -20,6 +20,7 @@ CompiledMaterial glass(float ior, bool solid) {
   CompiledMaterial m;
   m.baseColor = glm::vec3(1.0f);
   m.transmission = 1.0f;
+  m.specular = 1.0f;
   m.roughness = 0.0f;
   m.ior = ior;
   m.solid = solid;

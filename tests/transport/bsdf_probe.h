@@ -8,6 +8,7 @@
 #include "benchmarks/lab/lab_kernels.h"
 #include "device/launch_once.h"
 #include "gpu/albedo_table.h"
+#include "gpu/anisotropic_table.h"
 #include "support/devices.h"
 
 namespace prelight::test {
@@ -37,9 +38,18 @@ class BsdfProbe {
   /// `ior`: of solid rough glass.
   BsdfProbe(BuildOptions options, std::vector<float> values, double ior = 1.5)
       : options_(std::move(options)), values_(std::move(values)) {
-    const std::vector<glm::vec4> glass = makeGlassTable(ior);
-    albedos_.insert(albedos_.end(), glass.begin(), glass.end());
+    append(makeAnisotropicTable());
+    append(makeGlassTable(ior));
   }
+
+  /// Its place in the table.
+  std::size_t append(const std::vector<glm::vec4>& more) {
+    const std::size_t first = albedos_.size();
+    albedos_.insert(albedos_.end(), more.begin(), more.end());
+    return first;
+  }
+
+  void set(std::size_t value, float to) { values_.at(value) = to; }
 
   Probed probe(const std::vector<glm::vec4>& wo, const std::vector<glm::vec4>& wi) const {
     DeviceContext& device = sharedDevice().context();

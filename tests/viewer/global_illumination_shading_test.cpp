@@ -336,6 +336,61 @@ TEST(GlobalIlluminationShading, MapOfTheOtherSide_ComesThrough) {
               2.0 / std::numbers::pi * glm::dvec3(0.8, 0.4, 0.2), 0.01);
 }
 
+Material brushedMetal(float strength) {
+  Material material;
+  material.baseColor = {0.04f, 0.04f, 0.04f, 1.0f};  // dark: later bounces leave little
+  material.roughness = 0.5f;
+  material.anisotropy.strength = strength;
+  material.anisotropy.rotation = 0.5f;
+  return material;
+}
+
+/// The extension's formula for metals that reflect 0.04 along their normal, +Z, lit and seen along
+/// directions.
+double brushedValue(double roughness, double strength, const glm::dvec3& t, const glm::dvec3& v,
+                    const glm::dvec3& l) {
+  const glm::dvec3 b = glm::cross(glm::dvec3(0, 0, 1), t), h = glm::normalize(v + l);
+  const double ab = roughness * roughness, at = ab + (1.0 - ab) * strength * strength;
+  const glm::dvec3 f(ab * glm::dot(t, h), at * glm::dot(b, h), at * ab * h.z);
+  const double w2 = at * ab / glm::dot(f, f), d = at * ab * w2 * w2 / std::numbers::pi;
+  const double visible = 0.5 / (l.z * glm::length(glm::dvec3(at * glm::dot(t, v), ab * glm::dot(b, v), v.z)) +
+                                v.z * glm::length(glm::dvec3(at * glm::dot(t, l), ab * glm::dot(b, l), l.z)));
+  return (0.04 + 0.96 * std::pow(1.0 - glm::dot(v, h), 5.0)) * d * visible;
+}
+
+TEST(GlobalIlluminationShading, AnisotropicMetal_IsTheExtensionsFormula) {
+  for (const float strength : {0.4f, 0.9f}) {
+    IlluminatedScene scene;
+    scene.quad.add(brushedMetal(strength), 2.0f);
+    const glm::dvec3 toLight = glm::normalize(glm::dvec3(0.6, 0.1, 0.9)), eye(-1.0, 0.3, 2.0);
+    scene.quad.scene.lights = {makeLight(LightType::Directional, {1e2f, 1e2f, 1e2f}, {}, -toLight)};
+    scene.quad.lookFrom(eye, {0, 0, 0});
+    scene.quad.compile();
+    scene.globalIllumination = darkness(scene.quad);
+    const glm::dvec3 t(std::cos(0.5), std::sin(0.5), 0.0);
+    const double expected =
+        1e2 * toLight.z * brushedValue(0.5, double(strength), t, glm::normalize(eye), toLight);
+    expectColor(pixelAt(scene.render(globalIlluminationOptions(33))), glm::dvec3(1.02 * expected), 0.025);
+  }
+}
+
+/// Of a dark coat over black: its texture and its roughness' texture multiply the factors.
+TEST(GlobalIlluminationShading, TexturesOfTheCoat_MultiplyItsFactors) {
+  const auto coated = [](bool textured) {
+    Material material = lambertian(glm::vec3(0.0f));
+    material.clearcoat.factor = textured ? 1.0f : 128.0f / 255.0f;
+    material.clearcoat.roughness = textured ? 1.0f : 102.0f / 255.0f;
+    if (textured) material.clearcoat.texture.image = material.clearcoat.roughnessTexture.image = 0;
+    IlluminatedScene scene = litSheet(material, 1.0);
+    scene.quad.scene.images = {{"coat", 1, 1, {128, 102, 0, 255}}};
+    scene.quad.compile();
+    return pixelAt(scene.render(globalIlluminationOptions(33)));
+  };
+  const glm::vec3 factors = coated(false), textures = coated(true);
+  EXPECT_GT(factors.x, 1e-3f);
+  expectColor(textures, glm::dvec3(factors), 0.01);
+}
+
 /// A floor under a square lamp of 1 m, 1.5 m above it.
 IlluminatedScene floorUnderLamp() {
   IlluminatedScene scene;

@@ -1,6 +1,7 @@
 // What surfaces look like: textures, colours, holes, facing, blending, sky.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
@@ -98,6 +99,26 @@ TEST(Surface, TransmissionTexture_SaysWhereItIsGlass) {
   const Picture picture = quad.render(square(Shading::Phong, 64));
   expectNear(pixelAt(picture, 0.2, 0.5), glm::vec3(2.0f / 3.14159265f), 1e-3f);
   expectNear(pixelAt(picture, 0.8, 0.5), glm::vec3(0), 1e-3f);
+}
+
+TEST(Surface, FeaturesThatAShadingLeavesOut_AreNotedOnceWithTheirMaterials) {
+  Material brushed;
+  brushed.name = "brushed";
+  brushed.anisotropy.strength = 0.5f;
+  brushed.clearcoat.factor = 1.0f;
+  QuadScene quad;
+  quad.add(brushed);
+  quad.add(brushed);
+  quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+  quad.compile();
+  Warnings notes;
+  viewer::renderPicture(quad.inputs(), square(), notes);
+  int left = 0;
+  for (const std::string& note : notes) left += note.find("leaves out") != std::string::npos ? 1 : 0;
+  EXPECT_EQ(left, 2);
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("leaves out anisotropy of \"brushed\"") != std::string::npos;
+  }));
 }
 
 TEST(Surface, NormalTexture_TurnsLights) {

@@ -5,14 +5,15 @@
 #include "variant.glsl"
 #include "lights.glsl"
 #include "material.glsl"
+#include "triangles.glsl"
+#include "normal_map.glsl"
+#include "anisotropy.glsl"
 #include "scattering.glsl"
 #include "top_layers.glsl"
 #include "sky.glsl"
-#include "triangles.glsl"
 #include "light_map.glsl"
 #include "shadows.glsl"
 #include "surroundings.glsl"
-#include "normal_map.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -28,32 +29,36 @@ layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance fro
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
 
 // A light's share: scattered radiance of its irradiance with its shadow.
-vec3 shadeLight(int k, Scattering s, vec3 geometric, vec3 n, vec3 toEye, bool glossy, int reach) {
+vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye, bool glossy, int reach) {
   vec3 toLight;
   vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight);
   float nl = dot(n, toLight);
   float side = dot(geometric, toLight);
   if (largest(irradiance) <= 0.0) return vec3(0.0);
-  if (hasTranslucency && translucency.a > 0.0 && nl < 0.0 && side < 0.0) {
-    return leftByLayers(max(dot(n, toEye), 0.0)) * transmittedOfLight(s, max(dot(n, toEye), 0.0), -nl) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
-  }
+  float nv = max(dot(n, toEye), 0.0);
+  float left = leftByLayers(top, max(dot(top.coatNormal, toEye), 0.0), nv);
+  vec3 wo = vec3(inFrame(s, n, toEye).xy, nv);
+  vec3 wi = inFrame(s, n, toLight);
+  if (hasTranslucency && translucency.a > 0.0 && nl < 0.0 && side < 0.0)
+    return left * transmittedOfLight(s, wo, wi) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
   if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
-  vec3 reflected = diffuseOfLight(s, max(dot(n, toEye), 0.0), nl);
+  vec3 reflected = diffuseOfLight(s, wo, wi);
   if (glossy) reflected += glossyOfLight(s, n, toEye, toLight);
-  if (hasTopLayers) reflected = reflected * leftByLayers(max(dot(n, toEye), 0.0)) + layersOfLight(n, toEye, toLight);
-  return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
+  if (!hasTopLayers) return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
+  reflected = reflected * nl * left + layersOfLight(top, n, toEye, toLight);
+  return reflected * irradiance * visibility(k, vPosition, geometric, reach);
 }
 
-vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
+vec3 shadeLights(Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye) {
   vec3 sum = vec3(0.0);
   bool reflects = (hasGloss || hasLayer) && largest(s.f90) > 0.0 && s.roughness >= smoothBelow;
   // Lamps whose number is known are read once for all pixels.
-  if (lampCount > 0) sum += shadeLight(0, s, geometric, n, toEye, reflects, 1);
-  if (lampCount > 1) sum += shadeLight(1, s, geometric, n, toEye, reflects, 1);
-  if (lampCount > 2) sum += shadeLight(2, s, geometric, n, toEye, reflects, 1);
-  if (lampCount > 3) sum += shadeLight(3, s, geometric, n, toEye, reflects, 1);
+  if (lampCount > 0) sum += shadeLight(0, s, top, geometric, n, toEye, reflects, 1);
+  if (lampCount > 1) sum += shadeLight(1, s, top, geometric, n, toEye, reflects, 1);
+  if (lampCount > 2) sum += shadeLight(2, s, top, geometric, n, toEye, reflects, 1);
+  if (lampCount > 3) sum += shadeLight(3, s, top, geometric, n, toEye, reflects, 1);
   if (lampCount < 0)
-    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, geometric, n, toEye, reflects, 1);
+    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, top, geometric, n, toEye, reflects, 1);
   // Pixels take turns with the samples of large lights (Keller and Heidrich 2001, interleaved sampling): those that a
   // pixel of the picture is the mean of have all of them.
   ivec2 turn = ivec2(gl_FragCoord.xy) % counts.z;
@@ -61,7 +66,7 @@ vec3 shadeLights(Scattering s, vec3 geometric, vec3 n, vec3 toEye) {
   vec3 samples = vec3(0.0);
   // What shows its surroundings shows large lights and the sky among them.
   for (int k = counts.y + turn.x + counts.z * turn.y; k < counts.x; k += stride)
-    samples += shadeLight(k, s, geometric, n, toEye, reflects && showsSurroundings == 0, 0);
+    samples += shadeLight(k, s, top, geometric, n, toEye, reflects && showsSurroundings == 0, 0);
   return sum + float(stride) * samples;
 }
 
@@ -95,27 +100,35 @@ void main() {
   bool smoothShaded = geometry.w < 0.5 && dot(vNormal, vNormal) > 1e-12;
   vec3 n = smoothShaded ? side * normalize(vNormal) : geometric;
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
+  vec3 even = n;
   n = bumpedNormal(n, geometric, toEye, vPosition, triangle, vTexCoords);
   float nv = max(dot(n, toEye), 0.0);
-  Scattering s = scatteringOf(m);
+  TopLayers top = readTopLayers(vTexCoords, even, geometric, toEye, vPosition, triangle);
+  Scattering s = scatteringOf(m, readStretch(vTexCoords, even, n, vPosition, triangle));
+  if (hasFilm) addFilm(vTexCoords, top.coat, m, s);
+  vec3 wo = vec3(inFrame(s, n, toEye).xy, nv);
+  float onCoat = max(dot(top.coatNormal, toEye), 0.0);
+  float coated = hasTopLayers ? coatAlbedo(top, onCoat) : 0.0;
 
   vec3 indirect = lightMapIrradiance(triangle, gl_FrontFacing, vPosition);
   vec3 irradiance = indirect;
   if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
-  float left = leftByLayers(nv);
-  vec3 radiance = m.emission + left * diffuseOfIrradiance(s, nv) * irradiance + shadeLights(s, geometric, n, toEye);
+  float left = leftByLayers(top, onCoat, nv);
+  vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, geometric, n, toEye);
   if (hasTranslucency && translucency.a > 0.0) {
-    radiance += left * transmittedOfIrradiance(s, nv) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
+    radiance += left * transmittedOfIrradiance(s, wo) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
   }
   if (hasSurroundings && showsSurroundings != 0) {
-    radiance += left * reflectanceOfSurroundings(s, nv) * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
-    if (hasTopLayers) radiance += coatAlbedo(nv) * surroundingRadiance(vPosition, reflect(-toEye, n), coatFactors.y);
+    vec3 around = isAnisotropic(s) ? surroundingStretched(vPosition, n, toEye, s.along, s.widths)
+                                   : surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
+    radiance += left * reflectanceOfSurroundings(s, wo) * around;
+    if (hasTopLayers) radiance += coated * surroundingRadiance(vPosition, reflect(-toEye, top.coatNormal), top.coatRoughness);
   } else {
     // What lies around is not known but for the mean of its radiance.
-    radiance += left * reflectanceOfSurroundings(s, nv) * indirect / pi;
-    if (hasTopLayers) radiance += coatAlbedo(nv) * indirect / pi;
+    radiance += left * reflectanceOfSurroundings(s, wo) * indirect / pi;
+    if (hasTopLayers) radiance += coated * indirect / pi;
   }
-  if (hasTopLayers) radiance += sheenFactors.rgb * sheenAlbedo(nv) * (1.0 - coatAlbedo(nv)) * indirect / pi;
+  if (hasTopLayers) radiance += top.sheen * sheenAlbedo(top, nv) * (1.0 - coated) * indirect / pi;
   vec3 through = vec3(0.0);
   if (hasGlass && s.glass > 0.0) radiance += left * shadeGlass(s, m.base, n, toEye, nv, through);
   through *= left;

@@ -6,19 +6,33 @@ uniform vec4 normalV;
 uniform float normalScale;             // of the texture's x and y; 0: there is none
 uniform samplerBuffer cornerTangents;  // [triangle][corner], w +-1
 
-// Unit normal of a front around its own, n, at a point of a triangle.
-vec3 mappedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
-  if (!hasNormalTexture || normalScale == 0.0) return n;
-  vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
+// Directions along and across the texture's u at a point of a triangle whose front's normal, without bumps, is n. False: the
+// surface has none.
+bool tangentsAt(vec3 n, vec3 point, int triangle, out vec3 x, out vec3 y) {
   vec3 w = weightsOfCorners(ivec3(texelFetch(triangleCorners, triangle).xyz), point);
   vec4 first = texelFetch(cornerTangents, 3 * triangle);
   vec3 tangent = w.x * first.xyz + w.y * texelFetch(cornerTangents, 3 * triangle + 1).xyz +
                  w.z * texelFetch(cornerTangents, 3 * triangle + 2).xyz;
   vec3 along = tangent - dot(tangent, n) * n;
-  if (dot(along, along) <= 1e-12) return n;
-  along = normalize(along);
-  vec3 mapped = normalScale * (texel.x * along + texel.y * first.w * cross(n, along)) + texel.z * n;
+  if (dot(along, along) <= 1e-12) return false;
+  x = normalize(along);
+  y = first.w * cross(n, x);
+  return true;
+}
+
+// The same where a texel of a texture of normals turns it.
+vec3 turnedNormal(vec3 n, vec3 texel, float scale, vec3 point, int triangle) {
+  vec3 x, y;
+  if (!tangentsAt(n, point, triangle, x, y)) return n;
+  vec3 mapped = scale * (texel.x * x + texel.y * y) + texel.z * n;
   return dot(mapped, mapped) > 1e-12 ? normalize(mapped) : n;
+}
+
+// Unit normal of a front around its own, n, at a point of a triangle.
+vec3 mappedNormal(vec3 n, vec3 point, int triangle, vec4 texCoords) {
+  if (!hasNormalTexture || normalScale == 0.0) return n;
+  vec3 texel = 2.0 * texture(normalTexture, texturePlace(texCoords, normalU, normalV)).rgb - 1.0;
+  return turnedNormal(n, texel, normalScale, point, triangle);
 }
 
 // The normal nearest to n about which the eye's direction is mirrored to above the triangle.

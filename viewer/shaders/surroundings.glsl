@@ -58,6 +58,28 @@ vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
   return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, 0.0) : found.rgb;
 }
 
+const int tilts = 16;
+
+// The same by microfacets that are wider along one direction than across: tilts of the normal along it, each as likely, whose
+// reflections are blurred as by the width across, or so that none shows by itself.
+vec3 surroundingStretched(vec3 point, vec3 n, vec3 toEye, vec3 along, vec2 widths) {
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  float blur = sqrt(max(widths.y, 0.18 * widths.x));
+  for (int k = 0; k < tilts; ++k) {
+    float u = (2.0 * float(k) + 1.0) / float(tilts) - 1.0;
+    vec3 h = normalize(n + widths.x * u * inversesqrt(1.0 - u * u) * along);  // quantiles of the slopes of GGX
+    float facing = dot(h, toEye);
+    vec3 way = reflect(-toEye, h);
+    float leaves = dot(n, way);
+    if (facing <= 0.0 || leaves <= 0.0) continue;
+    float weight = facing / max(dot(n, h), 1e-3);
+    sum += weight * surroundingRadiance(point, way, blur);
+    weights += weight;
+  }
+  return weights > 0.0 ? sum / weights : surroundingRadiance(point, reflect(-toEye, n), sqrt(widths.y));
+}
+
 // Radiance that comes through a body of glass from a refracted direction: where it leaves the body, or after reflections
 // within. `passed`: share that the body lets through.
 vec3 radianceThroughBody(vec3 point, vec3 way, float ior, vec3 absorption, out vec3 passed) {

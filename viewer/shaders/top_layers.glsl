@@ -1,25 +1,71 @@
-// Sheen and over that a clear coat, as kernels/transport/layer_funcs.cl has them but for their textures; needs scattering.glsl.
+// Sheen and over that a clear coat, as kernels/transport/layer_funcs.cl has them; needs scattering.glsl and normal_map.glsl.
 // [1] Estevez and Kulla 2017, "Production Friendly Microfacet Sheen BRDF".
-uniform vec4 coatFactors;   // share of the surface, roughness
+uniform vec4 coatFactors;   // share of the surface, roughness, scale of its normal texture's x and y (0: there is none)
 uniform vec4 sheenFactors;  // colour, roughness
+uniform sampler2D coatTexture;            // R
+uniform sampler2D coatRoughnessTexture;   // G
+uniform sampler2D coatNormalTexture;
+uniform sampler2D sheenColorTexture;
+uniform sampler2D sheenRoughnessTexture;  // A
+uniform vec4 coatU;
+uniform vec4 coatV;
+uniform vec4 coatRoughnessU;
+uniform vec4 coatRoughnessV;
+uniform vec4 coatNormalU;
+uniform vec4 coatNormalV;
+uniform vec4 sheenColorU;
+uniform vec4 sheenColorV;
+uniform vec4 sheenRoughnessU;
+uniform vec4 sheenRoughnessV;
 
 const float coatF0 = 0.04;
 
-// What the coat reflects of light from a direction of this cosine.
-float coatAlbedo(float cosine) {
-  float rise = schlickRise(cosine);
-  vec2 first = coatFactors.y < smoothBelow ? vec2(1.0 - rise, rise) : lobeAlbedo(albedos, cosine, coatFactors.y).xy;
-  return coatFactors.x * (coatF0 * first.x + first.y);
+struct TopLayers {
+  float coat;  // share of the surface
+  float coatRoughness;
+  vec3 coatNormal;
+  vec3 sheen;
+  float sheenRoughness;
+};
+
+// The coat knows no bumps but its own. even: normal of the side that is seen, without bumps.
+TopLayers readTopLayers(vec4 texCoords, vec3 even, vec3 geometric, vec3 toEye, vec3 point, int triangle) {
+  TopLayers t = TopLayers(0.0, 0.0, even, vec3(0.0), 0.0);
+  if (!hasTopLayers) return t;
+  t.coat = coatFactors.x;
+  t.coatRoughness = coatFactors.y;
+  t.sheen = sheenFactors.rgb;
+  t.sheenRoughness = sheenFactors.w;
+  if (hasLayerTextures) {
+    t.coat *= texture(coatTexture, texturePlace(texCoords, coatU, coatV)).r;
+    t.coatRoughness *= texture(coatRoughnessTexture, texturePlace(texCoords, coatRoughnessU, coatRoughnessV)).g;
+    t.sheen *= texture(sheenColorTexture, texturePlace(texCoords, sheenColorU, sheenColorV)).rgb;
+    t.sheenRoughness *= texture(sheenRoughnessTexture, texturePlace(texCoords, sheenRoughnessU, sheenRoughnessV)).a;
+    if (coatFactors.z != 0.0) {
+      float side = gl_FrontFacing ? 1.0 : -1.0;
+      vec3 texel = 2.0 * texture(coatNormalTexture, texturePlace(texCoords, coatNormalU, coatNormalV)).rgb - 1.0;
+      t.coatNormal = side * turnedNormal(side * even, texel, coatFactors.z, point, triangle);
+    }
+  }
+  t.coatNormal = visibleNormal(t.coatNormal, geometric, toEye);
+  t.sheenRoughness = max(t.sheenRoughness, PRELIGHT_LEAST_SHEEN_ROUGHNESS);
+  return t;
 }
 
-float sheenRoughness() { return max(sheenFactors.w, PRELIGHT_LEAST_SHEEN_ROUGHNESS); }
+// What the coat reflects of light from a direction of this cosine with its normal.
+float coatAlbedo(TopLayers t, float cosine) {
+  float rise = schlickRise(cosine);
+  vec2 first = t.coatRoughness < smoothBelow ? vec2(1.0 - rise, rise) : lobeAlbedo(albedos, cosine, t.coatRoughness).xy;
+  return t.coat * (coatF0 * first.x + first.y);
+}
 
-float sheenAlbedo(float cosine) { return lobeAlbedo(albedos, cosine, sheenRoughness()).z; }
+float sheenAlbedo(TopLayers t, float cosine) { return lobeAlbedo(albedos, cosine, t.sheenRoughness).z; }
 
-// Share of light along the eye's direction that both leave to what lies below them.
-float leftByLayers(float nv) {
+// Share of light along the eye's direction that both leave to what lies below them, given its cosines with the coat's normal
+// and the surface's.
+float leftByLayers(TopLayers t, float onCoat, float nv) {
   if (!hasTopLayers) return 1.0;
-  return (1.0 - coatAlbedo(nv)) * (1.0 - largest(sheenFactors.rgb) * sheenAlbedo(nv));
+  return (1.0 - coatAlbedo(t, onCoat)) * (1.0 - largest(t.sheen) * sheenAlbedo(t, nv));
 }
 
 float sheenFit(float x, float alpha) {  // [1] eq. 3
@@ -33,23 +79,25 @@ float sheenLambda(float cosine, float alpha) {
   return x < 0.5 ? exp(sheenFit(x, alpha)) : exp(2.0 * sheenFit(0.5, alpha) - sheenFit(max(1.0 - x, 1e-6), alpha));
 }
 
-// BRDF value of both.
-vec3 layersOfLight(vec3 n, vec3 toEye, vec3 toLight) {
+// Of both, times the cosine of the light.
+vec3 layersOfLight(TopLayers t, vec3 n, vec3 toEye, vec3 toLight) {
   vec3 h = normalize(toEye + toLight);
-  float nl = max(dot(n, toLight), 1e-4);
-  float nv = max(dot(n, toEye), 1e-4);
-  float nh = max(dot(n, h), 0.0);
   vec3 sum = vec3(0.0);
-  if (coatFactors.y >= smoothBelow) {
-    float a2 = coatFactors.y * coatFactors.y;
+  float cl = dot(t.coatNormal, toLight), cv = dot(t.coatNormal, toEye);
+  if (t.coatRoughness >= smoothBelow && cl > 0.0 && cv > 0.0) {
+    float a2 = t.coatRoughness * t.coatRoughness;
     a2 *= a2;
-    sum += coatFactors.x * mix(coatF0, 1.0, schlickRise(dot(toEye, h))) * microfacets(nl, nv, nh, a2);
+    float ch = max(dot(t.coatNormal, h), 0.0);
+    sum += t.coat * mix(coatF0, 1.0, schlickRise(dot(toEye, h))) * microfacets(max(cl, 1e-4), max(cv, 1e-4), ch, a2) * cl;
   }
-  if (largest(sheenFactors.rgb) > 0.0) {
-    float alpha = sheenRoughness() * sheenRoughness();
+  if (largest(t.sheen) > 0.0) {
+    float nl = max(dot(n, toLight), 1e-4);
+    float nv = max(dot(n, toEye), 1e-4);
+    float nh = max(dot(n, h), 0.0);
+    float alpha = t.sheenRoughness * t.sheenRoughness;
     float density = (2.0 + 1.0 / alpha) * pow(max(1.0 - nh * nh, 0.0), 0.5 / alpha) / (2.0 * pi);
-    float masking = (1.0 + sheenLambda(nv, alpha) + sheenLambda(nl, alpha)) * 4.0 * nl * nv;
-    sum += sheenFactors.rgb * (1.0 - coatAlbedo(nv)) * density / masking;
+    float masking = (1.0 + sheenLambda(nv, alpha) + sheenLambda(nl, alpha)) * 4.0 * nv;
+    sum += t.sheen * (1.0 - coatAlbedo(t, max(cv, 0.0))) * density / masking;
   }
   return sum;
 }

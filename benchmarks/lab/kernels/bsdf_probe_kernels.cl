@@ -7,6 +7,8 @@
 // with PRELIGHT_ROUGH_GLASS also share of glass, whether it is solid, index of refraction beyond over that here (its
 // table follows the other);
 // with PRELIGHT_LAYERS also (from 22 on) coat, its roughness, its normal 3, colour of sheen, its roughness;
+// with PRELIGHT_ANISOTROPY also (29) the width along the frame's x; with PRELIGHT_FILM (30 on) the film's share, index of
+// refraction, thickness in nm, entry of its table;
 // albedos: see transport/albedo_table_funcs.cl.
 Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   Bsdf b;
@@ -23,7 +25,7 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   b.solid = values[20] > 0.5f;
   b.eta = values[21];
   b.inside = b.eta < 1.0f;
-  b.glassTable = PRELIGHT_ALBEDO_ROUGHNESSES * PRELIGHT_ALBEDO_COSINES + PRELIGHT_ALBEDO_ROUGHNESSES;
+  b.glassTable = PRELIGHT_ANISOTROPIC_END;
 #endif
 #ifdef PRELIGHT_LAYERS
   b.coat = values[22];
@@ -36,6 +38,17 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
 #endif
 #ifdef PRELIGHT_TRANSLUCENT
   b.transmitted = vload3(0, values + 13);
+#endif
+#ifdef PRELIGHT_ANISOTROPY
+  b.alphas = (float2)(values[29], b.alpha);
+#endif
+#ifdef PRELIGHT_FILM
+  b.film.share = values[30];
+  b.film.outside = 1.0f;
+  b.film.ior = values[31];
+  b.film.thickness = values[32];
+  b.film.relative = 1.0f;
+  b.film.table = (uint)values[33];
 #endif
   setReflectance(vload3(0, values + 3), values[6], vload3(0, values + 7), values[10], values[11], &b);
   return b;

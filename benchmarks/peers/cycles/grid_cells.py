@@ -87,7 +87,7 @@ def glasses():
     part = {"transmissionFactor": 1.0, "transmissionTexture": texture("fade")}
     yield cell("transmission_texture", "card", rough=0.0, extensions={"transmission": part})
     spread = {"transmission": clear, "volume": thick, "ior": {"ior": 1.6}, "dispersion": {"dispersion": 2.0}}
-    yield cell("dispersion", color=WHITE, rough=0.0, extensions=spread, later=True)
+    yield cell("dispersion", color=WHITE, rough=0.0, extensions=spread)
 
 
 def layers():
@@ -96,16 +96,16 @@ def layers():
     yield cell("clearcoat", extensions={"clearcoat": coat}, **dark)
     yield cell("clearcoat_rough", extensions={"clearcoat": {**coat, "clearcoatRoughnessFactor": 0.4}}, **dark)
     relief = {**coat, "clearcoatNormalTexture": texture("bumps"), "clearcoatRoughnessFactor": 0.2}
-    yield cell("clearcoat_normal", "card", extensions={"clearcoat": relief}, later=True, **dark)
+    yield cell("clearcoat_normal", "card", extensions={"clearcoat": relief}, **dark)
     for rough in (0.3, 0.7):
         cloth = {"sheenColorFactor": [0.9, 0.8, 0.7], "sheenRoughnessFactor": rough}
         yield cell(f"sheen_{rough}", color=(0.2, 0.1, 0.1), rough=1.0, extensions={"sheen": cloth})
     for name, turn in (("anisotropy", 0.0), ("anisotropy_turned", 0.8)):
         brushed = {"anisotropyStrength": 0.8, "anisotropyRotation": turn}
         brush = {"anisotropy": brushed}
-        yield cell(name, color=GOLD, metal=1.0, rough=0.4, extensions=brush, later=True, attributes=("TANGENT",))
+        yield cell(name, color=GOLD, metal=1.0, rough=0.4, extensions=brush, attributes=("TANGENT",))
     film = {"iridescenceFactor": 1.0, "iridescenceIor": 1.5, "iridescenceThicknessMaximum": 400.0}
-    yield cell("iridescence", color=WHITE, metal=1.0, rough=0.2, extensions={"iridescence": film}, later=True)
+    yield cell("iridescence", color=WHITE, metal=1.0, rough=0.2, extensions={"iridescence": film})
     leaf = {"diffuseTransmissionFactor": 0.6, "diffuseTransmissionColorFactor": [0.3, 0.8, 0.2]}
     yield cell("diffuse_transmission", "card", extensions={"diffuse_transmission": leaf})
 

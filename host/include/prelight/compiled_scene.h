@@ -81,13 +81,21 @@ struct CompiledMaterial {
   TextureRef translucentColorTexture;  ///< sRGB
   Clearcoat clearcoat;
   Sheen sheen;
+  Anisotropy anisotropy;
+  Iridescence iridescence;
+  float dispersion = 0.0f;  ///< of solid glass: 20 over Abbe's number
   bool unlit = false;
 
   /// Textures of base colour, metalness and transmission, as far as the albedo or the coverage depends on
   /// them.
   std::array<TextureRef, 3> albedoTextures() const;
   /// All textures; those that it has not are among them, without images.
-  std::array<TextureRef, 13> textures() const;
+  std::array<TextureRef, 17> textures() const;
+
+  /// Whether it is drawn by tangents: it has a normal texture or is anisotropic.
+  bool needsTangents() const {
+    return normalTexture.image >= 0 || clearcoat.normalTexture.image >= 0 || anisotropy.strength > 0.0f;
+  }
 };
 
 /// The scene as flat world-space arrays, ready for BVH, receivers and device buffers. Triangles of zero area
@@ -100,8 +108,8 @@ struct CompiledScene {
   std::vector<glm::vec3> normals;     ///< [vertex], unit shading normals (area-weighted mean where flat)
   std::vector<glm::vec2> texCoords;   ///< [vertex], the file's first set; (0,0) where it has none
   std::vector<glm::vec2> texCoords1;  ///< [vertex], the second; empty when no material asks for it
-  /// [vertex] of normal textures, unit, w +-1; 0 where the file has none; empty when no material has a normal
-  /// texture or no primitive with one has tangents.
+  /// [vertex], unit, w +-1; 0 where the file has none; empty when no material needs them or no primitive with
+  /// such a material has some.
   std::vector<glm::vec4> tangents;
   std::vector<glm::vec4> colors;      ///< [vertex], linear; empty when no primitive has vertex colours
   std::vector<glm::uvec3> triangles;  ///< [triangle], vertex indices
@@ -121,7 +129,7 @@ struct CompiledScene {
   std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size()); }
   std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }
   bool hasAlbedoTextures() const;
-  bool hasNormalTextures() const;  ///< of a triangle's material
+  bool needsTangents() const;  ///< some triangle's material does
   bool hasAlphaMask() const;
   bool hasDiffuseTransmission() const;  ///< of a triangle's material
   bool hasVertexColors() const { return !colors.empty(); }

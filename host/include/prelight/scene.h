@@ -27,12 +27,32 @@ struct TextureRef {
   TextureFilter filter = TextureFilter::Linear;  ///< where it is magnified
 };
 
-/// KHR_materials_clearcoat: a layer of varnish over a material. Its own normal texture is not read.
+/// KHR_materials_clearcoat: a layer of varnish over a material.
 struct Clearcoat {
   float factor = 0.0f;  ///< share of the surface that has it
   TextureRef texture;   ///< linear: R multiplies it
   float roughness = 0.0f;
   TextureRef roughnessTexture;  ///< linear: G multiplies it
+  TextureRef normalTexture;     ///< linear: normals in tangent space; none: it has no bumps
+  float normalScale = 1.0f;     ///< of the texture's x and y
+};
+
+/// KHR_materials_anisotropy: microfacets that spread reflections more one way than the other.
+struct Anisotropy {
+  float strength = 0.0f;
+  float rotation =
+      0.0f;  ///< of the way in which the surface is rougher: radians, from the tangent to the bitangent
+  TextureRef texture;  ///< linear: RG that way, B multiplies the strength
+};
+
+/// KHR_materials_iridescence: a thin film between a material and what lies over it.
+struct Iridescence {
+  float factor = 0.0f;  ///< share of the surface that has it
+  TextureRef texture;   ///< linear: R multiplies it
+  float ior = 1.3f;
+  float thicknessMinimum = 100.0f;  ///< nm, where the texture is 0
+  float thicknessMaximum = 400.0f;  ///< nm, where it is 1 or missing
+  TextureRef thicknessTexture;      ///< linear: G
 };
 
 /// KHR_materials_sheen: light that fibres over a material scatter, most at grazing angles.
@@ -77,6 +97,9 @@ struct Material {
   TextureRef diffuseTransmissionColorTexture;  ///< sRGB
   Clearcoat clearcoat;
   Sheen sheen;
+  Anisotropy anisotropy;
+  Iridescence iridescence;
+  float dispersion = 0.0f;  ///< KHR_materials_dispersion: 20 over Abbe's number
 
   /// Lambertian albedo without textures: baseColor (1 - metallic)(1 - transmission)(1 - diffuse
   /// transmission).

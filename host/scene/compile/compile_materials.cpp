@@ -104,6 +104,10 @@ class MaterialCompiler {
       compiled.normalScale = material.normalScale;
       setDielectric(material, compiled);
       if (material.clearcoat.factor > 0.0f) compiled.clearcoat = material.clearcoat;
+      if (material.anisotropy.strength > 0.0f) compiled.anisotropy = material.anisotropy;
+      if (material.iridescence.factor > 0.0f) compiled.iridescence = material.iridescence;
+      if (compiled.solid && material.transmission > 0.0f && material.ior > 0.0f)
+        compiled.dispersion = material.dispersion;
       if (material.sheen.color != glm::vec3(0.0f)) compiled.sheen = material.sheen;
       setAlbedo(compiled);
       setEmission(material, compiled);

@@ -87,11 +87,11 @@ Bounds worldBounds(const std::vector<Draw>& draws) {
   return bounds;
 }
 
-/// Tangents are for normal textures; where a file has no normals, glTF ignores its tangents.
+/// Where a file has no normals, glTF ignores its tangents.
 bool hasTangents(const CompiledScene& scene, const Draw& draw) {
   const int material = draw.primitive->material;
   return material >= 0 && !draw.primitive->tangents.empty() && !draw.primitive->normals.empty() &&
-         scene.materials[static_cast<std::size_t>(material)].normalTexture.image >= 0;
+         scene.materials[static_cast<std::size_t>(material)].needsTangents();
 }
 
 class Flattener {
@@ -227,9 +227,11 @@ std::vector<bool> drawnMaterials(const std::vector<Draw>& draws, std::size_t cou
 int texCoordSets(const CompiledScene& scene, const std::vector<bool>& drawn) {
   int sets = 0;
   for (std::size_t m = 0; m < drawn.size(); ++m)
-    if (drawn[m])
+    if (drawn[m]) {
+      if (scene.materials[m].needsTangents()) sets = std::max(sets, 1);
       for (const TextureRef& texture : scene.materials[m].textures())
         if (texture.image >= 0) sets = std::max(sets, texture.texCoord + 1);
+    }
   return sets;
 }
 
@@ -276,7 +278,7 @@ std::array<TextureRef, 3> CompiledMaterial::albedoTextures() const {
           diffuse && transmission > 0.0f ? transmissionTexture : TextureRef{}};
 }
 
-std::array<TextureRef, 13> CompiledMaterial::textures() const {
+std::array<TextureRef, 17> CompiledMaterial::textures() const {
   return {baseColorTexture,
           surfaceTexture,
           normalTexture,
@@ -288,17 +290,21 @@ std::array<TextureRef, 13> CompiledMaterial::textures() const {
           translucentColorTexture,
           clearcoat.texture,
           clearcoat.roughnessTexture,
+          clearcoat.normalTexture,
           sheen.colorTexture,
-          sheen.roughnessTexture};
+          sheen.roughnessTexture,
+          anisotropy.texture,
+          iridescence.texture,
+          iridescence.thicknessTexture};
 }
 
 bool CompiledScene::hasAlbedoTextures() const {
   return std::any_of(images.begin(), images.end(), [](const Image& image) { return !image.rgba.empty(); });
 }
 
-bool CompiledScene::hasNormalTextures() const {
+bool CompiledScene::needsTangents() const {
   return std::any_of(triangleMaterials.begin(), triangleMaterials.end(),
-                     [&](std::uint32_t material) { return materials[material].normalTexture.image >= 0; });
+                     [&](std::uint32_t material) { return materials[material].needsTangents(); });
 }
 
 bool CompiledScene::hasAlphaMask() const {

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 23> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 26> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -39,7 +39,10 @@ constexpr std::array<std::string_view, 23> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_meshopt_compression",
                                                               "EXT_texture_webp",
                                                               "EXT_texture_avif",
-                                                              "KHR_texture_basisu"};
+                                                              "KHR_texture_basisu",
+                                                              "KHR_materials_anisotropy",
+                                                              "KHR_materials_iridescence",
+                                                              "KHR_materials_dispersion"};
 
 bool isKnown(const std::string& extension) {
   return extension == "PRELIGHT_transfer" ||

@@ -67,6 +67,7 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
     validateNumbers(*e, {"clearcoatFactor", "clearcoatRoughnessFactor"});
     for (const char* texture : {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"})
       validateTextureInfo(root, *e, texture);
+    if (const auto normal = e->find("clearcoatNormalTexture")) validateNumbers(*normal, {"scale"});
   }
   if (const auto e = extensions.find("KHR_materials_sheen")) {
     validateNumbers(*e, {"sheenRoughnessFactor"});
@@ -74,10 +75,22 @@ void validateMaterialExtensions(const JsonCursor& root, const JsonCursor& extens
     for (const char* texture : {"sheenColorTexture", "sheenRoughnessTexture"})
       validateTextureInfo(root, *e, texture);
   }
+  if (const auto e = extensions.find("KHR_materials_anisotropy")) {
+    validateNumbers(*e, {"anisotropyStrength", "anisotropyRotation"});
+    validateTextureInfo(root, *e, "anisotropyTexture");
+  }
+  if (const auto e = extensions.find("KHR_materials_iridescence")) {
+    validateNumbers(*e, {"iridescenceFactor", "iridescenceIor", "iridescenceThicknessMinimum",
+                         "iridescenceThicknessMaximum"});
+    for (const char* texture : {"iridescenceTexture", "iridescenceThicknessTexture"})
+      validateTextureInfo(root, *e, texture);
+  }
+  if (const auto e = extensions.find("KHR_materials_dispersion")) validateNumbers(*e, {"dispersion"});
   if (const auto e = extensions.find("KHR_materials_pbrSpecularGlossiness")) {
     validateNumbers(*e, {"glossinessFactor"});
     validateColors(*e, {{"diffuseFactor", 4}, {"specularFactor", 3}});
-    validateTextureInfo(root, *e, "diffuseTexture");
+    for (const char* texture : {"diffuseTexture", "specularGlossinessTexture"})
+      validateTextureInfo(root, *e, texture);
   }
 }
 

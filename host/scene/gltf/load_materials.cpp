@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/magnitudes.h"
@@ -117,8 +118,9 @@ Clearcoat loadClearcoat(const LoadContext& context, const JsonCursor& json) {
   coat.texture = loadTexture(context, json, "clearcoatTexture");
   coat.roughness = clampedOr(context, json, "clearcoatRoughnessFactor", 0.0f);
   coat.roughnessTexture = loadTexture(context, json, "clearcoatRoughnessTexture");
-  if (const auto texture = json.find("clearcoatNormalTexture"))
-    context.warnings.push_back(texture->where() + ": the coat is drawn without bumps of its own");
+  coat.normalTexture = loadTexture(context, json, "clearcoatNormalTexture");
+  if (const auto info = json.find("clearcoatNormalTexture"); info && info->find("scale"))
+    coat.normalScale = finiteFloat(info->at("scale"));
   return coat;
 }
 
@@ -129,6 +131,30 @@ Sheen loadSheen(const LoadContext& context, const JsonCursor& json) {
   sheen.roughness = clampedOr(context, json, "sheenRoughnessFactor", 0.0f);
   sheen.roughnessTexture = loadTexture(context, json, "sheenRoughnessTexture");
   return sheen;
+}
+
+Anisotropy loadAnisotropy(const LoadContext& context, const JsonCursor& json) {
+  Anisotropy anisotropy;
+  anisotropy.strength = clampedOr(context, json, "anisotropyStrength", 0.0f);
+  if (const auto rotation = json.find("anisotropyRotation")) anisotropy.rotation = finiteFloat(*rotation);
+  anisotropy.texture = loadTexture(context, json, "anisotropyTexture");
+  return anisotropy;
+}
+
+Iridescence loadIridescence(const LoadContext& context, const JsonCursor& json) {
+  Iridescence film;
+  film.factor = clampedOr(context, json, "iridescenceFactor", 0.0f);
+  film.texture = loadTexture(context, json, "iridescenceTexture");
+  film.ior = clampedOr(context, json, "iridescenceIor", 1.3f, noLimit);
+  if (film.ior < 1.0f) {
+    context.warnings.push_back(
+        fmt::format("{}: {} lies below 1; clamped", json.at("iridescenceIor").where(), film.ior));
+    film.ior = 1.0f;
+  }
+  film.thicknessMinimum = clampedOr(context, json, "iridescenceThicknessMinimum", 100.0f, noLimit);
+  film.thicknessMaximum = clampedOr(context, json, "iridescenceThicknessMaximum", 400.0f, noLimit);
+  film.thicknessTexture = loadTexture(context, json, "iridescenceThicknessTexture");
+  return film;
 }
 
 void loadExtensions(const LoadContext& context, const JsonCursor& json, Material& material) {
@@ -172,20 +198,25 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
     material.clearcoat = loadClearcoat(context, *e);
   if (const auto e = LoadContext::extension(json, "KHR_materials_sheen"))
     material.sheen = loadSheen(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_anisotropy"))
+    material.anisotropy = loadAnisotropy(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_iridescence"))
+    material.iridescence = loadIridescence(context, *e);
+  if (const auto e = LoadContext::extension(json, "KHR_materials_dispersion"))
+    material.dispersion = clampedOr(context, *e, "dispersion", 0.0f, noLimit);
   material.unlit = LoadContext::extension(json, "KHR_materials_unlit").has_value();
 }
 
 /// KHR_materials_pbrSpecularGlossiness as the dielectric nearest to it: the diffuse colour as it is,
-/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour; its texture is
-/// not used.
+/// glossiness as roughness. Its specular reflectance counts as 0.04 times a specular colour, which the
+/// texture multiplies as it does that; addRoughness() makes use of its glossiness.
 void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, Material& material) {
   material.metallic = 0.0f;
   material.baseColor = clampedColor<4>(context, json, "diffuseFactor", glm::vec4(1.0f));
   material.baseColorTexture = loadTexture(context, json, "diffuseTexture");
   material.roughness = 1.0f - clampedOr(context, json, "glossinessFactor", 1.0f);
   material.specularColor = clampedColor<3>(context, json, "specularFactor", glm::vec3(1.0f)) / 0.04f;
-  if (const auto texture = json.find("specularGlossinessTexture"))
-    context.warnings.push_back(texture->where() + ": only the factors are used, the texture is not");
+  material.specularColorTexture = loadTexture(context, json, "specularGlossinessTexture");
 }
 
 Material loadMaterial(const LoadContext& context, std::size_t index) {
@@ -221,6 +252,24 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
   return material;
 }
 
+/// The roughness of a material of KHR_materials_pbrSpecularGlossiness whose texture tells its glossiness, A:
+/// an image of its own, as core materials have it.
+void addRoughness(const JsonCursor& json, Material& material, std::vector<Image>& images) {
+  const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness");
+  if (!e || !e->find("specularGlossinessTexture") || material.specularColorTexture.image < 0) return;
+  const float glossiness = 1.0f - material.roughness;
+  Image roughness = images[static_cast<std::size_t>(material.specularColorTexture.image)];
+  for (std::size_t i = 0; i < roughness.rgba.size(); i += 4) {
+    const float rough = 255.0f - glossiness * static_cast<float>(roughness.rgba[i + 3]);
+    const std::array<std::uint8_t, 4> texel{0, static_cast<std::uint8_t>(std::lround(rough)), 0, 255};
+    std::copy(texel.begin(), texel.end(), roughness.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  material.roughness = 1.0f;
+  material.metallicRoughnessTexture = material.specularColorTexture;
+  material.metallicRoughnessTexture.image = static_cast<int>(images.size());
+  images.push_back(std::move(roughness));
+}
+
 }  // namespace
 
 std::vector<Material> loadMaterials(const LoadContext& context) {
@@ -240,7 +289,8 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
           &material.specularColorTexture, &material.diffuseTransmissionTexture,
           &material.diffuseTransmissionColorTexture, &material.clearcoat.texture,
           &material.clearcoat.roughnessTexture, &material.sheen.colorTexture,
-          &material.sheen.roughnessTexture}) {
+          &material.sheen.roughnessTexture, &material.anisotropy.texture, &material.clearcoat.normalTexture,
+          &material.iridescence.texture, &material.iridescence.thicknessTexture}) {
       if (ref->image >= 0) used[static_cast<std::size_t>(ref->image)] = true;
     }
   }
@@ -252,9 +302,13 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
     images.push_back(used[i] ? loadImage(context.document, i, context.warnings)
                              : whiteImage(context.root.at("images").at(i).stringOr("name", "")));
     if (context.warnings.size() == before) continue;
-    for (Material& material : materials)  // a white texel is no normal
-      if (material.normalTexture.image == static_cast<int>(i)) material.normalTexture = {};
+    for (Material& material : materials)  // a white texel is no direction
+      for (TextureRef* ref :
+           {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture})
+        if (ref->image == static_cast<int>(i)) *ref = {};
   }
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    addRoughness(context.root.at("materials").at(m), materials[m], images);
   return images;
 }
 

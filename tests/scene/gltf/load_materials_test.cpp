@@ -109,6 +109,43 @@ TEST(LoadMaterial, SpecularGlossiness_BecomesADielectric) {
   EXPECT_EQ(material.baseColorTexture.image, 1);
 }
 
+TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_AreRead) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"extensions": {
+    "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": -1.25, "anisotropyTexture": {"index": 0}},
+    "KHR_materials_iridescence": {"iridescenceFactor": 0.75, "iridescenceIor": 1.6, "iridescenceThicknessMinimum": 50,
+      "iridescenceThicknessMaximum": 800, "iridescenceTexture": {"index": 0, "texCoord": 1},
+      "iridescenceThicknessTexture": {"index": 0}},
+    "KHR_materials_dispersion": {"dispersion": 2.5},
+    "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatNormalTexture": {"index": 0, "scale": 0.5}}}})",
+                                         warnings);
+  EXPECT_EQ(material.anisotropy.strength, 0.5f);
+  EXPECT_EQ(material.anisotropy.rotation, -1.25f);
+  EXPECT_EQ(material.iridescence.factor, 0.75f);
+  EXPECT_EQ(material.iridescence.ior, 1.6f);
+  EXPECT_EQ(material.iridescence.thicknessMinimum, 50.0f);
+  EXPECT_EQ(material.iridescence.thicknessMaximum, 800.0f);
+  EXPECT_EQ(material.iridescence.texture.texCoord, 1);
+  EXPECT_EQ(material.iridescence.thicknessTexture.image, 1);
+  EXPECT_EQ(material.dispersion, 2.5f);
+  // A picture that cannot be read is white, which is no direction.
+  EXPECT_EQ(material.anisotropy.texture.image, -1);
+  EXPECT_EQ(material.clearcoat.normalTexture.image, -1);
+  EXPECT_EQ(material.clearcoat.normalScale, 0.5f);
+}
+
+TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_OutsideTheirRange_ClampWithWarnings) {
+  Warnings warnings;
+  const Material material = loadMaterial(R"({"extensions": {
+    "KHR_materials_anisotropy": {"anisotropyStrength": 2}, "KHR_materials_iridescence": {"iridescenceIor": 0.5},
+    "KHR_materials_dispersion": {"dispersion": -1}}})",
+                                         warnings);
+  EXPECT_EQ(material.anisotropy.strength, 1.0f);
+  EXPECT_EQ(material.iridescence.ior, 1.0f);
+  EXPECT_EQ(material.dispersion, 0.0f);
+  EXPECT_EQ(warnings.size(), 3u);
+}
+
 TEST(LoadMaterial, TextureTransform_MatchesItsSpecification) {
   Warnings warnings;
   const Material material =
@@ -143,12 +180,24 @@ TEST(LoadMaterial, TexturesOfExtensions_AreRead) {
   EXPECT_FALSE(test::anyContains(warnings, "texture is not"));
 }
 
-TEST(LoadMaterial, TexturesThatAreNotUsed_AreNamedInWarnings) {
+TEST(LoadMaterial, GlossinessOfATexture_BecomesARoughnessOfItsOwn) {
+  GltfDocument document = test::triangleDocument();
+  document.json["materials"][0] = Json::parse(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+    "glossinessFactor": 0.25, "specularFactor": [0.08, 0.04, 0.04],
+    "specularGlossinessTexture": {"index": 0, "texCoord": 1}}}})");
+  document.json["images"] = Json::parse(R"([{"bufferView": 0}])");
+  document.json["textures"] = Json::parse(R"([{"source": 0}])");
   Warnings warnings;
-  loadMaterial(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
-    "specularGlossinessTexture": {"index": 0}}}})",
-               warnings);
-  EXPECT_TRUE(test::anyContains(warnings, "specularGlossinessTexture: only the factors are used"));
+  const Scene scene = test::reload(document, warnings);  // a picture that cannot be read is white
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.specularColorTexture.image, 0);
+  EXPECT_NEAR(material.specularColor.r, 2.0f, 1e-6f);
+  EXPECT_EQ(material.metallic, 0.0f);
+  EXPECT_EQ(material.roughness, 1.0f);
+  EXPECT_EQ(material.metallicRoughnessTexture.image, 1);
+  EXPECT_EQ(material.metallicRoughnessTexture.texCoord, 1);
+  ASSERT_EQ(scene.images.size(), 2u);
+  EXPECT_EQ(scene.images[1].rgba.at(1), 191);  // 1 - 0.25 x 1
 }
 
 TEST(LoadMaterial, MagnificationFilter_IsRead) {

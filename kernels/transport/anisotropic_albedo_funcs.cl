@@ -1,0 +1,89 @@
+// What anisotropic GGX microfacets reflect at their first bounce of light from one direction, looked up:
+// host/gpu/anisotropic_table.h makes the table. OpenCL C and GLSL. Directions are in the frame whose x runs along the wider
+// of two widths, z the normal.
+// Stretching a direction by the widths gives the one along which a half sphere is as visible as the microfacets are
+// (Heitz 2018). In its height and azimuth the whole that leaves is smooth however narrow the lobe: rows at steps of the arc sine
+// of the root of the height, and of the cosine of twice the azimuth the parabola through 1, 0 and -1. How far Schlick's term has
+// risen for that is told by the cosine with a facet that would show it; by how much that lies below the direction's own is
+// smooth in the direction as it is: rows at steps of the root of its cosine, and the cubic through azimuths of 0, 45, 70 and
+// 90 degrees.
+// Texels: (all at 1, 0, -1), (1 - cosine at the facet less 1 - that of the direction, at the four azimuths).
+#ifndef PRELIGHT_TRANSPORT_ANISOTROPIC_ALBEDO_FUNCS_CL
+#define PRELIGHT_TRANSPORT_ANISOTROPIC_ALBEDO_FUNCS_CL
+
+#include "core/dialect.h"
+#include "shared/albedo_types.h"
+
+// Between four texels, that at `at`, the next by `step`, and those by `row` further.
+vec4 betweenFour(TEXELS table, int at, int step, int row, float x, float y) {
+  vec4 first = mix(FETCH(table, at), FETCH(table, at + step), x);
+  vec4 second = mix(FETCH(table, at + row), FETCH(table, at + row + step), x);
+  return mix(first, second, y);
+}
+
+// Where the texels of a pair of widths and a height begin, and how far between the next ones they lie.
+STRUCT_NAME(AnisotropicCell)
+struct AnisotropicCell {
+  int at;
+  float across;
+  float stretch;
+  float height;
+};
+
+AnisotropicCell anisotropicCell(float along, float across, float height) {
+  AnisotropicCell cell;
+  cell.across = sqrt(clamp(across, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ANISOTROPIC_ACROSS - 1);
+  cell.stretch = clamp((along - across) / max(1.0f - across, 1e-6f), 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_STRETCHES - 1);
+  cell.height = clamp(height, 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_HEIGHTS - 1);
+  int a = min(TO_INT(cell.across), PRELIGHT_ANISOTROPIC_ACROSS - 2);
+  int s = min(TO_INT(cell.stretch), PRELIGHT_ANISOTROPIC_STRETCHES - 2);
+  int h = min(TO_INT(cell.height), PRELIGHT_ANISOTROPIC_HEIGHTS - 2);
+  cell.at = PRELIGHT_ANISOTROPIC_FIRST + 2 * ((a * PRELIGHT_ANISOTROPIC_STRETCHES + s) * PRELIGHT_ANISOTROPIC_HEIGHTS + h);
+  cell.across = cell.across - TO_FLOAT(a);
+  cell.stretch = cell.stretch - TO_FLOAT(s);
+  cell.height = cell.height - TO_FLOAT(h);
+  return cell;
+}
+
+// texel: 0 or 1.
+vec4 betweenCells(TEXELS table, AnisotropicCell cell, int texel) {
+  int row = 2 * PRELIGHT_ANISOTROPIC_HEIGHTS;
+  int at = cell.at + texel;
+  vec4 narrower = betweenFour(table, at, 2, row, cell.height, cell.stretch);
+  vec4 wider = betweenFour(table, at + PRELIGHT_ANISOTROPIC_STRETCHES * row, 2, row, cell.height, cell.stretch);
+  return mix(narrower, wider, cell.across);
+}
+
+// Of a direction above the surface, with the widths along x and y; the first is the larger one.
+vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
+  float x2 = w.x * w.x;
+  float y2 = w.y * w.y;
+  float even = x2 + y2 > 1e-20f ? (x2 - y2) / (x2 + y2) : 0.0f;
+  x2 = x2 * along * along;
+  y2 = y2 * across * across;
+  float square = x2 + y2;
+  float turn = square > 1e-20f ? (x2 - y2) / square : 0.0f;
+  float up = clamp(w.z * INVERSE_SQRT(max(square + w.z * w.z, 1e-20f)), 0.0f, 1.0f);
+  vec4 sums = betweenCells(table, anisotropicCell(along, across, 0.636619772f * asin(sqrt(up))), 0);
+  float all = sums.x * (0.5f * turn * (turn + 1.0f)) + sums.y * (1.0f - turn * turn) + sums.z * (0.5f * turn * (turn - 1.0f));
+  float cosine = clamp(w.z, 0.0f, 1.0f);
+  vec4 lower = betweenCells(table, anisotropicCell(along, across, sqrt(cosine)), 1);
+  // Lagrange's polynomials of 1, 0, -0.7660444 and -1.
+  float c = even;
+  float k = c + 0.7660444f;
+  float grazing = 1.0f - cosine + lower.x * (c * k * (c + 1.0f) * 0.2831186f) - lower.y * ((c - 1.0f) * k * (c + 1.0f) * 1.3054074f) +
+                  lower.z * ((c - 1.0f) * c * (c + 1.0f) * 3.1594464f) - lower.w * ((c - 1.0f) * c * k * 2.1371576f);
+  grazing = clamp(grazing, 0.0f, 1.0f);
+  float rise = grazing * grazing * grazing * grazing * grazing;
+  return VEC4(all * (1.0f - rise), all * rise, 0.0f, 0.0f);
+}
+
+// Its mean over directions, weighted by the cosine.
+vec4 meanAnisotropicAlbedo(TEXELS table, float along, float across) {
+  AnisotropicCell cell = anisotropicCell(along, across, 0.0f);
+  int row = (cell.at - PRELIGHT_ANISOTROPIC_FIRST) / (2 * PRELIGHT_ANISOTROPIC_HEIGHTS);
+  int first = PRELIGHT_ANISOTROPIC_FIRST + 2 * PRELIGHT_ANISOTROPIC_HEIGHTS * PRELIGHT_ANISOTROPIC_ROWS;
+  return betweenFour(table, first + row, 1, PRELIGHT_ANISOTROPIC_STRETCHES, cell.stretch, cell.across);
+}
+
+#endif
