@@ -117,11 +117,15 @@ Stage largest(const std::array<Stage, 3>& stages) {
   return {sum - device, device};
 }
 
+/// A mesh is there once, however often it stands in the scene. Only what tells sides apart, a normal and a mark,
+/// has an entry for each place.
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
+  const BakeRequest& request = input.request;
+  const bool sides = input.bounces || request.occluders.wanted || keepsTrees(request);
   std::uint64_t texels = 0;
   for (const Image& image : input.scene.images) texels += 2 * image.rgba.size();
-  return instancing.storedTriangles * 16 + input.scene.triangleCount() * 13 + instancing.storedVertices * 24 +
-         texels;
+  return instancing.storedTriangles * 16 + (sides ? input.scene.triangleCount() * 13 : 0) +
+         instancing.storedVertices * 24 + texels;
 }
 
 /// What is allowed, or usual.
