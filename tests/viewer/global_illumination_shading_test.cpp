@@ -10,6 +10,7 @@
 
 #include "charts/make_light_map_layout.h"
 #include "gi/global_illumination.h"
+#include "gpu/film_table.h"
 #include "prelight/error.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
@@ -371,6 +372,31 @@ TEST(GlobalIlluminationShading, AnisotropicMetal_IsTheExtensionsFormula) {
     const double expected =
         1e2 * toLight.z * brushedValue(0.5, double(strength), t, glm::normalize(eye), toLight);
     expectColor(pixelAt(scene.render(globalIlluminationOptions(33))), glm::dvec3(1.02 * expected), 0.025);
+  }
+}
+
+/// A metal that reflects 0.04 along its normal below a film that rays know as filmReflectance().
+TEST(GlobalIlluminationShading, FilmOverADarkMetal_ColoursTheHighlight) {
+  for (const float thickness : {250.0f, 500.0f}) {
+    Material material = brushedMetal(0.0f);
+    material.roughness = 0.3f;
+    material.iridescence.factor = 1.0f;
+    material.iridescence.ior = 1.6f;
+    material.iridescence.thicknessMaximum = thickness;
+    IlluminatedScene scene;
+    scene.quad.add(material, 2.0f);
+    const glm::dvec3 toLight = glm::normalize(glm::dvec3(0.6, 0.1, 0.9)), eye(-1.0, 0.0, 2.0),
+                     toEye = glm::normalize(eye);
+    scene.quad.scene.lights = {makeLight(LightType::Directional, {1e2f, 1e2f, 1e2f}, {}, -toLight)};
+    scene.quad.lookFrom(eye, {0, 0, 0});
+    scene.quad.compile();
+    scene.globalIllumination = darkness(scene.quad);
+    const double facing = glm::dot(toEye, glm::normalize(toEye + toLight)),
+                 plain = 0.04 + 0.96 * std::pow(1.0 - facing, 5.0);
+    const double lobe = 1e2 * toLight.z * brushedValue(0.3, 0.0, glm::dvec3(1, 0, 0), toEye, toLight) / plain;
+    const glm::dvec3 film = filmReflectance(facing, 1.0, 1.6, double(thickness), glm::dvec3(0.04));
+    EXPECT_GT(std::abs(film.x - film.y) + std::abs(film.y - film.z), 0.02);
+    expectColor(pixelAt(scene.render(globalIlluminationOptions(33))), lobe * film, 0.02);
   }
 }
 

@@ -219,6 +219,15 @@ void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, 
   material.specularColorTexture = loadTexture(context, json, "specularGlossinessTexture");
 }
 
+/// What no path draws.
+void warnOfPlainGlass(const LoadContext& context, const JsonCursor& json, const Material& material) {
+  if (material.transmission == 0.0f || material.unlit) return;
+  if (material.iridescence.factor > 0.0f)
+    context.warnings.push_back(json.where() + ": the share that is glass is drawn without iridescence");
+  if (material.anisotropy.strength > 0.0f)
+    context.warnings.push_back(json.where() + ": the share that is glass is drawn without anisotropy");
+}
+
 Material loadMaterial(const LoadContext& context, std::size_t index) {
   const JsonCursor json = context.root.at("materials").at(index);
   const tinygltf::Material& source = context.model.materials[index];
@@ -249,6 +258,7 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
   if (const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness"))
     loadSpecularGlossiness(context, *e, material);
   loadExtensions(context, json, material);
+  warnOfPlainGlass(context, json, material);
   return material;
 }
 
