@@ -22,7 +22,8 @@ LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read) {
 }  // namespace
 
 LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) {
-  return loadDocument([&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); });
+  return loadDocument(
+      [&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); });
 }
 
 LoadedScene load(std::span<const std::byte> bytes, const std::filesystem::path& folder,
