@@ -95,7 +95,7 @@ TEST_P(Draco, Builtin_DiffersByQuantisationAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Draco, testing::Bool(),
-                         [](const auto& info) { return info.param ? "Edgebreaker" : "Sequential"; });
+                         [](const auto& method) { return method.param ? "Edgebreaker" : "Sequential"; });
 
 TEST(DracoFile, WithoutQuantisationAndInOrder_IsTheSameToTheLastBit) {
   const GltfDocument plain = makeBuiltinScene("cornell");

@@ -43,7 +43,7 @@ TEST_P(MeshoptName, Builtin_IsTheSameToTheLastBit) {
 
 INSTANTIATE_TEST_SUITE_P(Names, MeshoptName,
                          testing::Values("EXT_meshopt_compression", "KHR_meshopt_compression"),
-                         [](const auto& info) { return std::string(info.param).substr(0, 3); });
+                         [](const auto& name) { return std::string(name.param).substr(0, 3); });
 
 TEST(Meshopt, Written_HasPlainViewsAndNoExtension) {
   const test::TemporaryFolder folder;
