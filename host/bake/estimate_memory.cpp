@@ -117,8 +117,8 @@ Stage largest(const std::array<Stage, 3>& stages) {
   return {sum - device, device};
 }
 
-/// A mesh is there once, however often it stands in the scene. Only what tells sides apart, a normal and a mark,
-/// has an entry for each place.
+/// A mesh is there once, however often it stands in the scene. Only what tells sides apart, a normal and a
+/// mark, has an entry for each place.
 std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instancing) {
   const BakeRequest& request = input.request;
   const bool sides = input.bounces || request.occluders.wanted || keepsTrees(request);

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t rowRange = 1024;
 constexpr std::size_t sumRun = 16;  // rows that are summed in single precision before they join the total
 
-/// A power of two that brings a column whose values are at most `largest` to about 1, so that no square leaves
-/// the range of single precision.
+/// A power of two that brings a column whose values are at most `largest` to about 1, so that no square
+/// leaves the range of single precision.
 float scaleOf(float largest) {
   int exponent = 0;
   if (largest > 0.0f && std::isfinite(largest)) std::frexp(largest, &exponent);

@@ -26,8 +26,9 @@ LoadedScene loadDocument(const std::function<GltfDocument(Warnings&)>& read, con
 }  // namespace
 
 LoadedScene load(const std::filesystem::path& path, const LoadOptions& options) {
-  return loadDocument([&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); },
-                      options);
+  return loadDocument(
+      [&](Warnings& warnings) { return readGltf(path, warnings, {.allowOutside = options.allowOutside}); },
+      options);
 }
 
 LoadedScene load(std::span<const std::byte> bytes, const std::filesystem::path& folder,

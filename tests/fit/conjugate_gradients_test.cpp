@@ -95,7 +95,8 @@ TEST(ConjugateGradients, Column_DoesNotDependOnThoseBesideIt) {
   const NormalEquations equations(mesh, randomMass(mesh, [](std::size_t) { return true; }), defaultSmoothing);
   std::vector<float> together = randomRight(mesh.slotCount() * columns);
   for (std::size_t s = 0; s < mesh.slotCount(); ++s)  // smooth and rough ones take different numbers of steps
-    for (std::size_t c = 0; c < 6; ++c) together[s * columns + c] = mesh.positions[s].x + static_cast<float>(c);
+    for (std::size_t c = 0; c < 6; ++c)
+      together[s * columns + c] = mesh.positions[s].x + static_cast<float>(c);
   const std::vector<float> right = together;
   conjugateGradients(equations, together, columns);
   for (std::size_t c = 0; c < columns; ++c) {

@@ -101,7 +101,8 @@ TEST(PictureExtent, LeastBytes_AreWhatTheFormatCanCompressTo) {
 TEST(LoadScene, PictureOfAFormatThatGltfHasNot_IsRefused) {
   Warnings warnings;
   const std::string message = complaint(texturedTriangle({ddsHeader(), ddsHeader()}), warnings);
-  EXPECT_NE(message.find("/images/0: the picture is DDS, expected PNG, JPEG, WebP, AVIF or KTX2"), std::string::npos)
+  EXPECT_NE(message.find("/images/0: the picture is DDS, expected PNG, JPEG, WebP, AVIF or KTX2"),
+            std::string::npos)
       << message;
 }
 
