@@ -45,7 +45,9 @@ void addTargets(std::span<const float> weights, const std::vector<MorphTarget>& 
     addScaled(primitive.texCoords1, targets[t].texCoords1, weights[t]);
     addScaled(primitive.colors, targets[t].colors, weights[t]);
   }
-  for (glm::vec4& color : primitive.colors) color = glm::clamp(color, 0.0f, 1.0f);
+  for (glm::vec4& color : primitive.colors)
+    for (int c = 0; c < 4; ++c)  // what is no number is 0
+      color[c] = color[c] > 0.0f ? std::min(color[c], 1.0f) : 0.0f;
 }
 
 /// `source` has the joints. Where a matrix mirrors, the bitangent is turned around, which the cross product
@@ -126,7 +128,8 @@ glm::dmat4 blendedTransform(const Primitive& primitive, std::size_t vertex,
   for (std::size_t i = first; i < first + primitive.influences; ++i)
     if (primitive.jointWeights[i] > 0.0f)
       sum += double(primitive.jointWeights[i]) * jointsToWorld[primitive.joints[i]];
-  return sum;
+  // Weights add up to 1 but for rounding, which would be seen far from the origin.
+  return sum[3][3] > 0.0 ? sum / sum[3][3] : sum;
 }
 
 glm::dmat3 normalMatrix(const glm::dmat4& matrix) {

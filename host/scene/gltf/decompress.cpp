@@ -9,6 +9,8 @@
 #include "scene/gltf/decoded_bytes.h"
 #include "scene/gltf/draco_primitives.h"
 #include "scene/gltf/gltf_embed.h"
+#include "scene/gltf/gltf_use.h"
+#include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/meshopt_views.h"
 #include "scene/gltf/missing_data.h"
@@ -100,6 +102,15 @@ void dropUnseenBytes(GltfDocument& document) {
   updateBufferLength(document);
 }
 
+/// Counts are those of the Draco data now, and of accessors that others share.
+void checkCounts(const GltfDocument& document) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  validateMeshes(root);
+  Warnings told;  // when the file was read
+  validateSkins(root, findUse(document.json), told);
+}
+
 }  // namespace
 
 void decompress(GltfDocument& document, Warnings& warnings) {
@@ -107,6 +118,7 @@ void decompress(GltfDocument& document, Warnings& warnings) {
   DecodedBytes decoded(document.bin.size());
   decodeMeshoptViews(document, decoded, warnings);
   decodeDracoPrimitives(document, decoded, warnings);
+  checkCounts(document);
   dropNames(document.json);
   dropUnseenBytes(document);
 }

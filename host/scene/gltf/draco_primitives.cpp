@@ -172,9 +172,15 @@ class DracoFiller {
   void findReferences() {
     for (const char* list : {"accessors", "images"}) {
       for (const Json& holder : document_.json.value(list, Json::array())) {
-        if (const auto view = unsignedValue(holder.value("bufferView", Json()))) shown_.insert(*view);
+        showView(holder);
+        if (!holder.contains("sparse")) continue;
+        for (const char* part : {"indices", "values"}) showView(holder.at("sparse").at(part));
       }
     }
+  }
+
+  void showView(const Json& holder) {
+    if (const auto view = unsignedValue(holder.value("bufferView", Json()))) shown_.insert(*view);
   }
 
   const DracoMesh& meshOf(std::size_t view, const std::string& where) {
@@ -245,6 +251,7 @@ class DracoFiller {
     accessor["componentType"] = array.componentType;
     accessor["bufferView"] = storeArray(array, source);
     accessor.erase("byteOffset");
+    accessor.erase("sparse");  // substitutes for values that are no more
     setLimits(accessor, array);
     return accessorOf_[{index, source}] = target;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/magnitudes.h"
 #include "scene/gltf/image_decode.h"
@@ -262,23 +264,52 @@ Material loadMaterial(const LoadContext& context, std::size_t index) {
   return material;
 }
 
-/// The roughness of a material of KHR_materials_pbrSpecularGlossiness whose texture tells its glossiness, A:
-/// an image of its own, as core materials have it.
-void addRoughness(const JsonCursor& json, Material& material, std::vector<Image>& images) {
-  const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness");
-  if (!e || !e->find("specularGlossinessTexture") || material.specularColorTexture.image < 0) return;
-  const float glossiness = 1.0f - material.roughness;
-  Image roughness = images[static_cast<std::size_t>(material.specularColorTexture.image)];
-  for (std::size_t i = 0; i < roughness.rgba.size(); i += 4) {
-    const float rough = 255.0f - glossiness * static_cast<float>(roughness.rgba[i + 3]);
-    const std::array<std::uint8_t, 4> texel{0, static_cast<std::uint8_t>(std::lround(rough)), 0, 255};
-    std::copy(texel.begin(), texel.end(), roughness.rgba.begin() + static_cast<std::ptrdiff_t>(i));
+Image roughnessOf(const Image& glossy, float glossiness) {
+  Image rough = glossy;
+  for (std::size_t i = 0; i < rough.rgba.size(); i += 4) {
+    const float value = 255.0f - glossiness * static_cast<float>(glossy.rgba[i + 3]);
+    const std::array<std::uint8_t, 4> texel{0, static_cast<std::uint8_t>(std::lround(value)), 0, 255};
+    std::copy(texel.begin(), texel.end(), rough.rgba.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  material.roughness = 1.0f;
-  material.metallicRoughnessTexture = material.specularColorTexture;
-  material.metallicRoughnessTexture.image = static_cast<int>(images.size());
-  images.push_back(std::move(roughness));
+  return rough;
 }
+
+/// The roughness of materials of KHR_materials_pbrSpecularGlossiness whose texture tells their glossiness, A:
+/// images of their own, as core materials have it. Materials of the same image and factor share one.
+class RoughnessImages {
+ public:
+  explicit RoughnessImages(std::vector<Image>& images) : images_(images) {}
+
+  void addTo(const JsonCursor& json, Material& material) {
+    const auto e = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness");
+    if (!e || !e->find("specularGlossinessTexture") || material.specularColorTexture.image < 0) return;
+    const int glossy = material.specularColorTexture.image;
+    const float glossiness = 1.0f - material.roughness;
+    const auto [known, isNew] =
+        made_.emplace(std::pair(glossy, glossiness), static_cast<int>(images_.size()));
+    if (isNew) {
+      count(*e, images_[static_cast<std::size_t>(glossy)]);
+      images_.push_back(roughnessOf(images_[static_cast<std::size_t>(glossy)], glossiness));
+    }
+    material.roughness = 1.0f;
+    material.metallicRoughnessTexture = material.specularColorTexture;
+    material.metallicRoughnessTexture.image = known->second;
+  }
+
+ private:
+  void count(const JsonCursor& json, const Image& image) {
+    constexpr std::size_t most = std::size_t{1} << 27;
+    texels_ += image.rgba.size() / 4;
+    if (texels_ > most)
+      json.fail(fmt::format("{} texels of glossiness so far with factors of their own, expected at most {}",
+                            texels_, most),
+                "give materials of one texture the same glossinessFactor");
+  }
+
+  std::vector<Image>& images_;
+  std::map<std::pair<int, float>, int> made_;
+  std::size_t texels_ = 0;
+};
 
 }  // namespace
 
@@ -317,8 +348,9 @@ std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>&
            {&material.normalTexture, &material.clearcoat.normalTexture, &material.anisotropy.texture})
         if (ref->image == static_cast<int>(i)) *ref = {};
   }
+  RoughnessImages roughness(images);
   for (std::size_t m = 0; m < materials.size(); ++m)
-    addRoughness(context.root.at("materials").at(m), materials[m], images);
+    roughness.addTo(context.root.at("materials").at(m), materials[m]);
   return images;
 }
 

@@ -57,7 +57,8 @@ std::vector<glm::vec4> colorDeltas(const LoadContext& context, const JsonCursor&
                                    std::size_t vertices) {
   const auto attribute = target.find("COLOR_0");
   if (!attribute || vertices == 0) return {};
-  const std::size_t width = AccessorReader(context.document, attribute->asUnsigned()).components();
+  const std::size_t width =
+      componentCount(context.root.at("accessors").at(attribute->asUnsigned()).at("type").asString());
   const std::vector<float> numbers = readDeltas(context, target, "COLOR_0", width * vertices);
   if (width == 4) return asVectors<glm::vec4>(numbers);
   std::vector<glm::vec4> colors;

@@ -8,6 +8,7 @@
 #include "prelight/error.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
+#include "scene/gltf/missing_data.h"
 
 namespace prelight {
 
@@ -115,9 +116,10 @@ std::vector<glm::dmat4> readBindMatrices(const LoadContext& context, const JsonC
                                          std::size_t joints) {
   const auto reference = skin.find("inverseBindMatrices");
   if (!reference) return std::vector<glm::dmat4>(joints, glm::dmat4(1.0));
-  const AccessorReader reader(context.document,
-                              reference->asIndex(context.root.countOf("accessors"), "accessor"));
-  const std::vector<float> numbers = reader.floats();
+  const std::vector<float> numbers = AccessorReader(context.document, reference->asUnsigned()).floats();
+  if (numbers.size() < 16 * joints)
+    reference->fail(fmt::format("{} numbers, expected {} for {} joints", numbers.size(), 16 * joints, joints),
+                    "export the skin again");
   std::vector<glm::dmat4> matrices;
   for (std::size_t j = 0; j < joints; ++j) matrices.push_back(bindMatrix(context, *reference, numbers, j));
   return matrices;
@@ -137,6 +139,12 @@ std::optional<Skin> loadSkin(const LoadContext& context, const JsonCursor& json,
       return std::nullopt;
     }
     skin.joints.push_back(place->second);
+  }
+  const auto matrices = json.find("inverseBindMatrices");
+  if (matrices && lacksData(context.document, matrices->asUnsigned())) {
+    context.warnings.push_back(
+        matrices->where() + ": its data lie in a buffer that the file leaves out; the skin is not applied");
+    return std::nullopt;
   }
   skin.inverseBind = readBindMatrices(context, json, skin.joints.size());
   return skin;

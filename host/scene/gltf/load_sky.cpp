@@ -11,6 +11,7 @@
 #include "base/magnitudes.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/json_cursor.h"
+#include "scene/gltf/load_parts.h"
 
 namespace prelight {
 
@@ -98,14 +99,23 @@ class SkyLoader {
   template <class Radiance>
   Environment make(int width, Radiance radiance) const {
     Environment sky{width, width / 2, {}};
+    sky.radiance.reserve(std::size_t(sky.width) * std::size_t(sky.height));
+    const glm::dmat3 back = glm::transpose(turn_);
     for (int y = 0; y < sky.height; ++y)
       for (int x = 0; x < sky.width; ++x) {
         const glm::dvec3 world = Environment::direction((x + 0.5) / sky.width, (y + 0.5) / sky.height);
-        const glm::dvec3 d = glm::transpose(turn_) * world;
+        const glm::dvec3 d = back * world;
         const glm::dvec3 value = intensity_ * radiance(glm::dvec3(d.x, d.y, -d.z));
         sky.radiance.emplace_back(glm::clamp(value, 0.0, largestInput));
       }
     return sky;
+  }
+
+  static double coefficient(const JsonCursor& json) {
+    const double number = json.asNumber();
+    if (std::abs(number) > largestInput)
+      json.fail(fmt::format("{:g}, expected at most {:g} in size", number, largestInput));
+    return number;
   }
 
   std::array<std::array<double, 3>, 9> readCoefficients() const {
@@ -114,7 +124,7 @@ class SkyLoader {
     std::array<std::array<double, 3>, 9> coefficients{};
     for (std::size_t i = 0; i < 9; ++i) {
       json.at(i).expectNumbers(3);
-      for (std::size_t c = 0; c < 3; ++c) coefficients[i][c] = json.at(i).at(c).asNumber();
+      for (std::size_t c = 0; c < 3; ++c) coefficients[i][c] = coefficient(json.at(i).at(c));
     }
     return coefficients;
   }
@@ -152,6 +162,7 @@ class SkyLoader {
     SkyCube cube;
     for (std::size_t i = 0; i < 6; ++i) {
       const std::size_t before = warnings_.size();
+      if (!root_.at("images").at(faces.at(i).asUnsigned()).find("bufferView")) return std::nullopt;
       const Image image = loadImage(document_, faces.at(i).asUnsigned(), warnings_);
       if (warnings_.size() != before || image.width != image.height) return std::nullopt;
       cube[i].size = image.width;
@@ -170,8 +181,7 @@ class SkyLoader {
 };
 
 std::optional<JsonCursor> imageBased(const JsonCursor& holder) {
-  const auto extensions = holder.find("extensions");
-  return extensions ? extensions->find("EXT_lights_image_based") : std::nullopt;
+  return LoadContext::extension(holder, "EXT_lights_image_based");
 }
 
 }  // namespace

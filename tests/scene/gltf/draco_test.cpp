@@ -221,6 +221,26 @@ std::string errorOf(const GltfDocument& document) {
   });
 }
 
+// What the file says is three of each; the Draco data hold more positions than there are normals.
+TEST(DracoFile, SharedWithAPrimitiveOfFewerNormals_IsRefused) {
+  GltfDocument document = test::withDraco(makeBuiltinScene("cornell"), {});
+  auto& primitives = document.json["meshes"][0]["primitives"];
+  for (const auto& attribute : primitives[0]["attributes"].items())
+    document.json["accessors"][attribute.value().get<std::size_t>()]["count"] = 3;
+  const std::size_t offset = (document.bin.size() + 3) / 4 * 4, bytes = 36;
+  document.bin.resize(offset + bytes);
+  document.json["buffers"][0]["byteLength"] = document.bin.size();
+  document.json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}});
+  document.json["accessors"].push_back({{"bufferView", document.json["bufferViews"].size() - 1},
+                                        {"componentType", 5126},
+                                        {"count", 3},
+                                        {"type", "VEC3"}});
+  primitives.push_back({{"attributes",
+                         {{"POSITION", primitives[0]["attributes"]["POSITION"]},
+                          {"NORMAL", document.json["accessors"].size() - 1}}}});
+  EXPECT_THAT(errorOf(document), testing::HasSubstr("/meshes/0/primitives/1/attributes/NORMAL"));
+}
+
 TEST(DracoFile, Broken_NamesPlaceAndWhatToDo) {
   const GltfDocument good = test::withDraco(test::triangleDocument(), {});
   const auto changed = [&](auto change) {

@@ -212,6 +212,25 @@ TEST(LoadMaterial, GlossinessOfATexture_BecomesARoughnessOfItsOwn) {
   EXPECT_EQ(scene.images[1].rgba.at(1), 191);  // 1 - 0.25 x 1
 }
 
+TEST(LoadMaterial, GlossinessOfOneTextureAndFactor_IsOneImage) {
+  GltfDocument document = test::triangleDocument();
+  const auto material = [](double factor) {
+    Json json = Json::parse(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+      "specularGlossinessTexture": {"index": 0}}}})");
+    json["extensions"]["KHR_materials_pbrSpecularGlossiness"]["glossinessFactor"] = factor;
+    return json;
+  };
+  document.json["materials"] = {material(0.25), material(0.25), material(0.75)};
+  document.json["images"] = Json::parse(R"([{"bufferView": 0}])");
+  document.json["textures"] = Json::parse(R"([{"source": 0}])");
+  Warnings warnings;
+  const Scene scene = test::reload(document, warnings);
+  EXPECT_EQ(scene.materials.at(0).metallicRoughnessTexture.image, 1);
+  EXPECT_EQ(scene.materials.at(1).metallicRoughnessTexture.image, 1);
+  EXPECT_EQ(scene.materials.at(2).metallicRoughnessTexture.image, 2);
+  EXPECT_EQ(scene.images.size(), 3u);
+}
+
 TEST(LoadMaterial, MagnificationFilter_IsRead) {
   Warnings warnings;
   const auto filter = [&](const char* sampler) {

@@ -121,6 +121,18 @@ TEST(FileSky, BrokenPictures_LeaveTheCoefficientsWithAWarning) {
   EXPECT_EQ(radianceAt(*sky, {0, -1, 0}).y, 0.0f) << "radiance is not negative";
 }
 
+// Whoever embedded the pictures has warned of one that is not there.
+TEST(FileSky, PictureThatIsNotThere_LeavesTheCoefficients) {
+  GltfDocument document = withSky();
+  document.json["images"][2] = {{"uri", "missing.png"}};
+  lightOf(document)["irradianceCoefficients"][0] = {std::numbers::pi / 0.282095, 0, 0};
+  Warnings warnings;
+  const auto sky = loadSky(document, warnings);
+  ASSERT_TRUE(sky.has_value());
+  EXPECT_NEAR(radianceAt(*sky, {0.3, 0.2, 0.9}).x, 1.0, 1e-5);
+  EXPECT_EQ(radianceAt(*sky, {0.3, 0.2, 0.9}).y, 0.0f);
+}
+
 TEST(FileSky, BrokenNumbers_AreRefusedWithTheirPlace) {
   const auto errorOf = [](const std::function<void(Json&)>& change) {
     GltfDocument document = withSky();
