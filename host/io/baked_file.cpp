@@ -37,6 +37,7 @@ Json infoToJson(const BakeInfo& info) {
 
 RecordedChoice choiceFromJson(const JsonCursor& json, std::size_t animations) {
   RecordedChoice choice;
+  choice.baked = true;
   choice.variant = json.stringOr("variant", "");
   const auto moment = json.find("moment");
   if (!moment) return choice;

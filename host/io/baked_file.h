@@ -21,6 +21,7 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
 struct RecordedChoice {
   std::optional<SceneMoment> moment;  ///< none: it stood at rest
   std::string variant;                ///< empty: its own materials
+  bool baked = false;                 ///< whether there is a bake at all
 };
 
 /// Nothing of a document without a bake. Throws InputError for a moment of an animation that is not there.

@@ -47,6 +47,36 @@ void chooseScene(GltfDocument& document, const std::string& chosen) {
   document.json["scene"] = *found;
 }
 
+bool hasVariant(const GltfDocument& document, const std::string& name) {
+  const std::string file = document.path.string();
+  const auto extensions = JsonCursor(file, document.json).find("extensions");
+  const auto variants = extensions ? extensions->find("KHR_materials_variants") : std::nullopt;
+  bool has = false;
+  if (variants)
+    variants->forEachObject("variants", [&](const JsonCursor& variant, std::size_t) {
+      has = has || variant.stringOr("name", "") == name;
+    });
+  return has;
+}
+
+/// The variant that is asked for, else the one that was baked.
+std::string chooseVariant(const GltfDocument& document, const LoadOptions& options,
+                          const RecordedChoice& recorded, Warnings& warnings) {
+  const std::string baked =
+      recorded.variant.empty() ? "its own materials" : fmt::format("variant \"{}\"", recorded.variant);
+  if (!options.variant.empty()) {
+    if (recorded.baked && options.variant != recorded.variant)
+      warnings.push_back(fmt::format("{}: what it carries was baked of {}", document.path.string(), baked));
+    return options.variant;
+  }
+  if (recorded.variant.empty() || hasVariant(document, recorded.variant)) return recorded.variant;
+  warnings.push_back(fmt::format(
+      "{}: /extensions/PRELIGHT_transfer/variant: what it carries was baked of {}, which the file "
+      "no longer has; it is shown in its own materials",
+      document.path.string(), baked));
+  return "";
+}
+
 void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded) {
   if (options.at) {
     setPose(scene, options.animation.empty() ? 0 : findAnimation(scene, options.animation), *options.at);
@@ -65,13 +95,8 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
     steps.progress().check();
     chooseScene(opened.document, options.scene);
     const RecordedChoice recorded = readRecordedChoice(opened.document);
-    const bool other =
-        !recorded.variant.empty() && !options.variant.empty() && options.variant != recorded.variant;
-    if (other)
-      warnings.push_back(fmt::format("{}: what it carries was baked of variant \"{}\"",
-                                     opened.document.path.string(), recorded.variant));
-    opened.scene =
-        loadScene(opened.document, warnings, options.variant.empty() ? recorded.variant : options.variant);
+    const std::string variant = chooseVariant(opened.document, options, recorded, warnings);
+    opened.scene = loadScene(opened.document, warnings, variant);
     poseAsChosen(opened.scene, options, recorded);
     if (auto sky = loadSky(opened.document, warnings))
       opened.sky = std::make_shared<const Environment>(*std::move(sky));

@@ -66,6 +66,7 @@ vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
   float up = clamp(w.z * INVERSE_SQRT(max(square + w.z * w.z, 1e-20f)), 0.0f, 1.0f);
   vec4 sums = betweenCells(table, anisotropicCell(along, across, 0.636619772f * asin(sqrt(up))), 0);
   float all = sums.x * (0.5f * turn * (turn + 1.0f)) + sums.y * (1.0f - turn * turn) + sums.z * (0.5f * turn * (turn - 1.0f));
+  all = clamp(all, 0.0f, 1.0f);  // the parabola may overshoot between its nodes
   float cosine = clamp(w.z, 0.0f, 1.0f);
   vec4 lower = betweenCells(table, anisotropicCell(along, across, sqrt(cosine)), 1);
   // Lagrange's polynomials of 1, 0, -0.7660444 and -1.

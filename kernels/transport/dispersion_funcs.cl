@@ -1,5 +1,5 @@
-// Glass that refracts by wavelength (KHR_materials_dispersion). A path has one wavelength, drawn evenly; where it first goes
-// through such glass it takes the colour of that. Colours have a mean of 1 over all wavelengths, in each channel.
+// Glass that refracts by wavelength (KHR_materials_dispersion). A path has one wavelength, drawn evenly; where it first
+// passes such glass, is reflected inside it or meets rough glass, it takes the colour of that. Colours have a mean of 1 over all wavelengths, in each channel.
 // Options: PRELIGHT_DISPERSION.
 #ifndef PRELIGHT_TRANSPORT_DISPERSION_FUNCS_CL
 #define PRELIGHT_TRANSPORT_DISPERSION_FUNCS_CL

@@ -1,5 +1,6 @@
 // Virtual point lights (Keller 1997): diffuse surfaces that light paths have met, as lights.
-// Options: those of transport/lobe_funcs.cl. Bumps of a clear coat do not count.
+// Bumps of a clear coat do not count.
+// Options: those of transport/lobe_funcs.cl.
 #ifndef PRELIGHT_TRANSPORT_VIRTUAL_LIGHT_FUNCS_CL
 #define PRELIGHT_TRANSPORT_VIRTUAL_LIGHT_FUNCS_CL
 
@@ -28,7 +29,7 @@ PRELIGHT_INLINE VirtualLight virtualLightAt(Interaction i, Bsdf b, float3 power)
   light.layerF90 = b.layer.y;
   light.layerLater = b.layer.z;
   light.roughness = b.roughness;
-  light.coat = light.sheen = 0.0f;
+  light.coat = light.coatRoughness = light.sheen = light.sheenRoughness = 0.0f;
 #ifdef PRELIGHT_LAYERS
   light.coat = b.coat;
   light.coatRoughness = b.coatRoughness;

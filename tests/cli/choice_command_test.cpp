@@ -146,5 +146,17 @@ TEST_F(CliChoice, Variants_ChangeWhatIsReflectedAndAreRecorded) {
   EXPECT_EQ(bake("night.glb", "again.glb", {}), night) << "a baked file keeps its variant";
 }
 
+TEST_F(CliChoice, AnotherVariantThanTheBakedOne_IsAWarning) {
+  writeFile("choices.glb", choices().bytes());
+  prelightDone({"bake", "choices.glb", "-o", "own.glb", "--ao", "--rays", "4"});
+  EXPECT_THAT(prelightDone({"info", "own.glb", "--variant", "night"}).errors,
+              HasSubstr("baked of its own materials"));
+  GlbScene gone = parseGlb(readFile("own.glb"));
+  gone.json["extensions"]["PRELIGHT_transfer"]["variant"] = "dusk";
+  writeFile("gone.glb", gone.bytes());
+  EXPECT_THAT(prelightDone({"info", "gone.glb"}).errors,
+              HasSubstr("variant \"dusk\", which the file no longer has"));
+}
+
 }  // namespace
 }  // namespace prelight::test
