@@ -86,7 +86,7 @@ struct Stage {
   std::uint64_t sum() const { return host + device; }
 };
 
-constexpr std::uint64_t equationBytes = 108, solverBytes = 5 * 32, fourColumns = 16;  // a vertex
+constexpr std::uint64_t equationBytes = 108, solverBytes = 5 * 48, fourColumns = 16;  // a vertex
 
 /// Rays are cast, errors estimated, light bounces. `parks`: sums that wait are in a file.
 std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
@@ -96,9 +96,9 @@ std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Inst
   const std::uint64_t waiting = parks ? 0 : front + back;
   const std::uint64_t fitted = 4 * n.columns() * n.vertices;
   const Stage cast{parks ? std::max(front, back) : front + back, treeBytes(instancing)};
-  // Deviations of eight groups, five vectors of four at a time, and the solver's.
-  const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * fourColumns) * n.vertices,
-                     kept};
+  // Deviations of eight groups, five vectors of as many as are solved for at a time, and the solver's.
+  const std::uint64_t atOnce = parks ? fourColumns : 2 * fourColumns;
+  const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * atOnce) * n.vertices, kept};
   if (!n.bounces) return {cast, errors, {}};
   const std::uint64_t part = 4 * partValuesOf(parks);
   const Stage bounce{

@@ -169,7 +169,7 @@ void runBench(const BenchCommand& command, Context& context) {
 std::string suitesText() {
   std::string text = "Suites:\n";
   for (const auto& suite : benchmarks::suites())
-    text += fmt::format("  {:<12}{}\n", suite.name, suite.description);
+    text += fmt::format("  {:<14}{}\n", suite.name, suite.description);
   return text;
 }
 

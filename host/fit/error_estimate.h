@@ -24,6 +24,14 @@ struct ErrorEstimate {
   double max = 0.0;           ///< at the worst slot
 };
 
+/// How an estimate is made.
+struct ErrorEffort {
+  bool halfOfTheGroups = false;  ///< at a time: in less memory, with the same result
+  /// Of conjugate gradients, towards what leaving a group out does. One makes it a multiple of what the
+  /// group's residuals do, the best one over the surface.
+  int stepsWithoutGroups = 5;
+};
+
 /// Standard error of the AO fitted to `records`, from the scatter of groups of passes. Two estimators bracket
 /// it: what the residuals of each group alone would move the result by (a sandwich, too small where the fit
 /// follows its own noise), and what leaving each group out does move it by (a jackknife, too large there,
@@ -32,6 +40,7 @@ struct ErrorEstimate {
 /// as HC2 = r^2 / (1 - h), whose mean is sigma^2 (MacKinnon and White 1985). `all` is the fit to the records;
 /// `areas` are the triangles', m2; of `receivers` in all, the records are a representative part.
 ErrorEstimate estimateAoError(const FitMesh& mesh, const AoFit& all, const std::vector<double>& areas,
-                              const SampleRecords& records, std::uint64_t receivers, bool independent);
+                              const SampleRecords& records, std::uint64_t receivers, bool independent,
+                              const ErrorEffort& effort = {});
 
 }  // namespace prelight

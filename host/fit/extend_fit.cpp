@@ -1,12 +1,29 @@
 #include "fit/extend_fit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace prelight {
 
 namespace {
 
 constexpr int smoothings = 8;
+
+/// Those of `waits` beside a sampled slot: in the order of the first of these, then in their own.
+std::vector<std::uint32_t> firstRing(const FitMesh& mesh, const NormalEquations& equations,
+                                     const std::vector<std::uint8_t>& waits) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ring;  // a sampled slot, one that waits
+  for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
+    for (std::uint32_t e = mesh.rowStart[s]; waits[s] != 0 && e < mesh.rowStart[s + 1]; ++e)
+      if (equations.rowOf(mesh.columns[e]) != NormalEquations::noRow) {
+        ring.emplace_back(mesh.columns[e], s);
+        break;
+      }
+  std::sort(ring.begin(), ring.end());
+  std::vector<std::uint32_t> slots;
+  for (const auto& [sampled, slot] : ring) slots.push_back(slot);
+  return slots;
+}
 
 /// Slots without a row that are to have a value, ring by ring away from those with one.
 std::vector<std::uint32_t> ringsAround(const FitMesh& mesh, const NormalEquations& equations,
@@ -22,7 +39,10 @@ std::vector<std::uint32_t> ringsAround(const FitMesh& mesh, const NormalEquation
         order.push_back(mesh.columns[e]);
       }
   };
-  for (const std::uint32_t slot : equations.slots()) takeAround(slot);
+  for (const std::uint32_t slot : firstRing(mesh, equations, waits)) {
+    waits[slot] = 0;
+    order.push_back(slot);
+  }
   for (std::size_t i = 0; i < order.size(); ++i) takeAround(order[i]);
   return order;
 }
@@ -33,8 +53,9 @@ void extendFit(const FitMesh& mesh, const NormalEquations& equations, std::span<
                std::size_t columns, std::vector<float>& x) {
   const std::vector<std::uint32_t> order = ringsAround(mesh, equations, extent);
   if (order.empty()) return;
-  std::vector<std::uint8_t> known(mesh.slotCount(), 0);
-  for (const std::uint32_t slot : equations.slots()) known[slot] = 1;
+  std::vector<std::uint8_t> known(mesh.slotCount());
+  for (std::uint32_t s = 0; s < mesh.slotCount(); ++s)
+    known[s] = equations.rowOf(s) != NormalEquations::noRow;
   std::vector<double> sum(columns);
   for (int sweep = 0; sweep <= smoothings; ++sweep)
     for (const std::uint32_t slot : order) {

@@ -44,19 +44,21 @@ class SampleRecords {
   /// Fills `records` from number `first` on.
   void read(std::size_t first, std::span<SampleRecord> records) const;
 
-  /// Calls use(record) for those of groups [begin, end), in their order.
+  /// Calls use(records) for every block that has some of groups [begin, end), in their order.
   template <typename Use>
-  void forGroups(std::uint32_t begin, std::uint32_t end, const Use& use) const {
+  void forBlocks(std::uint32_t begin, std::uint32_t end, const Use& use) const {
     std::vector<SampleRecord> read;
     const std::uint32_t wanted = (1u << end) - (1u << begin);
     for (std::size_t b = 0; b < blocks_.size(); ++b)
-      if ((blocks_[b].groups & wanted) != 0)
-        for (const SampleRecord& record : blockOf(b, read))
-          if (record.group >= begin && record.group < end) use(record);
+      if ((blocks_[b].groups & wanted) != 0) use(blockOf(b, read));
   }
+
+  /// Calls use(record) for all, in their order.
   template <typename Use>
   void forAll(const Use& use) const {
-    forGroups(0, errorGroups, use);
+    forBlocks(0, errorGroups, [&](std::span<const SampleRecord> block) {
+      for (const SampleRecord& record : block) use(record);
+    });
   }
 
   void save(StateWriter& state) const;

@@ -193,8 +193,9 @@ std::vector<float> VertexFit::solve(const NormalEquations& equations, const Solv
                                   : solve(equations, rightSide(0, columns_), columns_, limits);
 }
 
-std::vector<float> VertexFit::solveColumn(const NormalEquations& equations, std::size_t column) const {
-  return solve(equations, rightSide(column, 1), 1);
+std::vector<float> VertexFit::solveColumn(const NormalEquations& equations, std::size_t column,
+                                          const SolveLimits& limits) const {
+  return solve(equations, rightSide(column, 1), 1, limits);
 }
 
 std::vector<float> VertexFit::solve(const NormalEquations& equations, std::vector<float> rightSide,

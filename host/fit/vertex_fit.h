@@ -67,7 +67,8 @@ class VertexFit {
   /// Solves equations() for this fit's columns, [slot][column]; for one of them, [slot]; for another
   /// right-hand side, [slot][column], in whose memory the solution comes.
   std::vector<float> solve(const NormalEquations& equations, const SolveLimits& limits = {}) const;
-  std::vector<float> solveColumn(const NormalEquations& equations, std::size_t column) const;
+  std::vector<float> solveColumn(const NormalEquations& equations, std::size_t column,
+                                 const SolveLimits& limits = {}) const;
   std::vector<float> solve(const NormalEquations& equations, std::vector<float> rightSide,
                            std::size_t columns, const SolveLimits& limits = {}) const;
 

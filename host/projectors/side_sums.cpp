@@ -73,11 +73,12 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
   fit_.extendTo(std::move(slots));
 }
 
-// Stiffens the fit of all values by what AO says: where that is flat, light is too, nearly always.
+// Stiffens the fit of all values by what AO says: where that is flat, light is too, nearly always. An error
+// to some percent does for that.
 void SideSums::stiffen() {
   const NormalEquations equations = fit_.equations(defaultSmoothing);
-  const std::vector<float> ao = fit_.solveColumn(equations, 0);
-  const ErrorEstimate error = errorOf(equations, ao, 1);
+  const std::vector<float> ao = fit_.solveColumn(equations, 0, {.tolerance = 1e-4, .verified = false});
+  const ErrorEstimate error = errorOf(equations, ao, 1, 1);
   fit_.stiffen(stiffnessOf(mesh_, equations.laplacian(ao), error.slots));
 }
 
@@ -181,21 +182,22 @@ VertexFit SideSums::fitOf(std::size_t count) const {
 FittedSide SideSums::solve() const {
   const NormalEquations equations = fit_.equations(defaultSmoothing);
   FittedSide fitted{fit_.solve(equations), {}};
-  fitted.error = errorOf(equations, fitted.values, fit_.columns());
+  fitted.error = errorOf(equations, fitted.values, fit_.columns(), ErrorEffort{}.stepsWithoutGroups);
   return fitted;
 }
 
 ErrorEstimate SideSums::estimateError() const {
   const NormalEquations equations = fit_.equations(defaultSmoothing);
-  return errorOf(equations, fit_.solveColumn(equations, 0), 1);
+  return errorOf(equations, fit_.solveColumn(equations, 0), 1, ErrorEffort{}.stepsWithoutGroups);
 }
 
 // Rays that all met the same say little of what they missed: of n that all escaped, the next is blocked with
 // a probability whose posterior has a standard deviation of about 1 / (n + 2) (at 95 %, it is below 3 / n).
 ErrorEstimate SideSums::errorOf(const NormalEquations& equations, std::span<const float> values,
-                                std::size_t columns) const {
+                                std::size_t columns, int steps) const {
   const auto estimateOf = [&](const AoFit& fit) {
-    return estimateAoError(mesh_, fit, areas_, records_, receivers_, schedule_.replicates > 1);
+    return estimateAoError(mesh_, fit, areas_, records_, receivers_, schedule_.replicates > 1,
+                           {.halfOfTheGroups = projections_.parks, .stepsWithoutGroups = steps});
   };
   ErrorEstimate estimate;
   if (records_.size() == receivers_) {

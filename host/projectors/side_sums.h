@@ -86,8 +86,8 @@ class SideSums {
 
  private:
   VertexFit plainFit(std::size_t columns) const;
-  ErrorEstimate errorOf(const NormalEquations& equations, std::span<const float> values,
-                        std::size_t columns) const;
+  ErrorEstimate errorOf(const NormalEquations& equations, std::span<const float> values, std::size_t columns,
+                        int steps) const;
   void askFor(std::span<const SurfaceSample> samples, std::size_t i) const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);

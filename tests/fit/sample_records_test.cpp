@@ -45,14 +45,26 @@ TEST(SampleRecords, LittleMemory_KeepsNoMoreThanThatAndABlock) {
   EXPECT_GE(filled(~std::uint64_t{0}).bytesInMemory(), count * sizeof(SampleRecord));
 }
 
-TEST(SampleRecords, Groups_AreThoseAskedForInTheirOrder) {
+TEST(SampleRecords, BlocksOfGroups_HaveTheirRecordsInTheirOrder) {
   const SampleRecords records = filled(0);
   std::vector<std::uint32_t> seen, expected;
-  records.forGroups(2, 4, [&](const SampleRecord& record) { seen.push_back(record.sample.triangle); });
+  records.forBlocks(2, 4, [&](std::span<const SampleRecord> block) {
+    for (const SampleRecord& record : block)
+      if (record.group == 2 || record.group == 3) seen.push_back(record.sample.triangle);
+  });
   for (std::uint32_t i = 0; i < count; ++i)
     if (recordOf(i).group == 2 || recordOf(i).group == 3) expected.push_back(i);
   ASSERT_FALSE(expected.empty());
   EXPECT_EQ(seen, expected);
+}
+
+TEST(SampleRecords, BlockOfOtherGroups_IsNotRead) {
+  std::size_t blocks = 0;
+  filled(0).forBlocks(7, 8, [&](std::span<const SampleRecord> block) {
+    ++blocks;
+    EXPECT_FALSE(same(block.front(), recordOf(0)));  // the first has groups 0 to 6
+  });
+  EXPECT_GT(blocks, 0u);
 }
 
 TEST(SampleRecords, SavedAndLoaded_AreTheSame) {

@@ -247,7 +247,17 @@ void copyAlbedoImages(const Scene& scene, const std::vector<bool>& drawn, Compil
   }
 }
 
-void reserveArrays(const std::vector<Draw>& draws, int sets, CompiledScene& scene) {
+/// Whether its colours change a picture, at any weights of its morph targets.
+bool isColored(const Scene& source, const Draw& draw) {
+  const Primitive& primitive = source.meshes[static_cast<std::size_t>(draw.range.mesh)]
+                                   .primitives[static_cast<std::size_t>(draw.range.primitive)];
+  const auto has = [](const auto& part) { return !part.colors.empty(); };
+  return std::any_of(primitive.colors.begin(), primitive.colors.end(),
+                     [](const glm::vec4& color) { return color != glm::vec4(1.0f); }) ||
+         (has(primitive) && std::any_of(primitive.targets.begin(), primitive.targets.end(), has));
+}
+
+void reserveArrays(const Scene& source, const std::vector<Draw>& draws, int sets, CompiledScene& scene) {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   bool colored = false;
@@ -255,7 +265,7 @@ void reserveArrays(const std::vector<Draw>& draws, int sets, CompiledScene& scen
   for (const Draw& draw : draws) {
     vertices += draw.range.vertexCount;
     triangles += draw.primitive->triangles.size();
-    colored = colored || (draw.range.vertexCount > 0 && !draw.primitive->colors.empty());
+    colored = colored || (draw.range.vertexCount > 0 && isColored(source, draw));
     tangential = tangential || hasTangents(scene, draw);
   }
   scene.positions.reserve(vertices);
@@ -336,7 +346,7 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
   copyAlbedoImages(scene, drawn, compiled);
   const Bounds bounds = worldBounds(draws);
   if (!bounds.empty()) compiled.origin = bounds.low + 0.5 * (bounds.high - bounds.low);
-  reserveArrays(draws, sets, compiled);
+  reserveArrays(scene, draws, sets, compiled);
   Flattener flattener(compiled, sets);
   for (Draw& draw : draws) flattener.add(draw);
   findShapes(scene, meshes, compiled);

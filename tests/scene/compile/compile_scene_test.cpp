@@ -136,6 +136,15 @@ TEST(CompileScene, SomeColors_FillTheOthersWithWhite) {
   EXPECT_EQ(compiled.colors[5], glm::vec4(0.5f));
 }
 
+TEST(CompileScene, WhiteColors_AreNone) {
+  Scene scene = triangleScene(glm::dmat4(1.0));
+  Primitive& primitive = scene.meshes[0].primitives[0];
+  primitive.colors.assign(3, glm::vec4(1.0f));
+  EXPECT_FALSE(compile(scene).hasVertexColors());
+  primitive.colors[1].a = 0.5f;
+  EXPECT_TRUE(compile(scene).hasVertexColors());
+}
+
 TEST(CompileScene, DefaultMaterial_IsLastAndBlackMetal) {
   const CompiledScene compiled = compile(triangleScene(glm::dmat4(1.0)));
   ASSERT_EQ(compiled.materials.size(), 1u);

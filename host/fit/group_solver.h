@@ -1,0 +1,187 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/prefetch.h"
+#include "fit/error_estimate.h"
+
+namespace prelight {
+
+/// What is fitted: AO relative to an open receiver's.
+inline double fittedValueOf(const SampleRecord& record) { return double(record.open) - 1.0; }
+
+/// The equations A of a fit, solved for the right sides of W groups of its records, from `firstGroup` on.
+template <std::size_t W>
+class GroupSolver {
+ public:
+  using Part = std::vector<float>;     ///< [slot][group]
+  using Sums = std::array<double, W>;  ///< [group]
+
+  GroupSolver(const FitMesh& mesh, const AoFit& all, const SampleRecords& records, std::uint32_t firstGroup)
+      : mesh_(mesh), all_(all), records_(records), firstGroup_(firstGroup) {}
+
+  /// The residuals' part of the normal equations: what a group alone adds to the right side beyond what the
+  /// fit to all records explains.
+  Part scores() const {
+    Part scores(std::size_t{mesh_.slotCount()} * W, 0.0f);
+    const auto fitted = [&](std::uint32_t slot) { return double(all_.values[slot * all_.columns]); };
+    addRecords(
+        [&](const SampleRecord& record, const auto& slots, const auto& b) {
+          return fittedValueOf(record) -
+                 (b[0] * fitted(slots[0]) + b[1] * fitted(slots[1]) + b[2] * fitted(slots[2]));
+        },
+        scores);
+    return scores;
+  }
+
+  Part solve(Part right) const { return all_.fit.solve(all_.equations, std::move(right), W, roughly()); }
+
+  /// How far leaving each group out moves the fit: (A - M) x = score, with M what the group's records have in
+  /// A. Solved by up to `mostSteps` conjugate gradients with A as the preconditioner, since M is about an
+  /// eighth of it; A times a direction follows from how the direction is made. `first` is solve(scores). What
+  /// becomes of a group depends on no other.
+  Part withoutGroups(Part scores, Part first, int mostSteps) const {
+    constexpr double enough = 2e-3;  // of the energy is left, as expected from what the step before has left
+    Sums energy = dots(scores, first);
+    const Sums start = energy;
+    Part moved(scores.size(), 0.0f), direction = std::move(first), ofAll = scores;
+    Marks last{};
+    for (int step = 1;; ++step) {
+      {
+        const Part image = imageOf(direction, ofAll);
+        const Sums length = ratios(energy, dots(direction, image));
+        combine(moved, filled(1.0), length, direction);
+        combine(scores, notOf(last), negative(length), image);
+      }
+      for (std::size_t g = 0; g < W; ++g)
+        if (last[g]) energy[g] = 0.0;
+      if (step == mostSteps || energy == Sums{}) return moved;
+      const Part rest = solve(scores);
+      const Sums left = dots(scores, rest), turn = ratios(left, energy);
+      combine(direction, turn, filled(1.0), rest);
+      combine(ofAll, turn, filled(1.0), scores);
+      for (std::size_t g = 0; g < W; ++g) last[g] = left[g] * left[g] <= enough * start[g] * energy[g];
+      energy = left;
+    }
+  }
+
+ private:
+  using Marks = std::array<bool, W>;
+
+  static constexpr std::size_t slotGrain = 4096;
+
+  /// Deviations are wanted to a percent; the noise that they are made of is not known as well.
+  static SolveLimits roughly() { return {.tolerance = 1e-2, .iterations = 32, .verified = false}; }
+
+  /// Sums over the slots of a b.
+  static Sums dots(const Part& a, const Part& b) {
+    std::vector<Sums> parts((a.size() / W + slotGrain - 1) / slotGrain, Sums{});
+    parallelRanges(a.size() / W, slotGrain, [&](std::size_t begin, std::size_t end) {
+      Sums& part = parts[begin / slotGrain];
+      for (std::size_t i = begin * W; i < end * W; i += W)
+        for (std::size_t g = 0; g < W; ++g) part[g] += double(a[i + g]) * b[i + g];
+    });
+    Sums sums{};
+    for (const Sums& part : parts)
+      for (std::size_t g = 0; g < W; ++g) sums[g] += part[g];
+    return sums;
+  }
+
+  /// a = factor[group] a + more[group] b
+  static void combine(Part& a, const Sums& factor, const Sums& more, const Part& b) {
+    parallelRanges(a.size() / W, slotGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin * W; i < end * W; i += W)
+        for (std::size_t g = 0; g < W; ++g)
+          a[i + g] = static_cast<float>(factor[g] * a[i + g] + more[g] * b[i + g]);
+    });
+  }
+
+  static Sums ratios(const Sums& a, const Sums& b) {
+    Sums quotients{};
+    for (std::size_t g = 0; g < W; ++g) quotients[g] = b[g] > 0.0 ? a[g] / b[g] : 0.0;
+    return quotients;
+  }
+
+  static Sums filled(double value) {
+    Sums sums;
+    sums.fill(value);
+    return sums;
+  }
+
+  static Sums negative(Sums sums) {
+    for (double& sum : sums) sum = -sum;
+    return sums;
+  }
+
+  /// 0 where marked, else 1.
+  static Sums notOf(const Marks& marks) {
+    Sums sums;
+    for (std::size_t g = 0; g < W; ++g) sums[g] = marks[g] ? 0.0 : 1.0;
+    return sums;
+  }
+
+  /// Adds what each record weighs times its value to its three slots, in its group's column. Groups are dealt
+  /// to threads.
+  template <typename Value>
+  void addRecords(const Value& value, Part& sums) const {
+    const std::size_t grain = std::max<std::size_t>(1, W / hardwareThreads());
+    parallelRanges(W, grain, [&](std::size_t begin, std::size_t end) {
+      const std::size_t first = firstGroup_ + begin, last = firstGroup_ + end;
+      records_.forBlocks(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
+                         [&](std::span<const SampleRecord> block) {
+                           for (std::size_t i = 0; i < block.size(); ++i) {
+                             askFor(block, i, sums);
+                             if (block[i].group >= first && block[i].group < last) add(block[i], value, sums);
+                           }
+                         });
+    });
+  }
+
+  /// What records after the i-th are added to lies anywhere in memory, and would be waited for.
+  void askFor(std::span<const SampleRecord> block, std::size_t i, const Part& sums) const {
+    constexpr std::size_t trianglesAhead = 16, slotsAhead = 8;
+    if (i + trianglesAhead < block.size())
+      prefetch(&mesh_.triangles[block[i + trianglesAhead].sample.triangle]);
+    if (i + slotsAhead >= block.size()) return;
+    for (const std::uint32_t slot : mesh_.triangles[block[i + slotsAhead].sample.triangle])
+      prefetch(&sums[std::size_t{slot} * W], W);
+  }
+
+  template <typename Value>
+  void add(const SampleRecord& record, const Value& value, Part& sums) const {
+    const auto& slots = mesh_.triangles[record.sample.triangle];
+    const auto b = cornerWeights(record.sample);
+    const double weighted = all_.fit.weightOf(record.sample) * value(record, slots, b);
+    for (std::size_t k = 0; k < 3; ++k)
+      sums[placeOf(slots[k], record)] += static_cast<float>(b[k] * weighted);
+  }
+
+  std::size_t placeOf(std::uint32_t slot, const SampleRecord& record) const {
+    return std::size_t{slot} * W + record.group - firstGroup_;
+  }
+
+  /// (A - M) of, given A of.
+  Part imageOf(const Part& of, Part ofAll) const {
+    addRecords(
+        [&](const SampleRecord& record, const auto& slots, const auto& b) {
+          const auto at = [&](std::size_t k) { return of[placeOf(slots[k], record)]; };
+          return -(b[0] * at(0) + b[1] * at(1) + b[2] * at(2));
+        },
+        ofAll);
+    return ofAll;
+  }
+
+  const FitMesh& mesh_;
+  const AoFit& all_;
+  const SampleRecords& records_;
+  std::uint32_t firstGroup_;
+};
+
+}  // namespace prelight
