@@ -86,7 +86,7 @@ struct Stage {
   std::uint64_t sum() const { return host + device; }
 };
 
-constexpr std::uint64_t equationBytes = 108, solverBytes = 5 * 48, fourColumns = 16;  // a vertex
+constexpr std::uint64_t equationBytes = 108, fourColumns = 16;  // a vertex
 
 /// Rays are cast, errors estimated, light bounces. `parks`: sums that wait are in a file.
 std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Instancing& instancing,
@@ -101,6 +101,8 @@ std::array<Stage, 3> stagesOf(const Sizes& n, const PlanInput& input, const Inst
   const Stage errors{waiting + fitted + (equationBytes + 4 * fourColumns + 10 * atOnce) * n.vertices, kept};
   if (!n.bounces) return {cast, errors, {}};
   const std::uint64_t part = 4 * partValuesOf(parks);
+  const std::uint64_t solverBytes =
+      5 * (parks ? 2 : 3) * fourColumns;  // solves for eight or twelve at a time
   const Stage bounce{
       waiting + 2 * fitted + (equationBytes + solverBytes + part + 12 * n.coefficients) * n.vertices,
       kept + 2 * part * n.vertices};
