@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "viewer/light_follower.h"
@@ -16,6 +17,8 @@ struct ViewerOptions {
   std::string title = "prelight";
   LightFollower* follower = nullptr;  ///< of global illumination; nullptr: its light stays as it is
   int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
+  /// Factor of radiance in the window and in .png screenshots; none: metered from the first view.
+  std::optional<double> exposure = 1.0;
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };
 

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/option_names.h"
 #include "cli/output_file.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -96,7 +97,7 @@ void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& ses
   if (command.environment.empty() && (request.radiosity || request.lightMap))
     request.radiosity.environment = loaded.sky;
   if (command.environment.empty()) return;
-  const Environment sky = readEnvironment(command.environment);
+  const Environment sky = readNamedSky(command.environment);
   if (request.radiosity || request.lightMap)
     request.radiosity.environment = std::make_shared<const Environment>(sky);
   else
@@ -314,10 +315,9 @@ void addBakeCommand(CLI::App& program, Context& context) {
   addEffortOptions(*app, command->bake);
   addSceneOptions(*app, command->load);
   addAnimationOptions(*app, *command);
-  app->add_option("--env", command->environment,
-                  "sky of the radiosity and the light map; accepted for scripts besides, as transfer does "
-                  "not depend on it")
-      ->type_name("MAP");
+  addSkyOption(*app, command->environment,
+               "sky of the radiosity and the light map; accepted for scripts besides, as transfer does not "
+               "depend on it");
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
   app->add_flag("--resume", command->resume,
                 "go on with an interrupted bake of the same scene and options (OUT.glb.state)");

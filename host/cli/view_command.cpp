@@ -37,6 +37,7 @@ void runView(const ViewCommand& command, Context& context) {
   options.title = "prelight: " + command.picture.scene.filename().string();
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
+  options.exposure = exposureAskedFor(command.picture.exposure, shaded.studio);
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following)
     options.follower = &follower.emplace(*shaded.following->light, *shaded.globalIllumination);
