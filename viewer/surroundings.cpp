@@ -98,8 +98,7 @@ std::vector<TwoSidedBody> Surroundings::twoSidedBodies(const CompiledScene& comp
   std::map<int, TwoSidedBody> found;
   for (const Batch& batch : scene_.batches()) {
     const Surface& surface = scene_.surfaces()[batch.surface];
-    if (!surface.material.doubleSided || surface.isBlended() || surface.material.transmission > 0.0f)
-      continue;
+    if (!surface.material.doubleSided || surface.isBlended()) continue;
     TwoSidedBody& body = found[batch.node];
     body.node = batch.node;
     body.triangles.push_back({batch.firstTriangle, batch.triangleCount});

@@ -21,6 +21,7 @@
 #include "io/finite_results.h"
 #include "prelight/picture.h"
 #include "projectors/light_map/light_map_file.h"
+#include "scene/dropped_features.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
@@ -232,6 +233,15 @@ void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
   if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
 }
 
+/// Light maps follow rays, ambient occlusion knows no materials, and vector occluders have glass of their
+/// own.
+void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const BakeRequest& request) {
+  Warnings dropped;
+  if (request.carriesLight() || request.radiosity)
+    noteDroppedFeatures(loaded.scene, loaded.compiled, MaterialPath::Transfer, "baked transfer", dropped);
+  for (const std::string& warning : dropped) session.warn(warning);
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   checkMapOptions(command.bake.request);
   Session session(context);
@@ -242,6 +252,7 @@ void runBake(const BakeCommand& command, Context& context) {
   checkBakeOutputs(command);
   BakeRequest request = requestOf(command, session);
   readSky(command, loaded, session, request);
+  warnOfDroppedFeatures(session, loaded, request);
   const std::optional<std::size_t> animation = animationOf(session, command, loaded.scene);
 
   DeviceOptions deviceOptions = session.deviceOptions();

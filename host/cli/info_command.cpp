@@ -61,7 +61,7 @@ void printSize(const Console& console, const LoadedScene& loaded) {
   const glm::dvec3 size(loaded.compiled.boundsMax - loaded.compiled.boundsMin);
   console.line("size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
   if (const std::optional<UnitGuess> guess = unitOf(loaded))
-    console.line("unit", fmt::format("probably {}: {}; --scale {:.3g} makes metres of them", guess->unit,
+    console.line("unit", fmt::format("probably {}: {}; --scale {:g} makes metres of them", guess->unit,
                                      guess->reason, guess->scale));
 }
 

@@ -7,6 +7,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
+#include "scene/dropped_features.h"
 #include "viewer/live_follower.h"
 #include "viewer/window.h"
 
@@ -21,6 +22,17 @@ struct ViewCommand {
   int frames = 0;
 };
 
+/// The window may be switched to any shading.
+void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
+  Warnings dropped;
+  const auto note = [&](MaterialPath path, const char* who) {
+    noteDroppedFeatures(shaded.loaded.scene, shaded.loaded.compiled, path, who, dropped);
+  };
+  if (shaded.globalIllumination) note(MaterialPath::DrawnFull, "full shading");
+  note(MaterialPath::Drawn, shaded.globalIllumination ? "shading other than full" : "what the window shows");
+  for (const std::string& warning : dropped) session.warn(warning);
+}
+
 void runView(const ViewCommand& command, Context& context) {
   if (!command.screenshot.empty() && command.frames == 0)
     throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
@@ -31,6 +43,8 @@ void runView(const ViewCommand& command, Context& context) {
   });
   session.progress().check();
   if (shaded.run) printBakeSummary(session.console(), shaded.request, *shaded.run, session.times());
+
+  warnOfDroppedFeatures(session, shaded);
 
   viewer::ViewerOptions options;
   options.render = shaded.render;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace prelight {
 namespace {
@@ -42,7 +43,8 @@ std::optional<UnitGuess> guessUnit(const CompiledScene& scene, bool bends) {
        bends ? std::array{centimetres, millimetres} : std::array{millimetres, centimetres})
     if (size * unit.metres >= leastUsual && size * unit.metres <= (bends ? mostFigure : mostUsual))
       return UnitGuess{unit.name, unit.metres, reason};
-  return UnitGuess{"units of its own", 1.0 / size, reason + ", beyond any usual unit; 1 m is a guess"};
+  return UnitGuess{"units of its own", std::pow(10.0, -std::ceil(std::log10(size))),
+                   reason + ", beyond any usual unit"};
 }
 
 }  // namespace prelight
