@@ -98,7 +98,7 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   auto [sky, studio] =
       choosePictureSky(session, options.environment, options.lights.has_value(), false, loaded);
   checkOutputFile("-o", output, {".exr", ".png"});
-  if (studio && !options.camera) addStudioCamera(loaded, options.size.width, options.size.height);
+  if (studio && !options.camera) setUpStudio(session, loaded, options.size.width, options.size.height);
   const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
   GlobalIlluminationPictureRequest request = asked;
   request.height = options.size.height;

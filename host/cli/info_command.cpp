@@ -9,11 +9,13 @@
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
+#include "scene/inside_out.h"
 #include "scene/instancing.h"
 #include "scene/pose.h"
 #include "scene/unit_guess.h"
@@ -254,6 +256,8 @@ void runInfo(const InfoCommand& command, Context& context) {
     tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
   printSize(console, loaded);
+  if (const auto turned = insideOutPrimitives(loaded.scene, loaded.compiled); !turned.empty())
+    session.warn(insideOutText(loaded, turned));
   printChoices(console, loaded.scene);
   printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);

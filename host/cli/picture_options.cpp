@@ -293,7 +293,8 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
                                     carriesStaticLight(shaded.bake), shaded.loaded);
   shaded.environment = std::move(sky.map);
   shaded.studio = sky.studio;
-  if (sky.studio && !options.camera) addStudioCamera(shaded.loaded, options.size.width, options.size.height);
+  if (sky.studio && !options.camera)
+    setUpStudio(session, shaded.loaded, options.size.width, options.size.height);
   checkOutputs();
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 

@@ -6,7 +6,9 @@
 
 #include "cli/values.h"
 #include "images/pixels.h"
+#include "io/baked_file.h"
 #include "scene/framing.h"
+#include "scene/inside_out.h"
 #include "scene/light_sources.h"
 
 namespace prelight::cli {
@@ -17,6 +19,14 @@ constexpr const char* neutralName = "neutral";
 constexpr double widestAspect = 16.0 / 9.0;
 
 }  // namespace
+
+std::string insideOutText(const LoadedScene& loaded, const std::vector<std::uint32_t>& primitives) {
+  const PrimitiveRange& first = loaded.compiled.primitives[primitives.front()];
+  const std::string more =
+      primitives.size() > 1 ? fmt::format(" and {} more", primitives.size() - 1) : std::string();
+  return fmt::format("{}: node {} \"{}\"{}: a closed surface whose faces all look inwards is inside out",
+                     loaded.path.string(), first.node, first.name, more);
+}
 
 void addSkyOption(CLI::App& app, std::filesystem::path& sky, const char* help) {
   app.add_option("--env", sky,
@@ -58,8 +68,15 @@ PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked
   return {session.times().measure("sky", [] { return studioEnvironment(); }), true};
 }
 
-void addStudioCamera(LoadedScene& loaded, std::optional<int> width, int height) {
+void setUpStudio(Session& session, LoadedScene& loaded, std::optional<int> width, int height) {
   if (!loaded.scene.cameras.empty()) return;
+  if (!readRecordedChoice(loaded.document).baked) {
+    const std::vector<std::uint32_t> turned = insideOutPrimitives(loaded.scene, loaded.compiled);
+    if (!turned.empty()) {
+      session.warn(fmt::format("{}; turned for this picture", insideOutText(loaded, turned)));
+      turnFaces(turned, loaded.scene, loaded.compiled);
+    }
+  }
   const double aspect = width ? static_cast<double>(*width) / height : widestAspect;
   loaded.scene.cameras.push_back(frameModel(loaded.compiled, aspect));
 }

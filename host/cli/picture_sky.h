@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/session.h"
 #include "prelight/picture.h"
@@ -18,6 +20,9 @@ struct ExposureOption {
 
 /// --env: a file or the name of a built-in sky.
 void addSkyOption(CLI::App& app, std::filesystem::path& sky, const char* help);
+
+/// Says which primitives are inside out, of which there is at least one.
+std::string insideOutText(const LoadedScene& loaded, const std::vector<std::uint32_t>& primitives);
 
 /// --exposure.
 void addExposureOption(CLI::App& app, ExposureOption& option);
@@ -37,8 +42,9 @@ struct PictureSky {
 PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked, bool lightsAsked,
                             bool lightBaked, const LoadedScene& loaded);
 
-/// Gives a scene without cameras one that shows it large in a picture of this size.
-void addStudioCamera(LoadedScene& loaded, std::optional<int> width, int height);
+/// Prepares a scene without cameras for the studio: what is inside out and carries no bake is turned, which
+/// is said, and a camera added that shows the scene large in a picture of this size.
+void setUpStudio(Session& session, LoadedScene& loaded, std::optional<int> width, int height);
 
 /// Writes a picture: .exr as it is, .png with the exposure that was asked for or that suits it, which is said
 /// where it is not 1. Returns the exposure; none for an .exr.

@@ -180,7 +180,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
   requireTriangles(loaded);
   const auto [sky, studio] =
       choosePictureSky(session, command.environment, command.lights.has_value(), false, loaded);
-  if (studio && !command.camera) addStudioCamera(loaded, command.size.width, command.size.height);
+  if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
   checkOutputFile("-o", command.output, {".exr"});
 
   const reference::ReferenceInputs inputs{loaded.compiled,
