@@ -92,10 +92,14 @@ glm::vec3 placeOutside(const CompiledScene& scene, const std::vector<TriangleRan
   }
   if (!(middle.area > 0.0)) return center;
   if (const glm::dvec3 mean = middle.place / middle.area; isFree(mean)) return glm::vec3(mean);
-  const auto nearest =
-      std::min_element(outside.begin(), outside.end(), [&](const Sample& a, const Sample& b) {
-        return glm::distance(a.place, glm::dvec3(center)) < glm::distance(b.place, glm::dvec3(center));
-      });
+  // The first of the nearest: of places that are as near as each other rounding would choose.
+  constexpr double asNear = 1.05;
+  double least = 1e300;
+  for (const Sample& sample : outside)
+    least = std::min(least, glm::distance(sample.place, glm::dvec3(center)));
+  const auto nearest = std::find_if(outside.begin(), outside.end(), [&](const Sample& sample) {
+    return glm::distance(sample.place, glm::dvec3(center)) <= asNear * least;
+  });
   return glm::vec3(nearest->place);
 }
 
