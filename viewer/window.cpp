@@ -249,6 +249,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   LivePicture picture(renderer, options.render.samplesPerAxis);
   const Showing showing{options.frames,
                         options.exposure ? *options.exposure : meteredView(renderer, controls.view())};
+  if (!options.exposure && options.metered) options.metered(showing.exposure);
   runLoop(window.get(), controls, renderer, picture, follower, overlay, showing);
   if (!options.screenshotPath.empty()) {
     renderer.paceUpdates(false);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,7 @@ struct ViewerOptions {
   int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
   /// Factor of radiance in the window and in .png screenshots; none: metered from the first view.
   std::optional<double> exposure = 1.0;
+  std::function<void(double)> metered;   ///< is told the exposure that was metered; empty: nobody is
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };
 

@@ -100,10 +100,13 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
     session.times().measure("write",
                             [&] { writePicture(output, exposure ? exposed(picture, *exposure) : picture); });
   }
-  if (exposure && !option.factor && *exposure != 1.0)
-    session.console().note(
-        fmt::format("exposure {:g}, metered from the picture (--exposure N sets it)", *exposure));
+  if (exposure && !exposureAskedFor(option, studio)) noteExposure(session, *exposure);
   return exposure;
+}
+
+void noteExposure(Session& session, double exposure) {
+  session.console().note(
+      fmt::format("exposure {:g}, metered from the picture (--exposure N sets it)", exposure));
 }
 
 void addLook(nlohmann::ordered_json& report, bool studio, std::optional<double> exposure) {

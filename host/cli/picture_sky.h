@@ -54,6 +54,9 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
 /// What .png and windows are to show radiance with; none: what suits the picture.
 std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio);
 
+/// Says an exposure that was metered.
+void noteExposure(Session& session, double exposure);
+
 /// Adds to a report whether the picture is of the studio, and its exposure.
 void addLook(nlohmann::ordered_json& report, bool studio, std::optional<double> exposure);
 

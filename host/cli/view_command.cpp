@@ -52,17 +52,24 @@ void runView(const ViewCommand& command, Context& context) {
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
   options.exposure = exposureAskedFor(command.picture.exposure, shaded.studio);
+  std::optional<double> exposure = options.exposure;
+  options.metered = [&](double metered) {
+    exposure = metered;
+    noteExposure(session, metered);
+  };
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following)
     options.follower = &follower.emplace(*shaded.following->light, *shaded.globalIllumination);
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
-  session.console().json({{"command", "view"},
-                          {"version", PRELIGHT_VERSION},
-                          {"scene", command.picture.scene.string()},
-                          {"screenshot", command.screenshot.string()},
-                          {"stages", toJson(session.times())},
-                          {"warnings", session.warnings()}});
+  nlohmann::ordered_json report = {{"command", "view"},
+                                   {"version", PRELIGHT_VERSION},
+                                   {"scene", command.picture.scene.string()},
+                                   {"screenshot", command.screenshot.string()},
+                                   {"stages", toJson(session.times())},
+                                   {"warnings", session.warnings()}};
+  addLook(report, shaded.studio, exposure);
+  session.console().json(report);
 }
 
 }  // namespace
