@@ -157,8 +157,8 @@ void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
   for (; waiting_ > 0 && facesDrawn_ < mostFaces; --waiting_, ++facesDrawn_) {
     drawFace(next_, compiled, draw);
     next_ = (next_ + 1) % (faceCount * nodes_.size());
-    if (facesSeen_ >= faceCount * nodes_.size() || ++facesSeen_ < faceCount * nodes_.size()) continue;
-    // The second round shows what is rough in the first one's maps.
+    if (facesSeen_ >= faceCount * nodes_.size() || ++facesSeen_ % faceCount != 0) continue;
+    // The nodes that come next may show this one, which looks its map up blurred where it is rough.
     gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
     glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
   }
