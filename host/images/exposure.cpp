@@ -10,7 +10,8 @@ namespace {
 
 /// All but the brightest pixels are to be below white.
 constexpr double whiteShare = 0.98, white = 0.8;
-/// The log-average luminance that a picture is to have at least and at most (of the keys 0.09 to 0.72 of [1]).
+/// The log-average luminance that a picture is to have at least and at most (of the keys 0.09 to 0.72 of
+/// [1]).
 constexpr double darkest = 0.13, lightest = 0.5;
 
 // [1] Reinhard et al., "Photographic Tone Reproduction for Digital Images", 2002.

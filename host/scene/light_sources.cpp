@@ -17,7 +17,7 @@ bool hasLights(const CompiledScene& scene) {
 }
 
 bool onlyGlows(const CompiledScene& scene) {
-  constexpr double mostMean = 0.02;  // W/(m2 sr) over the whole surface
+  constexpr double mostMean = 0.1;  // W/(m2 sr) over the whole surface
   double light = 0.0, area = 0.0;
   for (const Light& lamp : scene.lights)
     if (shines(lamp.intensity)) return false;
