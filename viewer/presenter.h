@@ -11,9 +11,10 @@ class Presenter {
  public:
   Presenter();
 
-  /// Draws into framebuffer object `target` (0: the window) from its lower left corner, one pixel for
-  /// samplesPerAxis^2 samples.
-  void present(const gl::Framebuffer& samples, int samplesPerAxis, GLuint target) const;
+  /// Radiance is multiplied by `exposure`. Draws into framebuffer object `target` (0: the window) from its
+  /// lower left corner, one pixel for samplesPerAxis^2 samples.
+  void present(const gl::Framebuffer& samples, int samplesPerAxis, GLuint target,
+               float exposure = 1.0f) const;
 
  private:
   gl::Program program_;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "prelight/error.h"
-#include "viewer/dropped_features.h"
+#include "scene/dropped_features.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/renderer.h"
 #include "viewer/resolve.h"
@@ -69,7 +69,10 @@ Picture renderPicture(const RenderInputs& inputs, const RenderOptions& options, 
   const gl::EglContext context;
   Renderer renderer(inputs, options.lobe);
   renderer.describe(view, notes);
-  noteDroppedFeatures(inputs.scene, inputs.compiled, view.shading, notes);
+  noteDroppedFeatures(
+      inputs.scene, inputs.compiled,
+      view.shading == Shading::GlobalIllumination ? MaterialPath::DrawnFull : MaterialPath::Drawn,
+      std::string(shadingName(view.shading)) + " shading", notes);
   if (plan != nullptr && view.shading == Shading::GlobalIllumination) *plan = renderer.plan(view);
   return renderView(renderer, view, options.samplesPerAxis);
 }

@@ -94,7 +94,28 @@ void Surroundings::findNodes(const CompiledScene& compiled) {
   }
 }
 
+std::vector<TwoSidedBody> Surroundings::twoSidedBodies(const CompiledScene& compiled) const {
+  std::map<int, TwoSidedBody> found;
+  for (const Batch& batch : scene_.batches()) {
+    const Surface& surface = scene_.surfaces()[batch.surface];
+    if (!surface.material.doubleSided || surface.isBlended()) continue;
+    TwoSidedBody& body = found[batch.node];
+    body.node = batch.node;
+    body.triangles.push_back({batch.firstTriangle, batch.triangleCount});
+    for (std::uint32_t t = 0; t < batch.triangleCount; ++t)
+      for (int k = 0; k < 3; ++k) {
+        const glm::vec3& p = compiled.positions[compiled.triangles[batch.firstTriangle + t][k]];
+        body.lower = glm::min(body.lower, p);
+        body.upper = glm::max(body.upper, p);
+      }
+  }
+  std::vector<TwoSidedBody> bodies;
+  for (auto& [number, body] : found) bodies.push_back(std::move(body));
+  return bodies;
+}
+
 void Surroundings::place(const CompiledScene& compiled) {
+  const std::vector<TwoSidedBody> bodies = twoSidedBodies(compiled);
   for (Node& node : nodes_) {
     glm::vec3 lower(3e38f), upper(-3e38f);
     for (const Batch* batch : node.batches)
@@ -105,6 +126,13 @@ void Surroundings::place(const CompiledScene& compiled) {
           upper = glm::max(upper, p);
         }
     node.center = 0.5f * (lower + upper);
+    if (node.glass) continue;  // its inside is seen from there as well
+    std::vector<TriangleRange> own;
+    for (const Batch* batch : node.batches) own.push_back({batch->firstTriangle, batch->triangleCount});
+    std::vector<TwoSidedBody> others;
+    for (const TwoSidedBody& body : bodies)
+      if (body.node != node.node) others.push_back(body);
+    node.center = placeOutside(compiled, own, node.center, others);
   }
 }
 
@@ -129,6 +157,10 @@ void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
   for (; waiting_ > 0 && facesDrawn_ < mostFaces; --waiting_, ++facesDrawn_) {
     drawFace(next_, compiled, draw);
     next_ = (next_ + 1) % (faceCount * nodes_.size());
+    if (facesSeen_ >= faceCount * nodes_.size() || ++facesSeen_ % faceCount != 0) continue;
+    // The nodes that come next may show this one, which looks its map up blurred where it is rough.
+    gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
+    glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
   }
   gl::bind(surroundingsUnit, GL_TEXTURE_CUBE_MAP_ARRAY, cubes_);
   glGenerateMipmap(GL_TEXTURE_CUBE_MAP_ARRAY);
@@ -180,7 +212,8 @@ void Surroundings::set(const gl::Program& program, const Batch& batch) const {
   const auto found = std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& node) {
     return batch.node >= 0 && node.node == batch.node;
   });
-  const bool shown = found != nodes_.end();
+  const bool shown =
+      found != nodes_.end() && facesSeen_ >= faceCount * static_cast<std::size_t>(found - nodes_.begin() + 1);
   program.set("cube", shown ? static_cast<int>(found - nodes_.begin()) : -1);
   if (shown) program.set("cubeCenter", found->center);
 }

@@ -12,6 +12,7 @@
 #include "viewer/gl/framebuffer.h"
 #include "viewer/gl/program.h"
 #include "viewer/gl/texture.h"
+#include "viewer/outside_place.h"
 #include "viewer/render_scene.h"
 
 namespace prelight::viewer {
@@ -69,6 +70,7 @@ class Surroundings {
 
   void findNodes(const CompiledScene& compiled);
   void place(const CompiledScene& compiled);
+  std::vector<TwoSidedBody> twoSidedBodies(const CompiledScene& compiled) const;
   void drawFace(std::size_t face, const CompiledScene& compiled,
                 const std::function<void(const Face&, const gl::Framebuffer&)>& draw);
   void drawInside(std::size_t place, const CompiledScene& compiled);
@@ -79,7 +81,8 @@ class Surroundings {
   std::size_t facesDrawn_ = 0;
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;
-  bool placed_ = false;  ///< centres and insides are those of the scene
+  std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node shows the sky
+  bool placed_ = false;        ///< centres and insides are those of the scene
   std::unique_ptr<gl::Framebuffer> target_;
   std::unique_ptr<gl::Program> insideProgram_;
   gl::Object<gl::FramebufferTraits> copyTarget_;

@@ -4,7 +4,9 @@
 // After epoxy, whose declarations it takes.
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -171,8 +173,27 @@ std::vector<std::string> groupNames(const ViewerInputs& inputs) {
   return names;
 }
 
+/// How a window shows its pictures, and how many.
+struct Showing {
+  int frames = 0;
+  double exposure = 1.0;
+};
+
+/// The exposure that suits a view, from a small picture of it.
+double meteredView(Renderer& renderer, View view) {
+  constexpr int meteredHeight = 180;
+  view.width = std::max(1, static_cast<int>(std::int64_t{view.width} * meteredHeight / view.height));
+  view.height = meteredHeight;
+  return meteredExposure(renderView(renderer, view, 1));
+}
+
+void writeScreenshot(const std::filesystem::path& path, const Picture& picture, double exposure) {
+  writePicture(path, path.extension() == ".exr" ? picture : exposed(picture, exposure));
+}
+
 void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePicture& picture,
-             SceneFollower& follower, Overlay& overlay, int frames) {
+             SceneFollower& follower, Overlay& overlay, const Showing& showing) {
+  const int frames = showing.frames;
   const Presenter presenter;
   auto lastChange = Clock::now(), lastFrame = lastChange;
   std::size_t seen = controls.changes();
@@ -198,7 +219,7 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
     if (followed) picture.invalidate();
     const bool settled = std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime;
     picture.update(controls.view(), controls.changes(), settled);
-    presenter.present(picture.target(), picture.samples(), 0);
+    presenter.present(picture.target(), picture.samples(), 0, static_cast<float>(showing.exposure));
     overlay.draw(controls, picture.lastSeconds());
     glfwSwapBuffers(window);
     const auto now = Clock::now();
@@ -226,11 +247,14 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   Overlay overlay(window.get(), inputs.environment != nullptr);
   router.attach(overlay);
   LivePicture picture(renderer, options.render.samplesPerAxis);
-  runLoop(window.get(), controls, renderer, picture, follower, overlay, options.frames);
+  const Showing showing{options.frames,
+                        options.exposure ? *options.exposure : meteredView(renderer, controls.view())};
+  if (!options.exposure && options.metered) options.metered(showing.exposure);
+  runLoop(window.get(), controls, renderer, picture, follower, overlay, showing);
   if (!options.screenshotPath.empty()) {
     renderer.paceUpdates(false);
-    writePicture(options.screenshotPath,
-                 renderView(renderer, controls.view(), options.render.samplesPerAxis));
+    writeScreenshot(options.screenshotPath,
+                    renderView(renderer, controls.view(), options.render.samplesPerAxis), showing.exposure);
   }
   return 0;
 }

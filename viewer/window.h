@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "viewer/light_follower.h"
@@ -16,6 +18,9 @@ struct ViewerOptions {
   std::string title = "prelight";
   LightFollower* follower = nullptr;  ///< of global illumination; nullptr: its light stays as it is
   int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
+  /// Factor of radiance in the window and in .png screenshots; none: metered from the first view.
+  std::optional<double> exposure = 1.0;
+  std::function<void(double)> metered;   ///< is told the exposure that was metered; empty: nobody is
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };
 

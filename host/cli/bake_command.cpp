@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/option_names.h"
 #include "cli/output_file.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -20,6 +21,7 @@
 #include "io/finite_results.h"
 #include "prelight/picture.h"
 #include "projectors/light_map/light_map_file.h"
+#include "scene/dropped_features.h"
 #include "scene/gltf/glb_output.h"
 #include "scene/pose.h"
 #include "scene/vertex_surface.h"
@@ -96,7 +98,7 @@ void readSky(const BakeCommand& command, const LoadedScene& loaded, Session& ses
   if (command.environment.empty() && (request.radiosity || request.lightMap))
     request.radiosity.environment = loaded.sky;
   if (command.environment.empty()) return;
-  const Environment sky = readEnvironment(command.environment);
+  const Environment sky = readNamedSky(command.environment);
   if (request.radiosity || request.lightMap)
     request.radiosity.environment = std::make_shared<const Environment>(sky);
   else
@@ -231,6 +233,15 @@ void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
   if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
 }
 
+/// Light maps follow rays, ambient occlusion knows no materials, and vector occluders have glass of their
+/// own.
+void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const BakeRequest& request) {
+  Warnings dropped;
+  if (request.carriesLight() || request.radiosity)
+    noteDroppedFeatures(loaded.scene, loaded.compiled, MaterialPath::Transfer, "baked transfer", dropped);
+  for (const std::string& warning : dropped) session.warn(warning);
+}
+
 void runBake(const BakeCommand& command, Context& context) {
   checkMapOptions(command.bake.request);
   Session session(context);
@@ -241,6 +252,7 @@ void runBake(const BakeCommand& command, Context& context) {
   checkBakeOutputs(command);
   BakeRequest request = requestOf(command, session);
   readSky(command, loaded, session, request);
+  warnOfDroppedFeatures(session, loaded, request);
   const std::optional<std::size_t> animation = animationOf(session, command, loaded.scene);
 
   DeviceOptions deviceOptions = session.deviceOptions();
@@ -314,10 +326,9 @@ void addBakeCommand(CLI::App& program, Context& context) {
   addEffortOptions(*app, command->bake);
   addSceneOptions(*app, command->load);
   addAnimationOptions(*app, *command);
-  app->add_option("--env", command->environment,
-                  "sky of the radiosity and the light map; accepted for scripts besides, as transfer does "
-                  "not depend on it")
-      ->type_name("MAP");
+  addSkyOption(*app, command->environment,
+               "sky of the radiosity and the light map; accepted for scripts besides, as transfer does not "
+               "depend on it");
   app->add_option("--report", command->report, "write what the bake did")->type_name("FILE.json");
   app->add_flag("--resume", command->resume,
                 "go on with an interrupted bake of the same scene and options (OUT.glb.state)");

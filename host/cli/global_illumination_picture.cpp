@@ -95,12 +95,10 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   Bake none;
   poseScene(session, options.pose, loaded, none);
   requireTriangles(loaded);
-  std::optional<Environment> sky;
-  if (!options.environment.empty())
-    sky = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
-  else if (loaded.sky)
-    sky = *loaded.sky;
+  auto [sky, studio] =
+      choosePictureSky(session, options.environment, options.lights.has_value(), false, loaded);
   checkOutputFile("-o", output, {".exr", ".png"});
+  if (studio && !options.camera) setUpStudio(session, loaded, options.size.width, options.size.height);
   const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);
   GlobalIlluminationPictureRequest request = asked;
   request.height = options.size.height;
@@ -124,12 +122,11 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   });
   session.progress().clear();
   requireFinite(output, picture);
-  {
-    const StopSignals::Writing writing(session.signals());
-    session.times().measure("write", [&] { writePicture(output, picture); });
-  }
+  const std::optional<double> exposure = writeExposed(session, output, picture, options.exposure, studio);
   printSummary(request, made, output, session);
-  session.console().json(pictureReport(options, request, made, output, device.info(), session));
+  nlohmann::ordered_json report = pictureReport(options, request, made, output, device.info(), session);
+  addLook(report, studio, exposure);
+  session.console().json(report);
 }
 
 }  // namespace prelight::cli

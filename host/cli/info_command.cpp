@@ -9,13 +9,16 @@
 #include "cli/bake_options.h"
 #include "cli/baked_contents.h"
 #include "cli/commands.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
 #include "io/baked_file.h"
 #include "io/plan_json.h"
+#include "scene/inside_out.h"
 #include "scene/instancing.h"
 #include "scene/pose.h"
+#include "scene/unit_guess.h"
 
 namespace prelight::cli {
 namespace {
@@ -49,6 +52,19 @@ std::size_t countMorphTargets(const Scene& scene) {
   std::size_t count = 0;
   for (const Mesh& mesh : scene.meshes) count += mesh.weights.size();
   return count;
+}
+
+std::optional<UnitGuess> unitOf(const LoadedScene& loaded) {
+  return guessUnit(loaded.compiled, !loaded.scene.skins.empty() || countMorphTargets(loaded.scene) > 0);
+}
+
+void printSize(const Console& console, const LoadedScene& loaded) {
+  if (loaded.compiled.vertexCount() == 0) return;
+  const glm::dvec3 size(loaded.compiled.boundsMax - loaded.compiled.boundsMin);
+  console.line("size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
+  if (const std::optional<UnitGuess> guess = unitOf(loaded))
+    console.line("unit", fmt::format("probably {}: {}; --scale {:g} makes metres of them", guess->unit,
+                                     guess->reason, guess->scale));
 }
 
 Json contentsJson(const LoadedScene& loaded) {
@@ -97,6 +113,9 @@ Json contentsJson(const LoadedScene& loaded) {
     const glm::dvec3 low = compiled.origin + glm::dvec3(compiled.boundsMin);
     const glm::dvec3 high = compiled.origin + glm::dvec3(compiled.boundsMax);
     json["bounds"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+    const std::optional<UnitGuess> guess = unitOf(loaded);
+    json["unit"] = guess ? Json{{"guess", guess->unit}, {"scale", guess->scale}, {"reason", guess->reason}}
+                         : Json(nullptr);
   }
   return json;
 }
@@ -236,6 +255,9 @@ void runInfo(const InfoCommand& command, Context& context) {
   if (loaded.compiled.triangleCount() > 0 && (console.detailsWanted() || console.jsonWanted()))
     tree = reportTree(session, loaded.compiled);
   printContents(console, loaded);
+  printSize(console, loaded);
+  if (const auto turned = insideOutPrimitives(loaded.scene, loaded.compiled); !turned.empty())
+    session.warn(insideOutText(loaded, turned));
   printChoices(console, loaded.scene);
   printDeformations(console, loaded.scene);
   printAnimations(console, loaded.scene);

@@ -67,6 +67,11 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
   return request;
 }
 
+/// Whether a bake holds light that its scene had then, whatever gives light now.
+bool carriesStaticLight(const Bake& bake) {
+  return bake.irradiance || bake.lightMap || bake.lightGroups || !bake.encodedLight.empty();
+}
+
 /// Moves what a bake has into another.
 void mergeBake(Bake& into, Bake&& from) {
   if (!from.ao.empty()) {
@@ -234,7 +239,8 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addPictureSize(
       app, "--size", [&](PictureSize size) { options.size = size; },
       fmt::format("pixels; one number is the height (default {})", defaultHeight));
-  app.add_option("--env", options.environment, "sky: equirectangular .hdr or .exr")->type_name("MAP");
+  addSkyOption(app, options.environment, "sky");
+  addExposureOption(app, options.exposure);
   addRealNumber(
       app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { options.skyRotationDegrees = degrees; },
       "turn the sky by this many degrees, counter-clockwise seen from above")
@@ -283,10 +289,12 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   shaded.loaded = session.load(options.scene, options.load);
   shaded.bake = carriedBake(session, shaded.loaded);
   poseScene(session, options.pose, shaded.loaded, shaded.bake);
-  if (!options.environment.empty())
-    shaded.environment = session.times().measure("sky", [&] { return readEnvironment(options.environment); });
-  else if (shaded.loaded.sky)
-    shaded.environment = *shaded.loaded.sky;
+  PictureSky sky = choosePictureSky(session, options.environment, options.lights.has_value(),
+                                    carriesStaticLight(shaded.bake), shaded.loaded);
+  shaded.environment = std::move(sky.map);
+  shaded.studio = sky.studio;
+  if (sky.studio && !options.camera)
+    setUpStudio(session, shaded.loaded, options.size.width, options.size.height);
   checkOutputs();
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 

@@ -9,6 +9,7 @@
 #include "cli/bake_options.h"
 #include "cli/drawn_caustics.h"
 #include "cli/drawn_global_illumination.h"
+#include "cli/picture_sky.h"
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
@@ -32,6 +33,7 @@ struct PictureOptions {
   std::optional<int> camera;
   PictureSize size;
   double skyRotationDegrees = 0.0;
+  ExposureOption exposure;
   std::optional<std::vector<Light>> lights;
   std::vector<viewer::GroupFactor> groups;
   std::size_t haarTerms = 0;
@@ -51,6 +53,7 @@ struct ShadedScene {
   LoadedScene loaded;
   Bake bake;  ///< what the file carries and what was baked for the shading
   std::optional<Environment> environment;
+  bool studio = false;  ///< `environment` is the built-in one
   viewer::RenderOptions render;
   std::optional<BakeRun> run;    ///< when something was baked
   BakeRequest request;           ///< of `run`

@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/output_file.h"
+#include "cli/picture_sky.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -175,13 +176,11 @@ void traceResumably(const reference::ReferenceInputs& inputs, const Device& devi
 void runReference(const ReferenceCommand& command, Context& context) {
   Session session(context);
   checkMoment(command.load);
-  const LoadedScene loaded = session.load(command.scene, command.load);
+  LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
-  std::optional<Environment> sky;
-  if (!command.environment.empty())
-    sky = session.times().measure("sky", [&] { return readEnvironment(command.environment); });
-  else if (loaded.sky)
-    sky = *loaded.sky;
+  const auto [sky, studio] =
+      choosePictureSky(session, command.environment, command.lights.has_value(), false, loaded);
+  if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
   checkOutputFile("-o", command.output, {".exr"});
 
   const reference::ReferenceInputs inputs{loaded.compiled,
@@ -255,7 +254,7 @@ void addViewOptions(CLI::App& app, ReferenceCommand& command) {
   addPictureSize(
       app, "--size", [&](PictureSize size) { command.size = size; },
       fmt::format("pixels; one number is the height (default {})", referenceHeight));
-  app.add_option("--env", command.environment, "sky: equirectangular .hdr or .exr")->type_name("MAP");
+  addSkyOption(app, command.environment, "sky");
   addRealNumber(
       app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { command.skyRotationDegrees = degrees; },
       "turn the sky by this many degrees, counter-clockwise seen from above")

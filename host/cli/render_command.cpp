@@ -72,10 +72,8 @@ void runRender(const RenderCommand& command, Context& context) {
   plan.insert(plan.end(), drawn.begin(), drawn.end());
   session.progress().check();
   requireFinite(command.output, picture);
-  {
-    const StopSignals::Writing writing(context.signals);
-    session.times().measure("write", [&] { writePicture(command.output, picture); });
-  }
+  const std::optional<double> exposure =
+      writeExposed(session, command.output, picture, command.picture.exposure, shaded.studio);
 
   for (const std::string& note : notes) session.console().note(note);
   const Console& console = session.console();
@@ -86,7 +84,9 @@ void runRender(const RenderCommand& command, Context& context) {
   console.line("wrote", fmt::format("{}: {}x{}, {} shading, in {}", command.output.string(), picture.width,
                                     picture.height, viewer::shadingName(shaded.render.shading),
                                     shortSeconds(session.times().total())));
-  console.json(renderReport(command, shaded, session, notes, plan));
+  nlohmann::ordered_json report = renderReport(command, shaded, session, notes, plan);
+  addLook(report, shaded.studio, exposure);
+  console.json(report);
 }
 
 }  // namespace

@@ -12,6 +12,10 @@ void addSceneOptions(CLI::App& app, LoadOptions& options) {
                  "materials of this variant (KHR_materials_variants; default: the one that was baked, else "
                  "the file's own)")
       ->type_name("NAME");
+  addRealNumber(
+      app, "--scale", {1e-9, 1e9}, [&](double scale) { options.scale = scale; },
+      "makes the scene so many times as large, as 0.001 where it is in millimetres")
+      ->type_name("X");
 }
 
 CLI::Option* addMomentOption(CLI::App& app, LoadOptions& options) {

@@ -6,7 +6,7 @@
 
 namespace prelight::cli {
 
-/// --scene and --variant.
+/// --scene, --variant and --scale.
 void addSceneOptions(CLI::App& app, LoadOptions& options);
 
 /// --at, the moment that the scene is loaded in.

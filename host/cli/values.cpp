@@ -85,14 +85,17 @@ CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::u
   return app.add_option_function<std::string>(name, read, help)->type_name("N");
 }
 
+double parseRealNumber(const std::string& option, const std::string& text, Range<double> range,
+                       const char* otherwise) {
+  const auto value = parse<double>(text);
+  if (!value || !contains(range, *value))
+    refuse(option, text, fmt::format("a number from {:g} to {:g}{}", range.min, range.max, otherwise));
+  return *value;
+}
+
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
                            const std::function<void(double)>& store, const std::string& help) {
-  const auto read = [=](const std::string& text) {
-    const auto value = parse<double>(text);
-    if (!value || !contains(range, *value))
-      refuse(name, text, fmt::format("a number from {:g} to {:g}", range.min, range.max));
-    store(*value);
-  };
+  const auto read = [=](const std::string& text) { store(parseRealNumber(name, text, range)); };
   return app.add_option_function<std::string>(name, read, help)->type_name("X");
 }
 

@@ -23,6 +23,11 @@ struct Range {
 CLI::Option* addWholeNumber(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                             const std::function<void(std::uint64_t)>& store, const std::string& help);
 
+/// The number that the whole text spells. Throws CLI::ValidationError naming the option and the range, and
+/// after them `otherwise`, what else it takes (", or auto").
+double parseRealNumber(const std::string& option, const std::string& text, Range<double> range,
+                       const char* otherwise = "");
+
 CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double> range,
                            const std::function<void(double)>& store, const std::string& help);
 

@@ -7,6 +7,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
+#include "scene/dropped_features.h"
 #include "viewer/live_follower.h"
 #include "viewer/window.h"
 
@@ -21,6 +22,17 @@ struct ViewCommand {
   int frames = 0;
 };
 
+/// The window may be switched to any shading.
+void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
+  Warnings dropped;
+  const auto note = [&](MaterialPath path, const char* who) {
+    noteDroppedFeatures(shaded.loaded.scene, shaded.loaded.compiled, path, who, dropped);
+  };
+  if (shaded.globalIllumination) note(MaterialPath::DrawnFull, "full shading");
+  note(MaterialPath::Drawn, shaded.globalIllumination ? "shading other than full" : "what the window shows");
+  for (const std::string& warning : dropped) session.warn(warning);
+}
+
 void runView(const ViewCommand& command, Context& context) {
   if (!command.screenshot.empty() && command.frames == 0)
     throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
@@ -32,22 +44,32 @@ void runView(const ViewCommand& command, Context& context) {
   session.progress().check();
   if (shaded.run) printBakeSummary(session.console(), shaded.request, *shaded.run, session.times());
 
+  warnOfDroppedFeatures(session, shaded);
+
   viewer::ViewerOptions options;
   options.render = shaded.render;
   options.title = "prelight: " + command.picture.scene.filename().string();
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
+  options.exposure = exposureAskedFor(command.picture.exposure, shaded.studio);
+  std::optional<double> exposure = options.exposure;
+  options.metered = [&](double metered) {
+    exposure = metered;
+    noteExposure(session, metered);
+  };
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following)
     options.follower = &follower.emplace(*shaded.following->light, *shaded.globalIllumination);
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
-  session.console().json({{"command", "view"},
-                          {"version", PRELIGHT_VERSION},
-                          {"scene", command.picture.scene.string()},
-                          {"screenshot", command.screenshot.string()},
-                          {"stages", toJson(session.times())},
-                          {"warnings", session.warnings()}});
+  nlohmann::ordered_json report = {{"command", "view"},
+                                   {"version", PRELIGHT_VERSION},
+                                   {"scene", command.picture.scene.string()},
+                                   {"screenshot", command.screenshot.string()},
+                                   {"stages", toJson(session.times())},
+                                   {"warnings", session.warnings()}};
+  addLook(report, shaded.studio, exposure);
+  session.console().json(report);
 }
 
 }  // namespace

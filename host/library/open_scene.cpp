@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/baked_file.h"
+#include "io/baked_strip.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/load_sky.h"
 #include "scene/gltf/loader.h"
+#include "scene/gltf/scale_document.h"
 #include "scene/pose.h"
 
 namespace prelight {
@@ -85,6 +88,20 @@ void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice
   }
 }
 
+void scaleAsAsked(GltfDocument& document, double scale, RecordedChoice& recorded, Warnings& warnings) {
+  if (scale == 1.0) return;
+  if (!(scale > 0.0) || !std::isfinite(scale))
+    throw UsageError(fmt::format("LoadOptions::scale {}", scale), "expected a finite number above 0");
+  if (recorded.baked) {
+    warnings.push_back(
+        fmt::format("{}: what it carries was baked of the scene in its own size and is left out",
+                    document.path.string()));
+    stripBake(document);
+    recorded.baked = false;
+  }
+  scaleDocument(document, scale);
+}
+
 }  // namespace
 
 OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const LoadOptions& options,
@@ -94,7 +111,8 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
     opened.document = read(warnings);
     steps.progress().check();
     chooseScene(opened.document, options.scene);
-    const RecordedChoice recorded = readRecordedChoice(opened.document);
+    RecordedChoice recorded = readRecordedChoice(opened.document);
+    scaleAsAsked(opened.document, options.scale, recorded, warnings);
     const std::string variant = chooseVariant(opened.document, options, recorded, warnings);
     opened.scene = loadScene(opened.document, warnings, variant);
     poseAsChosen(opened.scene, options, recorded);

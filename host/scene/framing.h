@@ -22,6 +22,11 @@ BoundingSphere boundingSphere(const CompiledScene& scene);
 /// in the picture at every aspect >= 1, and near and far enclose it. Works for an empty scene, too.
 Camera frameCamera(const CompiledScene& scene);
 
+/// A camera that shows all vertices of a model as large as a picture of `aspect` (width / height) lets them
+/// be, with a margin: a longer lens than frameCamera's, three-quarter view, from higher up where the model is
+/// flat. Near and far enclose the scene. Works for an empty scene, too.
+Camera frameModel(const CompiledScene& scene, double aspect);
+
 /// Width in pixels that fits the camera's aspect at a height; 16:9 when the camera leaves it to the picture.
 int pictureWidth(const Camera& camera, int height);
 

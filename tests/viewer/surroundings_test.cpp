@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "charts/make_light_map_layout.h"
@@ -34,8 +35,23 @@ struct Ball {
   QuadScene quad;
   GlobalIllumination globalIllumination;
 
+  enum class Around : std::uint8_t { Nothing, Room, Floor, AnotherBall };
+
   /// A ball of `segments` x 2 `segments` quads at `center` that the eye sees from inside the room.
-  explicit Ball(const Material& material, const glm::vec3& center, bool room, int segments = 48) {
+  explicit Ball(const Material& material, const glm::vec3& center, Around around, int segments = 48) {
+    addBall(material, center, segments);
+    if (around == Around::Room) addRoom();
+    if (around == Around::Floor) addFloor();
+    if (around == Around::AnotherBall) addBall(material, center + glm::vec3(1.3f, 0, 0), segments);
+    quad.lookFrom(eye(), {0, 0, 0});
+    quad.compile();
+    LightMapLayoutRequest request;
+    request.texels = 500;
+    globalIllumination.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
+    globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
+  }
+
+  void addBall(const Material& material, const glm::vec3& center, int segments) {
     Primitive& ball = quad.add(material);
     const CompiledScene sphere = test::sphere(segments, static_cast<float>(ballRadius), center);
     ball.positions = sphere.positions;
@@ -43,13 +59,18 @@ struct Ball {
     for (const glm::vec3& p : sphere.positions) ball.normals.push_back(glm::normalize(p - center));
     ball.triangles = sphere.triangles;
     ball.texCoords0.clear();
-    if (room) addRoom();
-    quad.lookFrom(eye(), {0, 0, 0});
-    quad.compile();
-    LightMapLayoutRequest request;
-    request.texels = 500;
-    globalIllumination.indirect.layout = makeLightMapLayout(quad.scene, quad.compiled, request);
-    globalIllumination.indirect.values.assign(3 * globalIllumination.indirect.layout.texelCount(), 0.0f);
+  }
+
+  /// A two-sided box that ends at height 0.05.
+  void addFloor() {
+    Material black = lambertian(glm::vec3(0.0f));
+    black.doubleSided = true;
+    Primitive& floor = quad.add(black);
+    const CompiledScene box = test::box(1, {-2, -2, -2}, {2, 0.05f, 2}, false);
+    floor.positions = box.positions;
+    floor.normals = box.normals;
+    floor.triangles = box.triangles;
+    floor.texCoords0.clear();
   }
 
   static glm::dvec3 eye() { return {0.3, 0.5, 1.9}; }
@@ -151,7 +172,7 @@ Comparison compare(const Ball& ball, const glm::dvec3& center, double least, con
 
 TEST(Surroundings, MirrorBallUnderASky_ShowsTheSkyItself) {
   const Environment sky = halvedSky();
-  Ball ball(mirror(), glm::vec3(0.0f), false);
+  Ball ball(mirror(), glm::vec3(0.0f), Ball::Around::Nothing);
   ball.quad.setSky(sky);
   const Comparison result =
       compare(ball, glm::dvec3(0.0), 0.1, [&](const auto&, const auto& n, const auto& way, double& margin) {
@@ -163,9 +184,36 @@ TEST(Surroundings, MirrorBallUnderASky_ShowsTheSkyItself) {
   EXPECT_EQ(result.wrong, 0);
 }
 
+/// Its middle lies in the floor, from where all is black.
+TEST(Surroundings, MirrorBallSunkInATwoSidedFloor_ShowsTheSkyAboveIt) {
+  const Environment sky = halvedSky();
+  Ball ball(mirror(), glm::vec3(0.0f), Ball::Around::Floor);
+  ball.quad.setSky(sky);
+  const Comparison result = compare(ball, glm::dvec3(0.0), 0.15,
+                                    [&](const auto& point, const auto& n, const auto& way, double& margin) {
+                                      const glm::dvec3 w = glm::reflect(way, n);
+                                      margin = point.y > 0.1 ? std::min(std::abs(w.x), w.y) : 0.0;
+                                      return glm::dvec3(w.x > 0.0 ? 1.0 : 0.0, w.x < 0.0 ? 1.0 : 0.0, 1.0);
+                                    });
+  EXPECT_GT(result.compared, 200);
+  EXPECT_LE(result.wrong, 0.01 * result.compared);
+}
+
+/// Lossless balls under an even sky look like the sky, also where they show one another.
+TEST(Surroundings, RoughBallsThatShowOneAnother_HaveNoBlackBlots) {
+  Material rough = mirror();
+  rough.roughness = 0.3f;
+  Ball balls(rough, glm::vec3(0.0f), Ball::Around::AnotherBall);
+  balls.quad.setSky(constantEnvironment(glm::vec3(1.0f)));
+  const Picture picture = balls.render();
+  float least = 1e9f;
+  for (const glm::vec3& pixel : picture.pixels) least = std::min(least, pixel.y);
+  EXPECT_GT(least, 0.9f);
+}
+
 TEST(Surroundings, MirrorBallInARoom_ShowsWhatRaysMeet) {
   const glm::dvec3 center(-0.4, 0.2, -0.3);
-  const Ball ball(mirror(), glm::vec3(center), true);
+  const Ball ball(mirror(), glm::vec3(center), Ball::Around::Room);
   const Comparison result =
       compare(ball, center, 0.12, [&](const auto& point, const auto& n, const auto& way, double& margin) {
         return wallSeen(point, glm::reflect(way, n), margin);
@@ -183,7 +231,7 @@ TEST(Surroundings, GlassBallInARoom_ReflectsAndRefractsTwice) {
   glass.transmission = 1.0f;
   glass.thickness = 1.0f;
   glass.ior = 1.5f;
-  const Ball ball(glass, glm::vec3(center), true);
+  const Ball ball(glass, glm::vec3(center), Ball::Around::Room);
   const Comparison result =
       compare(ball, center, 0.15, [&](const auto& point, const auto& n, const auto& way, double& margin) {
         const double cosine = glm::dot(n, -way);
@@ -201,7 +249,7 @@ TEST(Surroundings, GlassBallInARoom_ReflectsAndRefractsTwice) {
 }
 
 TEST(Surroundings, StillScene_DrawsThemOnceAndAfterSlowChangesAFaceAtATime) {
-  const Ball ball(mirror(), glm::vec3(0.0f), true);
+  const Ball ball(mirror(), glm::vec3(0.0f), Ball::Around::Room);
   const viewer::RenderInputs inputs = ball.inputs();
   viewer::RenderOptions options = square(Shading::GlobalIllumination, 32);
   options.samplesPerAxis = 1;

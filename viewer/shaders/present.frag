@@ -2,6 +2,7 @@
 // Shows a supersampled picture of linear radiance: box filter, then the display transform of host/include/prelight/picture.h.
 uniform sampler2D picture;
 uniform int samplesPerAxis;
+uniform float exposure;
 
 out vec4 outColor;
 
@@ -28,6 +29,6 @@ void main() {
   for (int y = 0; y < samplesPerAxis; ++y) {
     for (int x = 0; x < samplesPerAxis; ++x) sum += texelFetch(picture, corner + ivec2(x, y), 0).rgb;
   }
-  vec3 color = clamp(sum / float(samplesPerAxis * samplesPerAxis), vec3(0.0), vec3(1e6));
+  vec3 color = clamp(exposure * (sum / float(samplesPerAxis * samplesPerAxis)), vec3(0.0), vec3(1e6));
   outColor = vec4(encodeSrgb(clamp(pbrNeutral(color), 0.0, 1.0)), 1.0);
 }

@@ -36,7 +36,10 @@ struct LoadOptions {
   std::string scene = {};    ///< name or number; empty: the file's default scene
   std::string variant = {};  ///< of the materials (KHR_materials_variants); empty: what was baked, or none
   std::optional<double> at = {};  ///< s, moment to pose the scene at; none: what was baked, or rest
-  std::string animation = {};     ///< name or number of the one that has the moment; empty: the first
+  /// Makes the scene so many times as large, > 0 and finite: 0.001 for a file in millimetres. What save()
+  /// writes is as large, and what was baked of the file in its own size is left out.
+  double scale = 1.0;
+  std::string animation = {};  ///< name or number of the one that has the moment; empty: the first
 };
 
 /// Reads a .gltf or .glb with all that it names. Throws InputError naming the file and the JSON path of what

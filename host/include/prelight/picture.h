@@ -38,6 +38,16 @@ Picture readPicture(const std::filesystem::path& path);
 /// encoding. Negative and NaN channels count as 0.
 glm::vec3 toneMap(const glm::vec3& radiance);
 
+/// Bounds of an exposure, a factor of radiance.
+constexpr double leastExposure = 1e-9, mostExposure = 1e9;
+
+/// The exposure at which a picture shows well: 98 % of its lit pixels are below white, and their log-average
+/// is neither black nor white. Has three digits. 1 for a black picture; depends on the pixels alone.
+double meteredExposure(const Picture& picture);
+
+/// A picture whose radiance is multiplied by an exposure, for .png; 1 leaves it as it is.
+Picture exposed(Picture picture, double exposure);
+
 /// A decoded picture: RGBA, 8 bits a channel, rows top to bottom, values as stored in the file
 /// (colour textures are sRGB-encoded). An unreadable image is replaced by one white texel and a warning.
 struct Image {
@@ -64,5 +74,9 @@ Environment readEnvironment(const std::filesystem::path& path);
 
 /// A sky of one radiance everywhere.
 Environment constantEnvironment(const glm::vec3& radiance);
+
+/// A photographer's studio for models that bring no light along: soft boxes above, at the left, at the right
+/// and behind, pale walls and a darker floor. Made by a formula (docs/conventions.md, "Sky").
+Environment studioEnvironment();
 
 }  // namespace prelight

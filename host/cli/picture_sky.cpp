@@ -1,0 +1,117 @@
+#include "cli/picture_sky.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "cli/values.h"
+#include "images/pixels.h"
+#include "io/baked_file.h"
+#include "scene/framing.h"
+#include "scene/inside_out.h"
+#include "scene/light_sources.h"
+
+namespace prelight::cli {
+namespace {
+
+constexpr const char* studioName = "studio";
+constexpr const char* neutralName = "neutral";
+constexpr double widestAspect = 16.0 / 9.0;
+
+}  // namespace
+
+std::string insideOutText(const LoadedScene& loaded, const std::vector<std::uint32_t>& primitives) {
+  const PrimitiveRange& first = loaded.compiled.primitives[primitives.front()];
+  const std::string more =
+      primitives.size() > 1 ? fmt::format(" and {} more", primitives.size() - 1) : std::string();
+  return fmt::format("{}: node {} \"{}\"{}: a closed surface whose faces all look inwards is inside out",
+                     loaded.path.string(), first.node, first.name, more);
+}
+
+void addSkyOption(CLI::App& app, std::filesystem::path& sky, const char* help) {
+  app.add_option("--env", sky,
+                 fmt::format("{}: equirectangular .hdr or .exr, or the built-in {} or {} (radiance 1)", help,
+                             studioName, neutralName))
+      ->type_name("MAP");
+}
+
+void addExposureOption(CLI::App& app, ExposureOption& option) {
+  app.add_option_function<std::string>(
+         "--exposure",
+         [&](const std::string& text) {
+           option.automatic = text == "auto";
+           if (option.automatic) return;
+           option.factor = parseRealNumber("--exposure", text, {leastExposure, mostExposure}, ", or auto");
+         },
+         "factor of radiance in .png and windows, or auto: metered from the picture (default: auto in the "
+         "studio, else 1)")
+      ->type_name("N|auto");
+}
+
+Environment readNamedSky(const std::filesystem::path& nameOrFile) {
+  if (nameOrFile == studioName) return studioEnvironment();
+  if (nameOrFile == neutralName) return constantEnvironment(glm::vec3(1.0f));
+  return readEnvironment(nameOrFile);
+}
+
+PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked, bool lightsAsked,
+                            bool lightBaked, const LoadedScene& loaded) {
+  if (!asked.empty())
+    return {session.times().measure("sky", [&] { return readNamedSky(asked); }), asked == studioName};
+  if (loaded.sky) return {*loaded.sky, false};
+  const bool glows = onlyGlows(loaded.compiled);
+  if (lightsAsked || lightBaked || (hasLights(loaded.compiled) && !glows)) return {};
+  session.console().note(
+      fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map is "
+                  "another sky, --light none leaves the studio out)",
+                  glows ? "only a faint glow" : "nothing emissive", neutralName));
+  return {session.times().measure("sky", [] { return studioEnvironment(); }), true};
+}
+
+void setUpStudio(Session& session, LoadedScene& loaded, std::optional<int> width, int height) {
+  if (!loaded.scene.cameras.empty()) return;
+  if (!readRecordedChoice(loaded.document).baked) {
+    const std::vector<std::uint32_t> turned = insideOutPrimitives(loaded.scene, loaded.compiled);
+    if (!turned.empty()) {
+      session.warn(fmt::format("{}; turned for this picture", insideOutText(loaded, turned)));
+      turnFaces(turned, loaded.scene, loaded.compiled);
+    }
+  }
+  const double aspect = width ? static_cast<double>(*width) / height : widestAspect;
+  loaded.scene.cameras.push_back(frameModel(loaded.compiled, aspect));
+}
+
+std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio) {
+  if (option.automatic || (studio && !option.factor)) return std::nullopt;
+  return option.factor.value_or(1.0);
+}
+
+std::optional<double> writeExposed(Session& session, const std::filesystem::path& output,
+                                   const Picture& picture, const ExposureOption& option, bool studio) {
+  std::optional<double> exposure;
+  if (lowerExtension(output) != ".exr") {
+    const std::optional<double> asked = exposureAskedFor(option, studio);
+    exposure = asked ? *asked : meteredExposure(picture);
+  } else if (option.factor || option.automatic) {
+    session.warn("--exposure: an .exr holds radiance as it is; only .png and windows are exposed");
+  }
+  {
+    const StopSignals::Writing writing(session.signals());
+    session.times().measure("write",
+                            [&] { writePicture(output, exposure ? exposed(picture, *exposure) : picture); });
+  }
+  if (exposure && !exposureAskedFor(option, studio)) noteExposure(session, *exposure);
+  return exposure;
+}
+
+void noteExposure(Session& session, double exposure) {
+  session.console().note(
+      fmt::format("exposure {:g}, metered from the picture (--exposure N sets it)", exposure));
+}
+
+void addLook(nlohmann::ordered_json& report, bool studio, std::optional<double> exposure) {
+  report["studio"] = studio;
+  report["exposure"] = exposure ? nlohmann::ordered_json(*exposure) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace prelight::cli

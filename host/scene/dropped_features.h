@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "prelight/compiled_scene.h"
+#include "prelight/error.h"
+#include "prelight/scene.h"
+
+namespace prelight {
+
+/// Ways from materials to pictures that leave features out. What follows rays (reference, full, photons,
+/// light maps) leaves out none.
+enum class MaterialPath : std::uint8_t {
+  DrawnFull,  ///< full shading in OpenGL
+  Drawn,      ///< all other shadings in OpenGL
+  Transfer,   ///< bakes of transfer and radiosity
+};
+constexpr std::size_t materialPathCount = 3;
+
+/// A feature of materials and who leaves it out: the table of docs/materials.md.
+struct DroppedFeature {
+  const char* what;
+  bool (*has)(const CompiledMaterial&);
+  bool droppedBy[materialPathCount];  ///< [MaterialPath]
+};
+
+std::span<const DroppedFeature> droppedFeatures();
+
+/// A warning for each feature that a path leaves out of materials of the scene's triangles, naming them.
+/// `path` is named by `who` ("sh shading", "the bake").
+void noteDroppedFeatures(const Scene& scene, const CompiledScene& compiled, MaterialPath path,
+                         const std::string& who, Warnings& notes);
+
+}  // namespace prelight

@@ -1,0 +1,124 @@
+// The camera and the units of models that come without.
+#include "scene/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/light_sources.h"
+#include "scene/unit_guess.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+CompiledScene boxScene(const glm::vec3& half) {
+  CompiledScene scene = test::box(1, -half, half, false);
+  scene.boundsMin = -half;
+  scene.boundsMax = half;
+  scene.origin = {10.0, -20.0, 30.0};
+  return scene;
+}
+
+/// The largest |x| and |y| of a scene's vertices in the picture, of 1, and the smallest depth.
+glm::dvec3 extent(const CompiledScene& scene, const Camera& camera, double aspect) {
+  const glm::dmat4 toCamera = glm::inverse(camera.world);
+  const double tangent = std::tan(0.5 * camera.yFov);
+  glm::dvec3 most(0.0, 0.0, 1e300);
+  for (const glm::vec3& position : scene.positions) {
+    const glm::dvec3 p(toCamera * glm::dvec4(scene.origin + glm::dvec3(position), 1.0));
+    most.x = std::max(most.x, std::abs(p.x) / (-p.z * tangent * aspect));
+    most.y = std::max(most.y, std::abs(p.y) / (-p.z * tangent));
+    most.z = std::min(most.z, -p.z);
+  }
+  return most;
+}
+
+TEST(FrameModel, AnyBoxAtAnySize_FillsThePictureWithAMargin) {
+  for (const double size : {1e-4, 1.0, 1e5})
+    for (const glm::vec3& shape :
+         {glm::vec3(1), glm::vec3(1, 0.01f, 1), glm::vec3(0.01f, 1, 0.01f), glm::vec3(9, 1, 1)})
+      for (const double aspect : {0.4, 1.0, 16.0 / 9.0, 4.0}) {
+        const CompiledScene scene = boxScene(shape * static_cast<float>(size));
+        const Camera camera = frameModel(scene, aspect);
+        const glm::dvec3 most = extent(scene, camera, aspect);
+        EXPECT_NEAR(std::max(most.x, most.y), 0.86, 0.02) << size << " " << aspect;
+        EXPECT_GT(most.z, 0.0);
+        EXPECT_LT(camera.zNear, most.z);
+        EXPECT_GT(camera.zNear, 0.01 * most.z);
+      }
+}
+
+TEST(FrameModel, FlatModel_IsSeenFromHigherUp) {
+  const auto rise = [](const glm::vec3& half) { return frameModel(boxScene(half), 1.0).world[2].y; };
+  EXPECT_NEAR(rise(glm::vec3(1)), 0.36, 0.01);
+  EXPECT_GT(rise({1, 0.01f, 1}), 0.55);
+}
+
+TEST(FrameModel, EmptySceneOrPoint_IsFinite) {
+  CompiledScene point;
+  point.positions = {glm::vec3(0.0f)};
+  for (const CompiledScene& scene : {CompiledScene(), point}) {
+    const Camera camera = frameModel(scene, 1.5);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r) EXPECT_TRUE(std::isfinite(camera.world[c][r]));
+    EXPECT_GT(camera.world[3].z, 0.0);
+  }
+}
+
+TEST(UnitGuess, UsualSizes_AreMetres) {
+  for (const float half : {0.01f, 0.5f, 20.0f, 200.0f})
+    EXPECT_FALSE(guessUnit(boxScene(glm::vec3(half)), false).has_value()) << half;
+  EXPECT_FALSE(guessUnit(boxScene(glm::vec3(0.9f)), true).has_value());
+  EXPECT_FALSE(guessUnit(CompiledScene(), false).has_value());
+}
+
+TEST(UnitGuess, LargeParts_AreMillimetresAndLargeFiguresCentimetres) {
+  const auto part = guessUnit(boxScene(glm::vec3(900, 100, 100)), false);
+  ASSERT_TRUE(part);
+  EXPECT_EQ(part->unit, "millimetres");
+  EXPECT_EQ(part->scale, 0.001);
+  EXPECT_NE(part->reason.find("1800 m"), std::string::npos) << part->reason;
+  const auto figure = guessUnit(boxScene(glm::vec3(30, 90, 20)), true);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->scale, 0.01);
+}
+
+TEST(UnitGuess, FarBeyondAnyUnit_IsScaledToMetres) {
+  for (const float half : {1e-4f, 1e7f}) {
+    const auto guess = guessUnit(boxScene(glm::vec3(half)), false);
+    ASSERT_TRUE(guess) << half;
+    EXPECT_GE(2.0 * half * guess->scale, 0.01);
+    EXPECT_LE(2.0 * half * guess->scale, 1000.0);
+  }
+}
+
+TEST(OnlyGlows, SmallDimTextures_AreNoLight) {
+  CompiledScene scene = test::box(10, glm::vec3(-1), glm::vec3(1), false);
+  EXPECT_FALSE(onlyGlows(scene));  // nothing glows
+  CompiledMaterial glow = scene.materials.front();
+  glow.emissionTexture.image = 0;
+  glow.emissionFactor = glm::vec3(1.0f);
+  glow.emission = glm::vec3(0.3f);
+  scene.materials.push_back(glow);
+  scene.triangleMaterials[0] = static_cast<std::uint32_t>(scene.materials.size() - 1);
+  EXPECT_TRUE(onlyGlows(scene));
+  scene.materials.back().emissionFactor = glm::vec3(5.0f);  // a lamp
+  EXPECT_FALSE(onlyGlows(scene));
+  scene.materials.back().emissionFactor = glm::vec3(1.0f);
+  scene.materials.back().emissionTexture.image = -1;  // all of the surface
+  EXPECT_FALSE(onlyGlows(scene));
+  scene.materials.back().emissionTexture.image = 0;
+  std::fill(scene.triangleMaterials.begin(), scene.triangleMaterials.end(), scene.triangleMaterials[0]);
+  EXPECT_FALSE(onlyGlows(scene));  // everywhere
+  scene.triangleMaterials.assign(scene.triangleMaterials.size(), 0);
+  scene.triangleMaterials[0] = static_cast<std::uint32_t>(scene.materials.size() - 1);
+  Light lamp;
+  lamp.intensity = glm::vec3(1.0f);
+  scene.lights = {lamp};
+  EXPECT_FALSE(onlyGlows(scene));
+}
+
+}  // namespace
+}  // namespace prelight

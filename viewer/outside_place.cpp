@@ -1,0 +1,106 @@
+#include "viewer/outside_place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace prelight::viewer {
+namespace {
+
+constexpr std::uint32_t mostSamples = 48;  ///< of a node's surface
+
+/// Directions along no edge that anybody would model.
+const std::array<glm::dvec3, 3> probeDirections = {
+    {{0.5773, 0.6461, 0.4992}, {-0.7352, 0.2113, 0.6441}, {0.1287, -0.8219, -0.5549}}};
+
+/// Whether a ray meets a triangle ahead (Moeller and Trumbore 1997).
+bool meets(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& from,
+           const glm::dvec3& direction) {
+  const glm::uvec3& corners = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[corners.x]);
+  const glm::dvec3 ab = glm::dvec3(scene.positions[corners.y]) - a;
+  const glm::dvec3 ac = glm::dvec3(scene.positions[corners.z]) - a;
+  const glm::dvec3 across = glm::cross(direction, ac);
+  const double determinant = glm::dot(ab, across);
+  if (determinant == 0.0) return false;
+  const glm::dvec3 away = from - a;
+  const double u = glm::dot(away, across) / determinant;
+  const glm::dvec3 turned = glm::cross(away, ab);
+  const double v = glm::dot(direction, turned) / determinant;
+  return u >= 0.0 && v >= 0.0 && u + v < 1.0 && glm::dot(ac, turned) / determinant > 0.0;
+}
+
+bool crossesOddly(const CompiledScene& scene, const TwoSidedBody& body, const glm::dvec3& from,
+                  const glm::dvec3& direction) {
+  bool odd = false;
+  for (const TriangleRange& range : body.triangles)
+    for (std::uint32_t t = 0; t < range.count; ++t)
+      odd = odd != meets(scene, range.first + t, from, direction);
+  return odd;
+}
+
+struct Sample {
+  glm::dvec3 place;
+  double area;
+};
+
+/// Centroids of triangles, evenly over their numbers.
+std::vector<Sample> samplesOf(const CompiledScene& scene, const std::vector<TriangleRange>& own) {
+  std::uint32_t count = 0;
+  for (const TriangleRange& range : own) count += range.count;
+  const std::uint32_t step = std::max(1u, count / mostSamples);
+  std::vector<Sample> samples;
+  for (const TriangleRange& range : own)
+    for (std::uint32_t t = 0; t < range.count; t += step) {
+      const glm::uvec3& corners = scene.triangles[range.first + t];
+      glm::dvec3 sum(0.0);
+      for (int k = 0; k < 3; ++k) sum += glm::dvec3(scene.positions[corners[k]]);
+      samples.push_back({sum / 3.0, 0.5 * glm::length(geometricNormal(scene, range.first + t))});
+    }
+  return samples;
+}
+
+}  // namespace
+
+bool liesWithin(const CompiledScene& scene, const TwoSidedBody& body, const glm::vec3& point) {
+  if (glm::any(glm::lessThan(point, body.lower)) || glm::any(glm::greaterThan(point, body.upper)))
+    return false;
+  int odd = 0;
+  for (const glm::dvec3& direction : probeDirections)
+    odd += crossesOddly(scene, body, glm::dvec3(point), direction) ? 1 : 0;
+  return odd >= 2;
+}
+
+glm::vec3 placeOutside(const CompiledScene& scene, const std::vector<TriangleRange>& own,
+                       const glm::vec3& center, const std::vector<TwoSidedBody>& bodies) {
+  std::vector<const TwoSidedBody*> around;
+  for (const TwoSidedBody& body : bodies)
+    if (liesWithin(scene, body, center)) around.push_back(&body);
+  if (around.empty()) return center;
+  const auto isFree = [&](const glm::dvec3& place) {
+    return std::none_of(around.begin(), around.end(),
+                        [&](const TwoSidedBody* body) { return liesWithin(scene, *body, glm::vec3(place)); });
+  };
+  std::vector<Sample> outside;
+  Sample middle{glm::dvec3(0.0), 0.0};
+  for (const Sample& sample : samplesOf(scene, own)) {
+    if (!isFree(sample.place)) continue;
+    outside.push_back(sample);
+    middle.place += sample.area * sample.place;
+    middle.area += sample.area;
+  }
+  if (!(middle.area > 0.0)) return center;
+  if (const glm::dvec3 mean = middle.place / middle.area; isFree(mean)) return glm::vec3(mean);
+  // The first of the nearest: of places that are as near as each other rounding would choose.
+  constexpr double asNear = 1.05;
+  double least = 1e300;
+  for (const Sample& sample : outside)
+    least = std::min(least, glm::distance(sample.place, glm::dvec3(center)));
+  const auto nearest = std::find_if(outside.begin(), outside.end(), [&](const Sample& sample) {
+    return glm::distance(sample.place, glm::dvec3(center)) <= asNear * least;
+  });
+  return glm::vec3(nearest->place);
+}
+
+}  // namespace prelight::viewer
