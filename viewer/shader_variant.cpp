@@ -36,6 +36,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasDirectionalLights",
                                                          "hasPointLights",
                                                          "hasSpotLights",
+                                                         "hasProfiledLights",
                                                          "hasEmitterLights"};
 
 std::string constant(const char* type, const char* name, const std::string& value) {

@@ -43,10 +43,11 @@ enum class Feature : int {
   DirectionalLights,
   PointLights,
   SpotLights,
+  ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
 };
 
-constexpr int featureCount = 28;
+constexpr int featureCount = 29;
 
 class Features {
  public:

@@ -31,6 +31,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
 ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights) {
   ShadeFeatures f;
   f.punctual = !lights.punctual.empty();
+  f.profiles = !lights.profiles.empty();
   f.emitters = !lights.emitters.empty();
   f.sky = !lights.sky.empty();
   const std::vector<bool> used = usedMaterials(scene);
@@ -41,6 +42,7 @@ ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& l
 
 BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
   return options.defineIf(f.punctual, "PRELIGHT_PUNCTUAL")
+      .defineIf(f.profiles, "PRELIGHT_PROFILES")
       .defineIf(f.emitters, "PRELIGHT_EMITTERS")
       .defineIf(f.sky, "PRELIGHT_SKY")
       .defineIf(f.glass, "PRELIGHT_GLASS")

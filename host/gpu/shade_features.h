@@ -9,6 +9,7 @@ namespace prelight {
 /// What a scene needs of the kernels that follow light (kernels/transport): they are built with no more.
 struct ShadeFeatures {
   bool punctual = false;
+  bool profiles = false;  ///< of punctual lights
   bool emitters = false;
   bool sky = false;
   bool glass = false;

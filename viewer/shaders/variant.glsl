@@ -33,4 +33,5 @@ const bool hasSkyMap = true;
 const bool hasDirectionalLights = true;
 const bool hasPointLights = true;
 const bool hasSpotLights = true;
+const bool hasProfiledLights = true;
 const bool hasEmitterLights = true;
