@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 double uneven(double height, double turn) {
   return 0.2 + std::pow(std::max(std::cos(height), 0.0), 6.0) * (3.0 + 2.0 * std::cos(turn)) +
-         (height > 2.0 ? 0.7 + 0.5 * std::sin(3.0 * turn) : 0.0);
+         std::pow(std::max(-std::cos(height), 0.0), 2.0) * (0.7 + 0.5 * std::sin(3.0 * turn));
 }
 
 struct Emitted {

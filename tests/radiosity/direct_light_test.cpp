@@ -45,8 +45,8 @@ TEST(DirectLight, LampWithAProfile_ShinesByIt) {
   direct.setLights(lights);
   for (const float x : {0.0f, 1.0f, 4.0f}) {
     const std::array<device::Receiver, 1> places = {lookingUp({x, 1e-3f, 0})};
-    const double cosine = 2.0 / std::hypot(double(x), 2.0);
-    EXPECT_NEAR(direct.at(places)[0].far.x, 0.75 * std::pow(cosine, 4.0), 3e-4);
+    const double height = 2.0 - 1e-3, cosine = height / std::hypot(double(x), height);
+    EXPECT_NEAR(direct.at(places)[0].far.x, 3.0 / (height * height) * std::pow(cosine, 4.0), 3e-4);
   }
 }
 

@@ -64,7 +64,7 @@ TEST(ProfileShading, Full_IsTheSame) {
     dark.indirect.values.assign(3 * dark.indirect.layout.texelCount(), 0.0f);
     viewer::RenderInputs inputs = quad.inputs();
     inputs.globalIllumination = &dark;
-    viewer::RenderOptions options = square(Shading::GlobalIllumination, 64);
+    viewer::RenderOptions options = square(Shading::GlobalIllumination, 65);
     options.samplesPerAxis = 1;
     Warnings notes;
     const auto expected = static_cast<float>(radianceAtCentre(light));
