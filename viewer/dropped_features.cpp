@@ -12,17 +12,16 @@ namespace {
 
 struct Droppable {
   const char* what;
-  bool inFull;  ///< rasterised full shading leaves it out as well
   bool (*has)(const CompiledMaterial&);
 };
 
 constexpr std::array<Droppable, 6> droppables = {
-    {{"clear coats", false, [](const CompiledMaterial& m) { return m.clearcoat.factor > 0.0f; }},
-     {"sheen", false, [](const CompiledMaterial& m) { return hasSheen(m); }},
-     {"anisotropy", false, [](const CompiledMaterial& m) { return isAnisotropic(m); }},
-     {"iridescence", false, [](const CompiledMaterial& m) { return hasFilm(m); }},
-     {"dispersion", true, [](const CompiledMaterial& m) { return isGlass(m) && m.dispersion > 0.0f; }},
-     {"KHR_materials_specular of glass", true,
+    {{"clear coats", [](const CompiledMaterial& m) { return m.clearcoat.factor > 0.0f; }},
+     {"sheen", [](const CompiledMaterial& m) { return hasSheen(m); }},
+     {"anisotropy", [](const CompiledMaterial& m) { return isAnisotropic(m); }},
+     {"iridescence", [](const CompiledMaterial& m) { return hasFilm(m); }},
+     {"dispersion", [](const CompiledMaterial& m) { return isGlass(m) && m.dispersion > 0.0f; }},
+     {"KHR_materials_specular of glass",
       [](const CompiledMaterial& m) { return isSpecularGlass(m) && m.specular > 0.0f; }}}};
 
 std::string nameOf(const Scene& scene, std::size_t material) {
@@ -44,10 +43,10 @@ std::string namesOf(const Scene& scene, const std::vector<std::size_t>& material
 
 void noteDroppedFeatures(const Scene& scene, const CompiledScene& compiled, Shading shading,
                          Warnings& notes) {
+  if (shading == Shading::GlobalIllumination) return;
   std::vector<bool> drawn(compiled.materials.size(), false);
   for (const std::uint32_t material : compiled.triangleMaterials) drawn[material] = true;
   for (const Droppable& droppable : droppables) {
-    if (shading == Shading::GlobalIllumination && !droppable.inFull) continue;
     std::vector<std::size_t> having;
     for (std::size_t i = 0; i < drawn.size(); ++i)
       if (drawn[i] && droppable.has(compiled.materials[i])) having.push_back(i);

@@ -34,6 +34,7 @@ enum class Feature : int {
   LayerTextures,  ///< those have textures
   Anisotropy,     ///< rough reflections are wider one way
   Film,           ///< a thin film colours them
+  Dispersion,     ///< glass refracts by wavelength
   Surroundings,   ///< what lies around is reflected
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
@@ -47,7 +48,7 @@ enum class Feature : int {
   EmitterLights,
 };
 
-constexpr int featureCount = 29;
+constexpr int featureCount = 30;
 
 class Features {
  public:

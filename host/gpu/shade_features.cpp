@@ -12,6 +12,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.glass = f.glass || isGlass(m);
   f.layers = f.layers || hasLayers(m);
   f.film = f.film || hasFilm(m);
+  f.filmGlass = f.filmGlass || (hasFilm(m) && isGlass(m));
   f.dispersion = f.dispersion || (isGlass(m) && m.dispersion > 0.0f);
   f.specularGlass = f.specularGlass || isSpecularGlass(m);
   f.anisotropic = f.anisotropic || isAnisotropic(m);
@@ -49,6 +50,7 @@ BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
       .defineIf(f.roughGlass, "PRELIGHT_ROUGH_GLASS")
       .defineIf(f.layers, "PRELIGHT_LAYERS")
       .defineIf(f.film, "PRELIGHT_FILM")
+      .defineIf(f.filmGlass, "PRELIGHT_FILM_GLASS")
       .defineIf(f.dispersion, "PRELIGHT_DISPERSION")
       .defineIf(f.specularGlass, "PRELIGHT_SPECULAR_GLASS")
       .defineIf(f.anisotropic, "PRELIGHT_ANISOTROPY")

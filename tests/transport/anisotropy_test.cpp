@@ -7,6 +7,7 @@
 
 #include "transport/bsdf_probe.h"
 #include "transport/chi_square.h"
+#include "transport/sampler_checks.h"
 
 // Rough lobes that are wider one way than the other (KHR_materials_anisotropy).
 namespace prelight::test {
@@ -57,38 +58,10 @@ TEST_P(Anisotropy, SurfaceThatAbsorbsNothing_ReflectsAllLight) {
     }
 }
 
-TEST_P(Anisotropy, Reflection_IsReciprocal) {
-  std::vector<glm::vec4> a, b;
-  for (int i = 0; i < 4000; ++i) {
-    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
-    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
-  }
-  const Probed there = surface_.probe(a, b), back = surface_.probe(b, a);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double f = there.total(i) / double(b[i].z), g = back.total(i) / double(a[i].z);
-    EXPECT_NEAR(f, g, 3e-4 * (1e-3 + std::abs(f))) << i;
-    EXPECT_GE(f, 0.0);
-  }
-}
+TEST_P(Anisotropy, Reflection_IsReciprocal) { expectReciprocity(surface_, 3e-4); }
 
 TEST_P(Anisotropy, Samples_WeighTheirValueByTheirDensity) {
-  for (const double cosine : {1.0, 0.5, 0.1}) {
-    const glm::vec4 wo = directionOf(cosine, 0.9);
-    std::vector<ProbedSample> samples;
-    std::vector<glm::vec4> wi;
-    for (const ProbedSample& drawn : surface_.sample(wo, 4000)) {
-      if (!drawn.goesOn()) continue;
-      samples.push_back(drawn);
-      wi.push_back(drawn.direction);
-    }
-    ASSERT_GT(samples.size(), 2000u);
-    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
-    for (std::size_t i = 0; i < wi.size(); ++i) {
-      EXPECT_NEAR(samples[i].density, probed.densities[i], 1e-4f * probed.densities[i]);
-      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
-                  2e-4 * probed.total(i));
-    }
-  }
+  expectSamplesToWeighTheirValue(surface_, 0.9, 1e-4, 2000);
 }
 
 TEST_P(Anisotropy, Sampling_FollowsItsDensity) {

@@ -24,6 +24,7 @@ const bool hasTopLayers = true;
 const bool hasLayerTextures = true;
 const bool hasAnisotropy = true;
 const bool hasFilm = true;
+const bool hasDispersion = true;
 const bool hasSurroundings = true;
 const bool hasVertexColors = true;
 const bool hasCharts = true;
