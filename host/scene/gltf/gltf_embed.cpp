@@ -176,7 +176,8 @@ void embedProfiles(GltfDocument& document, Warnings& warnings) {
   const auto profilesOf = [&]() -> nlohmann::ordered_json* {
     const auto extensions = document.json.find("extensions");
     if (extensions == document.json.end() || !extensions->contains("EXT_lights_ies")) return nullptr;
-    return &(*extensions)["EXT_lights_ies"]["lights"];
+    nlohmann::ordered_json& extension = (*extensions)["EXT_lights_ies"];
+    return extension.contains("lights") ? &extension["lights"] : nullptr;
   };
   if (profilesOf() == nullptr) return;
   const GltfUse use = findUse(document.json);
