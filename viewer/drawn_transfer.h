@@ -57,6 +57,7 @@ enum Unit : GLuint {
   anisotropyUnit = 28,      ///< shaders/anisotropy.glsl
   filmUnit = 29,            ///< shaders/scattering.glsl
   filmThicknessUnit = 30,   ///< the same
+  profilesUnit = 31,        ///< shaders/lights.glsl
 };
 
 /// A value a vertex.

@@ -9,13 +9,15 @@ namespace prelight::viewer {
 namespace {
 
 LightBlock pack(const ShadedLight& light) {
+  const bool profiled = light.kind == LightKind::Profiled;
   return {
       glm::vec4(light.position, static_cast<float>(light.kind)),
       glm::vec4(light.direction,
                 light.kind == LightKind::Emitter ? light.area : light.leastDistance * light.leastDistance),
       glm::vec4(light.intensity, light.range),
-      glm::vec4(light.coneScale, light.coneOffset, light.throughTransfer ? 1.0f : 0.0f,
-                light.twoSided ? 1.0f : 0.0f)};
+      glm::vec4(profiled ? light.profileStart : light.coneScale,
+                profiled ? static_cast<float>(light.profileEntry) : light.coneOffset,
+                light.throughTransfer ? 1.0f : 0.0f, light.twoSided ? 1.0f : 0.0f)};
 }
 
 }  // namespace

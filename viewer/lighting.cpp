@@ -6,6 +6,7 @@
 
 #include "base/luminance.h"
 #include "basis/sh.h"
+#include "scene/light_profile.h"
 
 namespace prelight::viewer {
 namespace {
@@ -66,7 +67,7 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
       result.kind = LightKind::Directional;
       break;
     case LightType::Point:
-      result.kind = LightKind::Point;
+      result.kind = light.profile != nullptr ? LightKind::Profiled : LightKind::Point;
       break;
     case LightType::Spot:
       result.kind = LightKind::Spot;
@@ -78,15 +79,24 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
       result.coneOffset = static_cast<float>(-outer * scale);
       break;
   }
+  if (light.profile != nullptr) {
+    result.profile = light.profile;
+    result.aim = light.direction;
+    result.side = light.side;
+    result.direction = profilePole(light);
+    result.profileStart = profileTurn(light);
+  }
   result.throughTransfer = result.kind == LightKind::Directional || outsideBounds(result.position, scene);
   return result;
 }
 
 device::OccluderLight occluderLight(const ShadedLight& light) {
+  glm::dvec3 intensity(light.intensity);
+  if (light.profile != nullptr) intensity *= profilePower(*light.profile) / (4.0 * std::numbers::pi);
   device::OccluderLight result =
-      occluderPointLight(glm::dvec3(light.position), glm::dvec3(light.intensity), light.leastDistance);
+      occluderPointLight(glm::dvec3(light.position), intensity, light.leastDistance);
   for (int i = 0; i < 3; ++i) result.direction[i] = light.direction[i];
-  result.kind = static_cast<float>(light.kind);
+  result.kind = static_cast<float>(light.kind == LightKind::Profiled ? LightKind::Point : light.kind);
   if (light.kind == LightKind::Emitter) result.extent = light.area;
   result.range = light.range;
   result.coneScale = light.coneScale;
@@ -96,7 +106,17 @@ device::OccluderLight occluderLight(const ShadedLight& light) {
 }
 
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
-  return prelight::incidentFrom(occluderLight(light), point);
+  if (light.profile == nullptr) return prelight::incidentFrom(occluderLight(light), point);
+  ShadedLight even = light;
+  even.kind = LightKind::Point;
+  even.profile = nullptr;
+  IncidentLight incident = prelight::incidentFrom(occluderLight(even), point);
+  Light lamp;
+  lamp.profile = light.profile;
+  lamp.direction = light.aim;
+  lamp.side = light.side;
+  incident.irradiance *= profileTowards(lamp, -incident.toLight);
+  return incident;
 }
 
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@
 /// - emissive triangles become samples: discs of area A and radiance L that give
 ///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
 ///   next to a sample;
+/// - a light with a profile is a point light whose intensity that multiplies (transport/profile_funcs.cl);
 /// - through transfer in SH or CH a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of
 ///   order n are multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the
 ///   ringing behind shadow edges and keeps an open surface that faces the light within 5 % from order 4 on
@@ -24,7 +26,7 @@
 namespace prelight::viewer {
 
 /// Types of lights as the shaders number them.
-enum class LightKind : std::uint8_t { Directional = 0, Point = 1, Spot = 2, Emitter = 3 };
+enum class LightKind : std::uint8_t { Directional = 0, Point = 1, Spot = 2, Emitter = 3, Profiled = 4 };
 
 /// A light in scene coordinates (world minus CompiledScene::origin).
 struct ShadedLight {
@@ -35,7 +37,11 @@ struct ShadedLight {
   float range = 0.0f;                      ///< metres; 0: infinite
   float coneScale = 0.0f;                  ///< spot: clamp(cos * scale + offset, 0, 1)^2
   float coneOffset = 1.0f;
-  float area = 0.0f;            ///< emitter: m2
+  std::shared_ptr<const LightProfile> profile = {};  ///< multiplies the intensity; `direction` is its pole
+  glm::dvec3 aim{0.0}, side{0.0};                    ///< of a profile: those of the Light
+  float profileStart = 0.0f;                         ///< the same: profileTurn()
+  std::size_t profileEntry = 0;                      ///< the same: of PackedProfiles
+  float area = 0.0f;                                 ///< emitter: m2
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
   bool twoSided = false;        ///< emitter
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
@@ -60,7 +66,7 @@ constexpr int maxGlossyOrder = 8;
 
 ShadedLight shadedLight(const Light& light, const CompiledScene& scene);
 
-/// As kernels and shaders of vector occluders take it.
+/// As kernels and shaders of vector occluders take it: of a profile, its mean.
 device::OccluderLight occluderLight(const ShadedLight& light);
 
 /// What a light sends to a point of the scene, scene coordinates: perpendicularIrradiance() of

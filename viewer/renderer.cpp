@@ -33,6 +33,7 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
+  if (!lights_.profiles().empty()) profiles_ = gl::makeBufferTexture(lights_.profiles(), "profiles of lamps");
   gl::check("preparing the renderer");
 }
 
@@ -96,8 +97,10 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   variant.lights = fewLights(lights);
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
-    features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot);
+    features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot ||
+                                           light.kind == LightKind::Profiled);
     features.add(Feature::SpotLights, light.kind == LightKind::Spot);
+    features.add(Feature::ProfiledLights, light.kind == LightKind::Profiled);
     features.add(Feature::EmitterLights, light.kind == LightKind::Emitter);
   }
   return variant;
@@ -219,6 +222,7 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(cornerTangentsUnit, GL_TEXTURE_BUFFER, scene_.tangents());
   gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
   gl::bind(albedosUnit, GL_TEXTURE_BUFFER, scene_.albedos());
+  if (profiles_) gl::bind(profilesUnit, GL_TEXTURE_BUFFER, profiles_->texture);
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }
 

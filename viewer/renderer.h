@@ -11,6 +11,7 @@
 #include "viewer/drawn_sky.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
+#include "viewer/gl/texture.h"
 #include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
 #include "viewer/render_scene.h"
@@ -137,7 +138,8 @@ class Renderer {
   std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
   std::unique_ptr<Surroundings> surroundings_;
   std::optional<Illumination> surroundedBy_;
-  bool surroundedCoarsely_ = false;  ///< with the shadows of a draft
+  std::optional<gl::BufferTexture> profiles_;  ///< of lamps that have such
+  bool surroundedCoarsely_ = false;            ///< with the shadows of a draft
   bool paced_ = false;
   ViewLights lights_;
   DrawnSky sky_;

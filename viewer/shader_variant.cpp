@@ -27,6 +27,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasLayerTextures",
                                                          "hasAnisotropy",
                                                          "hasFilm",
+                                                         "hasDispersion",
                                                          "hasSurroundings",
                                                          "hasVertexColors",
                                                          "hasCharts",
@@ -36,6 +37,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasDirectionalLights",
                                                          "hasPointLights",
                                                          "hasSpotLights",
+                                                         "hasProfiledLights",
                                                          "hasEmitterLights"};
 
 std::string constant(const char* type, const char* name, const std::string& value) {
@@ -97,6 +99,7 @@ Features featuresOf(const Surface& surface) {
                    surface.has(TextureSlot::SheenRoughness));
   features.add(Feature::Anisotropy, m.anisotropy.strength > 0.0f);
   features.add(Feature::Film, m.iridescence.factor > 0.0f && m.iridescence.thicknessMaximum > 0.0f);
+  features.add(Feature::Dispersion, glass && m.dispersion > 0.0f && m.thickness > 0.0f && m.ior > 0.0f);
   features.add(Feature::Surroundings, surface.showsSurroundings);
   return features;
 }

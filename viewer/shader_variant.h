@@ -34,6 +34,7 @@ enum class Feature : int {
   LayerTextures,  ///< those have textures
   Anisotropy,     ///< rough reflections are wider one way
   Film,           ///< a thin film colours them
+  Dispersion,     ///< glass refracts by wavelength
   Surroundings,   ///< what lies around is reflected
   VertexColors,
   Charts,  ///< transfer of light maps beside that of vertices
@@ -43,10 +44,11 @@ enum class Feature : int {
   DirectionalLights,
   PointLights,
   SpotLights,
+  ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
 };
 
-constexpr int featureCount = 28;
+constexpr int featureCount = 30;
 
 class Features {
  public:

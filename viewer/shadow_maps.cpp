@@ -78,6 +78,7 @@ ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledSc
       frame.views = 1;
       break;
     case LightKind::Point:
+    case LightKind::Profiled:
       frame.views = 6;
       break;
     case LightKind::Spot: {

@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 31> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 32> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -45,7 +45,8 @@ void prepare(const gl::Program& program) {
        {"sheenRoughnessTexture", sheenRoughnessUnit},
        {"anisotropyTexture", anisotropyUnit},
        {"filmTexture", filmUnit},
-       {"filmThicknessTexture", filmThicknessUnit}}};
+       {"filmThicknessTexture", filmThicknessUnit},
+       {"profiles", profilesUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

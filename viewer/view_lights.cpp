@@ -1,6 +1,7 @@
 #include "viewer/view_lights.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace prelight::viewer {
 namespace {
@@ -9,7 +10,25 @@ constexpr int draftEmitterSamples = 4;
 
 }  // namespace
 
-ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene) { sample(); }
+ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene) {
+  sample();
+  for (const Light& light : scene.lights)
+    if (light.profile != nullptr) profiles_.add(light);
+}
+
+/// A profile that is not the scene's counts with its mean.
+ShadedLight ViewLights::shaded(const Light& light) const {
+  ShadedLight result = shadedLight(light, *scene_);
+  if (light.profile == nullptr) return result;
+  if (const auto entry = profiles_.entryOf(light)) {
+    result.profileEntry = *entry;
+    return result;
+  }
+  result.kind = LightKind::Point;
+  result.intensity *= static_cast<float>(profilePower(*light.profile) / (4.0 * std::numbers::pi));
+  result.profile = nullptr;
+  return result;
+}
 
 void ViewLights::setScene(const CompiledScene& scene) {
   scene_ = &scene;
@@ -36,7 +55,7 @@ void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {
 
 std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky) {
   std::vector<ShadedLight> lights, samples;
-  for (const Light& light : view.lights) lights.push_back(shadedLight(light, *scene_));
+  for (const Light& light : view.lights) lights.push_back(shaded(light));
   if (view.shading == Shading::GlobalIllumination) {
     if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_);
     samples = samples_->of(view.emitters, sky, view.skyRotation);

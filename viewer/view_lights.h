@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "scene/light_profile.h"
 #include "viewer/light_samples.h"
 #include "viewer/lighting.h"
 #include "viewer/view_state.h"
@@ -24,13 +25,18 @@ class ViewLights {
   /// illumination has samples of it.
   std::vector<ShadedLight> of(const View& view, const Environment* sky);
 
+  /// Of the scene's own lights, packed.
+  const std::vector<glm::vec4>& profiles() const { return profiles_.texels(); }
+
   /// Leaves fewer samples of emissive surfaces, which are all the samples that `lights` holds.
   void thinOut(std::vector<ShadedLight>& lights) const;
 
  private:
   void sample();
+  ShadedLight shaded(const Light& light) const;
 
   const CompiledScene* scene_;
+  PackedProfiles profiles_;
   std::vector<ShadedLight> emitters_, draftEmitters_;
   std::unique_ptr<LightSamples> samples_;  ///< once they are needed
 };

@@ -1,6 +1,7 @@
 #include "bake/baker.h"
 #include "prelight/picture.h"
 #include "projectors/registry/plannings.h"
+#include "scene/light_profile.h"
 
 namespace prelight {
 
@@ -30,6 +31,7 @@ std::uint64_t hashOf(const CompiledScene& scene) {
     hash.value(light.innerConeAngle).value(light.outerConeAngle);
     for (int c = 0; c < 3; ++c)
       hash.value(light.intensity[c]).value(light.position[c]).value(light.direction[c]);
+    if (light.profile != nullptr) addProfile(light, hash);
   }
   for (const PrimitiveRange& range : scene.primitives) hash.text(range.name).value(range.node);
   for (const Image& image : scene.images) hash.value(image.width).value(image.height).values(image.rgba);

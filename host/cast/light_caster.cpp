@@ -50,6 +50,7 @@ LightCaster::LightCaster(const CompiledScene& scene, const GroupedLights& lights
   values_ = Buffer<float>(device_, std::size_t{blockSize} * layout_.groupCount * 3 * valueCount_);
   auto options = tracer.surfaceOptions()
                      .defineIf(!lights.tables.punctual.empty(), "PRELIGHT_PUNCTUAL")
+                     .defineIf(!lights.tables.profiles.empty(), "PRELIGHT_PROFILES")
                      .defineIf(hasEmitters_, "PRELIGHT_EMITTERS")
                      .defineIf(incidentOrder > 0, "PRELIGHT_INCIDENT");
   addIncidentOrder(options, incidentOrder);

@@ -87,13 +87,15 @@ glm::vec3 over(const glm::vec3& intensity, const glm::vec3& color) {
   return factor;
 }
 
-void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t group, GroupedLights& out) {
+void addPunctual(const CompiledScene& scene, const Source& source, std::uint32_t group,
+                 std::vector<const Light*>& shining, GroupedLights& out) {
   for (const std::size_t i : source.lights) {
     std::vector<device::PunctualLight>& lights = out.tables.punctual;
     out.rays.push_back({group, static_cast<std::uint32_t>(lights.size()), {}, 0, 0, 0});
     lights.push_back(deviceLight(scene.lights[i], scene));
     const glm::vec3 factor = over(scene.lights[i].intensity, source.color);
     for (int c = 0; c < 3; ++c) lights.back().intensity[c] = factor[c];
+    shining.push_back(&scene.lights[i]);
   }
 }
 
@@ -131,12 +133,14 @@ GroupedLights groupLights(const CompiledScene& scene, const std::vector<LightGro
       std::count_if(groups.begin(), groups.end(), [](const Source& g) { return !g.triangles.empty(); }));
   const std::uint32_t samples =
       std::clamp(emitterSamples / std::max(1u, withEmitters), leastSamples, mostSamples);
+  std::vector<const Light*> shining;
   for (const Source& group : groups) {
     const auto index = static_cast<std::uint32_t>(out.groups.size());
     out.groups.push_back({group.name, group.color});
-    addPunctual(scene, group, index, out);
+    addPunctual(scene, group, index, shining, out);
     addEmissive(scene, group, index, samples, out);
   }
+  addProfiles(shining, out.tables);
   return out;
 }
 

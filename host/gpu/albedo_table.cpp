@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "gpu/film_table.h"
 #include "shared/albedo_types.h"
 
 namespace prelight {
@@ -126,9 +127,27 @@ double fresnel(double cosine, double eta) {
   return 0.5 * (s * s + p * p);
 }
 
+/// As glassReflectances() of kernels/transport/glass_funcs.cl, of the largest channel; eta: ior beyond over
+/// that here.
+double reflectedBy(const GlassSurface& s, double cosine, double eta) {
+  const double bare = eta > 0.0 ? fresnel(cosine, eta) : 1.0;
+  if (bare >= 1.0 || s == glassOfIor(s.ior)) return bare;
+  const double root = (eta - 1.0) / (eta + 1.0), least = root * root;
+  const double rise = std::clamp((bare - least) / std::max(1.0 - least, 1e-6), 0.0, 1.0);
+  glm::dvec3 reflected = glm::mix(s.f0, glm::dvec3(s.f90), rise);
+  if (s.filmShare > 0.0) {
+    const double outer2 = eta < 1.0 ? 1.0 - (1.0 - cosine * cosine) / (eta * eta) : cosine * cosine;
+    const glm::dvec3 film =
+        filmReflectance(std::sqrt(std::max(outer2, 0.0)), s.filmOutside, s.filmIor, s.filmThickness, s.f0);
+    reflected = glm::mix(reflected, film, s.filmShare);
+  }
+  return std::max({reflected.x, reflected.y, reflected.z});
+}
+
 /// Reflected and refracted at the normals that are visible along a direction, as far as they are not hidden
 /// on the way out.
-double scatteredOnce(double cosine, double alpha, double eta) {
+double scatteredOnce(double cosine, double alpha, const GlassSurface& surface, bool inside) {
+  const double eta = inside && surface.ior > 0.0 ? 1.0 / surface.ior : surface.ior;
   constexpr int glassTurns = 12, glassHeights = 32;
   const glm::dvec3 wo(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
   const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * wo.x, 0.0, wo.z));
@@ -142,7 +161,7 @@ double scatteredOnce(double cosine, double alpha, double eta) {
       const glm::dvec3 c = glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z) + v;
       const glm::dvec3 h = glm::normalize(glm::dvec3(alpha * c.x, alpha * c.y, std::max(c.z, 1e-9)));
       const double along = std::clamp(glm::dot(wo, h), 1e-9, 1.0), to = 2.0 * along * h.z - wo.z;
-      const double reflected = eta > 0.0 ? fresnel(along, eta) : 1.0, from = smithTerm(wo.z, alpha);
+      const double reflected = reflectedBy(surface, along, eta), from = smithTerm(wo.z, alpha);
       double leaves = 0.0;
       if (to > 0.0) leaves += reflected * to * (wo.z + from) / (wo.z * smithTerm(to, alpha) + to * from);
       if (reflected < 1.0) {
@@ -158,7 +177,15 @@ double scatteredOnce(double cosine, double alpha, double eta) {
 
 }  // namespace
 
-std::vector<glm::vec4> makeGlassTable(double ior) {
+GlassSurface glassOfIor(double ior) {
+  const double root = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
+  GlassSurface surface;
+  surface.ior = ior;
+  surface.f0 = glm::dvec3(root * root);
+  return surface;
+}
+
+std::vector<glm::vec4> makeGlassTable(const GlassSurface& surface) {
   constexpr int columns = PRELIGHT_GLASS_COSINES, rows = PRELIGHT_GLASS_ROUGHNESSES;
   std::vector<glm::vec4> table(columns * rows);
   parallelRanges(rows, 1, [&](std::size_t begin, std::size_t end) {
@@ -166,9 +193,8 @@ std::vector<glm::vec4> makeGlassTable(double ior) {
       for (int c = 0; c < columns; ++c) {
         const double root = double(r) / (rows - 1), alpha = std::max(std::pow(root, 4.0), 1e-4);
         const double step = std::max(double(c), 0.05) / (columns - 1), cosine = std::min(step * step, 1.0);
-        table[r * columns + c] =
-            glm::vec4(scatteredOnce(cosine, alpha, ior),
-                      scatteredOnce(cosine, alpha, ior > 0.0 ? 1.0 / ior : 0.0), 0.0, 0.0);
+        table[r * columns + c] = glm::vec4(scatteredOnce(cosine, alpha, surface, false),
+                                           scatteredOnce(cosine, alpha, surface, true), 0.0, 0.0);
       }
   });
   return table;

@@ -14,7 +14,8 @@ namespace prelight {
 namespace {
 
 constexpr int acrossCount = PRELIGHT_ANISOTROPIC_ACROSS, stretchCount = PRELIGHT_ANISOTROPIC_STRETCHES,
-              heightCount = PRELIGHT_ANISOTROPIC_HEIGHTS;
+              heightCount = PRELIGHT_ANISOTROPIC_HEIGHTS, reachCount = PRELIGHT_ANISOTROPIC_REACHES;
+constexpr std::size_t texelCount = PRELIGHT_ANISOTROPIC_TEXELS;
 constexpr double leastWidth = 0.0025;  ///< PRELIGHT_SMOOTH_BELOW squared, in kernels/transport/lobe_funcs.cl
 
 /// Widths of microfacets along two directions; the first is the larger one.
@@ -28,15 +29,16 @@ struct Widths {
 
 /// Those of a row of the table.
 Widths widthsAt(int across, int stretch) {
-  const double root = double(across) / (acrossCount - 1), narrow = std::max(root * root, leastWidth);
-  return {narrow + (1.0 - narrow) * stretch / (stretchCount - 1), narrow};
+  const double step = double(across) / (acrossCount - 1), narrow = std::max(step * step * step, leastWidth);
+  const double added = double(stretch) / (stretchCount - 1);
+  return {narrow + (1.0 - narrow) * added * added, narrow};
 }
 
 /// Over the normals that are visible along the direction that becomes v when it is stretched by the widths
 /// (Dupuy and Benyoub 2023), the share that leaves: G2 / G1. Constant part of Schlick's reflectance, and
-/// rise.
-glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths) {
-  constexpr int heights = 32, turns = 32;
+/// rise; `steps` of their heights, and of their turns.
+glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths, int steps) {
+  const int heights = steps, turns = steps;
   const glm::dvec3 wo = glm::normalize(glm::dvec3(v.x / widths.along, v.y / widths.across, v.z));
   const double from = widths.term(wo);
   glm::dvec2 sum(0.0);
@@ -60,35 +62,49 @@ glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths) {
   return sum / double(heights * turns);
 }
 
-/// Of one pair of widths: two texels a height.
-using WidthTexels = std::array<glm::vec4, 2 * heightCount>;
+/// Of one pair of widths, [height][texel].
+using WidthTexels = std::array<glm::vec4, texelCount * heightCount>;
 
-/// All that leaves, and the rise by the cosine with a facet that would show it.
-glm::dvec2 wholeAndGrazing(const glm::dvec2& leaves) {
-  const double all = leaves.x + leaves.y;
-  return {all, std::pow(std::clamp(leaves.y / std::max(all, 1e-9), 0.0, 1.0), 0.2)};
+/// How far the cosine with a facet that would show what leaves can lie above that of a direction.
+double mostAbove(const Widths& widths, double reach) {
+  return std::sqrt(reach * reach + widths.across * widths.across * (1.0 - reach * reach));
 }
 
-/// What leaves along a direction that is not stretched, `grazing` less that of the surface.
-double lowerOf(const Widths& widths, double cosine, double degrees) {
-  const double sine = std::sqrt(1.0 - cosine * cosine), azimuth = degrees * std::numbers::pi / 180.0;
-  const glm::dvec3 w(sine * std::cos(azimuth), sine * std::sin(azimuth), cosine);
+/// How far it does, by the direction's reach in the plane of the wider width and its height there.
+double aboveShare(const Widths& widths, double reach, double height) {
+  constexpr int steps = 16;
+  const glm::dvec3 w(reach * std::sqrt(1.0 - height * height), std::sqrt(1.0 - reach * reach),
+                     std::max(reach * height, 1e-4));
   const glm::dvec3 v = glm::normalize(glm::dvec3(widths.along * w.x, widths.across * w.y, w.z));
-  return wholeAndGrazing(leavesOnce(v, widths)).y - (1.0 - cosine);
+  const glm::dvec2 leaves = leavesOnce(v, widths, steps);
+  const double grazing = std::pow(std::clamp(leaves.y / std::max(leaves.x + leaves.y, 1e-9), 0.0, 1.0), 0.2);
+  return (1.0 - grazing - reach * height) / mostAbove(widths, reach);
+}
+
+double allThatLeaves(const Widths& widths, const glm::dvec3& v) {
+  constexpr int steps = 32;
+  const glm::dvec2 leaves = leavesOnce(v, widths, steps);
+  return leaves.x + leaves.y;
 }
 
 WidthTexels rowOfWidths(const Widths& widths) {
   WidthTexels row;
-  for (int h = 0; h < heightCount; ++h) {
+  for (std::size_t h = 0; h < heightCount; ++h) {
     const double step = double(h) / (heightCount - 1);
     const double up = std::clamp(std::pow(std::sin(0.5 * std::numbers::pi * step), 2.0), 1e-3, 1.0),
                  out = std::sqrt(1.0 - up * up), half = out * std::numbers::sqrt2 / 2.0;
-    row[2 * std::size_t(h)] = glm::vec4(wholeAndGrazing(leavesOnce({out, 0.0, up}, widths)).x,
-                                        wholeAndGrazing(leavesOnce({half, half, up}, widths)).x,
-                                        wholeAndGrazing(leavesOnce({0.0, out, up}, widths)).x, 0.0f);
-    const double cosine = std::clamp(step * step, 2e-3, 1.0);
-    row[2 * std::size_t(h) + 1] = glm::vec4(lowerOf(widths, cosine, 0.0), lowerOf(widths, cosine, 45.0),
-                                            lowerOf(widths, cosine, 70.0), lowerOf(widths, cosine, 90.0));
+    row[texelCount * h] =
+        glm::vec4(allThatLeaves(widths, {out, 0.0, up}), allThatLeaves(widths, {half, half, up}),
+                  allThatLeaves(widths, {0.0, out, up}), 0.0f);
+    const double height = std::clamp(step * step, 2e-3, 1.0);
+    std::array<double, reachCount> shares{};
+    for (int r = 0; r < reachCount; ++r) {
+      const double root = double(r) / (reachCount - 1);
+      shares[std::size_t(r)] = aboveShare(widths, root * root, height);
+    }
+    for (std::size_t t = 0; t + 1 < texelCount; ++t)
+      row[texelCount * h + 1 + t] =
+          glm::vec4(shares[3 * t], shares[3 * t + 1], shares[3 * t + 2], shares[3 * t + 3]);
   }
   return row;
 }
@@ -96,28 +112,25 @@ WidthTexels rowOfWidths(const Widths& widths) {
 glm::dvec4 betweenHeights(const WidthTexels& row, double step, std::size_t texel) {
   const double height = step * (heightCount - 1);
   const auto h = std::min(static_cast<std::size_t>(height), std::size_t{heightCount - 2});
-  return glm::mix(glm::dvec4(row[2 * h + texel]), glm::dvec4(row[2 * h + 2 + texel]), height - double(h));
+  return glm::mix(glm::dvec4(row[texelCount * h + texel]), glm::dvec4(row[texelCount * (h + 1) + texel]),
+                  height - double(h));
 }
 
-/// What is looked up along a direction.
+/// What is looked up along a direction, as kernels/transport/anisotropic_albedo_funcs.cl does.
 glm::dvec2 lookUpWidths(const WidthTexels& row, const Widths& widths, const glm::dvec3& w) {
   const glm::dvec3 v(widths.along * w.x, widths.across * w.y, w.z);
-  const double square = v.x * v.x + v.y * v.y, flat = w.x * w.x + w.y * w.y;
+  const double square = v.x * v.x + v.y * v.y;
   const double turn = square > 1e-20 ? (v.x * v.x - v.y * v.y) / square : 0.0;
   const double up = std::clamp(v.z / glm::length(v), 0.0, 1.0);
   const glm::dvec4 sums = betweenHeights(row, std::asin(std::sqrt(up)) * 2.0 / std::numbers::pi, 0);
   const double all = sums.x * (0.5 * turn * (turn + 1.0)) + sums.y * (1.0 - turn * turn) +
                      sums.z * (0.5 * turn * (turn - 1.0));
-  const glm::dvec4 lower = betweenHeights(row, std::sqrt(w.z), 1);
-  const double c = flat > 1e-20 ? (w.x * w.x - w.y * w.y) / flat : 0.0;
-  const std::array<double, 4> nodes{1.0, 0.0, std::cos(7.0 / 9.0 * std::numbers::pi), -1.0};
-  double grazing = 1.0 - w.z;
-  for (int i = 0; i < 4; ++i) {
-    double weight = 1.0;
-    for (int k = 0; k < 4; ++k)
-      if (k != i) weight *= (c - nodes[std::size_t(k)]) / (nodes[std::size_t(i)] - nodes[std::size_t(k)]);
-    grazing += weight * lower[i];
-  }
+  const double reach = std::min(std::hypot(w.x, w.z), 1.0), place = std::sqrt(reach) * (reachCount - 1);
+  const auto step = std::min(static_cast<std::size_t>(place), std::size_t{reachCount - 2});
+  const glm::dvec4 shares = betweenHeights(row, std::sqrt(std::min(w.z / reach, 1.0)), 1 + step / 3);
+  const auto first = static_cast<int>(step % 3);
+  const double share = glm::mix(shares[first], shares[first + 1], place - double(step));
+  const double grazing = 1.0 - w.z - share * mostAbove(widths, reach);
   const double rise = std::pow(std::clamp(grazing, 0.0, 1.0), 5.0);
   return {all * (1.0 - rise), all * rise};
 }
@@ -141,7 +154,7 @@ glm::dvec2 meanOfWidths(const WidthTexels& row, const Widths& widths) {
 
 std::vector<glm::vec4> makeAnisotropicTable() {
   constexpr std::size_t rows = std::size_t{acrossCount} * stretchCount;
-  std::vector<glm::vec4> table(rows * (2 * heightCount + 1));
+  std::vector<glm::vec4> table(rows * (texelCount * heightCount + 1));
   parallelRanges(rows, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Widths widths = widthsAt(static_cast<int>(r) / stretchCount, static_cast<int>(r) % stretchCount);

@@ -90,6 +90,7 @@ void DeviceScene::setLights(const LightTables& lights, double skyRotation) {
   layout_.emitterDensities = pack.add(spanOf(lights.emitterDensities));
   layout_.punctual = pack.add(spanOf(lights.punctual));
   layout_.sky = pack.add(spanOf(lights.sky));
+  layout_.profiles = pack.add(spanOf(lights.profiles));
   layout_.lights = lightLayout(lights, skyRotation);
   lights_ = pack.upload(*device_);
   uploadLayout();

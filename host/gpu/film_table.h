@@ -9,7 +9,8 @@ namespace prelight {
 
 /// Reflectance, in linear sRGB, of a thin film over a surface that reflects `below` along its normal, of
 /// light from a direction of this cosine: KHR_materials_iridescence's form of Belcour and Barla 2017, bounded
-/// by 0 and 1. `outside`: index of refraction of what lies over the film; `thickness` in nm.
+/// by 0 and 1. What kernels/transport/film_funcs.cl computes in floats, in double precision, for tables.
+/// `outside`: index of refraction of what lies over the film; `thickness` in nm.
 glm::dvec3 filmReflectance(double cosine, double outside, double ior, double thickness,
                            const glm::dvec3& below);
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
 #include "base/luminance.h"
+#include "scene/light_profile.h"
 #include "scene/light_sources.h"
 #include "scene/punctual_light.h"
 
@@ -31,6 +33,7 @@ double power(const Light& light, double sceneRadius) {
     case LightType::Point:
       break;
   }
+  if (light.profile != nullptr) return strength * profilePower(*light.profile);
   return strength * 4.0 * pi;
 }
 
@@ -107,6 +110,22 @@ double addSky(const Environment& sky, LightTables& result) {
   return 2.0 * pi / sky.width * std::accumulate(rows.begin(), rows.end(), 0.0);
 }
 
+/// Intervals of a profile's columns, then of the rows of each: by what they send.
+std::uint32_t addChances(const LightProfile& profile, std::vector<std::uint32_t>& tables) {
+  std::vector<double> columns;
+  std::vector<std::uint32_t> rows;
+  for (std::size_t column = 0; column + 1 < profile.turns.size(); ++column) {
+    std::vector<double> powers;
+    for (std::size_t row = 0; row + 1 < profile.heights.size(); ++row)
+      powers.push_back(cellPower(profile, column, row));
+    columns.push_back(std::accumulate(powers.begin(), powers.end(), 0.0));
+    append(rows, makeIntervals(powers));
+  }
+  const std::uint32_t first = append(tables, makeIntervals(columns));
+  append(tables, rows);
+  return first;
+}
+
 void evenOut(std::vector<double>& groups) {
   const double sum = std::accumulate(groups.begin(), groups.end(), 0.0);
   for (double& group : groups)
@@ -157,13 +176,30 @@ device::EmitterRange addEmitters(const CompiledScene& scene, std::span<const std
   return range;
 }
 
+void addProfiles(std::span<const Light* const> lights, LightTables& tables) {
+  PackedProfiles packed;
+  std::map<std::size_t, std::uint32_t> chances;  // by entry
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i]->profile == nullptr) continue;
+    const std::size_t entry = packed.add(*lights[i]);
+    tables.punctual[i].profile = static_cast<std::uint32_t>(entry);
+    const auto known = chances.find(entry);
+    tables.punctual[i].profileTable = known != chances.end()
+                                          ? known->second
+                                          : chances[entry] = addChances(*lights[i]->profile, tables.tables);
+  }
+  tables.profiles = packed.texels();
+}
+
 LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
                             const Environment* sky, bool choosePunctual) {
   LightTables result;
   const double radius = 0.5 * glm::length(glm::dvec3(scene.boundsMax) - glm::dvec3(scene.boundsMin));
   std::vector<double> groups;
+  std::vector<const Light*> shining;
   for (const Light& light : lights) {
     if (!shines(light.intensity)) continue;
+    shining.push_back(&light);
     result.punctual.push_back(deviceLight(light, scene));
     result.punctualPowers.push_back(power(light, radius));
   }
@@ -179,6 +215,7 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   if (emits) groups.push_back(result.emitterPower);
   if (skyShines) result.skyPower = addSky(*sky, result) * pi * radius * radius;
   if (skyShines) groups.push_back(result.skyPower);
+  addProfiles(shining, result);
   if (groups.empty()) return result;
   evenOut(groups);
   const std::vector<std::uint32_t> bounds = makeIntervals(groups);

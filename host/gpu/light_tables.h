@@ -23,11 +23,12 @@ double intervalProbability(std::span<const std::uint32_t> bounds, std::size_t en
 /// What kernels choose lights by; kernels/transport/light_table_funcs.cl says how. Lights without power are
 /// left out.
 struct LightTables {
-  std::vector<std::uint32_t> tables;    ///< groups, emitters, sky rows, sky columns a row
+  std::vector<std::uint32_t> tables;    ///< groups, emitters, sky rows, sky columns a row, profiles
   std::vector<std::uint32_t> emitters;  ///< [emitter] triangle
   std::vector<float> emitterDensities;  ///< [triangle] 1/m2; empty without emitters
   std::vector<device::PunctualLight> punctual;
   std::vector<glm::vec4> sky;          ///< [row][column]; empty without a sky
+  std::vector<glm::vec4> profiles;     ///< of punctual lights; empty without such
   std::vector<double> punctualPowers;  ///< [light] luminance of its power, W
   std::vector<double> emitterPowers;   ///< [emitter] the same
   double emitterPower = 0.0;           ///< their sum
@@ -46,6 +47,9 @@ struct LightTables {
 /// emitters and sky. `sky` may be null.
 LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>& lights,
                             const Environment* sky, bool choosePunctual);
+
+/// Gives lights their profiles: `lights` are those that the tables' punctual ones were made of, in order.
+void addProfiles(std::span<const Light* const> lights, LightTables& tables);
 
 /// Adds emitters that one is chosen of in proportion to `powers`, behind those that the tables have. They are
 /// at least one, and none has been added before.

@@ -1,6 +1,7 @@
 #include "gpu/scene_albedos.h"
 
-#include <map>
+#include <algorithm>
+#include <utility>
 
 #include "gpu/albedo_table.h"
 #include "gpu/anisotropic_table.h"
@@ -18,6 +19,19 @@ std::uint32_t appendTable(const std::vector<glm::vec4>& more, std::vector<glm::v
   return first;
 }
 
+/// Textures do not count.
+GlassSurface glassSurfaceOf(const CompiledMaterial& m) {
+  GlassSurface surface = glassOfIor(double(m.ior));
+  surface.f90 = double(m.specular);
+  surface.f0 = surface.f90 * glm::min(surface.f0 * glm::dvec3(m.specularColor), glm::dvec3(1.0));
+  if (!hasFilm(m)) return surface;
+  surface.filmShare = double(m.iridescence.factor);
+  surface.filmOutside = 1.0 + 0.5 * double(m.clearcoat.factor);
+  surface.filmIor = double(m.iridescence.ior);
+  surface.filmThickness = double(m.iridescence.thicknessMaximum);
+  return surface;
+}
+
 }  // namespace
 
 SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool>& used,
@@ -31,14 +45,17 @@ SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool
   SceneAlbedos albedos{makeAlbedoTable(sheen), std::vector<std::uint32_t>(count, 0),
                        std::vector<std::uint32_t>(count, 0)};
   if (anisotropic) appendTable(makeAnisotropicTable(), albedos.texels);
-  std::map<float, std::uint32_t> glass;  // by index of refraction
+  std::vector<std::pair<GlassSurface, std::uint32_t>> glass;  // the same surface has the same table
   for (std::size_t i = 0; i < count; ++i) {
     const CompiledMaterial& m = scene.materials[i];
-    if (used[i] && hasFilm(m)) albedos.filmTables[i] = appendTable(makeFilmTable(m), albedos.texels);
+    if (used[i] && hasFilm(m) && reflectsSpecularly(m))
+      albedos.filmTables[i] = appendTable(makeFilmTable(m), albedos.texels);
     if (glassTables == GlassTables::None || !used[i] || !m.solid || !isRoughGlass(m)) continue;
-    const auto [table, isNew] = glass.try_emplace(m.ior, static_cast<std::uint32_t>(albedos.texels.size()));
-    if (isNew) appendTable(makeGlassTable(static_cast<double>(m.ior)), albedos.texels);
-    albedos.glassTables[i] = table->second;
+    const GlassSurface surface = glassSurfaceOf(m);
+    auto known = std::find_if(glass.begin(), glass.end(), [&](const auto& g) { return g.first == surface; });
+    if (known == glass.end())
+      known = glass.insert(known, {surface, appendTable(makeGlassTable(surface), albedos.texels)});
+    albedos.glassTables[i] = known->second;
   }
   return albedos;
 }

@@ -12,6 +12,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
   f.glass = f.glass || isGlass(m);
   f.layers = f.layers || hasLayers(m);
   f.film = f.film || hasFilm(m);
+  f.filmGlass = f.filmGlass || (hasFilm(m) && isGlass(m));
   f.dispersion = f.dispersion || (isGlass(m) && m.dispersion > 0.0f);
   f.specularGlass = f.specularGlass || isSpecularGlass(m);
   f.anisotropic = f.anisotropic || isAnisotropic(m);
@@ -31,6 +32,7 @@ void addMaterial(const CompiledMaterial& m, ShadeFeatures& f) {
 ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& lights) {
   ShadeFeatures f;
   f.punctual = !lights.punctual.empty();
+  f.profiles = !lights.profiles.empty();
   f.emitters = !lights.emitters.empty();
   f.sky = !lights.sky.empty();
   const std::vector<bool> used = usedMaterials(scene);
@@ -41,12 +43,14 @@ ShadeFeatures findShadeFeatures(const CompiledScene& scene, const LightTables& l
 
 BuildOptions& defineFeatures(const ShadeFeatures& f, BuildOptions& options) {
   return options.defineIf(f.punctual, "PRELIGHT_PUNCTUAL")
+      .defineIf(f.profiles, "PRELIGHT_PROFILES")
       .defineIf(f.emitters, "PRELIGHT_EMITTERS")
       .defineIf(f.sky, "PRELIGHT_SKY")
       .defineIf(f.glass, "PRELIGHT_GLASS")
       .defineIf(f.roughGlass, "PRELIGHT_ROUGH_GLASS")
       .defineIf(f.layers, "PRELIGHT_LAYERS")
       .defineIf(f.film, "PRELIGHT_FILM")
+      .defineIf(f.filmGlass, "PRELIGHT_FILM_GLASS")
       .defineIf(f.dispersion, "PRELIGHT_DISPERSION")
       .defineIf(f.specularGlass, "PRELIGHT_SPECULAR_GLASS")
       .defineIf(f.anisotropic, "PRELIGHT_ANISOTROPY")

@@ -9,6 +9,7 @@ namespace prelight {
 /// What a scene needs of the kernels that follow light (kernels/transport): they are built with no more.
 struct ShadeFeatures {
   bool punctual = false;
+  bool profiles = false;  ///< of punctual lights
   bool emitters = false;
   bool sky = false;
   bool glass = false;
@@ -16,6 +17,7 @@ struct ShadeFeatures {
   bool anisotropic = false;    ///< some rough lobe is wider one way than the other
   bool film = false;           ///< a thin film colours some reflection
   bool dispersion = false;     ///< some glass refracts by wavelength
+  bool filmGlass = false;      ///< some lies under a thin film
   bool specularGlass = false;  ///< some reflects otherwise than its index of refraction tells
   bool layers = false;         ///< some surface has a clear coat or a sheen
   bool mirror = false;

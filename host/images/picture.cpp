@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/atomic_file.h"
+#include "base/srgb.h"
 #include "images/add_picture.h"
 #include "images/image_library.h"
 #include "images/pixels.h"
@@ -17,7 +18,6 @@ namespace prelight {
 namespace {
 
 // [1] Khronos, "PBR Neutral tone mapper", specification 1.0, 2024.
-// [2] IEC 61966-2-1 (sRGB).
 
 /// [1]: leaves colours below 0.8 - 0.04 as they are but for the offset, compresses and desaturates
 /// highlights.
@@ -33,15 +33,6 @@ glm::dvec3 pbrNeutral(glm::dvec3 color) {
   const double newPeak = 1.0 - headroom * headroom / (peak + headroom - startCompression);
   const double grey = 1.0 - 1.0 / (desaturation * (peak - newPeak) + 1.0);
   return glm::mix(color * (newPeak / peak), glm::dvec3(newPeak), grey);
-}
-
-/// [2] from linear to encoded, both in [0,1].
-double encodeSrgb(double value) {
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-}
-
-double decodeSrgb(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
 /// Largest radiance that the display transform tells apart from infinity; keeps inf / inf out of it.
@@ -129,7 +120,7 @@ Picture readPicture(const std::filesystem::path& path) {
   Pixels pixels = readPixels(path);
   if (!linear) {
     for (glm::vec3& pixel : pixels.rgb) {
-      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(decodeSrgb(pixel[c]));
+      for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(linearOfSrgb(pixel[c]));
     }
   }
   return {pixels.width, pixels.height, std::move(pixels.rgb)};
@@ -141,8 +132,8 @@ glm::vec3 toneMap(const glm::vec3& radiance) {
     if (radiance[c] > 0.0f) color[c] = std::min(radiance[c], brightest);  // false for NaN
   }
   color = pbrNeutral(color);
-  return {encodeSrgb(std::clamp(color.r, 0.0, 1.0)), encodeSrgb(std::clamp(color.g, 0.0, 1.0)),
-          encodeSrgb(std::clamp(color.b, 0.0, 1.0))};
+  return {srgbOfLinear(std::clamp(color.r, 0.0, 1.0)), srgbOfLinear(std::clamp(color.g, 0.0, 1.0)),
+          srgbOfLinear(std::clamp(color.b, 0.0, 1.0))};
 }
 
 }  // namespace prelight

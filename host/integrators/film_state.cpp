@@ -1,5 +1,7 @@
 #include "integrators/film_state.h"
 
+#include "scene/light_profile.h"
+
 namespace prelight::reference {
 
 namespace {
@@ -64,6 +66,7 @@ std::uint64_t lightsHash(const std::vector<Light>& lights) {
     addVector(hash, light.position);
     addVector(hash, light.direction);
     hash.value(light.range).value(light.innerConeAngle).value(light.outerConeAngle);
+    if (light.profile != nullptr) addProfile(light, hash);
   }
   return hash.result();
 }

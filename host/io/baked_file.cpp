@@ -32,13 +32,19 @@ Json infoToJson(const BakeInfo& info) {
   if (info.moment)
     json["moment"] = {{"animation", info.moment->animation}, {"seconds", info.moment->seconds}};
   if (!info.variant.empty()) json["variant"] = info.variant;
+  if (info.scene >= 0) json["scene"] = info.scene;
   return json;
 }
 
-RecordedChoice choiceFromJson(const JsonCursor& json, std::size_t animations) {
+RecordedChoice choiceFromJson(const JsonCursor& json, const JsonCursor& root) {
+  const std::size_t animations = root.countOf("animations");
   RecordedChoice choice;
   choice.baked = true;
   choice.variant = json.stringOr("variant", "");
+  // Scenes may have been taken out since.
+  if (const auto scene = json.find("scene")) choice.scene = scene->asUnsigned();
+  if (const auto played = json.find("animation"))
+    choice.played = played->at("index").asIndex(animations, "animation");
   const auto moment = json.find("moment");
   if (!moment) return choice;
   const double seconds = moment->at("seconds").asNumber();
@@ -48,7 +54,7 @@ RecordedChoice choiceFromJson(const JsonCursor& json, std::size_t animations) {
   return choice;
 }
 
-BakeInfo infoFromJson(const JsonCursor& json, std::size_t animations) {
+BakeInfo infoFromJson(const JsonCursor& json, const JsonCursor& root) {
   BakeInfo info;
   info.generator = json.stringOr("generator", "");
   info.seed = json.unsignedOr("seed", 0);
@@ -60,7 +66,8 @@ BakeInfo infoFromJson(const JsonCursor& json, std::size_t animations) {
   if (const auto plan = json.find("plan")) info.plan = planFromJson(*plan);
   info.device = json.stringOr("device", "");
   info.seconds = json.numberOr("seconds", 0.0);
-  const RecordedChoice choice = choiceFromJson(json, animations);
+  const RecordedChoice choice = choiceFromJson(json, root);
+  info.scene = choice.scene ? static_cast<int>(std::min<std::size_t>(*choice.scene, 1u << 30)) : -1;
   info.moment = choice.moment;
   info.variant = choice.variant;
   return info;
@@ -95,7 +102,7 @@ RecordedChoice readRecordedChoice(const GltfDocument& document) {
   const std::string file = document.path.string();
   const JsonCursor root(file, document.json);
   const auto extension = transferExtension(root);
-  return extension ? choiceFromJson(*extension, root.countOf("animations")) : RecordedChoice{};
+  return extension ? choiceFromJson(*extension, root) : RecordedChoice{};
 }
 
 std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& scene) {
@@ -105,7 +112,7 @@ std::optional<Bake> readBake(const GltfDocument& document, const CompiledScene& 
   BakeReader reader(input);
   if (!reader.readVertices()) return std::nullopt;
   BakeInfo info;
-  if (input.extension) info = infoFromJson(*input.extension, root.countOf("animations"));
+  if (input.extension) info = infoFromJson(*input.extension, root);
   std::optional<Bake> bake = reader.finish();
   bake->info = std::move(info);
   return bake;

@@ -21,6 +21,8 @@ void embedBake(GltfDocument& document, const CompiledScene& scene, const Bake& b
 struct RecordedChoice {
   std::optional<SceneMoment> moment;  ///< none: it stood at rest
   std::string variant;                ///< empty: its own materials
+  std::optional<std::size_t> scene;   ///< of the file's; none: it does not say
+  std::optional<std::size_t> played;  ///< the animation that it carries moments of
   bool baked = false;                 ///< whether there is a bake at all
 };
 

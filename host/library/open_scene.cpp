@@ -50,6 +50,30 @@ void chooseScene(GltfDocument& document, const std::string& chosen) {
   document.json["scene"] = *found;
 }
 
+std::string nameOfScene(const GltfDocument& document, std::size_t index) {
+  const std::string file = document.path.string();
+  const JsonCursor root(file, document.json);
+  if (index >= root.countOf("scenes")) return fmt::format("scene {}, which the file no longer has", index);
+  const std::string name = root.at("scenes").at(index).stringOr("name", "");
+  return name.empty() ? fmt::format("scene {}", index) : fmt::format("scene {} \"{}\"", index, name);
+}
+
+/// What was baked of another scene is of no use to this one. `before`: the file's own.
+void leaveOutOtherScenes(GltfDocument& document, const RecordedChoice& recorded, std::size_t before,
+                         Warnings& warnings) {
+  const std::string file = document.path.string();
+  const std::size_t baked = recorded.scene.value_or(before);
+  const std::size_t chosen = JsonCursor(file, document.json).unsignedOr("scene", 0);
+  if (!recorded.baked || baked == chosen) return;
+  warnings.push_back(fmt::format("{}: what it carries was baked of {}, not of {}: it is left out", file,
+                                 nameOfScene(document, baked), nameOfScene(document, chosen)));
+  stripBake(document);
+}
+
+std::string nameOfMoment(const std::optional<SceneMoment>& moment) {
+  return moment ? fmt::format("{:g} s of animation {}", moment->seconds, moment->animation) : "rest";
+}
+
 bool hasVariant(const GltfDocument& document, const std::string& name) {
   const std::string file = document.path.string();
   const auto extensions = JsonCursor(file, document.json).find("extensions");
@@ -80,9 +104,15 @@ std::string chooseVariant(const GltfDocument& document, const LoadOptions& optio
   return "";
 }
 
-void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded) {
+void poseAsChosen(Scene& scene, const LoadOptions& options, const RecordedChoice& recorded,
+                  const std::string& file, Warnings& warnings) {
   if (options.at) {
     setPose(scene, options.animation.empty() ? 0 : findAnimation(scene, options.animation), *options.at);
+    const bool same = recorded.moment && recorded.moment->animation == scene.moment->animation &&
+                      recorded.moment->seconds == scene.moment->seconds;
+    if (recorded.baked && !same && recorded.played != scene.moment->animation)
+      warnings.push_back(fmt::format("{}: what it carries was baked at {}, not at {}", file,
+                                     nameOfMoment(recorded.moment), nameOfMoment(scene.moment)));
   } else if (recorded.moment) {
     setPose(scene, recorded.moment->animation, recorded.moment->seconds);
   }
@@ -110,12 +140,15 @@ OpenedScene openScene(const std::function<GltfDocument(Warnings&)>& read, const 
   steps.run("load", [&] {
     opened.document = read(warnings);
     steps.progress().check();
+    const std::string file = opened.document.path.string();
+    const std::size_t before = JsonCursor(file, opened.document.json).unsignedOr("scene", 0);
     chooseScene(opened.document, options.scene);
+    leaveOutOtherScenes(opened.document, readRecordedChoice(opened.document), before, warnings);
     RecordedChoice recorded = readRecordedChoice(opened.document);
     scaleAsAsked(opened.document, options.scale, recorded, warnings);
     const std::string variant = chooseVariant(opened.document, options, recorded, warnings);
     opened.scene = loadScene(opened.document, warnings, variant);
-    poseAsChosen(opened.scene, options, recorded);
+    poseAsChosen(opened.scene, options, recorded, file, warnings);
     if (auto sky = loadSky(opened.document, warnings))
       opened.sky = std::make_shared<const Environment>(*std::move(sky));
   });

@@ -60,6 +60,7 @@ BakeRun runBake(const BakeScene& scene, const BakeRequest& request, const BakeMe
                        checkpoint, &charts, &scene.scene);
   run.bake.info.moment = scene.scene.moment;
   run.bake.info.variant = scene.scene.variant;
+  if (scene.scene.scenes.size() > 1) run.bake.info.scene = scene.scene.chosen;
   return run;
 }
 

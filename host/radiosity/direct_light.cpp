@@ -38,6 +38,7 @@ void DirectLight::setLights(const RadiosityLights& lights) {
   const auto options =
       tracer_.surfaceOptions()
           .defineIf(counts_.punctual > 0, "PRELIGHT_PUNCTUAL")
+          .defineIf(!tables.profiles.empty(), "PRELIGHT_PROFILES")
           .defineIf(counts_.skySamples > 0, "PRELIGHT_SKY")
           .defineIf(emitters_ > 0, "PRELIGHT_EMITTERS")
           .defineIf(emitters_ > 0 && emitters_ <= mostIntegratedEmitters, "PRELIGHT_FEW_EMITTERS");

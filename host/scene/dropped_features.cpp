@@ -20,10 +20,10 @@ constexpr std::array<DroppedFeature, 7> features = {
      // Transfer leaves out all light through glass.
      {"dispersion",
       [](const CompiledMaterial& m) { return isGlass(m) && m.dispersion > 0.0f; },
-      {true, true, false}},
+      {false, true, false}},
      {"KHR_materials_specular of glass",
       [](const CompiledMaterial& m) { return isSpecularGlass(m) && m.specular > 0.0f; },
-      {true, true, false}},
+      {false, true, false}},
      {"light through glass", [](const CompiledMaterial& m) { return isGlass(m); }, {false, false, true}}}};
 
 std::string shownName(const Scene& scene, std::size_t material) {

@@ -30,7 +30,8 @@ inline bool hasLayers(const CompiledMaterial& m) { return hasSheen(m) || m.clear
 
 /// Whether a thin film colours what it reflects.
 inline bool hasFilm(const CompiledMaterial& m) {
-  return m.iridescence.factor > 0.0f && m.iridescence.thicknessMaximum > 0.0f && reflectsSpecularly(m);
+  return m.iridescence.factor > 0.0f && m.iridescence.thicknessMaximum > 0.0f &&
+         (reflectsSpecularly(m) || isGlass(m));
 }
 
 /// Whether it has a rough lobe somewhere, or a layer or film, which look lobes up like one.

@@ -142,11 +142,22 @@ glm::dmat4 localTransform(const SceneNode& node) {
 
 bool placeLight(Light& light, const glm::dmat4& world) {
   light.position = glm::dvec3(world[3]);
-  if (light.type == LightType::Point) return true;
+  if (light.type == LightType::Point && light.profile == nullptr) return true;
   light.direction = -glm::dvec3(world[2]);
   const bool directed = normalise(light.direction);
   if (!directed) light.direction = {0.0, 0.0, -1.0};
-  return directed;
+  if (light.profile == nullptr) return directed;
+  light.side = glm::dvec3(world[0]);
+  bool sided = normalise(light.side);
+  light.side -= glm::dot(light.side, light.direction) * light.direction;
+  // Shear may lay the side along the light; any perpendicular will do then.
+  if (!sided || glm::length(light.side) < 1e-9) {
+    sided = false;
+    const glm::dvec3 other = std::abs(light.direction.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    light.side = other - glm::dot(other, light.direction) * light.direction;
+  }
+  light.side = glm::normalize(light.side);
+  return directed && sided;
 }
 
 bool placeCamera(Camera& camera, const glm::dmat4& world) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/light_profile.h"
+
 namespace prelight {
 
 device::PunctualLight deviceLight(const Light& light, const CompiledScene& scene) {
@@ -22,6 +24,11 @@ device::PunctualLight deviceLight(const Light& light, const CompiledScene& scene
   const double scale = 1.0 / std::max(0.001, std::cos(static_cast<double>(light.innerConeAngle)) - outer);
   d.coneScale = static_cast<float>(scale);
   d.coneOffset = static_cast<float>(-outer * scale);
+  if (light.profile == nullptr) return d;
+  d.kind = PRELIGHT_PROFILED_LIGHT;
+  const glm::vec3 pole = profilePole(light);
+  for (int c = 0; c < 3; ++c) d.direction[c] = pole[c];
+  d.profileStart = profileTurn(light);
   return d;
 }
 

@@ -70,7 +70,7 @@ __kernel void generateLightRays(__constant const CastParameters* parameters, con
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
   if (lightRay.light != PRELIGHT_NO_EMITTER)
-    arrives = samplePunctual(scene.lights.punctual + lightRay.light, vload3(0, r->position), &a);
+    arrives = samplePunctual(scene.lights, lightRay.light, vload3(0, r->position), &a);
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (lightRay.light == PRELIGHT_NO_EMITTER) arrives = sampleGroup(parameters, lightRay, groups, scene, *r, &a);

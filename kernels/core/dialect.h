@@ -13,6 +13,7 @@
 #define BITS_OF(x) as_int(x)
 #define FLOAT_OF_BITS(x) as_float(x)
 #define ABS fabs
+#define ATAN2 atan2
 #define INVERSE_SQRT rsqrt
 #define STRUCT_NAME(name) typedef struct name name;
 #define TEXELS __global const float4*
@@ -25,6 +26,7 @@
 #define BITS_OF(x) floatBitsToInt(x)
 #define FLOAT_OF_BITS(x) intBitsToFloat(x)
 #define ABS abs
+#define ATAN2 atan
 #define INVERSE_SQRT inversesqrt
 #define STRUCT_NAME(name)
 #define TEXELS samplerBuffer

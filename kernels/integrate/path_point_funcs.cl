@@ -90,7 +90,7 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
   LightSample a;
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights.punctual + light, at.surface.position, &a);
+  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights, light, at.surface.position, &a);
 #endif
   if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a);
   if (!arrives) return false;

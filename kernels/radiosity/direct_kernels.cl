@@ -36,7 +36,7 @@ PRELIGHT_INLINE bool sampleDirect(DirectRays counts, Scene scene, __constant con
                                   LightSample* a) {
   bool arrives = false;
 #ifdef PRELIGHT_PUNCTUAL
-  if (ray < counts.punctual) arrives = samplePunctual(scene.lights.punctual + ray, vload3(0, r.position), a);
+  if (ray < counts.punctual) arrives = samplePunctual(scene.lights, ray, vload3(0, r.position), a);
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (ray >= counts.punctual && ray < counts.punctual + counts.emitterSamples) {

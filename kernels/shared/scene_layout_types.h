@@ -52,6 +52,7 @@ typedef struct SceneLayout {
   uint emitterDensities;  ///< float [triangle]
   uint punctual;          ///< PunctualLight
   uint sky;               ///< float4 [row][column]
+  uint profiles;          ///< float4 of lamps; read only with PRELIGHT_PROFILES
   LightLayout lights;
   // What occluders are told apart by, in OccluderLines.
   uint occluderFlags;     ///< uint [material] PRELIGHT_OCCLUDER_*

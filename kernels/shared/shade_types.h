@@ -63,16 +63,19 @@ typedef struct ShadeMaterial {
 #define PRELIGHT_POINT_LIGHT 0u
 #define PRELIGHT_DIRECTIONAL_LIGHT 1u
 #define PRELIGHT_SPOT_LIGHT 2u
+#define PRELIGHT_PROFILED_LIGHT 3u  ///< shines as transport/profile_funcs.cl tells
 
 typedef struct PunctualLight {
   float position[3];  ///< scene coordinates
   uint kind;
   float intensity[3];  ///< W/sr; directional: W/m2
   float inverseRange;  ///< 1/m; 0: infinite
-  float direction[3];  ///< unit, the way the light travels
+  float direction[3];  ///< unit, the way the light travels; a profile's pole
   float coneScale;     ///< KHR_lights_punctual: clamp(cosine x scale + offset, 0, 1) squared
   float coneOffset;
-  uint pad[3];
+  uint profile;        ///< entry at which its profile begins
+  uint profileTable;   ///< first entry in the tables of the chances of its columns, then of rows a column
+  float profileStart;  ///< where the profile's turns begin
 } PunctualLight;
 
 /// Emissive triangles that one is chosen of.

@@ -4,10 +4,12 @@
 // Stretching a direction by the widths gives the one along which a half sphere is as visible as the microfacets are
 // (Heitz 2018). In its height and azimuth the whole that leaves is smooth however narrow the lobe: rows at steps of the arc sine
 // of the root of the height, and of the cosine of twice the azimuth the parabola through 1, 0 and -1. How far Schlick's term has
-// risen for that is told by the cosine with a facet that would show it; by how much that lies below the direction's own is
-// smooth in the direction as it is: rows at steps of the root of its cosine, and the cubic through azimuths of 0, 45, 70 and
-// 90 degrees.
-// Texels: (all at 1, 0, -1), (1 - cosine at the facet less 1 - that of the direction, at the four azimuths).
+// risen for that is told by the cosine with a facet that would show it. Facets tilt most in the plane of the wider width: by how
+// much that cosine lies above the direction's own varies with the direction's reach, its length in this plane, and with its height
+// there. As a share of how far it can, the reach or where that is small the narrower width, it is smooth: rows at steps of the root
+// of the height, and between them steps of the root of the reach.
+// Texels: (all at 1, 0, -1), then the shares, three steps of the reach and the next a texel. Narrower widths are cubes of equal
+// steps, and what the wider ones add to them, of what they can, squares.
 #ifndef PRELIGHT_TRANSPORT_ANISOTROPIC_ALBEDO_FUNCS_CL
 #define PRELIGHT_TRANSPORT_ANISOTROPIC_ALBEDO_FUNCS_CL
 
@@ -32,33 +34,49 @@ struct AnisotropicCell {
 
 AnisotropicCell anisotropicCell(float along, float across, float height) {
   AnisotropicCell cell;
-  cell.across = sqrt(clamp(across, 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ANISOTROPIC_ACROSS - 1);
-  cell.stretch = clamp((along - across) / max(1.0f - across, 1e-6f), 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_STRETCHES - 1);
+  cell.across = pow(clamp(across, 0.0f, 1.0f), 0.333333333f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_ACROSS - 1);
+  cell.stretch = sqrt(clamp((along - across) / max(1.0f - across, 1e-6f), 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ANISOTROPIC_STRETCHES - 1);
   cell.height = clamp(height, 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_HEIGHTS - 1);
   int a = min(TO_INT(cell.across), PRELIGHT_ANISOTROPIC_ACROSS - 2);
   int s = min(TO_INT(cell.stretch), PRELIGHT_ANISOTROPIC_STRETCHES - 2);
   int h = min(TO_INT(cell.height), PRELIGHT_ANISOTROPIC_HEIGHTS - 2);
-  cell.at = PRELIGHT_ANISOTROPIC_FIRST + 2 * ((a * PRELIGHT_ANISOTROPIC_STRETCHES + s) * PRELIGHT_ANISOTROPIC_HEIGHTS + h);
+  cell.at = PRELIGHT_ANISOTROPIC_FIRST + PRELIGHT_ANISOTROPIC_TEXELS * ((a * PRELIGHT_ANISOTROPIC_STRETCHES + s) * PRELIGHT_ANISOTROPIC_HEIGHTS + h);
   cell.across = cell.across - TO_FLOAT(a);
   cell.stretch = cell.stretch - TO_FLOAT(s);
   cell.height = cell.height - TO_FLOAT(h);
   return cell;
 }
 
-// texel: 0 or 1.
 vec4 betweenCells(TEXELS table, AnisotropicCell cell, int texel) {
-  int row = 2 * PRELIGHT_ANISOTROPIC_HEIGHTS;
+  int row = PRELIGHT_ANISOTROPIC_TEXELS * PRELIGHT_ANISOTROPIC_HEIGHTS;
   int at = cell.at + texel;
-  vec4 narrower = betweenFour(table, at, 2, row, cell.height, cell.stretch);
-  vec4 wider = betweenFour(table, at + PRELIGHT_ANISOTROPIC_STRETCHES * row, 2, row, cell.height, cell.stretch);
+  vec4 narrower = betweenFour(table, at, PRELIGHT_ANISOTROPIC_TEXELS, row, cell.height, cell.stretch);
+  vec4 wider =
+      betweenFour(table, at + PRELIGHT_ANISOTROPIC_STRETCHES * row, PRELIGHT_ANISOTROPIC_TEXELS, row, cell.height, cell.stretch);
   return mix(narrower, wider, cell.across);
+}
+
+// 1 - the cosine with a facet that would show what leaves along a direction.
+float anisotropicGrazing(TEXELS table, vec3 w, float along, float across) {
+  float cosine = clamp(w.z, 0.0f, 1.0f);
+  float reach2 = min(w.x * w.x + cosine * cosine, 1.0f);
+  float reach = sqrt(reach2);
+  float place = sqrt(reach) * TO_FLOAT(PRELIGHT_ANISOTROPIC_REACHES - 1);
+  int step = min(TO_INT(place), PRELIGHT_ANISOTROPIC_REACHES - 2);
+  float part = place - TO_FLOAT(step);
+  int texel = step / 3;
+  AnisotropicCell cell = anisotropicCell(along, across, sqrt(min(cosine / max(reach, 1e-6f), 1.0f)));
+  vec4 shares = betweenCells(table, cell, 1 + texel);
+  float share = step == 3 * texel       ? mix(shares.x, shares.y, part)
+                : step == 3 * texel + 1 ? mix(shares.y, shares.z, part)
+                                        : mix(shares.z, shares.w, part);
+  return clamp(1.0f - cosine - share * sqrt(reach2 + across * across * (1.0f - reach2)), 0.0f, 1.0f);
 }
 
 // Of a direction above the surface, with the widths along x and y; the first is the larger one.
 vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
   float x2 = w.x * w.x;
   float y2 = w.y * w.y;
-  float even = x2 + y2 > 1e-20f ? (x2 - y2) / (x2 + y2) : 0.0f;
   x2 = x2 * along * along;
   y2 = y2 * across * across;
   float square = x2 + y2;
@@ -67,14 +85,7 @@ vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
   vec4 sums = betweenCells(table, anisotropicCell(along, across, 0.636619772f * asin(sqrt(up))), 0);
   float all = sums.x * (0.5f * turn * (turn + 1.0f)) + sums.y * (1.0f - turn * turn) + sums.z * (0.5f * turn * (turn - 1.0f));
   all = clamp(all, 0.0f, 1.0f);  // the parabola may overshoot between its nodes
-  float cosine = clamp(w.z, 0.0f, 1.0f);
-  vec4 lower = betweenCells(table, anisotropicCell(along, across, sqrt(cosine)), 1);
-  // Lagrange's polynomials of 1, 0, -0.7660444 and -1.
-  float c = even;
-  float k = c + 0.7660444f;
-  float grazing = 1.0f - cosine + lower.x * (c * k * (c + 1.0f) * 0.2831186f) - lower.y * ((c - 1.0f) * k * (c + 1.0f) * 1.3054074f) +
-                  lower.z * ((c - 1.0f) * c * (c + 1.0f) * 3.1594464f) - lower.w * ((c - 1.0f) * c * k * 2.1371576f);
-  grazing = clamp(grazing, 0.0f, 1.0f);
+  float grazing = anisotropicGrazing(table, w, along, across);
   float rise = grazing * grazing * grazing * grazing * grazing;
   return VEC4(all * (1.0f - rise), all * rise, 0.0f, 0.0f);
 }
@@ -82,8 +93,8 @@ vec4 anisotropicAlbedo(TEXELS table, vec3 w, float along, float across) {
 // Its mean over directions, weighted by the cosine.
 vec4 meanAnisotropicAlbedo(TEXELS table, float along, float across) {
   AnisotropicCell cell = anisotropicCell(along, across, 0.0f);
-  int row = (cell.at - PRELIGHT_ANISOTROPIC_FIRST) / (2 * PRELIGHT_ANISOTROPIC_HEIGHTS);
-  int first = PRELIGHT_ANISOTROPIC_FIRST + 2 * PRELIGHT_ANISOTROPIC_HEIGHTS * PRELIGHT_ANISOTROPIC_ROWS;
+  int row = (cell.at - PRELIGHT_ANISOTROPIC_FIRST) / (PRELIGHT_ANISOTROPIC_TEXELS * PRELIGHT_ANISOTROPIC_HEIGHTS);
+  int first = PRELIGHT_ANISOTROPIC_FIRST + PRELIGHT_ANISOTROPIC_TEXELS * PRELIGHT_ANISOTROPIC_HEIGHTS * PRELIGHT_ANISOTROPIC_ROWS;
   return betweenFour(table, first + row, 1, PRELIGHT_ANISOTROPIC_STRETCHES, cell.stretch, cell.across);
 }
 

@@ -37,9 +37,35 @@ PRELIGHT_INLINE void startAfar(__constant const PhotonParameters* p, float3 dire
   e->triangle = PRELIGHT_NO_TRIANGLE;
 }
 
+#ifdef PRELIGHT_PROFILES
+// A direction by what the lamp sends between neighbouring angles, evenly between these.
+PRELIGHT_INLINE void emitByProfile(Lights l, __global const PunctualLight* light, uint2 bits, Emission* e) {
+  const int first = (int)light->profile;
+  const float4 size = l.profiles[first];
+  const uint columns = (uint)size.x, rows = (uint)size.y;
+  float ofColumn, ofRow, u, v;
+  const uint column = chooseEntry(l.tables + light->profileTable, columns, bits.x, &ofColumn, &u);
+  const uint row = chooseEntry(l.tables + light->profileTable + columns + column * rows, rows, bits.y, &ofRow, &v);
+  __global const float4* heights = l.profiles + first + 1;
+  __global const float4* turns = heights + rows + 1u;
+  const float left = turns[column].x, width = turns[column + 1u].x - left;
+  const float low = heights[row].x, high = heights[row + 1u].x;
+  // (1 - cosine) / 2, of which equal parts are equal solid angles.
+  const float from = sin(0.5f * low) * sin(0.5f * low), to = sin(0.5f * high) * sin(0.5f * high);
+  const float part = clamp(mix(from, to, v), 0.0f, 1.0f);
+  const float height = clamp(2.0f * asin(sqrt(part)), low, high), turn = left + u * width + light->profileStart;
+  const float3 pole = vload3(0, light->direction), across = acrossPole(pole);
+  const float sine = 2.0f * sqrt(part * (1.0f - part));
+  e->direction = normalize((1.0f - 2.0f * part) * pole + sine * (cos(turn) * across + sin(turn) * cross(across, pole)));
+  const float4 corners = turns[columns + 1u + column * rows + row];
+  e->power *= betweenCorners(corners, u, (height - low) / (high - low)) * (2.0f * width * (to - from) / (ofColumn * ofRow));
+}
+#endif
+
 #ifdef PRELIGHT_PUNCTUAL
-PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, __global const PunctualLight* light,
-                                          float2 u) {
+PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, Lights l, uint2 bits) {
+  __global const PunctualLight* light = l.punctual + p->source.light;
+  const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
   Emission e;
   e.power = vload3(0, light->intensity);
   if (light->kind == PRELIGHT_DIRECTIONAL_LIGHT) {
@@ -48,6 +74,12 @@ PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, 
   }
   e.origin = vload3(0, light->position);
   e.triangle = PRELIGHT_NO_TRIANGLE;
+#ifdef PRELIGHT_PROFILES
+  if (light->kind == PRELIGHT_PROFILED_LIGHT && p->source.cellCount == 0u) {
+    emitByProfile(l, light, bits, &e);
+    return e;
+  }
+#endif
   // Larsen 6.3 with the polar angle acos(1 - 2 r); of a spot, over its cone.
   const float least = light->kind == PRELIGHT_SPOT_LIGHT ? clamp(-light->coneOffset / light->coneScale, -1.0f, 1.0f) : -1.0f;
   const float cosine = 1.0f - (1.0f - least) * u.y;
@@ -57,6 +89,10 @@ PRELIGHT_INLINE Emission emitFromPunctual(__constant const PhotonParameters* p, 
     const float angular = clamp(cosine * light->coneScale + light->coneOffset, 0.0f, 1.0f);
     e.power *= angular * angular;
   }
+#ifdef PRELIGHT_PROFILES
+  if (light->kind == PRELIGHT_PROFILED_LIGHT)
+    e.power *= profileIntensity(l.profiles, (int)light->profile, vload3(0, light->direction), light->profileStart, e.direction);
+#endif
   return e;
 }
 #endif
@@ -99,7 +135,7 @@ PRELIGHT_INLINE Emission emitLight(__constant const PhotonParameters* p, Lights 
   const float2 u = (float2)(unitFloat(bits.x), unitFloat(bits.y));
   Emission e;
 #ifdef PRELIGHT_PUNCTUAL
-  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, l.punctual + p->source.light, u);
+  if (p->source.kind == PRELIGHT_SOURCE_PUNCTUAL) e = emitFromPunctual(p, l, bits);
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (p->source.kind == PRELIGHT_SOURCE_EMITTERS) e = emitFromSurface(p, l, s, choice, u, place);

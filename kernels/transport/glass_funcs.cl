@@ -46,16 +46,37 @@ PRELIGHT_INLINE float3 specularGlass(Bsdf b, float reflected, float eta) {
   return mix(b.glassF0, (float3)(b.glassF90), rise);
 }
 
+#endif
+
+#ifdef PRELIGHT_FILM_GLASS
+// What a film makes of the share that a surface under it reflects. From within it is that of light which comes from outside along
+// the refracted way.
+PRELIGHT_INLINE float3 filmOnGlass(Bsdf b, float3 bare, float eta, float cosine) {
+  const float outer2 = eta < 1.0f ? 1.0f - (1.0f - cosine * cosine) / (eta * eta) : cosine * cosine;
+  if (!(b.film.share > 0.0f) || b.ior == 0.0f || outer2 <= 0.0f) return bare;
+  return mix(bare, filmReflectance(sqrt(outer2), b.film.outside, b.film.ior, b.film.thickness, b.glassF0), b.film.share);
+}
+#endif
+
+#ifdef PRELIGHT_COLORED_GLASS
 // Share of the light of each channel that one surface reflects, or both of a sheet with all reflections between them.
 PRELIGHT_INLINE float3 glassReflectances(Bsdf b, bool solid, float eta, float cosine) {
-  const float3 reflected = specularGlass(b, b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, eta), eta);
+  const float bare = b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, eta);
+#ifdef PRELIGHT_SPECULAR_GLASS
+  float3 reflected = specularGlass(b, bare, eta);
+#else
+  float3 reflected = (float3)(bare);
+#endif
+#ifdef PRELIGHT_FILM_GLASS
+  reflected = filmOnGlass(b, reflected, eta, cosine);
+#endif
   return solid ? reflected : 2.0f * reflected / (1.0f + reflected);
 }
 #endif
 
 // Share of the light that does not pass, all of it where nothing can: of the channel of which most is reflected.
 PRELIGHT_INLINE float glassReflectance(Bsdf b, bool solid, bool front, float cosine) {
-#ifdef PRELIGHT_SPECULAR_GLASS
+#ifdef PRELIGHT_COLORED_GLASS
   return largest(glassReflectances(b, solid, relativeIor(b, solid, front), cosine));
 #else
   const float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(cosine, relativeIor(b, solid, front));
@@ -65,7 +86,7 @@ PRELIGHT_INLINE float glassReflectance(Bsdf b, bool solid, bool front, float cos
 
 // Colour of what it reflects.
 PRELIGHT_INLINE float3 glassColor(Bsdf b, bool solid, bool front, float cosine) {
-#ifdef PRELIGHT_SPECULAR_GLASS
+#ifdef PRELIGHT_COLORED_GLASS
   const float3 reflected = glassReflectances(b, solid, relativeIor(b, solid, front), cosine);
   return reflected / fmax(largest(reflected), 1e-9f);
 #else

@@ -26,6 +26,9 @@ typedef struct Interaction {
   float3 wo;         // unit, back along the ray
   float3 geometric;  // unit normal of the triangle, on the side that the ray came from
   Frame frame;       // around the shading normal, z, on the same side
+#ifdef PRELIGHT_ANISOTROPY
+  bool stretched;    // its x is the way in which the surface is rougher; else there is none
+#endif
   float3 woLocal;    // wo in the frame
   bool front;
   uint triangle;
@@ -73,8 +76,9 @@ PRELIGHT_INLINE bool tangentsAt(PathScene s, uint triangle, float u, float v, fl
 
 #ifdef PRELIGHT_ANISOTROPY
 // The frame around a shading normal whose x is the way in which an anisotropic material is rougher (KHR_materials_anisotropy).
-// n: the normal of the front without bumps.
-PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, float v, float3 n, float3 shading) {
+// n: the normal of the front without bumps. stretched: whether there is such a way.
+PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, float v, float3 n, float3 shading, bool* stretched) {
+  *stretched = false;
   const DeviceTriangle t = s.surface.triangles[storedTriangle(s.surface, triangle).index];
   __global const ShadeMaterial* m = s.materials + t.material;
   float3 x, y;
@@ -82,6 +86,7 @@ PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, floa
   float2 way = (float2)(1.0f, 0.0f);
   const uint texture = m->textures[PRELIGHT_ANISOTROPY_TEXTURE];
   if (texture != PRELIGHT_NO_TEXTURE) way = 2.0f * textureAt(s.surface, texture, t, u, v).xy - 1.0f;
+  if (dot(way, way) < 1e-4f) return frameAround(shading);  // no byte tells 0 exactly
   const float2 turn = vload2(0, m->anisotropyTurn);
   const float3 along = (turn.x * way.x - turn.y * way.y) * x + (turn.y * way.x + turn.x * way.y) * y;
   const float3 inPlane = along - dot(along, shading) * shading;
@@ -91,6 +96,7 @@ PRELIGHT_INLINE Frame anisotropicFrame(PathScene s, uint triangle, float u, floa
   frame.x = inPlane * rsqrt(square);
   frame.y = cross(shading, frame.x);
   frame.z = shading;
+  *stretched = true;
   return frame;
 }
 #endif
@@ -155,7 +161,7 @@ PRELIGHT_INLINE Interaction loadInteraction(PathScene s, Ray ray, Hit hit) {
   }
 #endif
 #ifdef PRELIGHT_ANISOTROPY
-  i.frame = anisotropicFrame(s, hit.triangle, hit.u, hit.v, even, i.front ? shading : -shading);
+  i.frame = anisotropicFrame(s, hit.triangle, hit.u, hit.v, even, i.front ? shading : -shading, &i.stretched);
 #else
   i.frame = frameAround(i.front ? shading : -shading);
 #endif

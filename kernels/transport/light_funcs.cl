@@ -6,15 +6,23 @@
 
 #include "core/punctual_funcs.cl"
 #include "transport/emitter_funcs.cl"
+#include "transport/profile_funcs.cl"
 #include "transport/sky_funcs.cl"
 
 #ifdef PRELIGHT_PUNCTUAL
-PRELIGHT_INLINE bool samplePunctual(__global const PunctualLight* light, float3 point, LightSample* a) {
+PRELIGHT_INLINE bool samplePunctual(Lights l, uint index, float3 point, LightSample* a) {
+  __global const PunctualLight* light = l.punctual + index;
   float falloff;
   if (!seePunctual(light, point, &a->direction, &a->distance, &falloff)) return false;
   a->punctual = true;
   a->surface = false;
   a->pdf = 1.0f;
+#ifdef PRELIGHT_PROFILES
+  if (light->kind == PRELIGHT_PROFILED_LIGHT) {
+    falloff *= profileIntensity(l.profiles, (int)light->profile, vload3(0, light->direction), light->profileStart, -a->direction);
+    if (!(falloff > 0.0f)) return false;
+  }
+#endif
   a->radiance = falloff * vload3(0, light->intensity);
   return true;
 }
@@ -29,7 +37,7 @@ PRELIGHT_INLINE bool sampleLight(Lights l, __constant const LightLayout* layout,
   bool arrives = false;
   uint next = layout->emitterGroup;
 #ifdef PRELIGHT_PUNCTUAL
-  if (group < next) arrives = samplePunctual(l.punctual + group, point, a);
+  if (group < next) arrives = samplePunctual(l, group, point, a);
 #endif
 #ifdef PRELIGHT_EMITTERS
   if (group == next) arrives = sampleEmitter(l, layout, s, point, choice.y, (float2)(unitFloat(place.x), unitFloat(place.y)), a);

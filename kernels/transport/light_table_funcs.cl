@@ -1,5 +1,6 @@
 // The lights of a scene, and the tables that one is chosen by in proportion to its power.
-// Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY: the scene has such lights.
+// Options: PRELIGHT_PUNCTUAL, PRELIGHT_EMITTERS, PRELIGHT_SKY: the scene has such lights; PRELIGHT_PROFILES: punctual ones
+// with profiles.
 #ifndef PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LIGHT_TABLE_FUNCS_CL
 
@@ -7,11 +8,14 @@
 #include "shared/shade_types.h"
 
 typedef struct Lights {
-  __global const uint* tables;             // lower bounds in 2^32: groups, emitters, sky rows, sky columns a row
+  __global const uint* tables;             // lower bounds in 2^32: groups, emitters, sky rows, sky columns a row, profiles
   __global const uint* emitters;           // [emitter] triangle
   __global const float* emitterDensities;  // [triangle] 1/m2 with which a point of it is drawn; 0: no emitter
   __global const PunctualLight* punctual;
   __global const float4* sky;  // [row][column] radiance
+#ifdef PRELIGHT_PROFILES
+  __global const float4* profiles;
+#endif
 } Lights;
 
 // What arrives at a point from a light, were nothing in the way.

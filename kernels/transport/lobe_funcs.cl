@@ -5,7 +5,7 @@
 // PRELIGHT_DISPERSION (some glass refracts by wavelength), PRELIGHT_SPECULAR_GLASS (some reflects otherwise than its index of
 // refraction tells), PRELIGHT_LAYERS (some surface has a clear coat or a sheen; needs PRELIGHT_GLOSSY),
 // PRELIGHT_ANISOTROPY (some lobe is wider one way than the other; needs PRELIGHT_GLOSSY),
-// PRELIGHT_FILM (some lies under a thin film; needs PRELIGHT_GLOSSY),
+// PRELIGHT_FILM (some lies under a thin film; needs PRELIGHT_GLOSSY), PRELIGHT_FILM_GLASS (some of that is glass),
 // PRELIGHT_ROUGH_GLASS (some glass is rough; needs PRELIGHT_GLOSSY), PRELIGHT_TRANSLUCENT (some lets light through diffusely).
 #ifndef PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
 #define PRELIGHT_TRANSPORT_LOBE_FUNCS_CL
@@ -15,6 +15,10 @@
 #include "transport/albedo_table_funcs.cl"
 #include "transport/anisotropic_albedo_funcs.cl"
 #include "transport/film_funcs.cl"
+
+#if defined(PRELIGHT_SPECULAR_GLASS) || defined(PRELIGHT_FILM_GLASS)
+#define PRELIGHT_COLORED_GLASS  // what some glass reflects has a colour
+#endif
 
 #define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
 #define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/caustic_casters.h says the same
@@ -72,7 +76,7 @@ typedef struct Bsdf {
 #ifdef PRELIGHT_DISPERSION
   float bentIor;  // with which it refracts; `ior` tells what it reflects
 #endif
-#ifdef PRELIGHT_SPECULAR_GLASS
+#ifdef PRELIGHT_COLORED_GLASS
   float3 glassF0;  // reflectance of the glass along its normal
   float glassF90;  // and at grazing angles
 #endif
@@ -191,14 +195,16 @@ PRELIGHT_INLINE float3 laterUnderFilm(Film f, float3 below, float3 bare, float m
 }
 
 // Completes what setReflectance leaves to a film.
-PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 layer, float layerShare, float2 mean, Bsdf* b) {
+// `bare`: of later bounces off the layer where it has no film.
+PRELIGHT_INLINE void setFilmReflectance(float3 metal, float metalShare, float3 layer, float3 bare, float layerShare, float2 mean,
+                                        Bsdf* b) {
   Film* f = &b->film;
   f->metal = metal;
   f->metalShare = metalShare;
   f->layer = layer;
   f->layerShare = layerShare;
   const float3 metalLater = laterUnderFilm(*f, metal, laterReflectance(metal, (float3)(1.0f), b->missing), b->missing);
-  const float3 layerLater = laterUnderFilm(*f, layer, (float3)(b->layer.z), b->missing);
+  const float3 layerLater = laterUnderFilm(*f, layer, bare, b->missing);
   b->specular.later = metalShare * metalLater + layerShare * layerLater;
   if (!(layerShare > 0.0f)) return;
   b->layer.z = largest(layerLater);
@@ -227,7 +233,7 @@ PRELIGHT_INLINE void setReflectance(float3 metal, float metalShare, float3 layer
   b->bodyGain = 1.0f / fmax(passedLayer(*b, mean), 1e-6f);
 #ifdef PRELIGHT_FILM
   b->film.metalShare = b->film.layerShare = 0.0f;
-  if (b->film.share > 0.0f) setFilmReflectance(metal, metalShare, layerF0, layerShare, mean, b);
+  if (b->film.share > 0.0f) setFilmReflectance(metal, metalShare, layerF0, layerLater, layerShare, mean, b);
 #endif
 }
 

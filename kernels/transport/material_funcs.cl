@@ -76,7 +76,7 @@ PRELIGHT_INLINE void setSpecular(PathScene s, Interaction i, float3 base, float 
   const float3 color = materialTexture(s, PRELIGHT_SPECULAR_COLOR_TEXTURE, i.triangle, i.u, i.v).xyz;
   const float f90 = m->specular * materialTexture(s, PRELIGHT_SPECULAR_TEXTURE, i.triangle, i.u, i.v).w;
   const float3 f0 = f90 * fmin(vload3(0, m->f0) * color, 1.0f);
-#ifdef PRELIGHT_SPECULAR_GLASS
+#ifdef PRELIGHT_COLORED_GLASS
   b->glassF0 = f0;
   b->glassF90 = f90;
 #endif
@@ -87,7 +87,8 @@ PRELIGHT_INLINE void setSpecular(PathScene s, Interaction i, float3 base, float 
 // Widens the lobe along the frame's x (KHR_materials_anisotropy).
 PRELIGHT_INLINE void setAnisotropy(PathScene s, Interaction i, Bsdf* b) {
   __global const ShadeMaterial* m = s.materials + i.material;
-  const float strength = m->anisotropy * materialTexture(s, PRELIGHT_ANISOTROPY_TEXTURE, i.triangle, i.u, i.v).z;
+  const float strength =
+      i.stretched ? m->anisotropy * materialTexture(s, PRELIGHT_ANISOTROPY_TEXTURE, i.triangle, i.u, i.v).z : 0.0f;
   if (m->anisotropy > 0.0f) {
     b->roughness = fmax(b->roughness, PRELIGHT_SMOOTH_BELOW);
     b->alpha = b->roughness * b->roughness;

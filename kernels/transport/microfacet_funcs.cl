@@ -46,10 +46,14 @@ PRELIGHT_INLINE float pdfMicrofacet(float3 wo, float3 h, float alpha) {
   return 0.5f * ggxDensity(h, alpha) / (wo.z + smithTerm(wo.z, alpha));
 }
 
-// May lie below the surface.
-PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
-  const float3 h = sampleVisibleNormal(u, wo, (float2)(alpha));
+// Where a normal that is visible from wo reflects to. May lie below the surface.
+PRELIGHT_INLINE float3 mirroredAtVisibleNormal(float2 u, float3 wo, float2 alphas) {
+  const float3 h = sampleVisibleNormal(u, wo, alphas);
   return 2.0f * dot(wo, h) * h - wo;
+}
+
+PRELIGHT_INLINE float3 sampleMicrofacet(float2 u, float3 wo, float alpha) {
+  return mirroredAtVisibleNormal(u, wo, (float2)(alpha));
 }
 
 #ifdef PRELIGHT_ANISOTROPY
@@ -88,10 +92,9 @@ PRELIGHT_INLINE float pdfFacets(Bsdf b, float3 wo, float3 h) {
 // May lie below the surface.
 PRELIGHT_INLINE float3 sampleFacets(Bsdf b, float2 u, float3 wo) {
 #ifdef PRELIGHT_ANISOTROPY
-  const float3 h = sampleVisibleNormal(u, wo, b.alphas);
-  return 2.0f * dot(wo, h) * h - wo;
+  return mirroredAtVisibleNormal(u, wo, b.alphas);
 #else
-  return sampleMicrofacet(u, wo, b.alpha);
+  return mirroredAtVisibleNormal(u, wo, (float2)(b.alpha));
 #endif
 }
 

@@ -14,7 +14,7 @@
 PRELIGHT_INLINE bool isRoughGlass(Bsdf b) { return !b.smooth && b.glass > 0.0f; }
 
 PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
-#ifdef PRELIGHT_SPECULAR_GLASS
+#ifdef PRELIGHT_COLORED_GLASS
   return largest(glassReflectances(b, b.solid, b.eta, clamp(cosine, 1e-6f, 1.0f)));
 #else
   const float reflected = b.ior == 0.0f ? 1.0f : fresnelDielectric(clamp(cosine, 1e-6f, 1.0f), b.eta);
@@ -47,7 +47,7 @@ PRELIGHT_INLINE float laterInGlass(Bsdf b, float cosine) {
 
 // Share of what microfacets of glass scatter, under this cosine with their normal, that takes the side of wi, and its colour.
 PRELIGHT_INLINE float3 sideOfGlass(Bsdf b, float cosine, bool passes) {
-#ifdef PRELIGHT_SPECULAR_GLASS
+#ifdef PRELIGHT_COLORED_GLASS
   if (!passes) return glassReflectances(b, b.solid, b.eta, clamp(cosine, 1e-6f, 1.0f));
 #endif
   const float reflected = roughGlassReflectance(b, cosine);

@@ -34,7 +34,11 @@ PRELIGHT_INLINE Lights lightsOf(__constant const SceneLayout* layout, __global c
   const Lights l = {(__global const uint*)(lights + layout->tables), (__global const uint*)(lights + layout->emitters),
                     (__global const float*)(lights + layout->emitterDensities),
                     (__global const PunctualLight*)(lights + layout->punctual),
-                    (__global const float4*)(lights + layout->sky)};
+                    (__global const float4*)(lights + layout->sky)
+#ifdef PRELIGHT_PROFILES
+                    , (__global const float4*)(lights + layout->profiles)
+#endif
+  };
   return l;
 }
 

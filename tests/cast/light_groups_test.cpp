@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "prelight/error.h"
+#include "support/profiles.h"
 #include "support/run_bake.h"
 #include "support/scenes.h"
 
@@ -70,6 +71,19 @@ TEST(LightGroupBake, PointLightAbovePlane_IsTheInverseSquareLaw) {
   for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
     const double r2 = glm::dot(scene.positions[v], scene.positions[v]) + 1.0;
     EXPECT_NEAR(bake.lightGroups->coefficients[v], 1.0 / (pi * r2 * std::sqrt(r2)), 6e-4) << v;
+  }
+}
+
+TEST(LightGroupBake, LampWithAProfile_SendsByIt) {
+  CompiledScene scene = test::ground(40, 1.0f);
+  Light lamp = test::profiledLight({0.0, 1.0, 0.0}, test::makeProfile(test::cosineLobe));
+  lamp.intensity = {5, 3, 1};
+  scene.lights = {lamp};
+  const Bake bake = test::runBake(scene, groupRequest()).bake;
+  ASSERT_EQ(bake.lightGroups->groups.size(), 1u);
+  for (std::size_t v = 0; v < scene.vertexCount(); ++v) {
+    const double r2 = glm::dot(scene.positions[v], scene.positions[v]) + 1.0;
+    EXPECT_NEAR(bake.lightGroups->coefficients[v], 1.0 / (pi * r2 * r2), 1e-3) << v;
   }
 }
 

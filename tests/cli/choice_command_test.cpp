@@ -158,5 +158,33 @@ TEST_F(CliChoice, AnotherVariantThanTheBakedOne_IsAWarning) {
               HasSubstr("variant \"dusk\", which the file no longer has"));
 }
 
+TEST_F(CliChoice, AnotherSceneThanTheBakedOne_IsShownWithoutTheBakeAndSaid) {
+  writeFile("choices.glb", choices().bytes());
+  prelightDone({"bake", "choices.glb", "-o", "roof.glb", "--ao", "--rays", "4", "--scene", "roof"});
+  EXPECT_EQ(parseGlb(readFile("roof.glb")).json["extensions"]["PRELIGHT_transfer"]["scene"], 1);
+  const std::vector<std::string> render = {"render", "roof.glb", "-o", "a.png", "--size", "16x16"};
+  EXPECT_THAT(prelightDone(render).errors, testing::Not(HasSubstr("baked of")));
+  std::vector<std::string> other = render;
+  other.insert(other.end(), {"--scene", "both"});
+  EXPECT_THAT(prelightDone(other).errors, HasSubstr("baked of scene 1 \"roof\", not of scene 0 \"both\""));
+  // Also of a file whose bake does not say.
+  GlbScene silent = parseGlb(readFile("roof.glb"));
+  silent.json["extensions"]["PRELIGHT_transfer"].erase("scene");
+  writeFile("silent.glb", silent.bytes());
+  other[1] = "silent.glb";
+  EXPECT_THAT(prelightDone(other).errors, HasSubstr("baked of scene 1 \"roof\", not of scene 0 \"both\""));
+}
+
+TEST_F(CliChoice, AnotherMomentThanTheBakedOne_IsSaid) {
+  prelightDone({"scene", "swing", "-o", "swing.glb"});
+  prelightDone({"bake", "swing.glb", "-o", "baked.glb", "--ao", "--rays", "4", "--at", "2"});
+  const auto errorsAt = [&](const char* seconds) {
+    return prelightDone({"bake", "baked.glb", "-o", "again.glb", "--ao", "--rays", "4", "--at", seconds})
+        .errors;
+  };
+  EXPECT_THAT(errorsAt("1"), HasSubstr("baked at 2 s of animation 0, not at 1 s of animation 0"));
+  EXPECT_THAT(errorsAt("2"), testing::Not(HasSubstr("baked at")));
+}
+
 }  // namespace
 }  // namespace prelight::test

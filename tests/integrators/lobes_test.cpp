@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gpu/film_table.h"
 #include "support/shot.h"
 
 // Materials' extensions where light is followed, against closed forms.
@@ -81,6 +82,19 @@ TEST(AnisotropicMetal, RotationAndTexture_TurnTheWayTowardsTheBitangent) {
       const double turned = angle + std::atan2(way.y, way.x);
       expectBrushed(shot, 0.7 * 128.0 / 255.0, glm::dvec3(u * std::cos(turned), 0, -std::sin(turned)));
     }
+}
+
+// A texel of no direction, as near as bytes tell: the lobe is even, wherever the light comes from.
+TEST(AnisotropicMetal, WithoutADirection_IsEven) {
+  Anisotropy anisotropy;
+  anisotropy.strength = 0.7f;
+  Shot shot = brushedPlate(1.0, 0.4f, anisotropy);
+  shot.images = {{"way", 1, 1, {128, 127, 255, 255}}};
+  shot.scene.materials[0].anisotropy.texture.image = 0;
+  for (const glm::dvec3& sun : suns) {
+    shot.lights = {sunDown(sun)};
+    expectBrushed(shot, 0.0, {1, 0, 0});
+  }
 }
 
 /// A slab of glass one metre thick over a strip that emits 1, seen along a slope of 45 degrees.
@@ -188,6 +202,67 @@ TEST(SpecularGlass, ThinSheetSeenFromAbove_ReflectsAndPassesByItsFactors) {
   for (int c = 0; c < 3; ++c)  // what passes is what the channel of which most is reflected leaves
     EXPECT_NEAR(found[std::size_t(c)].mean, reflected[c] + 1.0 - reflected.x,
                 5.0 * found[std::size_t(c)].error + 1e-4);
+}
+
+// Glass of KHR_materials_iridescence: the film's reflectance takes the place of Fresnel's.
+TEST(FilmedGlass, ThinSheet_ReflectsAsTheFilmAndPassesTheRest) {
+  for (const double angle : {0.0, 0.9, 1.3}) {
+    Shot shot = shotOf(ground(1, 1.0f),
+                       orthographicCamera({std::sin(angle), std::cos(angle), 0}, {0, 0, 0}, 0.05), 4, 4096);
+    CompiledMaterial& m = shot.scene.materials[0] = glass(1.5f, false);
+    m.iridescence.factor = 0.75f;
+    m.iridescence.ior = 1.9f;
+    m.iridescence.thicknessMaximum = 450.0f;
+    shot.sky = constantEnvironment(glm::vec3(1.0f));
+    const auto found = channelsOf(shot.render());
+    const double cosine = std::cos(angle), within = std::sqrt(1.0 - std::pow(std::sin(angle) / 1.5, 2.0));
+    const double s = (cosine - 1.5 * within) / (cosine + 1.5 * within),
+                 p = (1.5 * cosine - within) / (1.5 * cosine + within);
+    const glm::dvec3 once = glm::mix(glm::dvec3(0.5 * (s * s + p * p)),
+                                     filmReflectance(cosine, 1.0, 1.9, 450.0, glm::dvec3(0.04)), 0.75);
+    const glm::dvec3 reflected = 2.0 * once / (1.0 + once);
+    EXPECT_GT(
+        std::max({reflected.x, reflected.y, reflected.z}) - std::min({reflected.x, reflected.y, reflected.z}),
+        0.02);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[std::size_t(c)].mean,
+                  1.0 + reflected[c] - std::max({reflected.x, reflected.y, reflected.z}),
+                  5.0 * found[std::size_t(c)].error + 1e-4);
+  }
+}
+
+/// A path meets the slab's faces under one angle: of a channel R is reflected and M, of which most is,
+/// decides what passes.
+TEST(FilmedGlass, SlabUnderAnEvenSky_ReflectsBetweenItsFacesAsTheFilmTells) {
+  CompiledScene slab = box(1, {-8, 0, -8}, {8, 1, 8}, false);
+  slab.triangleFlat.assign(slab.triangles.size(), 1);
+  Shot shot = shotOf(std::move(slab), orthographicCamera({-1, 2, 0}, {0, 1, 0}, 1e-4), 8, 4096);
+  shot.scene.materials = {glass(1.5f, true)};
+  CompiledMaterial& m = shot.scene.materials[0];
+  m.iridescence.factor = 1.0f;
+  m.iridescence.ior = 1.9f;
+  m.iridescence.thicknessMaximum = 450.0f;
+  shot.sky = constantEnvironment(glm::vec3(1.0f));
+  shot.request.depth = 40;
+  const glm::dvec3 r = filmReflectance(std::sqrt(0.5), 1.0, 1.9, 450.0, glm::dvec3(0.04));
+  const double most = std::max({r.x, r.y, r.z});
+  const auto found = channelsOf(shot.render());
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(found[std::size_t(c)].mean, r[c] + (1.0 - most) * (1.0 - most) / (1.0 - r[c]),
+                5.0 * found[std::size_t(c)].error + 1e-3);
+}
+
+TEST(FilmedGlass, RoughBallUnderAnEvenSky_LosesLittle) {
+  Shot shot = dispersiveBall(0.0f, 0.4f, 2048);
+  shot.scene.materials[0].iridescence.factor = 1.0f;
+  shot.scene.materials[0].iridescence.ior = 1.6f;
+  shot.scene.materials[0].iridescence.thicknessMaximum = 400.0f;
+  double most = 0.0;
+  for (const MeanAndError& channel : channelsOf(shot.render())) {
+    EXPECT_LT(channel.mean, 1.0 + 5.0 * channel.error + 8e-3);
+    most = std::max(most, channel.mean);
+  }
+  EXPECT_GT(most, 0.96);  // no channel is the one of which most is reflected at every angle
 }
 
 // KHR_materials_clearcoat: the coat lies over what emits.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/devices.h"
+#include "support/profiles.h"
 #include "support/scenes.h"
 
 namespace prelight {
@@ -31,6 +32,22 @@ TEST(DirectLight, ThousandsOfEqualLights_AddUp) {
   const glm::dvec3 way(0.3, 1.0 - 1e-3, 0.2);
   const double expected = double(light.intensity.x) * double(count) * way.y / std::pow(glm::length(way), 3.0);
   EXPECT_NEAR(direct.at(places)[0].far.x / expected, 1.0, 2e-5);
+}
+
+TEST(DirectLight, LampWithAProfile_ShinesByIt) {
+  const CompiledScene scene = test::ground(1, 9.0f);
+  Light lamp = test::profiledLight({0, 2, 0}, test::makeProfile(test::cosineLobe));
+  lamp.intensity = glm::vec3(3.0f);
+  RadiosityLights lights;
+  lights.punctual = {lamp};
+  Tracer tracer(scene, test::sharedDevice());
+  DirectLight direct(scene, tracer);
+  direct.setLights(lights);
+  for (const float x : {0.0f, 1.0f, 4.0f}) {
+    const std::array<device::Receiver, 1> places = {lookingUp({x, 1e-3f, 0})};
+    const double height = 2.0 - 1e-3, cosine = height / std::hypot(double(x), height);
+    EXPECT_NEAR(direct.at(places)[0].far.x, 3.0 / (height * height) * std::pow(cosine, 4.0), 3e-4);
+  }
 }
 
 // As an element's own emission does, wherever on the lamp the texture is bright.

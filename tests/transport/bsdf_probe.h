@@ -35,11 +35,10 @@ struct ProbedSample {
 /// A surface whose scattering is asked for on the device. `values`: as probeBsdf() reads them.
 class BsdfProbe {
  public:
-  /// `ior`: of solid rough glass.
-  BsdfProbe(BuildOptions options, std::vector<float> values, double ior = 1.5)
+  BsdfProbe(BuildOptions options, std::vector<float> values, const GlassSurface& glass = {})
       : options_(std::move(options)), values_(std::move(values)) {
     append(makeAnisotropicTable());
-    append(makeGlassTable(ior));
+    append(makeGlassTable(glass));
   }
 
   /// Its place in the table.

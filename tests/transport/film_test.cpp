@@ -9,6 +9,7 @@
 #include "gpu/film_table.h"
 #include "transport/bsdf_probe.h"
 #include "transport/chi_square.h"
+#include "transport/sampler_checks.h"
 
 // Thin films over metals and dielectrics (KHR_materials_iridescence).
 namespace prelight::test {
@@ -135,19 +136,7 @@ TEST_P(FilmOver, ReflectsNoMoreThanArrives) {
   }
 }
 
-TEST_P(FilmOver, Reflection_IsReciprocal) {
-  std::vector<glm::vec4> a, b;
-  for (int i = 0; i < 4000; ++i) {
-    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
-    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
-  }
-  const Probed there = surface_.probe(a, b), back = surface_.probe(b, a);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double f = there.total(i) / double(b[i].z), g = back.total(i) / double(a[i].z);
-    EXPECT_NEAR(f, g, 4e-4 * (1e-3 + std::abs(f))) << i;
-    EXPECT_GE(f, 0.0);
-  }
-}
+TEST_P(FilmOver, Reflection_IsReciprocal) { expectReciprocity(surface_, 4e-4); }
 
 TEST_P(FilmOver, Sampling_FollowsItsDensity) {
   if (GetParam().roughness < 0.2f) GTEST_SKIP() << "too sharp for the grid";

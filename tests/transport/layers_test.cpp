@@ -6,6 +6,7 @@
 
 #include "transport/bsdf_probe.h"
 #include "transport/chi_square.h"
+#include "transport/sampler_checks.h"
 
 // Clear coats and sheen over other materials (kernels/transport/layer_funcs.cl).
 namespace prelight::test {
@@ -88,23 +89,7 @@ TEST_P(Layers, OverASurfaceThatAbsorbsNothing_ReflectAllLight) {
 }
 
 TEST_P(Layers, Samples_WeighTheirValueByTheirDensity) {
-  for (const double cosine : {1.0, 0.5, 0.1}) {
-    const glm::vec4 wo = directionOf(cosine, 0.3);
-    std::vector<ProbedSample> samples;
-    std::vector<glm::vec4> wi;
-    for (const ProbedSample& drawn : surface_.sample(wo, 4000)) {
-      if (!drawn.goesOn()) continue;
-      samples.push_back(drawn);
-      wi.push_back(drawn.direction);
-    }
-    ASSERT_GT(samples.size(), 2000u);
-    const Probed probed = surface_.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
-    for (std::size_t i = 0; i < wi.size(); ++i) {
-      EXPECT_NEAR(samples[i].density, probed.densities[i], 1e-4f * probed.densities[i]);
-      EXPECT_NEAR(double(samples[i].weight.x) * double(samples[i].density), probed.total(i),
-                  2e-4 * probed.total(i));
-    }
-  }
+  expectSamplesToWeighTheirValue(surface_, 0.3, 1e-4, 2000);
 }
 
 // Layers scale what is below by what they leave of light along the eye's direction, on whichever side of the

@@ -400,6 +400,53 @@ TEST(GlobalIlluminationShading, FilmOverADarkMetal_ColoursTheHighlight) {
   }
 }
 
+Material clearGlass(float thickness) {
+  Material glass;
+  glass.metallic = glass.roughness = 0.0f;
+  glass.transmission = 1.0f;
+  glass.thickness = thickness;
+  glass.ior = 1.5f;
+  return glass;
+}
+
+glm::vec3 underAnEvenSky(const Material& material) {
+  IlluminatedScene scene;
+  scene.quad.add(material);
+  scene.quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+  scene.quad.setSky(constantEnvironment({1, 1, 1}));
+  scene.quad.compile();
+  scene.globalIllumination = darkness(scene.quad);
+  return pixelAt(scene.render(globalIlluminationOptions(33)));
+}
+
+/// What passes is what the channel of which most is reflected leaves.
+TEST(GlobalIlluminationShading, ThinGlass_ReflectsByItsFactorsAndFilm) {
+  const auto expected = [](const glm::dvec3& once) {
+    const glm::dvec3 both = 2.0 * once / (1.0 + once);
+    return both + 1.0 - std::max({both.x, both.y, both.z});
+  };
+  Material tinted = clearGlass(0.0f);
+  tinted.specular = 0.5f;
+  tinted.specularColor = {20.0f, 10.0f, 0.0f};
+  expectColor(underAnEvenSky(tinted), expected({0.4, 0.2, 0.0}), 4e-3);
+  Material filmed = clearGlass(0.0f);
+  filmed.iridescence.factor = 0.5f;
+  filmed.iridescence.ior = 2.0f;
+  filmed.iridescence.thicknessMaximum = 400.0f;
+  const glm::dvec3 film = filmReflectance(1.0, 1.0, 2.0, 400.0, glm::dvec3(0.04));
+  EXPECT_GT(std::abs(film.x - film.y) + std::abs(film.y - film.z), 0.02);
+  expectColor(underAnEvenSky(filmed), expected(glm::mix(glm::dvec3(0.04), film, 0.5)), 4e-3);
+}
+
+/// The colours of the wavelengths add up to white.
+TEST(GlobalIlluminationShading, DispersiveGlassUnderAnEvenSky_IsWhite) {
+  Material glass = clearGlass(1.0f);
+  const glm::vec3 plain = underAnEvenSky(glass);
+  glass.dispersion = 3.0f;
+  expectColor(underAnEvenSky(glass), glm::dvec3(plain), 2e-3);
+  expectColor(plain, {1, 1, 1}, 4e-3);
+}
+
 /// Of a dark coat over black: its texture and its roughness' texture multiply the factors.
 TEST(GlobalIlluminationShading, TexturesOfTheCoat_MultiplyItsFactors) {
   const auto coated = [](bool textured) {

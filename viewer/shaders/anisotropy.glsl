@@ -18,6 +18,7 @@ Stretch readStretch(vec4 texCoords, vec3 even, vec3 n, vec3 point, int triangle)
   vec3 texel = vec3(1.0, 0.5, 1.0);
   if (anisotropy.w > 0.5) texel = texture(anisotropyTexture, texturePlace(texCoords, anisotropyU, anisotropyV)).rgb;
   vec2 way = anisotropy.w > 0.5 ? 2.0 * texel.rg - 1.0 : vec2(1.0, 0.0);
+  if (dot(way, way) < 1e-4) return s;  // no byte tells 0 exactly
   vec3 x, y;
   if (!tangentsAt(gl_FrontFacing ? even : -even, point, triangle, x, y)) return s;
   vec3 turned = (anisotropy.y * way.x - anisotropy.z * way.y) * x + (anisotropy.z * way.x + anisotropy.y * way.y) * y;

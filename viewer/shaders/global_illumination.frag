@@ -14,6 +14,7 @@
 #include "light_map.glsl"
 #include "shadows.glsl"
 #include "surroundings.glsl"
+#include "core/wave_funcs.cl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -24,6 +25,9 @@ uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
 uniform int showsSurroundings;  // 1: the surface reflects as mirrors do what lies around it
 uniform vec3 absorption;        // of a body of glass, 1/m
+uniform float dispersion;       // 20 over Abbe's number
+
+const int waves = 6;  // lengths that light is looked at: their colours add up to white
 
 layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
@@ -70,16 +74,31 @@ vec3 shadeLights(Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye
   return sum + float(stride) * samples;
 }
 
+// What comes through a body along the way to the eye, less what it absorbs.
+vec3 seenThroughBody(vec3 n, vec3 toEye) {
+  vec3 passed;
+  if (!hasDispersion || dispersion <= 0.0) {
+    vec3 seen = radianceThroughBody(vPosition, refract(-toEye, n, 1.0 / glassIor), glassIor, absorption, passed);
+    return passed * seen;
+  }
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < waves; ++k) {
+    float part = (float(k) + 0.5) / float(waves);
+    float ior = iorOfWave(glassIor, dispersion, part);
+    vec3 seen = radianceThroughBody(vPosition, refract(-toEye, n, 1.0 / ior), ior, absorption, passed);
+    sum += colorOfWave(part) * passed * seen;
+  }
+  return sum / float(waves);
+}
+
 // What glass reflects; what it lets through where it has an inside, else the factor of what lies behind.
 vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 through) {
-  float reflected = glassIor > 0.0 ? fresnelDielectric(max(nv, 1e-6), glassIor) : 1.0;
+  vec3 reflected = glassReflectance(s, max(nv, 1e-6));
   if (solidGlass == 0) reflected = 2.0 * reflected / (1.0 + reflected);  // all the reflections between two faces
   vec3 radiance = s.glass * reflected * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
-  through = s.glass * (1.0 - reflected) * base;
+  through = s.glass * (1.0 - largest(reflected)) * base;
   if (solidGlass == 0 || glassIor <= 0.0) return radiance;
-  vec3 passed;
-  vec3 seen = radianceThroughBody(vPosition, refract(-toEye, n, 1.0 / glassIor), glassIor, absorption, passed);
-  radiance += through * passed * base * seen;  // base: where it enters and where it leaves
+  radiance += through * base * seenThroughBody(n, toEye);  // base: where it enters and where it leaves
   through = vec3(0.0);
   return radiance;
 }

@@ -1,17 +1,20 @@
+#include "transport/profile_funcs.cl"
 // The lights; needs variant.glsl. Mirrored by LightBlock of uniform_blocks.h. Their maths is documented in viewer/lighting.h.
 struct Light {
   vec4 positionKind;    // w: LightKind
-  vec4 directionArea;   // xyz: way of the light or emitter's normal; w: emitter's area, or squared least distance
+  vec4 directionArea;   // xyz: way of the light, emitter's normal or profile's pole; w: emitter's area, or squared least distance
   vec4 intensityRange;  // w: range, 0 infinite
-  vec4 cone;            // x, y: scale and offset of the spot; z: 1 far: outside the scene; w: 1 two-sided emitter
+  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry; z: 1 far: outside the scene; w: 1 two-sided emitter
 };
 
+uniform samplerBuffer profiles;  // PackedProfiles
 layout(std140) uniform Lights { Light lights[240]; };
 
 const int kindDirectional = 0;
 const int kindPoint = 1;
 const int kindSpot = 2;
 const int kindEmitter = 3;
+const int kindProfiled = 4;
 
 int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
 bool isFar(Light light) { return light.cone.z > 0.5; }
@@ -42,6 +45,8 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
     float angular = clamp(cosine * light.cone.x + light.cone.y, 0.0, 1.0);
     falloff *= angular * angular;
   }
+  if (hasProfiledLights && kind == kindProfiled)
+    falloff *= profileIntensity(profiles, int(light.cone.y + 0.5), light.directionArea.xyz, light.cone.x, -toLight);
   return light.intensityRange.rgb * falloff;
 }
 

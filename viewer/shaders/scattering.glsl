@@ -42,6 +42,8 @@ struct Scattering {
   float bodyGain;  // 1 over the mean share that passes the layer
   float missing;   // mean share of light that does not leave microfacets at the first bounce
   float glass;     // share that is glass
+  vec3 glassF0;    // its reflectance along the normal
+  float glassF90;  // at grazing angles
   float roughness;
   vec2 widths;  // of the lobe along and across `along`
   vec3 along;   // unit, in the plane of the surface
@@ -111,6 +113,7 @@ vec3 laterUnderFilm(Scattering s, vec3 below, vec3 bare) {
 
 // Adds a film, after all else. coat: share of the surface that has a clear coat.
 void addFilm(vec4 texCoords, float coat, FragmentMaterial m, inout Scattering s) {
+  vec3 bare = laterReflectance(hasLayer ? m.dielectric : vec3(0.0), vec3(m.f90), s.missing);
   s.film.share = film.x * texture(filmTexture, texturePlace(texCoords, filmU, filmV)).r;
   s.film.relative = texture(filmThicknessTexture, texturePlace(texCoords, filmThicknessU, filmThicknessV)).g;
   s.film.thickness = mix(film.z, film.w, s.film.relative);
@@ -122,7 +125,7 @@ void addFilm(vec4 texCoords, float coat, FragmentMaterial m, inout Scattering s)
   s.film.layer = hasLayer ? m.dielectric : vec3(0.0);
   s.film.layerShare = hasLayer && m.f90 > 0.0 ? (1.0 - m.metallic) * (1.0 - m.glass) : 0.0;
   vec3 metalLater = laterUnderFilm(s, m.base, laterReflectance(m.base, vec3(1.0), s.missing));
-  vec3 layerLater = laterUnderFilm(s, s.film.layer, vec3(s.layer.z));
+  vec3 layerLater = laterUnderFilm(s, s.film.layer, bare);
   s.later = s.film.metalShare * metalLater + s.film.layerShare * layerLater;
   if (s.film.layerShare <= 0.0) return;
   s.layer.z = largest(layerLater);
@@ -138,6 +141,8 @@ Scattering scatteringOf(FragmentMaterial m, Stretch stretch) {
   s.diffuse = opaque * m.base * (hasTranslucency ? 1.0 - translucency.a : 1.0);
   s.transmitted = m.through;
   s.glass = m.transmission;
+  s.glassF0 = m.dielectric;
+  s.glassF90 = m.f90;
   s.roughness = hasAnisotropy && anisotropy.x > 0.0 ? max(m.roughness, smoothBelow) : m.roughness;
   s.widths = vec2(mix(s.roughness * s.roughness, 1.0, stretch.amount), s.roughness * s.roughness);
   s.along = stretch.along;
@@ -225,4 +230,17 @@ float fresnelDielectric(float cosine, float eta) {
   float s = (cosine - eta * beyond) / (cosine + eta * beyond);
   float p = (eta * cosine - beyond) / (eta * cosine + beyond);
   return 0.5 * (s * s + p * p);
+}
+
+// Share of the light of each channel that glass reflects where it is entered.
+vec3 glassReflectance(Scattering s, float cosine) {
+  if (glassIor <= 0.0) return vec3(1.0);
+  float bare = fresnelDielectric(cosine, glassIor);
+  float root = (glassIor - 1.0) / (glassIor + 1.0);
+  float rise = clamp((bare - root * root) / max(1.0 - root * root, 1e-6), 0.0, 1.0);
+  bool plain = s.glassF90 == 1.0 && largest(abs(s.glassF0 - vec3(root * root))) < 1e-6;  // as the index tells
+  vec3 reflected = plain ? vec3(bare) : mix(s.glassF0, vec3(s.glassF90), rise);
+  if (hasFilm && s.film.share > 0.0)
+    reflected = mix(reflected, filmReflectance(cosine, s.film.outside, film.y, s.film.thickness, s.glassF0), s.film.share);
+  return reflected;
 }

@@ -50,6 +50,10 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
   b.film.relative = 1.0f;
   b.film.table = (uint)values[33];
 #endif
+#ifdef PRELIGHT_COLORED_GLASS
+  b.glassF0 = vload3(0, values + 7);
+  b.glassF90 = values[10];
+#endif
   setReflectance(vload3(0, values + 3), values[6], vload3(0, values + 7), values[10], values[11], &b);
   return b;
 }

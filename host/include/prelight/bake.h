@@ -32,6 +32,7 @@ struct BakeInfo {
   double seconds = 0.0;
   std::optional<SceneMoment> moment = {};  ///< that the scene was posed at; none: at rest
   std::string variant = {};                ///< of its materials; empty: the file's own
+  int scene = -1;                          ///< of several in the file, the one that was baked; -1: it had one
 };
 
 /// Baked values of every vertex of a CompiledScene, in its vertex order. A technique that was not asked for

@@ -8,6 +8,7 @@
 #include "prelight/device.h"
 #include "prelight/error.h"
 #include "prelight/light_map.h"
+#include "prelight/light_profile.h"
 #include "prelight/load.h"
 #include "prelight/photons.h"
 #include "prelight/picture.h"

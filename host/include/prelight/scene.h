@@ -5,10 +5,12 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "prelight/light_profile.h"
 #include "prelight/picture.h"
 
 namespace prelight {
@@ -181,7 +183,7 @@ struct MeshNode {
 
 enum class LightType : std::uint8_t { Directional, Point, Spot };
 
-/// KHR_lights_punctual in world space.
+/// KHR_lights_punctual or EXT_lights_ies in world space.
 struct Light {
   LightType type = LightType::Point;
   std::string name;
@@ -192,6 +194,9 @@ struct Light {
   float innerConeAngle = 0.0f;           ///< radians, spot only
   float outerConeAngle = 0.785398163f;
   std::size_t sceneNode = 0;  ///< into Scene::nodes, when the file's
+  /// Point only: multiplies the intensity, which then has no unit.
+  std::shared_ptr<const LightProfile> profile = {};
+  glm::dvec3 side{1.0, 0.0, 0.0};  ///< of a profile: unit, the lamp's X axis, across the direction
 };
 
 struct Camera {

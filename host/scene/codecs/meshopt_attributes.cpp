@@ -147,6 +147,10 @@ bool readBlock(Source& source, std::size_t elements, std::span<const std::uint8_
 
 }  // namespace
 
+std::size_t attributeBlockElements(std::size_t stride) {
+  return std::min((8192 / stride) & ~(groupSize - 1), mostBlockElements);
+}
+
 bool isVersion1(std::span<const std::uint8_t> stream) {
   return !stream.empty() && stream[0] == headerVersion1;
 }
@@ -163,7 +167,7 @@ bool decodeVersion1(std::span<const std::uint8_t> stream, std::size_t stride,
   if (!areChannels(channels)) return false;
   std::vector<std::uint8_t> last(baseline.begin(), baseline.end());
   Source source(stream.subspan(1, stream.size() - 1 - tail));
-  const std::size_t blockElements = std::min((8192 / stride) & ~(groupSize - 1), mostBlockElements);
+  const std::size_t blockElements = attributeBlockElements(stride);
   const std::size_t count = out.size() / stride;
   for (std::size_t first = 0; first < count; first += blockElements) {
     const std::size_t elements = std::min(blockElements, count - first);

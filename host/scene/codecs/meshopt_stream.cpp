@@ -15,11 +15,6 @@ namespace {
 
 constexpr const char* exportWithout = "the data are damaged, or export the scene without meshopt compression";
 
-/// Elements of a block of attributes.
-std::uint64_t blockElements(std::uint64_t stride) {
-  return std::min<std::uint64_t>((8192 / stride) & ~std::uint64_t{15}, 256);
-}
-
 /// False when the stream is broken.
 bool decodeElements(std::span<const std::uint8_t> stream, const MeshoptLayout& layout,
                     std::vector<std::uint8_t>& out) {
@@ -67,7 +62,7 @@ std::uint64_t leastMeshoptBytes(const MeshoptLayout& layout) {
       break;
   }
   // Of each block two bits for four bytes of an element, in version 1, and the first element.
-  const std::uint64_t blocks = (layout.count - 1) / blockElements(layout.stride) + 1;
+  const std::uint64_t blocks = (layout.count - 1) / attributeBlockElements(layout.stride) + 1;
   return 1 + blocks * (layout.stride / 4) + layout.stride;
 }
 

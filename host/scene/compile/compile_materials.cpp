@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/srgb.h"
 #include "scene/compile/compile_parts.h"
 
 namespace prelight {
@@ -12,10 +13,8 @@ namespace {
 struct SrgbTable {
   std::array<float, 256> linear{};
   SrgbTable() {
-    for (std::size_t i = 0; i < linear.size(); ++i) {
-      const double s = static_cast<double>(i) / 255.0;
-      linear[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-    }
+    for (std::size_t i = 0; i < linear.size(); ++i)
+      linear[i] = static_cast<float>(linearOfSrgb(static_cast<double>(i) / 255.0));
   }
 };
 

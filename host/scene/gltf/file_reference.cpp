@@ -108,6 +108,13 @@ void checkFileReferences(const GltfDocument& document) {
   const JsonCursor root(name, document.json);
   visitObjects(root, "buffers", [&](const JsonCursor& b) { checkReference(document, b, "uri"); });
   visitObjects(root, "images", [&](const JsonCursor& image) { checkReference(document, image, "uri"); });
+  const auto extensions = root.value().is_object() ? root.find("extensions") : std::nullopt;
+  if (extensions && extensions->value().is_object()) {
+    const auto profiles = extensions->find("EXT_lights_ies");
+    if (profiles && profiles->value().is_object())
+      visitObjects(*profiles, "lights",
+                   [&](const JsonCursor& profile) { checkReference(document, profile, "uri"); });
+  }
   visitObjects(root, "nodes", [&](const JsonCursor& node) { checkLightMaps(document, node); });
 }
 

@@ -14,8 +14,8 @@ namespace prelight {
 /// - what is there, if anything, is a file or a folder: never a device, a pipe or a socket.
 std::filesystem::path referencedFile(const GltfDocument& document, const JsonCursor& uri);
 
-/// Throws InputError where a buffer, an image or a light map, used or not, names a file that referencedFile
-/// refuses. Data URIs and URIs with a scheme are not its business.
+/// Throws InputError where a buffer, an image, a lamp's profile or a light map, used or not, names a file
+/// that referencedFile refuses. Data URIs and URIs with a scheme are not its business.
 void checkFileReferences(const GltfDocument& document);
 
 }  // namespace prelight

@@ -46,6 +46,7 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
     decompress(document, warnings);
     validateBinaryData(document);
     embedImages(document, warnings);
+    embedProfiles(document, warnings);
     if (options.tellOddities) warnOfOddValues(document, warnings);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file, error.what());

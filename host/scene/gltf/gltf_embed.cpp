@@ -8,6 +8,7 @@
 
 #include "base/read_file.h"
 #include "prelight/error.h"
+#include "scene/codecs/ies_profile.h"
 #include "scene/gltf/file_reference.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/image_decode.h"
@@ -167,6 +168,31 @@ void embedImages(GltfDocument& document, Warnings& warnings) {
     json.erase("uri");
     json["mimeType"] = known->second.mimeType;
     json["bufferView"] = known->second.bufferView;
+  }
+}
+
+void embedProfiles(GltfDocument& document, Warnings& warnings) {
+  const std::string file = document.path.string();
+  const auto profilesOf = [&]() -> nlohmann::ordered_json* {
+    const auto extensions = document.json.find("extensions");
+    if (extensions == document.json.end() || !extensions->contains("EXT_lights_ies")) return nullptr;
+    nlohmann::ordered_json& extension = (*extensions)["EXT_lights_ies"];
+    return extension.contains("lights") ? &extension["lights"] : nullptr;
+  };
+  if (profilesOf() == nullptr) return;
+  const GltfUse use = findUse(document.json);
+  for (std::size_t i = 0; i < profilesOf()->size(); ++i) {
+    if (!(*profilesOf())[i].contains("uri") || (*profilesOf())[i].contains("bufferView")) continue;
+    checkPart(use.profiles.contains(i), warnings, [&] {
+      const JsonCursor profile =
+          JsonCursor(file, document.json).at("extensions").at("EXT_lights_ies").at("lights").at(i);
+      const std::vector<std::uint8_t> bytes = readUri(document, profile.at("uri"), mostProfileBytes);
+      const int view = appendBufferView(document, bytes);
+      nlohmann::ordered_json& json = (*profilesOf())[i];
+      json.erase("uri");
+      json["mimeType"] = "application/x-ies-lm-63";
+      json["bufferView"] = view;
+    });
   }
 }
 

@@ -19,6 +19,10 @@ void embedBuffers(GltfDocument& document, std::optional<std::span<const std::uin
 /// Moves images named by URI into buffer views. One that cannot be read stays as it is, with a warning.
 void embedImages(GltfDocument& document, Warnings& warnings);
 
+/// Moves profiles of lamps that are named by URI into buffer views. Throws InputError when one cannot be read
+/// that a node uses; another stays as it is, with a warning.
+void embedProfiles(GltfDocument& document, Warnings& warnings);
+
 /// Makes buffers[0] tell the size of `bin`; no buffers at all when that is empty.
 void updateBufferLength(GltfDocument& document);
 

@@ -39,10 +39,11 @@ struct Placement {
 constexpr std::string_view nowhere = "-";
 constexpr std::string_view anyTexture = "Texture";
 constexpr std::string_view rootPattern = "";
-constexpr std::array<Placement, 11> placements = {
+constexpr std::array<Placement, 12> placements = {
     {{"KHR_materials_variants", {rootPattern, "/meshes/*/primitives/*"}},
      {"KHR_materials_", {"/materials/*", nowhere}},
      {"KHR_lights_punctual", {rootPattern, "/nodes/*"}},
+     {"EXT_lights_ies", {rootPattern, "/nodes/*"}},
      {"KHR_texture_transform", {anyTexture, nowhere}},
      {"KHR_texture_basisu", {"/textures/*", nowhere}},
      {"EXT_texture_", {"/textures/*", nowhere}},

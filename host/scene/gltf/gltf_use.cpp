@@ -101,6 +101,7 @@ void addNodes(const Json& root, GltfUse& use) {
     addIndex(memberOf(node, "skin"), use.skins);
     const Json& extensions = memberOf(node, "extensions");
     addIndex(memberOf(memberOf(extensions, "KHR_lights_punctual"), "light"), use.lights);
+    addIndex(memberOf(memberOf(extensions, "EXT_lights_ies"), "light"), use.profiles);
     const Json& instances = memberOf(memberOf(extensions, "EXT_mesh_gpu_instancing"), "attributes");
     for (const std::string_view name : {"TRANSLATION", "ROTATION", "SCALE"})
       addIndex(memberOf(instances, name), use.accessors);
@@ -119,6 +120,9 @@ void addViews(const Json& root, GltfUse& use) {
   }
   for (const std::size_t index : use.images)
     addIndex(memberOf(elementOf(memberOf(root, "images"), index), "bufferView"), use.bufferViews);
+  const Json& profiles = memberOf(memberOf(memberOf(root, "extensions"), "EXT_lights_ies"), "lights");
+  for (const std::size_t index : use.profiles)
+    addIndex(memberOf(elementOf(profiles, index), "bufferView"), use.bufferViews);
   for (const std::size_t index : use.bufferViews) {
     const Json& view = elementOf(memberOf(root, "bufferViews"), index);
     const std::string compression = meshoptExtensionOf(view);

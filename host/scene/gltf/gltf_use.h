@@ -16,6 +16,7 @@ struct GltfUse {
   std::set<std::size_t> images;       ///< that textures show
   std::set<std::size_t> cameras;      ///< of nodes
   std::set<std::size_t> lights;       ///< of nodes
+  std::set<std::size_t> profiles;     ///< of lamps (EXT_lights_ies), of nodes
   std::set<std::size_t> skins;        ///< of nodes
 };
 

@@ -17,7 +17,7 @@ namespace prelight {
 
 namespace {
 
-constexpr std::array<std::string_view, 26> knownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 27> knownExtensions = {"KHR_lights_punctual",
                                                               "KHR_materials_emissive_strength",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_volume",
@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 26> knownExtensions = {"KHR_lights_punctu
                                                               "KHR_materials_variants",
                                                               "KHR_animation_pointer",
                                                               "EXT_lights_image_based",
+                                                              "EXT_lights_ies",
                                                               "KHR_draco_mesh_compression",
                                                               "EXT_meshopt_compression",
                                                               "KHR_meshopt_compression",

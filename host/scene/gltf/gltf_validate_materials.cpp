@@ -146,6 +146,15 @@ void validateLight(const JsonCursor& light) {
   if (name == "spot") validateNumbers(light.at("spot"), {"innerConeAngle", "outerConeAngle"});
 }
 
+void validateProfile(const JsonCursor& root, const JsonCursor& profile) {
+  profile.stringOr("name", "");
+  const auto view = profile.find("bufferView");
+  if (view) view->asIndex(root.countOf("bufferViews"), "buffer view");
+  if (const auto uri = profile.find("uri"); !uri && !view)
+    profile.fail("expected the profile's uri or bufferView, got neither");
+  profile.stringOr("uri", "");
+}
+
 void requirePositive(const JsonCursor& object, const char* name) {
   const JsonCursor member = object.at(name);
   if (!(member.asNumber() > 0.0))
@@ -211,6 +220,11 @@ void validateCamerasAndLights(const JsonCursor& root, const GltfUse& use, Warnin
   if (punctual) {
     punctual->forEachObject("lights", [&](const JsonCursor& light, std::size_t index) {
       checkPart(use.lights.contains(index), warnings, [&] { validateLight(light); });
+    });
+  }
+  if (const auto profiled = extensions ? extensions->find("EXT_lights_ies") : std::nullopt) {
+    profiled->forEachObject("lights", [&](const JsonCursor& profile, std::size_t index) {
+      checkPart(use.profiles.contains(index), warnings, [&] { validateProfile(root, profile); });
     });
   }
 }

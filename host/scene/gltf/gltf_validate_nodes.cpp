@@ -35,10 +35,16 @@ void validateInstancing(const JsonCursor& root, const JsonCursor& extension) {
   }
 }
 
-std::size_t countLights(const JsonCursor& root) {
+std::size_t countLights(const JsonCursor& root, const char* extension) {
   const auto extensions = root.find("extensions");
-  const auto punctual = extensions ? extensions->find("KHR_lights_punctual") : std::nullopt;
-  return punctual ? punctual->countOf("lights") : 0;
+  const auto lights = extensions ? extensions->find(extension) : std::nullopt;
+  return lights ? lights->countOf("lights") : 0;
+}
+
+void validateProfiled(const JsonCursor& root, const JsonCursor& light) {
+  light.at("light").asIndex(countLights(root, "EXT_lights_ies"), "light profile");
+  light.numberOr("multiplier", 1.0);
+  if (const auto color = light.find("color")) color->expectNumbers(3);
 }
 
 void validateNodeExtensions(const JsonCursor& root, const JsonCursor& node, std::size_t lights) {
@@ -46,6 +52,7 @@ void validateNodeExtensions(const JsonCursor& root, const JsonCursor& node, std:
   if (!extensions) return;
   if (const auto punctual = extensions->find("KHR_lights_punctual"))
     punctual->at("light").asIndex(lights, "light");
+  if (const auto profiled = extensions->find("EXT_lights_ies")) validateProfiled(root, *profiled);
   if (const auto instancing = extensions->find("EXT_mesh_gpu_instancing"))
     validateInstancing(root, *instancing);
 }
@@ -124,7 +131,7 @@ void validateScenes(const JsonCursor& root, const std::vector<std::int64_t>& par
 }  // namespace
 
 void validateNodes(const JsonCursor& root) {
-  const std::size_t lights = countLights(root);
+  const std::size_t lights = countLights(root, "KHR_lights_punctual");
   root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t) { validateNode(root, node, lights); });
   const std::vector<std::int64_t> parents = findParents(root, root.countOf("nodes"));
   validateAcyclic(root, parents);

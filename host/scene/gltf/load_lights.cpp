@@ -5,6 +5,8 @@
 
 #include "base/magnitudes.h"
 #include "prelight/error.h"
+#include "scene/codecs/ies_profile.h"
+#include "scene/gltf/accessor.h"
 #include "scene/gltf/load_parts.h"
 #include "scene/pose.h"
 
@@ -86,6 +88,45 @@ std::optional<Light> loadLight(const LoadContext& context, int node, const glm::
   if (!placeLight(light, world)) warnAboutDirection(context, node);
   requireNear(context, node, light.position);
   if (light.type == LightType::Spot) loadCone(context, source.at("spot"), light);
+  return light;
+}
+
+std::shared_ptr<const LightProfile> ProfileLoader::profileOf(std::size_t index) {
+  const auto known = known_.find(index);
+  if (known != known_.end()) return known->second;
+  const JsonCursor json = LoadContext::extension(context_.root, "EXT_lights_ies")->at("lights").at(index);
+  const JsonCursor view = context_.root.at("bufferViews").at(json.at("bufferView").asUnsigned());
+  const std::uint64_t offset = view.unsignedOr("byteOffset", 0), length = view.at("byteLength").asUnsigned();
+  if (length > mostProfileBytes)
+    json.fail(fmt::format("the profile has {} bytes, expected at most {}", length, mostProfileBytes));
+  const std::vector<std::uint8_t>& bin = context_.document.bin;
+  if (view.at("buffer").asUnsigned() != 0 || offset > bin.size() || length > bin.size() - offset)
+    json.at("bufferView").fail("the profile's data are missing");
+  const std::string_view text(reinterpret_cast<const char*>(bin.data()) + offset, length);
+  const auto profile = std::make_shared<const LightProfile>(parseIesProfile(text, json.where()));
+  return known_.emplace(index, profile).first->second;
+}
+
+std::optional<Light> ProfileLoader::lightOf(int node, const glm::dmat4& world) {
+  const JsonCursor json = context_.root.at("nodes").at(static_cast<std::size_t>(node));
+  const auto reference = LoadContext::extension(json, "EXT_lights_ies");
+  if (!reference) return std::nullopt;
+  const std::size_t index = reference->at("light").asUnsigned();
+  const JsonCursor source = LoadContext::extension(context_.root, "EXT_lights_ies")->at("lights").at(index);
+  Light light;
+  light.name = source.stringOr("name", json.stringOr("name", ""));
+  light.intensity = glm::vec3(nonNegativeOr(context_, *reference, "multiplier", 1.0f));
+  if (const auto color = reference->find("color"))
+    for (int i = 0; i < 3; ++i)
+      light.intensity[i] *= std::clamp(finiteFloat(color->at(static_cast<std::size_t>(i))), 0.0f, 1.0f);
+  light.profile = profileOf(index);
+  const double peak = *std::max_element(light.profile->values.begin(), light.profile->values.end());
+  if (!(peak * std::max({light.intensity.x, light.intensity.y, light.intensity.z}) <= largestInput))
+    reference->fail(fmt::format("the lamp's strongest intensity is {:g}, expected at most {:g}",
+                                peak * light.intensity.x, largestInput),
+                    "dim the lamp");
+  if (!placeLight(light, world)) warnAboutDirection(context_, node);
+  requireNear(context_, node, light.position);
   return light;
 }
 

@@ -190,7 +190,12 @@ void loadExtensions(const LoadContext& context, const JsonCursor& json, Material
       material.ior = 1.0f;
     }
   }
-  if (const auto e = LoadContext::extension(json, "KHR_materials_specular")) {
+  // KHR_materials_specular excludes the older extension, which has told all that it could.
+  const bool told = LoadContext::extension(json, "KHR_materials_pbrSpecularGlossiness").has_value();
+  if (const auto e = LoadContext::extension(json, "KHR_materials_specular"); e && told) {
+    context.warnings.push_back(e->where() +
+                               ": not for a material of KHR_materials_pbrSpecularGlossiness; left out");
+  } else if (e) {
     material.specular = clampedOr(context, *e, "specularFactor", 1.0f);
     material.specularColor = clampedColor<3>(context, *e, "specularColorFactor", glm::vec3(1.0f), noLimit);
     material.specularTexture = loadTexture(context, *e, "specularTexture");
@@ -224,8 +229,6 @@ void loadSpecularGlossiness(const LoadContext& context, const JsonCursor& json, 
 /// What no path draws.
 void warnOfPlainGlass(const LoadContext& context, const JsonCursor& json, const Material& material) {
   if (material.transmission == 0.0f || material.unlit) return;
-  if (material.iridescence.factor > 0.0f)
-    context.warnings.push_back(json.where() + ": the share that is glass is drawn without iridescence");
   if (material.anisotropy.strength > 0.0f)
     context.warnings.push_back(json.where() + ": the share that is glass is drawn without anisotropy");
 }

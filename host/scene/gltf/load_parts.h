@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -134,6 +135,22 @@ std::vector<Material> loadMaterials(const LoadContext& context);
 std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>& materials);
 /// The punctual light of a node, when it carries one.
 std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world);
+/// Reads each profile of lamps once (EXT_lights_ies).
+class ProfileLoader {
+ public:
+  /// The context outlives it.
+  explicit ProfileLoader(const LoadContext& context) : context_(context) {}
+
+  /// The lamp of a node, when it carries one.
+  std::optional<Light> lightOf(int node, const glm::dmat4& world);
+
+ private:
+  std::shared_ptr<const LightProfile> profileOf(std::size_t index);
+
+  const LoadContext& context_;
+  std::map<std::size_t, std::shared_ptr<const LightProfile>> known_;
+};
+
 Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world);
 
 /// A JSON number as a finite float. Throws InputError with the number's path when it overflows.

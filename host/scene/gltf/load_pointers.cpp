@@ -137,7 +137,8 @@ PointerFinder::PointerFinder(const LoadContext& context, const Scene& scene)
     return context.root.at("nodes").at(static_cast<std::size_t>(scene.nodes[sceneNode].node));
   };
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (const auto light = LoadContext::extension(nodeOf(scene.lights[i].sceneNode), "KHR_lights_punctual"))
+    if (const auto light = LoadContext::extension(nodeOf(scene.lights[i].sceneNode), "KHR_lights_punctual");
+        light && scene.lights[i].profile == nullptr)
       lights_[light->at("light").asUnsigned()].push_back(i);
   for (std::size_t i = 0; i < scene.cameras.size(); ++i)
     cameras_[nodeOf(scene.cameras[i].sceneNode).at("camera").asUnsigned()].push_back(i);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/magnitudes.h"
+#include "base/srgb.h"
 #include "scene/gltf/image_decode.h"
 #include "scene/gltf/json_cursor.h"
 #include "scene/gltf/load_parts.h"
@@ -59,10 +60,7 @@ glm::dvec3 sampleFace(const CubeFace& face, const glm::dvec2& uv) {
 /// A picture's alpha divides its colours (RGBD); where it has none it is 1.
 glm::vec3 radianceOf(const std::uint8_t* rgba) {
   glm::vec3 radiance;
-  for (int c = 0; c < 3; ++c) {
-    const double s = rgba[c] / 255.0;
-    radiance[c] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-  }
+  for (int c = 0; c < 3; ++c) radiance[c] = static_cast<float>(linearOfSrgb(rgba[c] / 255.0));
   return radiance * (255.0f / static_cast<float>(std::max<int>(rgba[3], 1)));
 }
 

@@ -122,6 +122,7 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::str
   nameChoices(context, variant, scene);
   const int variantIndex = indexOfVariant(scene);
   SkinLoader skins(context, scene.nodes);
+  ProfileLoader profiles(context);
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const int index = scene.nodes[i].node;
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
@@ -144,7 +145,8 @@ Scene loadScene(const GltfDocument& document, Warnings& warnings, const std::str
       scene.cameras.push_back(loadCamera(context, index, world[i]));
       scene.cameras.back().sceneNode = i;
     }
-    if (auto light = loadLight(context, index, world[i])) {
+    for (auto light : {loadLight(context, index, world[i]), profiles.lightOf(index, world[i])}) {
+      if (!light) continue;
       light->sceneNode = i;
       scene.lights.push_back(*std::move(light));
     }

@@ -146,14 +146,12 @@ TEST(LoadMaterial, AnisotropyIridescenceAndDispersion_OutsideTheirRange_ClampWit
   EXPECT_EQ(warnings.size(), 3u);
 }
 
-TEST(LoadMaterial, GlassWithAFilmOrBrushed_IsNamedInWarnings) {
+TEST(LoadMaterial, BrushedGlass_IsNamedInAWarning) {
   Warnings warnings;
   loadMaterial(R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5},
     "KHR_materials_anisotropy": {"anisotropyStrength": 1}, "KHR_materials_iridescence": {"iridescenceFactor": 1}}})",
                warnings);
-  EXPECT_EQ(warnings.size(), 2u);
-  EXPECT_TRUE(
-      test::anyContains(warnings, "/materials/0: the share that is glass is drawn without iridescence"));
+  EXPECT_EQ(warnings.size(), 1u);  // its film is drawn
   EXPECT_TRUE(
       test::anyContains(warnings, "/materials/0: the share that is glass is drawn without anisotropy"));
 }
@@ -210,6 +208,25 @@ TEST(LoadMaterial, GlossinessOfATexture_BecomesARoughnessOfItsOwn) {
   EXPECT_EQ(material.metallicRoughnessTexture.texCoord, 1);
   ASSERT_EQ(scene.images.size(), 2u);
   EXPECT_EQ(scene.images[1].rgba.at(1), 191);  // 1 - 0.25 x 1
+}
+
+TEST(LoadMaterial, SpecularBesideSpecularGlossiness_IsLeftOutAndSaid) {
+  GltfDocument document = test::triangleDocument();
+  document.json["materials"][0] = Json::parse(R"({"extensions": {
+    "KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.25, "specularFactor": [0.08, 0.04, 0.04],
+      "specularGlossinessTexture": {"index": 0, "texCoord": 1}},
+    "KHR_materials_specular": {"specularFactor": 0.5, "specularColorTexture": {"index": 1}}}})");
+  document.json["images"] = Json::parse(R"([{"bufferView": 0}, {"bufferView": 0}])");
+  document.json["textures"] = Json::parse(R"([{"source": 0}, {"source": 1}])");
+  Warnings warnings;
+  const Scene scene = test::reload(document, warnings);
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.specularColorTexture.image, 0);
+  EXPECT_EQ(material.specular, 1.0f);
+  EXPECT_EQ(material.metallicRoughnessTexture.texCoord, 1);
+  ASSERT_EQ(scene.images.size(), 3u);
+  EXPECT_EQ(scene.images[2].rgba.at(1), 191);
+  EXPECT_TRUE(test::anyContains(warnings, "/materials/0/extensions/KHR_materials_specular: not for"));
 }
 
 TEST(LoadMaterial, GlossinessOfOneTextureAndFactor_IsOneImage) {

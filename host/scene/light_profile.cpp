@@ -1,0 +1,106 @@
+#include "scene/light_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace prelight {
+
+namespace {
+
+constexpr double circle = 2.0 * std::numbers::pi;
+
+/// From the lamp's frame to the world.
+glm::dmat3 frameOf(const Light& light) {
+  return {light.side, glm::cross(-light.direction, light.side), -light.direction};
+}
+
+/// The last interval that begins at or before an angle, which lies within the angles.
+std::size_t intervalOf(const std::vector<double>& angles, double angle) {
+  const auto above = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
+  return static_cast<std::size_t>(above - angles.begin()) - 1;
+}
+
+/// The directions across a pole that turns are reckoned from, as kernels/transport/profile_funcs.cl has them.
+glm::vec3 acrossPole(const glm::vec3& pole) {
+  const glm::vec3 other = std::abs(pole.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return glm::normalize(other - glm::dot(other, pole) * pole);
+}
+
+}  // namespace
+
+double profileTowards(const Light& light, const glm::dvec3& direction) {
+  const LightProfile& p = *light.profile;
+  const glm::dvec3 d = glm::transpose(frameOf(light)) * direction;
+  const glm::dvec3 across = glm::cross(p.start, p.pole);
+  const double x = glm::dot(d, p.start), y = glm::dot(d, across);
+  const double height = std::atan2(std::hypot(x, y), glm::dot(d, p.pole));
+  const double first = p.turns.front(), around = std::atan2(y, x) - first;
+  const double turn = first + around - circle * std::floor(around / circle);
+  if (height < p.heights.front() || height > p.heights.back() || turn > p.turns.back()) return 0.0;
+  const std::size_t row = intervalOf(p.heights, height), column = intervalOf(p.turns, turn);
+  const double v = (height - p.heights[row]) / (p.heights[row + 1] - p.heights[row]);
+  const double u = (turn - p.turns[column]) / (p.turns[column + 1] - p.turns[column]);
+  const double* near = p.values.data() + column * p.heights.size() + row;
+  const double* next = near + p.heights.size();
+  return (1.0 - u) * ((1.0 - v) * near[0] + v * near[1]) + u * ((1.0 - v) * next[0] + v * next[1]);
+}
+
+double cellPower(const LightProfile& p, std::size_t column, std::size_t row) {
+  const double a = p.heights[row], b = p.heights[row + 1], size = b - a;
+  const double* near = p.values.data() + column * p.heights.size() + row;
+  const double* next = near + p.heights.size();
+  const double upper = 0.5 * (near[0] + next[0]), lower = 0.5 * (near[1] + next[1]);
+  const double solid = std::cos(a) - std::cos(b);                        // of the sine
+  const double rising = std::sin(b) - std::sin(a) - size * std::cos(b);  // times the height from a
+  return (p.turns[column + 1] - p.turns[column]) * (upper * solid + (lower - upper) * rising / size);
+}
+
+double profilePower(const LightProfile& profile) {
+  double sum = 0.0;
+  for (std::size_t column = 0; column + 1 < profile.turns.size(); ++column)
+    for (std::size_t row = 0; row + 1 < profile.heights.size(); ++row) sum += cellPower(profile, column, row);
+  return sum;
+}
+
+glm::vec3 profilePole(const Light& light) { return frameOf(light) * light.profile->pole; }
+
+float profileTurn(const Light& light) {
+  const glm::vec3 pole = profilePole(light), x = acrossPole(pole),
+                  start(frameOf(light) * light.profile->start);
+  return std::atan2(glm::dot(start, glm::cross(x, pole)), glm::dot(start, x));
+}
+
+void addProfile(const Light& light, StateHash& hash) {
+  const LightProfile& p = *light.profile;
+  hash.values(p.heights).values(p.turns).values(p.values);
+  for (int c = 0; c < 3; ++c) hash.value(p.pole[c]).value(p.start[c]).value(light.side[c]);
+}
+
+std::size_t PackedProfiles::add(const Light& light) {
+  const LightProfile& p = *light.profile;
+  const auto known =
+      std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.profile == &p; });
+  if (known != known_.end()) return known->entry;
+  const std::size_t entry = texels_.size(), columns = p.turns.size() - 1, rows = p.heights.size() - 1;
+  known_.push_back({&p, entry});
+  texels_.emplace_back(columns, rows, 0.0f, 0.0f);
+  for (const double height : p.heights) texels_.emplace_back(height, 0.0f, 0.0f, 0.0f);
+  for (const double turn : p.turns) texels_.emplace_back(turn, 0.0f, 0.0f, 0.0f);
+  for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double* near = p.values.data() + column * p.heights.size() + row;
+      const double* next = near + p.heights.size();
+      texels_.emplace_back(near[0], near[1], next[0], next[1]);
+    }
+  return entry;
+}
+
+std::optional<std::size_t> PackedProfiles::entryOf(const Light& light) const {
+  const auto known = std::find_if(known_.begin(), known_.end(),
+                                  [&](const Known& k) { return k.profile == light.profile.get(); });
+  if (known == known_.end()) return std::nullopt;
+  return known->entry;
+}
+
+}  // namespace prelight

@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/light_profile.h"
+#include "support/gltf_files.h"
+
+namespace prelight {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+constexpr const char* lamp = "IES:LM-63-2019\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8 4\n";
+
+/// A scene with a lamp at its first node, as a .gltf beside lamp.ies.
+std::string writeScene(const test::TemporaryFolder& folder, const std::string& text, const Json& node,
+                       const char* uri = "lamp.ies") {
+  test::writeBytes(folder / "lamp.ies", text);
+  GltfDocument document = test::triangleDocument();
+  document.json["extensionsUsed"] = {"EXT_lights_ies"};
+  document.json["extensions"]["EXT_lights_ies"]["lights"] =
+      Json::array({{{"uri", uri}}, {{"uri", "none.ies"}}});
+  document.json["nodes"][0]["rotation"] = {0.7071067811865476, 0, 0, 0.7071067811865476};
+  document.json["nodes"][0]["extensions"]["EXT_lights_ies"] = node;
+  document.json.erase("buffers");
+  for (const char* part : {"meshes", "accessors", "bufferViews", "materials"}) document.json.erase(part);
+  document.json["nodes"][0].erase("mesh");
+  test::writeBytes(folder / "a.gltf", document.json.dump());
+  return (folder / "a.gltf").string();
+}
+
+TEST(LoadProfiles, NodesLamp_IsProfileTimesMultiplierAndColour) {
+  const test::TemporaryFolder folder;
+  Warnings warnings;
+  const std::string path =
+      writeScene(folder, lamp, {{"light", 0}, {"multiplier", 2.5}, {"color", {1, 0.5, 0}}});
+  const GltfDocument document = readGltf(path, warnings);
+  const Scene scene = loadScene(document, warnings);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  const Light& light = scene.lights[0];
+  EXPECT_EQ(light.intensity, glm::vec3(2.5f, 1.25f, 0.0f));
+  EXPECT_NEAR(glm::length(light.direction - glm::dvec3(0, 1, 0)), 0.0,
+              1e-12);  // -Z turned a quarter about +X
+  EXPECT_NEAR(glm::length(light.side - glm::dvec3(1, 0, 0)), 0.0, 1e-12);
+  EXPECT_NEAR(profileTowards(light, {0, 1, 0}), 8.0, 1e-9);
+  EXPECT_NEAR(profileTowards(light, glm::normalize(glm::dvec3(1, 1, 0))), 6.0, 1e-9);
+  EXPECT_EQ(profileTowards(light, {0, -1, 0}), 0.0);
+  // The other profile is missing, but no node has it.
+  EXPECT_TRUE(test::anyContains(warnings, "none.ies"));
+}
+
+TEST(LoadProfiles, WhatIsWritten_CarriesTheProfile) {
+  const test::TemporaryFolder folder;
+  Warnings warnings;
+  const GltfDocument document = readGltf(writeScene(folder, lamp, {{"light", 0}}), warnings);
+  writeGlb(folder / "b.glb", document);
+  std::filesystem::remove(folder / "lamp.ies");
+  const Scene scene = loadScene(readGltf(folder / "b.glb", warnings), warnings);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_NEAR(profileTowards(scene.lights[0], {0, 1, 0}), 8.0, 1e-9);
+}
+
+TEST(LoadProfiles, BrokenOrMissingOnesThatAreUsed_AreErrors) {
+  const test::TemporaryFolder folder;
+  const auto errorOf = [&](const std::string& text, const Json& node, const char* uri = "lamp.ies") {
+    return test::inputErrorOf([&] {
+      Warnings warnings;
+      (void)loadScene(readGltf(writeScene(folder, text, node, uri), warnings), warnings);
+    });
+  };
+  EXPECT_THAT(
+      errorOf("nothing", {{"light", 0}}),
+      testing::AllOf(HasSubstr("/extensions/EXT_lights_ies/lights/0"), HasSubstr("no photometric profile")));
+  EXPECT_THAT(errorOf(lamp, {{"light", 1}}), HasSubstr("none.ies"));
+  EXPECT_THAT(errorOf(lamp, {{"light", 2}}), HasSubstr("light profile"));
+  EXPECT_THAT(errorOf(lamp, {{"light", 0}, {"multiplier", 1e15}}), HasSubstr("dim the lamp"));
+  EXPECT_THAT(errorOf(lamp, {{"light", 0}}, "../lamp.ies"), HasSubstr("../lamp.ies"));
+}
+
+}  // namespace
+}  // namespace prelight

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+
+#include "transport/bsdf_probe.h"
+
+namespace prelight::test {
+
+/// A sample, the value of its direction and that direction's density are three functions that agree, but for
+/// a share. `least`: of the samples of each direction that go on.
+inline void expectSamplesToWeighTheirValue(const BsdfProbe& surface, double azimuth, double share,
+                                           std::size_t least) {
+  for (const double cosine : {1.0, 0.5, 0.1}) {
+    const glm::vec4 wo = directionOf(cosine, azimuth);
+    std::vector<ProbedSample> samples;
+    std::vector<glm::vec4> wi;
+    for (const ProbedSample& drawn : surface.sample(wo, 4000)) {
+      if (!drawn.goesOn()) continue;
+      samples.push_back(drawn);
+      wi.push_back(drawn.direction);
+    }
+    ASSERT_GT(samples.size(), least);
+    const Probed probed = surface.probe(std::vector<glm::vec4>(wi.size(), wo), wi);
+    for (std::size_t i = 0; i < wi.size(); ++i) {
+      const double density = double(samples[i].density);
+      EXPECT_NEAR(density, double(probed.densities[i]), share * double(probed.densities[i]));
+      EXPECT_NEAR(double(samples[i].weight.x) * density, probed.total(i), 2.0 * share * probed.total(i));
+    }
+  }
+}
+
+/// What goes from one direction to another is what goes back, but for a share, and never less than nothing.
+inline void expectReciprocity(const BsdfProbe& surface, double share) {
+  std::vector<glm::vec4> a, b;
+  for (int i = 0; i < 4000; ++i) {
+    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
+    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
+  }
+  const Probed there = surface.probe(a, b), back = surface.probe(b, a);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double f = there.total(i) / double(b[i].z), g = back.total(i) / double(a[i].z);
+    EXPECT_NEAR(f, g, share * (1e-3 + std::abs(f))) << i;
+    EXPECT_GE(f, 0.0);
+  }
+}
+
+}  // namespace prelight::test
