@@ -72,14 +72,6 @@ void addTextureSets(const Json& json, std::set<std::uint64_t>& sets) {
   }
 }
 
-/// Attributes whose names begin so.
-std::size_t countBegin(const Json& attributes, std::string_view name) {
-  std::size_t count = 0;
-  if (!attributes.is_object()) return 0;
-  for (const auto& attribute : attributes.items()) count += attribute.key().starts_with(name) ? 1 : 0;
-  return count;
-}
-
 using TextureSets = std::vector<std::set<std::uint64_t>>;  // [material]
 
 TextureSets textureSets(const Json& root) {
@@ -93,17 +85,9 @@ void findOddPrimitive(const Json& root, const TextureSets& sets, const Json& pri
   const Json& attributes = part(primitive, "attributes");
   findOddAttributes(root, attributes, place + "/attributes", odd);
   findOddIndices(root, partAt(part(root, "accessors"), part(primitive, "indices")), place + "/indices", odd);
-  if (countBegin(attributes, "JOINTS_") != countBegin(attributes, "WEIGHTS_"))
-    odd.add("other than a set of weights for each set of joints", place + "/attributes");
   const Json& targets = part(primitive, "targets");
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const std::string within = fmt::format("{}/targets/{}", place, i);
-    findOddAttributes(root, targets[i], within, odd);
-    for (const auto& attribute : targets[i].items()) {
-      if (part(attributes, attribute.key()).is_null())
-        odd.add("a morph target of an attribute that the primitive has not", within + "/" + attribute.key());
-    }
-  }
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    findOddAttributes(root, targets[i], fmt::format("{}/targets/{}", place, i), odd);
   const auto material = unsignedValue(part(primitive, "material"));
   if (!material || *material >= sets.size()) return;
   for (const std::uint64_t set : sets[*material]) {
@@ -119,16 +103,8 @@ void findOddMeshes(const Json& root, Oddities& odd) {
   const TextureSets sets = textureSets(root);
   forEachPart(root, "meshes", [&](const Json& mesh, const std::string& place) {
     const Json& primitives = part(mesh, "primitives");
-    std::set<std::size_t> targets;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
+    for (std::size_t i = 0; i < primitives.size(); ++i)
       findOddPrimitive(root, sets, primitives[i], fmt::format("{}/primitives/{}", place, i), odd);
-      targets.insert(part(primitives[i], "targets").size());
-    }
-    if (targets.size() > 1)
-      odd.add("primitives of one mesh with different numbers of morph targets", place + "/primitives");
-    const Json& weights = part(mesh, "weights");
-    if (weights.is_array() && !targets.contains(weights.size()))
-      odd.add("other than one weight for each morph target", place + "/weights");
   });
 }
 

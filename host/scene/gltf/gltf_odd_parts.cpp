@@ -99,15 +99,6 @@ void findOddNodes(const Json& root, Oddities& odd) {
       if (!(std::abs(square - 1.0) < tolerance))
         odd.add("a rotation that is not of length 1; it is taken as if", place + "/rotation");
     }
-    for (const char* member : {"skin", "weights"}) {
-      if (node.contains(member) && !node.contains("mesh"))
-        odd.add(fmt::format("{} without a mesh; ignored", member), place + "/" + member);
-    }
-    const Json& mesh = partAt(part(root, "meshes"), part(node, "mesh"));
-    const Json& primitives = part(mesh, "primitives");
-    if (node.contains("weights") && primitives.is_array() && !primitives.empty() &&
-        part(primitives[0], "targets").size() != node["weights"].size())
-      odd.add("other than one weight for each morph target", place + "/weights");
   });
   forEachPart(root, "cameras", [&](const Json& camera, const std::string& place) {
     if (!camera.is_object()) return;

@@ -1,0 +1,161 @@
+// Objects of a single feature each: drawn by rays they have the means that Cycles found, or those of a closed
+// form where Cycles means something else; drawn in OpenGL they are like those of rays.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "cli/subprocess.h"
+#include "images/picture_layers.h"
+#include "materials/glass_truth.h"
+#include "materials/grid_scene.h"
+#include "support/gltf_files.h"
+
+namespace prelight::test {
+
+void PrintTo(const GridCell& cell, std::ostream* out) { *out << cell.name; }
+
+namespace {
+
+constexpr int gridSize = 32;
+
+/// How far a cell may be off, as a share: of rays beyond four standard errors, of OpenGL.
+struct Allowance {
+  double rays = 0.005;
+  double rasterised = 0.02;
+};
+
+/// Where two means differ by more, as definitions do (benchmarks/peers/cycles/README.md) or as OpenGL
+/// approximates (docs/materials.md).
+Allowance allowanceOf(const std::string& cell) {
+  static const std::map<std::string, Allowance> wide = {};
+  const auto found = wide.find(cell);
+  return found == wide.end() ? Allowance{} : found->second;
+}
+
+struct CyclesMean {
+  glm::dvec3 mean{0.0};
+  double noise = 0.0;  ///< standard error of its mean and that of another picture like it
+};
+
+std::map<std::string, CyclesMean> readCyclesMeans() {
+  std::map<std::string, CyclesMean> means;
+  std::ifstream file(GRID_CYCLES);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string name;
+    CyclesMean cell;
+    if (line.starts_with("#") || !(words >> name)) continue;
+    if (words >> cell.mean.x >> cell.mean.y >> cell.mean.z >> cell.noise) means[name] = cell;
+  }
+  return means;
+}
+
+struct Mean {
+  glm::dvec3 value{0.0};
+  double error = 0.0;  ///< standard, of its luminance; 0 where a picture tells no variance
+};
+
+Mean meanOf(const std::filesystem::path& path) {
+  const Picture picture = readPicture(path);
+  Mean mean;
+  for (const glm::vec3& pixel : picture.pixels) mean.value += glm::dvec3(pixel);
+  const auto pixels = static_cast<double>(picture.pixels.size());
+  mean.value /= pixels;
+  if (const PictureLayers layers = readPictureLayers(path);
+      const PictureChannel* variance = layers.find("variance.Y")) {
+    for (const float value : variance->values) mean.error += static_cast<double>(value);
+    mean.error = std::sqrt(mean.error) / pixels;
+  }
+  return mean;
+}
+
+class MaterialCell : public testing::TestWithParam<GridCell> {
+ protected:
+  std::filesystem::path file(const std::string& name) const { return folder_ / name; }
+
+  void write(bool even) const {
+    writeGlb(file("cell.glb"), gridScene(GetParam(), even));
+    writePicture(file("sky.exr"), gridSky(even));
+  }
+
+  Mean draw(std::vector<std::string> more) const {
+    std::vector<std::string> command = {PRELIGHT_PROGRAM};
+    command.insert(command.end(), more.begin(), more.end());
+    for (const std::string& word :
+         {std::string("--env"), file("sky.exr").string(), std::string("--size"),
+          fmt::format("{0}x{0}", gridSize), std::string("-o"), file("out.exr").string()})
+      command.push_back(word);
+    const ProcessResult done = runProcess(command);
+    EXPECT_EQ(done.exitCode, 0) << done.errors;
+    return meanOf(file("out.exr"));
+  }
+
+  Mean byRays() const {
+    return draw({"reference", file("cell.glb").string(), "--spp", "128", "--depth", "32"});
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+void expectNear(const glm::dvec3& got, const glm::dvec3& expected, double share, double noise,
+                const char* what) {
+  for (int channel = 0; channel < 3; ++channel)
+    EXPECT_NEAR(got[channel], expected[channel], share * expected[channel] + noise)
+        << what << ", channel " << channel;
+  std::printf("%s: %.4f %.4f %.4f\n", what, got.x / expected.x, got.y / expected.y, got.z / expected.z);
+}
+
+TEST_P(MaterialCell, DrawnByRaysAndInOpenGl_HasTheMeansOfTheTruth) {
+  const GridCell& cell = GetParam();
+  const Allowance allowance = allowanceOf(cell.name);
+  write(false);
+  const Mean rays = byRays();
+  if (const auto closed = glassTruth(cell, gridSize)) {
+    expectNear(rays.value, *closed, 0.01, 4 * rays.error, "rays over the closed form");
+  } else {
+    const std::map<std::string, CyclesMean> means = readCyclesMeans();
+    const auto cycles = means.find(cell.name);
+    ASSERT_NE(cycles, means.end());
+    const double noise = 4 * std::hypot(rays.error, cycles->second.noise);
+    expectNear(rays.value, cycles->second.mean, allowance.rays, noise, "rays over Cycles");
+  }
+  const Mean drawn =
+      draw({"render", file("cell.glb").string(), "--shading", "full", "--rasterised", "--spp", "4"});
+  expectNear(drawn.value, rays.value, allowance.rasterised, 4 * rays.error, "OpenGL over rays");
+}
+
+std::string nameOfCell(const testing::TestParamInfo<GridCell>& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, MaterialCell, testing::ValuesIn(readGridCells()), nameOfCell);
+
+class LosslessCell : public MaterialCell {};
+
+/// Rough glass is divided by what a table says that it scatters, which is good for this.
+constexpr double furnaceTolerance = 0.005;
+
+TEST_P(LosslessCell, UnderAnEvenSky_ShowsItAsItIs) {
+  write(true);
+  const Mean rays = byRays();
+  expectNear(rays.value, glm::dvec3(1.0), furnaceTolerance, 4 * rays.error, "rays in the furnace");
+}
+
+std::vector<GridCell> losslessCells() {
+  std::vector<GridCell> cells = readGridCells();
+  std::erase_if(cells, [](const GridCell& cell) { return !cell.lossless; });
+  return cells;
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, LosslessCell, testing::ValuesIn(losslessCells()), nameOfCell);
+
+}  // namespace
+}  // namespace prelight::test
