@@ -61,8 +61,9 @@ class Surroundings {
  private:
   struct Node {
     int node = -1;
-    bool glass = false;      ///< has an inside
-    glm::vec3 center{0.0f};  ///< scene coordinates
+    bool glass = false;  ///< has an inside
+    glm::vec3 center{0.0f};
+    float radius = 0.0f;  ///< of its bounds  ///< scene coordinates
     float area = 0.0f;
     std::vector<const Batch*> batches;
   };
