@@ -235,7 +235,7 @@ GltfDocument gridScene(const GridCell& cell, bool even) {
 
 Picture gridSky(bool even) {
   if (even) return {2, 1, {glm::vec3(1.0f), glm::vec3(1.0f)}};
-  Picture sky{512, 256, {}};
+  Picture sky{128, 64, {}};
   for (int y = 0; y < sky.height; ++y)
     for (int x = 0; x < sky.width; ++x)
       sky.pixels.push_back(

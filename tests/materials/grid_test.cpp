@@ -125,8 +125,8 @@ TEST_P(MaterialCell, DrawnByRaysAndInOpenGl_HasTheMeansOfTheTruth) {
     const double noise = 4 * std::hypot(rays.error, cycles->second.noise);
     expectNear(rays.value, cycles->second.mean, allowance.rays, noise, "rays over Cycles");
   }
-  const Mean drawn =
-      draw({"render", file("cell.glb").string(), "--shading", "full", "--rasterised", "--spp", "4"});
+  const Mean drawn = draw({"render", file("cell.glb").string(), "--shading", "full", "--rasterised", "--spp",
+                           "4", "--photons", "2000", "--map-texels", "500"});
   expectNear(drawn.value, rays.value, allowance.rasterised, 4 * rays.error, "OpenGL over rays");
 }
 

@@ -41,7 +41,11 @@ void findOddBuffers(const Json& root, Oddities& odd) {
   forEachPart(root, "buffers", [&](const Json& buffer, const std::string& place) {
     if (numberOf(part(buffer, "byteLength"), 1.0) == 0.0)
       odd.add("a buffer of 0 bytes, expected 1 at least", place + "/byteLength");
-    const std::string mimeType = mimeOfUri(part(buffer, "uri"));
+    const Json& uri = part(buffer, "uri");
+    if (uri.is_string() && isDataUri(uri.get_ref<const std::string&>()) &&
+        uri.get_ref<const std::string&>().find(";;") < uri.get_ref<const std::string&>().find(','))
+      odd.add("a data URI with an empty parameter", place + "/uri");
+    const std::string mimeType = mimeOfUri(uri);
     if (!mimeType.empty() && mimeType != "application/octet-stream" && mimeType != "application/gltf-buffer")
       odd.add("a MIME type other than application/octet-stream and application/gltf-buffer", place + "/uri");
   });
