@@ -33,11 +33,11 @@ glm::dvec3 throughSphere(const glm::dvec3& point, const glm::dvec3& way, const g
   for (int bounce = 0; bounce < 30; ++bounce) {
     const double chord = -2.0 * glm::dot(at, along);
     share *= glm::exp(-absorption * chord);
-    at += chord * along;
+    at = glm::normalize(at + chord * along);  // or rounding grows from chord to chord
     const double back = fresnel(glm::dot(along, at), 1.0 / glassIor);
     if (back < 1.0) light += share * (1.0 - back) * skyAlong(glm::refract(along, -at, glassIor));
     share *= back;
-    along = glm::reflect(along, at);
+    along = glm::normalize(glm::reflect(along, at));
   }
   return light;
 }

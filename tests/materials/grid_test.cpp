@@ -23,19 +23,55 @@ namespace {
 
 constexpr int gridSize = 32;
 
-/// How far a cell may be off, as a share: of rays beyond four standard errors, of OpenGL.
+/// How far a cell may be off, as a share: of rays from Cycles beyond four standard errors, and of OpenGL from
+/// rays.
 struct Allowance {
   double rays = 0.005;
   double rasterised = 0.02;
 };
 
-/// Where two means differ by more, as definitions do (benchmarks/peers/cycles/README.md) or as OpenGL
-/// approximates (docs/materials.md).
+/// Where two means differ by more: definitions do (benchmarks/peers/cycles/README.md has the measured
+/// differences and their reasons), or OpenGL approximates (docs/materials.md).
 Allowance allowanceOf(const std::string& cell) {
-  static const std::map<std::string, Allowance> wide = {};
+  static const std::map<std::string, Allowance> wide = {
+      // Cycles takes light off slopes of bumps.
+      {"normal_tangents", {0.045}},
+      {"normal_no_tangents", {0.045}},
+      {"normal_mirrored", {0.045}},
+      {"normal_scale", {0.02}},
+      {"normal_texcoord1", {0.045}},
+      // Later bounces between microfacets leave in all directions here; Cycles scales the lobe.
+      {"metal_white_0.5", {0.022}},
+      {"metal_white_1.0", {0.03}},
+      {"metal_gold", {0.008}},
+      {"metal_texcoord1", {0.01}},
+      // Schlick's rise here, Fresnel's equations there; specularFactor counts at grazing angles, too.
+      {"plastic_0.1", {0.009}},
+      {"ior_2", {0.01}},
+      {"specular_factor", {0.025}},
+      {"specular_color", {0.013}},
+      {"specular_textures", {0.008}},
+      // A highlight of a few pixels.
+      {"clearcoat", {0.011}},
+      {"clearcoat_rough", {0.008}},
+      {"clearcoat_normal", {0.008}},
+      // Cards refract there like the face of a solid.
+      {"glass_rough", {0.008}},
+      {"glass_thin_rough", {0.055}},
+      {"transmission_texture", {0.036}},
+      // Other models.
+      {"sheen_0.3", {0.055}},
+      {"sheen_0.7", {0.008}},
+      {"anisotropy", {0.063}},
+      {"anisotropy_turned", {0.06}},
+      {"iridescence", {0.01}},
+  };
   const auto found = wide.find(cell);
   return found == wide.end() ? Allowance{} : found->second;
 }
+
+/// Cycles' importer does not read it; tests/integrators has its closed forms.
+bool isUnknownToCycles(const std::string& cell) { return cell == "diffuse_transmission"; }
 
 struct CyclesMean {
   glm::dvec3 mean{0.0};
@@ -108,7 +144,6 @@ void expectNear(const glm::dvec3& got, const glm::dvec3& expected, double share,
   for (int channel = 0; channel < 3; ++channel)
     EXPECT_NEAR(got[channel], expected[channel], share * expected[channel] + noise)
         << what << ", channel " << channel;
-  std::printf("%s: %.4f %.4f %.4f\n", what, got.x / expected.x, got.y / expected.y, got.z / expected.z);
 }
 
 TEST_P(MaterialCell, DrawnByRaysAndInOpenGl_HasTheMeansOfTheTruth) {
@@ -118,7 +153,7 @@ TEST_P(MaterialCell, DrawnByRaysAndInOpenGl_HasTheMeansOfTheTruth) {
   const Mean rays = byRays();
   if (const auto closed = glassTruth(cell, gridSize)) {
     expectNear(rays.value, *closed, 0.01, 4 * rays.error, "rays over the closed form");
-  } else {
+  } else if (!isUnknownToCycles(cell.name)) {
     const std::map<std::string, CyclesMean> means = readCyclesMeans();
     const auto cycles = means.find(cell.name);
     ASSERT_NE(cycles, means.end());
