@@ -55,6 +55,10 @@ Allowance allowanceOf(const std::string& cell) {
       {"clearcoat", {0.011}},
       {"clearcoat_rough", {0.008}},
       {"clearcoat_normal", {0.008}},
+      // OpenGL follows light through bodies of glass by cube maps.
+      {"glass_solid", {0.005, 0.045}},
+      {"glass_attenuation", {0.005, 0.045}},
+      {"thickness_texture", {0.005, 0.045}},
       // Cards refract there like the face of a solid.
       {"glass_rough", {0.008}},
       {"glass_thin_rough", {0.055}},
