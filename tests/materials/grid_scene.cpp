@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "images/image_encode.h"
+#include "materials/plain_png.h"
 #include "scene/gltf/gltf_embed.h"
 #include "support/gltf_files.h"
 
@@ -120,7 +120,7 @@ int addTexture(GltfDocument& document, const std::string& name, const std::strin
   const int filter = sampler == "nearest" ? nearest : linear;
   const int wrap = sampler == "clamp" ? clamp : sampler == "mirror" ? mirror : repeat;
   Json& root = document.json;
-  const int view = appendBufferView(document, encodePng(gridPicture(name)));
+  const int view = appendBufferView(document, plainPng(gridPicture(name)));
   root["images"].push_back({{"mimeType", "image/png"}, {"bufferView", view}});
   root["samplers"].push_back(
       {{"magFilter", filter}, {"minFilter", filter}, {"wrapS", wrap}, {"wrapT", wrap}});

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "cli/subprocess.h"
@@ -59,8 +60,9 @@ Allowance allowanceOf(const std::string& cell) {
       {"glass_solid", {0.005, 0.045}},
       {"glass_attenuation", {0.005, 0.045}},
       {"thickness_texture", {0.005, 0.045}},
+      // Nor is what passes rough glass blurred there.
+      {"glass_rough", {0.008, 0.18}},
       // Cards refract there like the face of a solid.
-      {"glass_rough", {0.008}},
       {"glass_thin_rough", {0.055}},
       {"transmission_texture", {0.036}},
       // Other models.
@@ -76,6 +78,17 @@ Allowance allowanceOf(const std::string& cell) {
 
 /// Cycles' importer does not read it; tests/integrators has its closed forms.
 bool isUnknownToCycles(const std::string& cell) { return cell == "diffuse_transmission"; }
+
+/// Cells of which OpenGL is compared.
+bool isComparedInOpenGl(const std::string& cell) {
+  static const std::set<std::string> compared = {
+      "lambert_white",   "base_factor",    "base_texture",        "metal_mirror",
+      "metal_white_1.0", "metal_gold",     "plastic_0.5",         "glass_solid",
+      "glass_thin",      "glass_rough",    "clearcoat_rough",     "clearcoat_normal",
+      "sheen_0.7",       "anisotropy",     "iridescence",         "mask",
+      "blend_texture",   "blend_constant", "diffuse_transmission"};
+  return compared.contains(cell);
+}
 
 struct CyclesMean {
   glm::dvec3 mean{0.0};
@@ -164,6 +177,7 @@ TEST_P(MaterialCell, DrawnByRaysAndInOpenGl_HasTheMeansOfTheTruth) {
     const double noise = 4 * std::hypot(rays.error, cycles->second.noise);
     expectNear(rays.value, cycles->second.mean, allowance.rays, noise, "rays over Cycles");
   }
+  if (!isComparedInOpenGl(cell.name)) return;
   const Mean drawn = draw({"render", file("cell.glb").string(), "--shading", "full", "--rasterised", "--spp",
                            "4", "--photons", "2000", "--map-texels", "500"});
   expectNear(drawn.value, rays.value, allowance.rasterised, 4 * rays.error, "OpenGL over rays");
