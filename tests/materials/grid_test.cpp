@@ -65,7 +65,8 @@ Allowance allowanceOf(const std::string& cell) {
       // Cards refract there like the face of a solid.
       {"glass_thin_rough", {0.055}},
       {"transmission_texture", {0.036}},
-      // Other models.
+      // Other models; Cycles has no dispersion.
+      {"dispersion", {0.012}},
       {"sheen_0.3", {0.055}},
       {"sheen_0.7", {0.008}},
       {"anisotropy", {0.063}},
