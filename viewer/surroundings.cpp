@@ -19,15 +19,22 @@ constexpr std::array<std::array<glm::dvec3, 2>, faceCount> faceAxes = {{
     {{{0, 0, -1}, {0, -1, 0}}},
 }};
 
-Camera faceCamera(const glm::dvec3& world, std::size_t face) {
+Camera faceCamera(const glm::dvec3& world, std::size_t face, double near) {
   const auto& [forward, up] = faceAxes[face];
   Camera camera;
   camera.world = glm::dmat4(glm::dvec4(glm::cross(forward, up), 0.0), glm::dvec4(up, 0.0),
                             glm::dvec4(-forward, 0.0), glm::dvec4(world, 1.0));
   camera.yFov = 1.5707963267948966;
   camera.aspect = 1.0;
-  camera.zNear = 1e-9;
+  camera.zNear = near;
   return camera;
+}
+
+/// The nearest that a cube map shows: what lies close behind a surface would show through it if depth began
+/// at nothing, and small nodes of large scenes are to see what lies near them.
+double nearestSeen(const CompiledScene& compiled, float nodeRadius) {
+  const double scene = glm::length(glm::dvec3(compiled.boundsMax - compiled.boundsMin));
+  return std::clamp(0.1 * static_cast<double>(nodeRadius), 1e-5 * scene, 1e-3 * scene);
 }
 
 gl::Texture makeCubes(std::size_t count, bool mipmapped) {
@@ -126,6 +133,7 @@ void Surroundings::place(const CompiledScene& compiled) {
           upper = glm::max(upper, p);
         }
     node.center = 0.5f * (lower + upper);
+    node.radius = 0.5f * glm::length(upper - lower);
     if (node.glass) continue;  // its inside is seen from there as well
     std::vector<TriangleRange> own;
     for (const Batch* batch : node.batches) own.push_back({batch->firstTriangle, batch->triangleCount});
@@ -169,7 +177,10 @@ void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
 void Surroundings::drawFace(std::size_t face, const CompiledScene& compiled,
                             const std::function<void(const Face&, const gl::Framebuffer&)>& draw) {
   const Node& node = nodes_[face / faceCount];
-  draw({faceCamera(compiled.origin + glm::dvec3(node.center), face % faceCount), node.node}, *target_);
+  draw({faceCamera(compiled.origin + glm::dvec3(node.center), face % faceCount,
+                   nearestSeen(compiled, node.radius)),
+        node.node},
+       *target_);
   copyFace(*target_, copyTarget_, cubes_, face);
   gl::check("drawing an environment map");
 }
@@ -183,8 +194,9 @@ void Surroundings::drawInside(std::size_t place, const CompiledScene& compiled) 
   glDisable(GL_BLEND);
   gl::bind(triangleNormalsUnit, GL_TEXTURE_BUFFER, scene_.triangleNormals());
   for (std::size_t face = 0; face < faceCount; ++face) {
-    const CameraMatrices camera =
-        cameraMatrices(faceCamera(compiled.origin + glm::dvec3(node.center), face), compiled, 1.0);
+    const CameraMatrices camera = cameraMatrices(
+        faceCamera(compiled.origin + glm::dvec3(node.center), face, nearestSeen(compiled, node.radius)),
+        compiled, 1.0);
     target_->bind();
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -62,8 +62,9 @@ class Surroundings {
  private:
   struct Node {
     int node = -1;
-    bool glass = false;      ///< has an inside
+    bool glass = false;  ///< has an inside
     glm::vec3 center{0.0f};  ///< scene coordinates
+    float radius = 0.0f;     ///< of its bounds
     float area = 0.0f;
     std::vector<const Batch*> batches;
   };

@@ -20,6 +20,7 @@
 #define PRELIGHT_COLORED_GLASS  // what some glass reflects has a colour
 #endif
 
+#define PRELIGHT_LEAST_BEND 1e-3f       // of the index of refraction; half vectors of a smaller one are not resolved by float32
 #define PRELIGHT_SMOOTH_BELOW 0.05f    // roughness; the lobe of a rougher one is still resolved by float32
 #define PRELIGHT_NARROW_ALPHA 0.0625f  // roughness 0.25: host/photon/caustic_casters.h says the same
 #define PRELIGHT_INVERSE_PI 0.318309886f
@@ -245,9 +246,16 @@ PRELIGHT_INLINE bool isDiffuse(Bsdf b) {
   return largest(b.diffuse) > 0.0f;
 }
 
+#ifdef PRELIGHT_ROUGH_GLASS
+// A body of the index of what lies around it bends no light, however its microfacets lie: it is as smooth glass.
+PRELIGHT_INLINE bool isRoughGlass(Bsdf b) {
+  return !b.smooth && b.glass > 0.0f && !(b.solid && fabs(b.eta - 1.0f) < PRELIGHT_LEAST_BEND);
+}
+#endif
+
 PRELIGHT_INLINE bool isGlossy(Bsdf b) {
 #ifdef PRELIGHT_ROUGH_GLASS
-  if (!b.smooth && b.glass > 0.0f) return true;
+  if (isRoughGlass(b)) return true;
 #endif
 #ifdef PRELIGHT_LAYERS
   if ((b.coat > 0.0f && !b.coatSmooth) || largest(b.sheen) > 0.0f) return true;

@@ -11,8 +11,6 @@
 #ifdef PRELIGHT_ROUGH_GLASS
 #define PRELIGHT_LATER_COSINE 0.6f  // at which light that leaves thin glass after the first bounce divides between its sides
 
-PRELIGHT_INLINE bool isRoughGlass(Bsdf b) { return !b.smooth && b.glass > 0.0f; }
-
 PRELIGHT_INLINE float roughGlassReflectance(Bsdf b, float cosine) {
 #ifdef PRELIGHT_COLORED_GLASS
   return largest(glassReflectances(b, b.solid, b.eta, clamp(cosine, 1e-6f, 1.0f)));

@@ -138,6 +138,13 @@ TEST(Furnace, AbsorbingGlass_FollowsBeersLaw) {
       EXPECT_NEAR(pixel[c], std::exp(-static_cast<double>(shot.scene.materials[0].absorption[c])), 1e-4);
 }
 
+/// Microfacets of a body that bends no light are not seen.
+TEST(Furnace, RoughGlassOfIndexOne_IsNotSeen) {
+  CompiledMaterial material = glass(1.0f, true);
+  material.roughness = 0.5f;
+  expectEverywhere(ballShot(material, 64).render(), 1.0);
+}
+
 // A camera inside glass: radiance is larger there by the square of the index (and what is beyond the critical
 // angle is seen by way of reflections that end outside as well).
 TEST(Furnace, InsideGlass_RadianceScalesWithTheSquareOfTheIndex) {

@@ -124,6 +124,23 @@ TEST_P(RoughGlass, Sampling_FollowsItsDensityOnBothSides) {
   for (const double cosine : {0.95, 0.5, 0.2}) expectSamplesToFollowDensity(surface_, cosine);
 }
 
+// A body of index 1 has no half vectors to refract about.
+TEST(RoughGlassOfIndexOne, Light_PassesStraight) {
+  const BsdfProbe body({BuildOptions()
+                            .define("PRELIGHT_GLOSSY")
+                            .define("PRELIGHT_MIRROR")
+                            .define("PRELIGHT_GLASS")
+                            .define("PRELIGHT_ROUGH_GLASS")},
+                       {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0, 0, 1, 1, 1}, glassOfIor(1.0));
+  for (const double cosine : {1.0, 0.5, 0.1}) {
+    const glm::vec4 wo = directionOf(cosine, 0.3);
+    for (const ProbedSample& drawn : body.sample(wo, 1000)) {
+      EXPECT_LT(glm::length(glm::vec3(drawn.direction) + glm::vec3(wo)), 1e-5f);
+      EXPECT_NEAR(drawn.weight.x, 1.0f, 1e-5f);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Panes, RoughGlass,
     ::testing::Values(Pane{"Thin", 0.5f, 1, 1.5f, false}, Pane{"RoughThin", 1, 1, 1.5f, false},

@@ -38,9 +38,11 @@ struct Ball {
   enum class Around : std::uint8_t { Nothing, Room, Floor, AnotherBall };
 
   /// A ball of `segments` x 2 `segments` quads at `center` that the eye sees from inside the room.
-  explicit Ball(const Material& material, const glm::vec3& center, Around around, int segments = 48) {
+  explicit Ball(const Material& material, const glm::vec3& center, Around around, int segments = 48,
+                bool lampsBehind = false) {
     addBall(material, center, segments);
     if (around == Around::Room) addRoom();
+    if (lampsBehind) addRoom(roomHalf + 0.02, 50.0f);
     if (around == Around::Floor) addFloor();
     if (around == Around::AnotherBall) addBall(material, center + glm::vec3(1.3f, 0, 0), segments);
     quad.lookFrom(eye(), {0, 0, 0});
@@ -75,18 +77,18 @@ struct Ball {
 
   static glm::dvec3 eye() { return {0.3, 0.5, 1.9}; }
 
-  void addRoom() {
+  void addRoom(double half = roomHalf, float strength = 1.0f) {
     for (int i = 0; i < 6; ++i) {
       Material wall = lambertian(glm::vec3(0.0f));
-      wall.emission = walls[static_cast<std::size_t>(i)];
+      wall.emission = strength * walls[static_cast<std::size_t>(i)];
       const int axis = i / 2;
       glm::dvec3 inward(0.0), x(0.0);
       inward[axis] = i % 2 == 0 ? 1.0 : -1.0;
       x[(axis + 1) % 3] = 1.0;
       const glm::dvec3 y = glm::cross(inward, x);
-      quad.add(wall, static_cast<float>(roomHalf),
+      quad.add(wall, static_cast<float>(half),
                glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(inward, 0),
-                          glm::dvec4(-roomHalf * inward, 1)));
+                          glm::dvec4(-half * inward, 1)));
     }
   }
 
@@ -214,6 +216,18 @@ TEST(Surroundings, RoughBallsThatShowOneAnother_HaveNoBlackBlots) {
 TEST(Surroundings, MirrorBallInARoom_ShowsWhatRaysMeet) {
   const glm::dvec3 center(-0.4, 0.2, -0.3);
   const Ball ball(mirror(), glm::vec3(center), Ball::Around::Room);
+  const Comparison result =
+      compare(ball, center, 0.12, [&](const auto& point, const auto& n, const auto& way, double& margin) {
+        return wallSeen(point, glm::reflect(way, n), margin);
+      });
+  EXPECT_GT(result.compared, 500);
+  EXPECT_LE(result.wrong, 0.005 * result.compared);
+}
+
+/// Depth tells surfaces apart that lie close behind each other.
+TEST(Surroundings, LampsCloseBehindTheWalls_AreHidden) {
+  const glm::dvec3 center(-0.4, 0.2, -0.3);
+  const Ball ball(mirror(), glm::vec3(center), Ball::Around::Room, 48, true);
   const Comparison result =
       compare(ball, center, 0.12, [&](const auto& point, const auto& n, const auto& way, double& margin) {
         return wallSeen(point, glm::reflect(way, n), margin);

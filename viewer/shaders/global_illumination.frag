@@ -32,8 +32,9 @@ const int waves = 6;  // lengths that light is looked at: their colours add up t
 layout(location = 0, index = 0) out vec4 outRadiance;     // alpha: distance from the eye
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
 
-// A light's share: scattered radiance of its irradiance with its shadow.
-vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye, bool glossy, int reach) {
+// A light's share: scattered radiance of its irradiance with its shadow. `lobes`: shares of what the surface's lobe and its
+// coat's reflect.
+vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye, vec2 lobes, int reach) {
   vec3 toLight;
   vec3 irradiance = perpendicularIrradiance(lights[k], vPosition, toLight);
   float nl = dot(n, toLight);
@@ -47,30 +48,32 @@ vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3
     return left * transmittedOfLight(s, wo, wi) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
   if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
   vec3 reflected = diffuseOfLight(s, wo, wi);
-  if (glossy) reflected += glossyOfLight(s, n, toEye, toLight);
+  if (lobes.x > 0.0) reflected += lobes.x * glossyOfLight(s, n, toEye, toLight);
   if (!hasTopLayers) return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
-  reflected = reflected * nl * left + layersOfLight(top, n, toEye, toLight);
+  reflected = reflected * nl * left + layersOfLight(top, n, toEye, toLight, lobes.y);
   return reflected * irradiance * visibility(k, vPosition, geometric, reach);
 }
 
-vec3 shadeLights(Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye) {
+// `shown`: shares of what the surface's lobe and its coat's reflect that the surroundings show, with large lights and the sky
+// among them.
+vec3 shadeLights(Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3 toEye, vec2 shown) {
   vec3 sum = vec3(0.0);
   bool reflects = (hasGloss || hasLayer) && largest(s.f90) > 0.0 && s.roughness >= smoothBelow;
+  vec2 lobes = vec2(reflects ? 1.0 : 0.0, 1.0);
   // Lamps whose number is known are read once for all pixels.
-  if (lampCount > 0) sum += shadeLight(0, s, top, geometric, n, toEye, reflects, 1);
-  if (lampCount > 1) sum += shadeLight(1, s, top, geometric, n, toEye, reflects, 1);
-  if (lampCount > 2) sum += shadeLight(2, s, top, geometric, n, toEye, reflects, 1);
-  if (lampCount > 3) sum += shadeLight(3, s, top, geometric, n, toEye, reflects, 1);
+  if (lampCount > 0) sum += shadeLight(0, s, top, geometric, n, toEye, lobes, 1);
+  if (lampCount > 1) sum += shadeLight(1, s, top, geometric, n, toEye, lobes, 1);
+  if (lampCount > 2) sum += shadeLight(2, s, top, geometric, n, toEye, lobes, 1);
+  if (lampCount > 3) sum += shadeLight(3, s, top, geometric, n, toEye, lobes, 1);
   if (lampCount < 0)
-    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, top, geometric, n, toEye, reflects, 1);
+    for (int k = 0; k < counts.y; ++k) sum += shadeLight(k, s, top, geometric, n, toEye, lobes, 1);
   // Pixels take turns with the samples of large lights (Keller and Heidrich 2001, interleaved sampling): those that a
   // pixel of the picture is the mean of have all of them.
   ivec2 turn = ivec2(gl_FragCoord.xy) % counts.z;
   int stride = counts.z * counts.z;
   vec3 samples = vec3(0.0);
-  // What shows its surroundings shows large lights and the sky among them.
   for (int k = counts.y + turn.x + counts.z * turn.y; k < counts.x; k += stride)
-    samples += shadeLight(k, s, top, geometric, n, toEye, reflects && showsSurroundings == 0, 0);
+    samples += shadeLight(k, s, top, geometric, n, toEye, lobes * (vec2(1.0) - shown), 0);
   return sum + float(stride) * samples;
 }
 
@@ -89,6 +92,15 @@ vec3 seenThroughBody(vec3 n, vec3 toEye) {
     sum += colorOfWave(part) * passed * seen;
   }
   return sum / float(waves);
+}
+
+// Shares of what the surface's lobe and its coat's reflect that the environment map shows. A map is sharp and seen from one
+// place: wide lobes take their light from the samples and the mean of the place itself, and so does what the map's middle
+// does not see. Bodies have narrower lobes from samples than metals, of which they are all.
+vec2 shownBySurroundings(Scattering s, TopLayers top, float metallic) {
+  if (!hasSurroundings || showsSurroundings == 0 || hiddenFromCube(vPosition)) return vec2(0.0);
+  float wide = mix(smoothstep(0.2, 0.3, s.roughness), smoothstep(0.5, 0.8, s.roughness), metallic);
+  return vec2(1.0 - wide, hasTopLayers ? 1.0 - smoothstep(0.2, 0.3, top.coatRoughness) : 0.0);
 }
 
 // What glass reflects; what it lets through where it has an inside, else the factor of what lies behind.
@@ -133,20 +145,22 @@ void main() {
   vec3 irradiance = indirect;
   if (hasCaustics && causticCorner.w != 0) irradiance += texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
   float left = leftByLayers(top, onCoat, nv);
-  vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, geometric, n, toEye);
+  vec2 shown = shownBySurroundings(s, top, m.metallic);
+  vec3 radiance = m.emission * (1.0 - coated) + left * diffuseOfIrradiance(s, wo) * irradiance + shadeLights(s, top, geometric, n, toEye, shown);
   if (hasTranslucency && translucency.a > 0.0) {
     radiance += left * transmittedOfIrradiance(s, wo) * lightMapIrradiance(triangle, !gl_FrontFacing, vPosition);
   }
-  if (hasSurroundings && showsSurroundings != 0) {
-    vec3 around = isAnisotropic(s) ? surroundingStretched(vPosition, n, toEye, s.along, s.widths)
-                                   : surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
-    radiance += left * reflectanceOfSurroundings(s, wo) * around;
-    if (hasTopLayers) radiance += coated * surroundingRadiance(vPosition, reflect(-toEye, top.coatNormal), top.coatRoughness);
-  } else {
-    // What lies around is not known but for the mean of its radiance.
-    radiance += left * reflectanceOfSurroundings(s, wo) * indirect / pi;
-    if (hasTopLayers) radiance += coated * indirect / pi;
+  // What lies around is not known elsewhere but for the mean of its radiance.
+  vec3 around = indirect / pi, onCoatAround = indirect / pi;
+  if (hasSurroundings && shown.x > 0.0) {
+    vec3 seen = isAnisotropic(s) ? surroundingStretched(vPosition, n, toEye, s.along, s.widths)
+                                 : surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
+    around = mix(around, seen, shown.x);
   }
+  if (hasSurroundings && shown.y > 0.0)
+    onCoatAround = mix(onCoatAround, surroundingRadiance(vPosition, reflect(-toEye, top.coatNormal), top.coatRoughness), shown.y);
+  radiance += left * reflectanceOfSurroundings(s, wo) * around;
+  if (hasTopLayers) radiance += coated * onCoatAround;
   if (hasTopLayers) radiance += top.sheen * sheenAlbedo(top, nv) * (1.0 - coated) * indirect / pi;
   vec3 through = vec3(0.0);
   if (hasGlass && s.glass > 0.0) radiance += left * shadeGlass(s, m.base, n, toEye, nv, through);

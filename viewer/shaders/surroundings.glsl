@@ -45,6 +45,12 @@ float distanceAlong(samplerCubeArray distances, vec3 from, vec3 way) {
   return inside ? 2.0 * beyondScene : max(distanceSeen(distances, way) - start, 0.0);
 }
 
+// Whether something stands between the cube's middle and a point of the node, so that it knows little of what that sees.
+bool hiddenFromCube(vec3 point) {
+  vec3 from = point - cubeCenter;
+  return cube >= 0 && distanceSeen(surroundings, from) < 0.97 * length(from);
+}
+
 // Radiance that arrives at a point of the node from a direction, blurred as by a lobe of a roughness.
 vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
   if (cube < 0) return skyRadiance(way, levelOfRoughness(roughness));

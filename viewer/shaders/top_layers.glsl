@@ -79,8 +79,8 @@ float sheenLambda(float cosine, float alpha) {
   return x < 0.5 ? exp(sheenFit(x, alpha)) : exp(2.0 * sheenFit(0.5, alpha) - sheenFit(max(1.0 - x, 1e-6), alpha));
 }
 
-// Of both, times the cosine of the light.
-vec3 layersOfLight(TopLayers t, vec3 n, vec3 toEye, vec3 toLight) {
+// Of both, times the cosine of the light. coatShare: of what the coat reflects.
+vec3 layersOfLight(TopLayers t, vec3 n, vec3 toEye, vec3 toLight, float coatShare) {
   vec3 h = normalize(toEye + toLight);
   vec3 sum = vec3(0.0);
   float cl = dot(t.coatNormal, toLight), cv = dot(t.coatNormal, toEye);
@@ -88,7 +88,7 @@ vec3 layersOfLight(TopLayers t, vec3 n, vec3 toEye, vec3 toLight) {
     float a2 = t.coatRoughness * t.coatRoughness;
     a2 *= a2;
     float ch = max(dot(t.coatNormal, h), 0.0);
-    sum += t.coat * mix(coatF0, 1.0, schlickRise(dot(toEye, h))) * microfacets(max(cl, 1e-4), max(cv, 1e-4), ch, a2) * cl;
+    sum += coatShare * t.coat * mix(coatF0, 1.0, schlickRise(dot(toEye, h))) * microfacets(max(cl, 1e-4), max(cv, 1e-4), ch, a2) * cl;
   }
   if (largest(t.sheen) > 0.0) {
     float nl = max(dot(n, toLight), 1e-4);

@@ -23,7 +23,7 @@ Bsdf probeBsdf(__constant const float* values, __global const float4* albedos) {
 #ifdef PRELIGHT_ROUGH_GLASS
   b.glass = values[19];
   b.solid = values[20] > 0.5f;
-  b.eta = values[21];
+  b.ior = b.eta = values[21];
   b.inside = b.eta < 1.0f;
   b.glassTable = PRELIGHT_ANISOTROPIC_END;
 #endif

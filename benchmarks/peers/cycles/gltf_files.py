@@ -1,15 +1,18 @@
 """Reading and writing glTF as JSON and one buffer: what the scripts here need, no more."""
 
+import base64
 import json
 import math
 import pathlib
 import struct
+import urllib.parse
 
 import numpy
 
 JSON_CHUNK = 0x4E4F534A
 BINARY_CHUNK = 0x004E4942
 DEFAULT_YFOV = math.radians(40.0)
+FRAME = 0.95  # the share of a framing picture that the box fills
 
 
 def read_gltf(path):
@@ -102,10 +105,42 @@ def add_camera(document, matrix, yfov=DEFAULT_YFOV, aspect=1.0, near=0.01):
 
 
 def add_framing_camera(document, aspect=1.0):
-    """A camera that sees the bounding sphere of everything, from the front, the right and a little above."""
+    """A camera that sees the bounding box of everything and little more, from the front, the right and a little above."""
     low, high = bounds(document)
-    centre, radius = (low + high) / 2, numpy.linalg.norm(high - low) / 2
-    away = numpy.array([0.5, 0.35, 1.0])
-    distance = radius / math.sin(DEFAULT_YFOV / 2) / min(1.0, aspect)
-    eye = centre + away / numpy.linalg.norm(away) * distance
-    add_camera(document, looking_at(eye, centre), aspect=aspect, near=distance / 100)
+    centre, away = (low + high) / 2, numpy.array([0.5, 0.35, 1.0])
+    axes = looking_at(centre + away, centre)[:3, :3]
+    x, y, z = axes.T @ numpy.array([(high - low) / 2 * [i & 1 or -1, (i >> 1) & 1 or -1, i >> 2 or -1] for i in range(8)]).T
+    slope = math.tan(DEFAULT_YFOV / 2) * FRAME
+    distance = float(numpy.max(z + numpy.maximum(numpy.abs(x) / aspect, numpy.abs(y)) / slope))
+    add_camera(document, looking_at(centre + distance * axes[:, 2], centre), aspect=aspect, near=distance / 100)
+
+
+def packed(path):
+    """(document, binary) of a scene with all that its buffers and images name outside of it moved into one buffer."""
+    path = pathlib.Path(path)
+    document, chunk = read_gltf(path)
+
+    def contents(uri):
+        if uri.startswith("data:"):
+            return base64.b64decode(uri.split(",", 1)[1])
+        return (path.parent / urllib.parse.unquote(uri)).read_bytes()
+
+    binary, starts = b"", []
+    for buffer in document.get("buffers", []):
+        starts.append(len(binary))
+        data = contents(buffer["uri"]) if "uri" in buffer else chunk
+        binary += data + b"\0" * (-len(data) % 4)
+    for view in document.get("bufferViews", []):
+        view["byteOffset"] = view.get("byteOffset", 0) + starts[view["buffer"]]
+        view["buffer"] = 0
+    for image in document.get("images", []):
+        if "uri" not in image:
+            continue
+        data = contents(image["uri"])
+        image.setdefault("mimeType", "image/png" if data[:4] == b"\x89PNG" else "image/jpeg")
+        document.setdefault("bufferViews", []).append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(data)})
+        image["bufferView"] = len(document["bufferViews"]) - 1
+        del image["uri"]
+        binary += data + b"\0" * (-len(data) % 4)
+    document["buffers"] = [{"byteLength": len(binary)}]
+    return document, binary

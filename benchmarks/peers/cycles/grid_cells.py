@@ -1,5 +1,8 @@
 """The cells of the grid of materials: one feature each, on a ball or a card of its own."""
 
+import json
+import pathlib
+
 
 def texture(name, **more):
     """A reference to a texture of grid_textures.py; the generator turns the name into an index."""
@@ -10,12 +13,12 @@ def metallic_roughness(color=(0.8, 0.8, 0.8), metal=0.0, rough=0.6, alpha=1.0, *
     return {"baseColorFactor": [*color, alpha], "metallicFactor": metal, "roughnessFactor": rough, **more}
 
 
-def cell(name, shape="ball", extensions=None, lossless=False, later=False, material=None, attributes=(), **base):
-    """`lossless`: returns all light, so under an even sky of 1 its radiance is 1. `later`: Prelight does not read it yet."""
+def cell(name, shape="ball", extensions=None, lossless=False, material=None, attributes=(), **base):
+    """`lossless`: returns all light, so under an even sky of 1 its radiance is 1."""
     out = {"pbrMetallicRoughness": metallic_roughness(**base), **(material or {})}
     if extensions:
         out["extensions"] = {f"KHR_{k}" if k.startswith("texture") else f"KHR_materials_{k}": v for k, v in extensions.items()}
-    return {"name": name, "shape": shape, "material": out, "lossless": lossless, "later": later, "attributes": attributes}
+    return {"name": name, "shape": shape, "material": out, "lossless": lossless, "attributes": attributes}
 
 
 WHITE = (1.0, 1.0, 1.0)
@@ -113,3 +116,13 @@ def layers():
 def cells():
     for group in (core, reliefs, reflections, glasses, layers):
         yield from group()
+
+
+def main():
+    """Writes grid_cells.json, which tests/materials reads: run it again where a cell has changed."""
+    lines = ",\n".join(json.dumps(what) for what in cells())
+    pathlib.Path(__file__).with_suffix(".json").write_text(f"[\n{lines}\n]\n")
+
+
+if __name__ == "__main__":
+    main()

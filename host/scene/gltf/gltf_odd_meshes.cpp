@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -72,12 +74,65 @@ void addTextureSets(const Json& json, std::set<std::uint64_t>& sets) {
   }
 }
 
-/// Attributes whose names begin so.
-std::size_t countBegin(const Json& attributes, std::string_view name) {
-  std::size_t count = 0;
-  if (!attributes.is_object()) return 0;
-  for (const auto& attribute : attributes.items()) count += attribute.key().starts_with(name) ? 1 : 0;
-  return count;
+/// What buffer views are used for: those of vertices by how many accessors, those of indices.
+class ViewUses {
+ public:
+  explicit ViewUses(const Json& root) : root_(root) {}
+
+  void addVertices(const Json& accessor, const std::string& place, Oddities& odd) {
+    const auto view = viewOf(accessor);
+    const auto index = unsignedValue(accessor);
+    if (!view) return;
+    std::set<std::uint64_t>& accessors = vertices_[*view];
+    accessors.insert(*index);
+    if (accessors.size() == 2 && part(partAt(part(root_, "bufferViews"), *view), "byteStride").is_null())
+      odd.add("vertices of two accessors in a buffer view without a byteStride; each is read as packed",
+              place);
+    if (indices_.contains(*view)) odd.add(both, place);
+  }
+
+  void addIndices(const Json& accessor, const std::string& place, Oddities& odd) {
+    const auto view = viewOf(accessor);
+    if (!view) return;
+    indices_.insert(*view);
+    if (vertices_.contains(*view)) odd.add(both, place);
+  }
+
+ private:
+  static constexpr const char* both = "vertices and indices in one buffer view";
+
+  std::optional<std::size_t> viewOf(const Json& accessor) const {
+    const auto view = unsignedValue(part(partAt(part(root_, "accessors"), accessor), "bufferView"));
+    return view ? std::optional<std::size_t>(static_cast<std::size_t>(*view)) : std::nullopt;
+  }
+
+  const Json& root_;
+  std::map<std::size_t, std::set<std::uint64_t>> vertices_;
+  std::set<std::size_t> indices_;
+};
+
+void findOddViews(const Json& root, Oddities& odd) {
+  ViewUses uses(root);
+  forEachPart(root, "meshes", [&](const Json& mesh, const std::string& place) {
+    const Json& primitives = part(mesh, "primitives");
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const std::string within = fmt::format("{}/primitives/{}", place, i);
+      const Json& attributes = part(primitives[i], "attributes");
+      if (!attributes.is_object()) continue;
+      for (const auto& attribute : attributes.items())
+        uses.addVertices(attribute.value(), within + "/attributes/" + attribute.key(), odd);
+      uses.addIndices(part(primitives[i], "indices"), within + "/indices", odd);
+    }
+  });
+}
+
+/// Whether a material turns normals or lobes by tangents that it has no normal texture to be made for.
+bool needsFileTangents(const Json& material) {
+  const Json& extensions = part(material, "extensions");
+  const bool turned =
+      !part(part(extensions, "KHR_materials_clearcoat"), "clearcoatNormalTexture").is_null() ||
+      part(extensions, "KHR_materials_anisotropy").is_object();
+  return turned && part(material, "normalTexture").is_null();
 }
 
 using TextureSets = std::vector<std::set<std::uint64_t>>;  // [material]
@@ -93,19 +148,16 @@ void findOddPrimitive(const Json& root, const TextureSets& sets, const Json& pri
   const Json& attributes = part(primitive, "attributes");
   findOddAttributes(root, attributes, place + "/attributes", odd);
   findOddIndices(root, partAt(part(root, "accessors"), part(primitive, "indices")), place + "/indices", odd);
-  if (countBegin(attributes, "JOINTS_") != countBegin(attributes, "WEIGHTS_"))
-    odd.add("other than a set of weights for each set of joints", place + "/attributes");
   const Json& targets = part(primitive, "targets");
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const std::string within = fmt::format("{}/targets/{}", place, i);
-    findOddAttributes(root, targets[i], within, odd);
-    for (const auto& attribute : targets[i].items()) {
-      if (part(attributes, attribute.key()).is_null())
-        odd.add("a morph target of an attribute that the primitive has not", within + "/" + attribute.key());
-    }
-  }
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    findOddAttributes(root, targets[i], fmt::format("{}/targets/{}", place, i), odd);
   const auto material = unsignedValue(part(primitive, "material"));
   if (!material || *material >= sets.size()) return;
+  if (needsFileTangents(partAt(part(root, "materials"), *material)) && part(attributes, "TANGENT").is_null())
+    odd.add(
+        "a material that needs tangents, and neither TANGENT nor a normal texture; they are made from the "
+        "texture coordinates",
+        place + "/material");
   for (const std::uint64_t set : sets[*material]) {
     if (part(attributes, fmt::format("TEXCOORD_{}", set)).is_null())
       odd.add("a material with textures, and no coordinates in the primitive for them; they are taken as 0",
@@ -116,19 +168,12 @@ void findOddPrimitive(const Json& root, const TextureSets& sets, const Json& pri
 }  // namespace
 
 void findOddMeshes(const Json& root, Oddities& odd) {
+  findOddViews(root, odd);
   const TextureSets sets = textureSets(root);
   forEachPart(root, "meshes", [&](const Json& mesh, const std::string& place) {
     const Json& primitives = part(mesh, "primitives");
-    std::set<std::size_t> targets;
-    for (std::size_t i = 0; i < primitives.size(); ++i) {
+    for (std::size_t i = 0; i < primitives.size(); ++i)
       findOddPrimitive(root, sets, primitives[i], fmt::format("{}/primitives/{}", place, i), odd);
-      targets.insert(part(primitives[i], "targets").size());
-    }
-    if (targets.size() > 1)
-      odd.add("primitives of one mesh with different numbers of morph targets", place + "/primitives");
-    const Json& weights = part(mesh, "weights");
-    if (weights.is_array() && !targets.contains(weights.size()))
-      odd.add("other than one weight for each morph target", place + "/weights");
   });
 }
 

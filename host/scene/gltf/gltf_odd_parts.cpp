@@ -41,7 +41,11 @@ void findOddBuffers(const Json& root, Oddities& odd) {
   forEachPart(root, "buffers", [&](const Json& buffer, const std::string& place) {
     if (numberOf(part(buffer, "byteLength"), 1.0) == 0.0)
       odd.add("a buffer of 0 bytes, expected 1 at least", place + "/byteLength");
-    const std::string mimeType = mimeOfUri(part(buffer, "uri"));
+    const Json& uri = part(buffer, "uri");
+    if (uri.is_string() && isDataUri(uri.get_ref<const std::string&>()) &&
+        uri.get_ref<const std::string&>().find(";;") < uri.get_ref<const std::string&>().find(','))
+      odd.add("a data URI with an empty parameter", place + "/uri");
+    const std::string mimeType = mimeOfUri(uri);
     if (!mimeType.empty() && mimeType != "application/octet-stream" && mimeType != "application/gltf-buffer")
       odd.add("a MIME type other than application/octet-stream and application/gltf-buffer", place + "/uri");
   });
@@ -99,15 +103,6 @@ void findOddNodes(const Json& root, Oddities& odd) {
       if (!(std::abs(square - 1.0) < tolerance))
         odd.add("a rotation that is not of length 1; it is taken as if", place + "/rotation");
     }
-    for (const char* member : {"skin", "weights"}) {
-      if (node.contains(member) && !node.contains("mesh"))
-        odd.add(fmt::format("{} without a mesh; ignored", member), place + "/" + member);
-    }
-    const Json& mesh = partAt(part(root, "meshes"), part(node, "mesh"));
-    const Json& primitives = part(mesh, "primitives");
-    if (node.contains("weights") && primitives.is_array() && !primitives.empty() &&
-        part(primitives[0], "targets").size() != node["weights"].size())
-      odd.add("other than one weight for each morph target", place + "/weights");
   });
   forEachPart(root, "cameras", [&](const Json& camera, const std::string& place) {
     if (!camera.is_object()) return;

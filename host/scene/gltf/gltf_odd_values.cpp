@@ -47,24 +47,33 @@ void findOddNumbers(const Json& accessor, const AccessorReader& reader, const st
 
 }  // namespace
 
+void forReadable(const GltfDocument& document, std::uint64_t accessor, std::uint64_t& left,
+                 const std::function<void(const AccessorReader&)>& visit) {
+  const Json& json = partAt(part(document.json, "accessors"), static_cast<std::size_t>(accessor));
+  const auto index = static_cast<std::size_t>(accessor);
+  try {
+    if (!json.is_object() || !json.contains("bufferView") || lacksData(document, index)) return;
+    const AccessorReader reader(document, index);
+    const std::uint64_t numbers = reader.count() * std::uint64_t{reader.components()};
+    if (numbers > left) return;
+    left -= numbers;
+    visit(reader);
+  } catch (const InputError&) {
+    // What is broken and not used has been told of.
+  }
+}
+
 void warnOfOddValues(const GltfDocument& document, Warnings& warnings) {
   // Accessors may share their data, so that a small file could keep this busy.
-  std::uint64_t left = std::uint64_t{1} << 24;
+  std::uint64_t left = std::uint64_t{1} << 24, leftOfUses = left;
   Oddities odd;
   std::size_t index = 0;
   forEachPart(document.json, "accessors", [&](const Json& accessor, const std::string& place) {
-    const std::size_t i = index++;
-    try {
-      if (!accessor.is_object() || !accessor.contains("bufferView") || lacksData(document, i)) return;
-      const AccessorReader reader(document, i);
-      const std::uint64_t numbers = reader.count() * std::uint64_t{reader.components()};
-      if (numbers > left) return;
-      left -= numbers;
-      findOddNumbers(accessor, reader, place, odd);
-    } catch (const InputError&) {
-      // What is broken and not used has been told of.
-    }
+    forReadable(document, index++, left,
+                [&](const AccessorReader& reader) { findOddNumbers(accessor, reader, place, odd); });
   });
+  findOddVertices(document, leftOfUses, odd);
+  findOddMatrices(document, leftOfUses, odd);
   const Json& views = part(document.json, "bufferViews");
   forEachPart(document.json, "images", [&](const Json& image, const std::string& place) {
     const Json& view = partAt(views, part(image, "bufferView"));

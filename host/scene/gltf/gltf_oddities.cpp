@@ -139,6 +139,8 @@ void warnOfOddities(const Json& root, const std::string& file, Warnings& warning
   findOddStructure(root, odd);
   findOddParts(root, odd);
   findOddMeshes(root, odd);
+  findOddSkins(root, odd);
+  findOddVariants(root, odd);
   odd.addTo(warnings, file);
 }
 

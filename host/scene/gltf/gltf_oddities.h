@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "prelight/error.h"
+#include "scene/gltf/accessor.h"
 #include "scene/gltf/gltf_document.h"
 
 namespace prelight {
@@ -33,9 +36,20 @@ class Oddities {
   std::vector<Found> found_;
 };
 
-/// The parts of warnOfOddities: everywhere in the tree, part by part, and in meshes.
+/// The parts of warnOfOddities: everywhere in the tree, part by part, and in meshes, skins and variants.
 void findOddStructure(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddParts(const nlohmann::ordered_json& root, Oddities& odd);
 void findOddMeshes(const nlohmann::ordered_json& root, Oddities& odd);
+void findOddSkins(const nlohmann::ordered_json& root, Oddities& odd);
+void findOddVariants(const nlohmann::ordered_json& root, Oddities& odd);
+
+/// Those of warnOfOddValues: of vertices, and of the matrices of skins. `left`: numbers that are still looked
+/// at.
+void findOddVertices(const GltfDocument& document, std::uint64_t& left, Oddities& odd);
+void findOddMatrices(const GltfDocument& document, std::uint64_t& left, Oddities& odd);
+
+/// Calls visit(reader) for an accessor that has data and no more numbers than are left.
+void forReadable(const GltfDocument& document, std::uint64_t accessor, std::uint64_t& left,
+                 const std::function<void(const AccessorReader&)>& visit);
 
 }  // namespace prelight

@@ -12,8 +12,8 @@ namespace prelight {
 namespace {
 
 void validateBindMatrices(const JsonCursor& root, const JsonCursor& matrices, std::size_t joints) {
-  const JsonCursor accessor =
-      root.at("accessors").at(matrices.asIndex(root.countOf("accessors"), "accessor"));
+  const std::size_t index = matrices.asIndex(root.countOf("accessors"), "accessor");
+  const JsonCursor accessor = root.at("accessors").at(index);
   constexpr std::uint64_t matrixFloat = 5126;
   const std::string& type = accessor.at("type").asString();
   const std::uint64_t component = accessor.at("componentType").asUnsigned();

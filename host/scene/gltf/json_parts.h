@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "scene/gltf/json_cursor.h"
 
@@ -12,11 +14,17 @@ namespace prelight {
 // A tree of any shape, looked at without complaints.
 
 /// A member of an object; null where there is none.
-inline const nlohmann::ordered_json& part(const nlohmann::ordered_json& object, const std::string& key) {
+inline const nlohmann::ordered_json& part(const nlohmann::ordered_json& object, std::string_view key) {
   static const nlohmann::ordered_json none;
   if (!object.is_object()) return none;
-  const auto found = object.find(key);
+  const auto found = object.find(std::string(key));
   return found == object.end() ? none : *found;
+}
+
+/// An element of an array; null where there is none.
+inline const nlohmann::ordered_json& partAt(const nlohmann::ordered_json& list, std::size_t index) {
+  static const nlohmann::ordered_json none;
+  return list.is_array() && index < list.size() ? list[index] : none;
 }
 
 /// The element that a reference names; null where there is none.
@@ -24,7 +32,7 @@ inline const nlohmann::ordered_json& partAt(const nlohmann::ordered_json& list,
                                             const nlohmann::ordered_json& reference) {
   static const nlohmann::ordered_json none;
   const auto index = unsignedValue(reference);
-  return index && list.is_array() && *index < list.size() ? list[*index] : none;
+  return index ? partAt(list, static_cast<std::size_t>(*index)) : none;
 }
 
 inline double numberOf(const nlohmann::ordered_json& value, double fallback) {

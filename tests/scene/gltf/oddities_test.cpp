@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "scene/gltf/gltf_document.h"
 #include "scene/gltf/gltf_oddities.h"
@@ -82,10 +83,6 @@ TEST(Oddities, Meshes_NamePlaceAndRule) {
                 R"({"attributes": {}, "indices": 0})",
                 R"(, "accessors": [{"bufferView": 0}], "bufferViews": [{"byteStride": 4, "byteLength": 8}])"),
             place + "/indices: indices in a buffer view with a byteStride");
-  expectOdd(withPrimitive(R"({"attributes": {"JOINTS_0": 0}})", ""),
-            place + "/attributes: other than a set of weights");
-  expectOdd(withPrimitive(R"({"attributes": {}, "targets": [{"NORMAL": 0}]})", ""),
-            place + "/targets/0/NORMAL: a morph target of an attribute");
   expectOdd(withPrimitive(R"({"attributes": {}, "material": 0})",
                           R"(, "materials": [{"normalTexture": {"texCoord": 1}}])"),
             place + "/material: a material with textures");
@@ -126,10 +123,105 @@ TEST(Oddities, Parts_NamePlaceAndRule) {
   expectOdd(R"({"buffers": [{"uri": "data:text/plain,a"}]})", "/buffers/0/uri: a MIME type other than");
   expectOdd(R"({"nodes": [{"rotation": [0, 0, 0, 2]}]})", "/nodes/0/rotation");
   expectOdd(R"({"nodes": [{"matrix": [1], "scale": [1, 1, 1]}]})", "/nodes/0/matrix");
-  expectOdd(R"({"nodes": [{"skin": 0}]})", "/nodes/0/skin: skin without a mesh");
   expectOdd(R"({"cameras": [{"perspective": {"znear": 2, "zfar": 1}}]})", "zfar is not beyond znear");
   expectOdd(R"({"meshes": [{"primitives": [{"attributes": {"COLOUR": 0}}]}]})",
             "/meshes/0/primitives/0/attributes/COLOUR: an attribute of no known name");
+}
+
+TEST(Oddities, ViewsOfSeveralUses_AreTold) {
+  expectOdd(R"({"meshes": [{"primitives": [{"attributes": {"_A": 0, "_B": 1}}]}],
+                "accessors": [{"bufferView": 0}, {"bufferView": 0}], "bufferViews": [{}]})",
+            "/meshes/0/primitives/0/attributes/_B: vertices of two accessors");
+  expectOdd(R"({"meshes": [{"primitives": [{"attributes": {"_A": 0}, "indices": 1}]}],
+                "accessors": [{"bufferView": 0}, {"bufferView": 0}], "bufferViews": [{}]})",
+            "/meshes/0/primitives/0/indices: vertices and indices in one");
+  expectOdd(R"({"buffers": [{"uri": "data:application/octet-stream;;base64,AA=="}]})",
+            "/buffers/0/uri: a data URI with an empty parameter");
+}
+
+TEST(Oddities, Tangents_AreOfTheFileOrOfANormalTexture) {
+  const std::string mesh = R"({"meshes": [{"primitives": [{"attributes": {"TEXCOORD_0": 0}, "material": 0}]}],
+      "extensionsUsed": ["KHR_materials_clearcoat"], "materials": [{"extensions": {"KHR_materials_clearcoat":
+      {"clearcoatNormalTexture": {}}})";
+  expectOdd(mesh + "}]}", "/meshes/0/primitives/0/material: a material that needs tangents");
+  EXPECT_THAT(odditiesOf(mesh + R"(, "normalTexture": {}}]})"), testing::IsEmpty());
+}
+
+TEST(Oddities, Skins_NamePlaceAndRule) {
+  const std::string nodes = R"({"nodes": [{"children": [1]}, {}, {}], "skins": [)";
+  expectOdd(nodes + R"({"joints": [0, 1], "skeleton": 2}]})",
+            "/skins/0/skeleton: a skeleton that is not above");
+  EXPECT_THAT(odditiesOf(nodes + R"({"joints": [0, 1], "skeleton": 0}]})"), testing::IsEmpty());
+  expectOdd(R"({"nodes": [{}], "skins": [{"joints": [0], "inverseBindMatrices": 0}], "accessors":
+                [{"bufferView": 0}], "bufferViews": [{"byteStride": 64, "byteLength": 64}]})",
+            "/skins/0/inverseBindMatrices: matrices in a buffer view with a byteStride");
+}
+
+TEST(Oddities, Variants_NamePlaceAndRule) {
+  const auto withMappings = [](const std::string& mappings) {
+    return R"({"extensionsUsed": ["KHR_materials_variants"], "extensions": {"KHR_materials_variants":
+               {"variants": [{"name": "a"}]}}, "materials": [{}], "meshes": [{"primitives": [{"attributes": {},
+               "extensions": {"KHR_materials_variants": {"mappings": [)" +
+           mappings + "]}}}]}]}";
+  };
+  const std::string place = "/meshes/0/primitives/0/extensions/KHR_materials_variants/mappings/";
+  expectOdd(withMappings(R"({"material": 1, "variants": [0]})"),
+            place + "0/material: a variant of a material");
+  expectOdd(withMappings(R"({"material": 0, "variants": [1]})"),
+            place + "0/variants/0: a variant that the file");
+  expectOdd(withMappings(R"({"material": 0, "variants": [0]}, {"material": 0, "variants": [0]})"),
+            place + "1/variants/0: a variant that has a material already");
+  expectOdd(R"({"extensionsUsed": ["KHR_materials_variants"], "extensions": {"KHR_materials_variants": {}}})",
+            "/extensions/KHR_materials_variants: an extension without its variants");
+}
+
+/// The warnings of a triangle to which `add` adds.
+Warnings oddValuesOf(const std::function<void(GltfDocument&)>& add) {
+  GltfDocument document = test::triangleDocument();
+  document.json["accessors"][0]["min"] = {0, 0, 0};
+  document.json["accessors"][0]["max"] = {1, 1, 0};
+  add(document);
+  const test::TemporaryFolder folder;
+  writeGlb(folder / "a.glb", document);
+  Warnings warnings;
+  (void)readGltf(folder / "a.glb", warnings, {.tellOddities = true});
+  return warnings;
+}
+
+void addAttribute(GltfDocument& document, const std::string& name, const std::vector<float>& values,
+                  const std::string& type) {
+  document.json["meshes"][0]["primitives"][0]["attributes"][name] =
+      test::appendFloats(document, values, type);
+}
+
+TEST(Oddities, NumbersOfVertices_AreTold) {
+  const std::string place = "/meshes/0/primitives/0/attributes/";
+  const auto expectTold = [](const std::function<void(GltfDocument&)>& add, const std::string& text) {
+    EXPECT_THAT(oddValuesOf(add), testing::ElementsAre(testing::HasSubstr(text)));
+  };
+  expectTold(
+      [](GltfDocument& d) {
+        addAttribute(d, "COLOR_0", {0, 1, 0.5f, 1.5f, 0, 0, 0, 0, 0}, "VEC3");
+      },
+      place + "COLOR_0: colours outside of 0..1");
+  expectTold(
+      [](GltfDocument& d) {
+        addAttribute(d, "NORMAL", {1, 1, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+      },
+      place + "NORMAL: vectors that are not of length 1");
+  expectTold(
+      [](GltfDocument& d) {
+        addAttribute(d, "TANGENT", {1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 1}, "VEC4");
+      },
+      place + "TANGENT: tangents whose w");
+  expectTold(
+      [](GltfDocument& d) {
+        const std::vector<float> ones(16, 1.0f);
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(ones.data());
+        const int matrices = test::appendBytes(d, {bytes, bytes + 64}, "MAT4", 1, 5126);
+        d.json["skins"] = {{{"joints", {0}}, {"inverseBindMatrices", matrices}}};
+      },
+      "/skins/0/inverseBindMatrices: a matrix whose last row");
 }
 
 std::string errorOf(const std::string& name, const std::string& bytes) {
