@@ -53,7 +53,9 @@ double cellPower(const LightProfile& p, std::size_t column, std::size_t row) {
   const double upper = 0.5 * (near[0] + next[0]), lower = 0.5 * (near[1] + next[1]);
   const double solid = std::cos(a) - std::cos(b);                        // of the sine
   const double rising = std::sin(b) - std::sin(a) - size * std::cos(b);  // times the height from a
-  return (p.turns[column + 1] - p.turns[column]) * (upper * solid + (lower - upper) * rising / size);
+  const double power =
+      (p.turns[column + 1] - p.turns[column]) * (upper * solid + (lower - upper) * rising / size);
+  return std::max(power, 0.0);  // of little more than rounding where the cell is narrow
 }
 
 double profilePower(const LightProfile& profile) {

@@ -58,7 +58,7 @@ PRELIGHT_INLINE void emitByProfile(Lights l, __global const PunctualLight* light
   const float sine = 2.0f * sqrt(part * (1.0f - part));
   e->direction = normalize((1.0f - 2.0f * part) * pole + sine * (cos(turn) * across + sin(turn) * cross(across, pole)));
   const float4 corners = turns[columns + 1u + column * rows + row];
-  e->power *= betweenCorners(corners, u, (height - low) / (high - low)) * (2.0f * width * (to - from) / (ofColumn * ofRow));
+  e->power *= betweenCorners(corners, u, clamp((height - low) / max(high - low, 1e-9f), 0.0f, 1.0f)) * (2.0f * width * (to - from) / (ofColumn * ofRow));
 }
 #endif
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
@@ -18,33 +19,33 @@ namespace {
 constexpr const char* exportAgain = "get the profile from the lamp's maker again";
 constexpr std::size_t mostIntensities = std::size_t{1} << 20;
 constexpr double whole = 360.0, half = 180.0, quarter = 90.0;  ///< degrees
+constexpr double leastStep = 1e-4;  ///< degrees: kernels can tell such angles apart
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 /// Lines, and the numbers that follow them.
 class IesReader {
  public:
-  IesReader(std::string_view text, const std::string& where) : text_(text), where_(where) {}
+  IesReader(std::string_view text, const std::string& where) : text_(text), where_(where) {
+    if (text_.starts_with(byteOrderMark)) text_.remove_prefix(byteOrderMark.size());
+  }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("{}: line {}", where_, line_), what, exportAgain);
+    throw InputError(fmt::format("{}: line {}", where_, lineNumber()), what, exportAgain);
   }
 
   bool atEnd() const { return at_ >= text_.size(); }
 
   std::string_view line() {
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
     std::string_view found = text_.substr(at_, end - at_);
-    at_ = std::min(end + 1, text_.size());
-    ++line_;
+    at_ = std::min(end + (text_.substr(end, 2) == "\r\n" ? 2 : 1), text_.size());
     while (!found.empty() && isSpace(found.back())) found.remove_suffix(1);
     while (!found.empty() && isSpace(found.front())) found.remove_prefix(1);
     return found;
   }
 
   double number(const char* what) {
-    while (at_ < text_.size() && (isSpace(text_[at_]) || text_[at_] == ',' || text_[at_] == '+')) {
-      if (text_[at_] == '\n') ++line_;
-      ++at_;
-    }
+    while (at_ < text_.size() && (isSpace(text_[at_]) || text_[at_] == ',' || text_[at_] == '+')) ++at_;
     double value = 0.0;
     const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
     if (error == std::errc::invalid_argument) {
@@ -82,10 +83,17 @@ class IesReader {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
   }
 
+  /// Of what is read next. Lines end with LF, CR or both.
+  std::size_t lineNumber() const {
+    std::size_t number = 1;
+    for (std::size_t i = 0; i < at_; ++i)
+      if (text_[i] == '\n' || (text_[i] == '\r' && text_.substr(i + 1, 1) != "\n")) ++number;
+    return number;
+  }
+
   std::string_view text_;
   const std::string& where_;
   std::size_t at_ = 0;
-  std::size_t line_ = 0;
 };
 
 /// Angles in degrees and the intensities between them, as a file has them.
@@ -101,19 +109,31 @@ std::vector<double> readAngles(IesReader& in, std::size_t count, const char* wha
   std::vector<double> angles;
   for (std::size_t i = 0; i < count; ++i) {
     angles.push_back(in.within(what, least, most));
-    if (i > 0 && !(angles[i] > angles[i - 1]))
+    if (i > 0 && !(angles[i] - angles[i - 1] >= leastStep))
       in.fail(
-          fmt::format("{} {:g} comes after {:g}, expected ascending ones", what, angles[i], angles[i - 1]));
+          fmt::format("{} {:.10g} comes after {:.10g}, expected ascending ones, {:g} degrees apart at least",
+                      what, angles[i], angles[i - 1], leastStep));
   }
   return angles;
+}
+
+/// Whether a first line names a version of 1995 or later.
+bool isLate(std::string_view first) {
+  constexpr std::string_view standard = "LM-63-";
+  const std::size_t at = first.find(standard);
+  if (at == std::string_view::npos) return false;
+  const std::string_view rest = first.substr(at + standard.size());
+  int year = 1900;
+  std::from_chars(rest.data(), rest.data() + rest.size(), year);
+  if (year >= 0 && year < 100) year += year < 86 ? 2000 : 1900;
+  return year >= 1995;
 }
 
 /// Whether a profile was written before 1995: its second factor is that of ballast and lamp, later ones keep
 /// other things there.
 bool skipToTilt(IesReader& in) {
   const std::string_view first = in.line();
-  const bool late = first.starts_with("IESNA:LM-63-1995") || first.starts_with("IESNA:LM-63-2002") ||
-                    first.starts_with("IES:LM-63-2019");
+  const bool late = isLate(first);
   std::string_view line = first;
   while (!line.starts_with("TILT=")) {
     if (in.atEnd()) in.fail("expected a line that begins with TILT=: this is no photometric profile (LM-63)");
@@ -167,7 +187,8 @@ void closeCircle(const IesReader& in, IesGrid& grid) {
   const std::size_t rows = grid.vertical.size();
   if (grid.horizontal.size() == 1) {
     grid.horizontal = {0.0, whole};
-    grid.values.insert(grid.values.end(), grid.values.begin(), grid.values.end());
+    grid.values.resize(2 * rows);
+    std::copy_n(grid.values.begin(), rows, grid.values.begin() + static_cast<std::ptrdiff_t>(rows));
     return;
   }
   if (goesTo(0.0, quarter)) mirrorAtLast(grid);
@@ -177,6 +198,10 @@ void closeCircle(const IesReader& in, IesGrid& grid) {
     in.fail(fmt::format(
         "the horizontal angles go from {:g} to {:g}, expected 0 to 0, 90, 180 or 360, or 90 to 270",
         grid.horizontal.front(), grid.horizontal.back()));
+  if (whole - grid.horizontal.back() < leastStep) {
+    grid.horizontal.back() = whole;
+    return;
+  }
   grid.horizontal.push_back(whole);
   for (std::size_t v = 0; v < rows; ++v) grid.values.push_back(grid.value(0, v));
 }

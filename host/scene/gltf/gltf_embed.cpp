@@ -181,17 +181,28 @@ void embedProfiles(GltfDocument& document, Warnings& warnings) {
   };
   if (profilesOf() == nullptr) return;
   const GltfUse use = findUse(document.json);
+  std::map<std::string, int> embedded;  // buffer views by URI
+  std::size_t total = 0;
   for (std::size_t i = 0; i < profilesOf()->size(); ++i) {
     if (!(*profilesOf())[i].contains("uri") || (*profilesOf())[i].contains("bufferView")) continue;
     checkPart(use.profiles.contains(i), warnings, [&] {
       const JsonCursor profile =
           JsonCursor(file, document.json).at("extensions").at("EXT_lights_ies").at("lights").at(i);
-      const std::vector<std::uint8_t> bytes = readUri(document, profile.at("uri"), mostProfileBytes);
-      const int view = appendBufferView(document, bytes);
+      const std::string uri = profile.at("uri").asString();
+      if (!embedded.contains(uri)) {
+        const std::vector<std::uint8_t> bytes = readUri(document, profile.at("uri"), mostProfileBytes);
+        if (bytes.size() > mostProfilesBytes - total)
+          profile.at("uri").fail(
+              fmt::format("the scene's profiles up to this one have {} bytes, expected at most {} together",
+                          total + bytes.size(), mostProfilesBytes),
+              "use fewer profiles, or ones of fewer angles");
+        total += bytes.size();
+        embedded[uri] = appendBufferView(document, bytes);
+      }
       nlohmann::ordered_json& json = (*profilesOf())[i];
       json.erase("uri");
       json["mimeType"] = "application/x-ies-lm-63";
-      json["bufferView"] = view;
+      json["bufferView"] = embedded.at(uri);
     });
   }
 }

@@ -92,8 +92,6 @@ std::optional<Light> loadLight(const LoadContext& context, int node, const glm::
 }
 
 std::shared_ptr<const LightProfile> ProfileLoader::profileOf(std::size_t index) {
-  const auto known = known_.find(index);
-  if (known != known_.end()) return known->second;
   const JsonCursor json = LoadContext::extension(context_.root, "EXT_lights_ies")->at("lights").at(index);
   const JsonCursor view = context_.root.at("bufferViews").at(json.at("bufferView").asUnsigned());
   const std::uint64_t offset = view.unsignedOr("byteOffset", 0), length = view.at("byteLength").asUnsigned();
@@ -102,9 +100,22 @@ std::shared_ptr<const LightProfile> ProfileLoader::profileOf(std::size_t index) 
   const std::vector<std::uint8_t>& bin = context_.document.bin;
   if (view.at("buffer").asUnsigned() != 0 || offset > bin.size() || length > bin.size() - offset)
     json.at("bufferView").fail("the profile's data are missing");
+  const auto known = known_.find({offset, length});
+  if (known != known_.end()) return known->second;
+  take(json, bytes_, length, mostProfilesBytes, "bytes");
   const std::string_view text(reinterpret_cast<const char*>(bin.data()) + offset, length);
   const auto profile = std::make_shared<const LightProfile>(parseIesProfile(text, json.where()));
-  return known_.emplace(index, profile).first->second;
+  take(json, intensities_, profile->values.size(), mostProfilesIntensities, "intensities");
+  return known_.emplace(std::pair(offset, length), profile).first->second;
+}
+
+void ProfileLoader::take(const JsonCursor& json, std::size_t& taken, std::size_t more, std::size_t most,
+                         const char* unit) const {
+  taken += more;
+  if (taken > most)
+    json.fail(fmt::format("the scene's profiles up to this one have {} {}, expected at most {} together",
+                          taken, unit, most),
+              "use fewer profiles, or ones of fewer angles");
 }
 
 std::optional<Light> ProfileLoader::lightOf(int node, const glm::dmat4& world) {
@@ -121,9 +132,10 @@ std::optional<Light> ProfileLoader::lightOf(int node, const glm::dmat4& world) {
       light.intensity[i] *= std::clamp(finiteFloat(color->at(static_cast<std::size_t>(i))), 0.0f, 1.0f);
   light.profile = profileOf(index);
   const double peak = *std::max_element(light.profile->values.begin(), light.profile->values.end());
-  if (!(peak * std::max({light.intensity.x, light.intensity.y, light.intensity.z}) <= largestInput))
-    reference->fail(fmt::format("the lamp's strongest intensity is {:g}, expected at most {:g}",
-                                peak * light.intensity.x, largestInput),
+  const double strongest = peak * std::max({light.intensity.x, light.intensity.y, light.intensity.z});
+  if (!(strongest <= largestInput))
+    reference->fail(fmt::format("the lamp's strongest intensity is {:g} W/sr, expected at most {:g}",
+                                strongest, largestInput),
                     "dim the lamp");
   if (!placeLight(light, world)) warnAboutDirection(context_, node);
   requireNear(context_, node, light.position);

@@ -2,10 +2,12 @@
 
 #include <tiny_gltf.h>
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "prelight/error.h"
@@ -135,7 +137,7 @@ std::vector<Material> loadMaterials(const LoadContext& context);
 std::vector<Image> loadImages(const LoadContext& context, std::vector<Material>& materials);
 /// The punctual light of a node, when it carries one.
 std::optional<Light> loadLight(const LoadContext& context, int node, const glm::dmat4& world);
-/// Reads each profile of lamps once (EXT_lights_ies).
+/// Reads each profile of lamps once (EXT_lights_ies), however many entries name its bytes.
 class ProfileLoader {
  public:
   /// The context outlives it.
@@ -146,9 +148,14 @@ class ProfileLoader {
 
  private:
   std::shared_ptr<const LightProfile> profileOf(std::size_t index);
+  /// Counts what a further profile takes. Throws InputError where that is too much.
+  void take(const JsonCursor& json, std::size_t& taken, std::size_t more, std::size_t most,
+            const char* unit) const;
 
   const LoadContext& context_;
-  std::map<std::size_t, std::shared_ptr<const LightProfile>> known_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::shared_ptr<const LightProfile>>
+      known_;                                ///< by offset and length
+  std::size_t bytes_ = 0, intensities_ = 0;  ///< of all that are known
 };
 
 Camera loadCamera(const LoadContext& context, int node, const glm::dmat4& world);

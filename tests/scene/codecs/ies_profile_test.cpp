@@ -89,6 +89,52 @@ TEST(IesProfile, Factors_CountByTheVersion) {
   EXPECT_NEAR(towards(iesText("2 1 1", rest, "IESNA91", "0.5 7 60"), {0, 0, -1}), 21.0, 1e-9);
 }
 
+TEST(IesProfile, Version_IsFoundAfterAByteOrderMarkAndInOtherSpellings) {
+  const std::string rest = "0 90\n0\n3 3";
+  for (const char* late : {"\xEF\xBB\xBFIES:LM-63-2019", "\xEF\xBB\xBFIESNA:LM-63-2002", "ANSI/IES LM-63-19",
+                           "IESNA: LM-63-1995", "IES:LM-63-2025"})
+    EXPECT_NEAR(towards(iesText("2 1 1", rest, late, "1 7 60"), {0, 0, -1}), 6.0, 1e-9) << late;
+  for (const char* early : {"IESNA:LM-63-1991", "IESNA86", "LM-63-", "\xEF\xBB\xBFIESNA91", "a lamp"})
+    EXPECT_NEAR(towards(iesText("2 1 1", rest, early, "1 7 60"), {0, 0, -1}), 42.0, 1e-9) << early;
+}
+
+TEST(IesProfile, AnyLineEnds_AreRead) {
+  for (const char* end : {"\n", "\r", "\r\n"}) {
+    const auto lines = [&](const std::vector<std::string>& all) {
+      std::string text;
+      for (const std::string& line : all) text += line + end;
+      return text;
+    };
+    EXPECT_NEAR(towards(lines({"IESNA91", "[TEST] a", "TILT=NONE", "1 1 1 2 1 1 1 0 0 0", "1 1 0", "0 180",
+                               "0", "5 5"}),
+                        {0, 1, 0}),
+                5.0, 1e-9);
+    EXPECT_THAT(refusal(lines({"IESNA91", "TILT=NONE", "", "1 2", "three"})), HasSubstr("line 5: expected"));
+    EXPECT_THAT(refusal(lines({"IESNA91", "TILT=NONE", "1 2 -3"})), HasSubstr("line 3: the candela"));
+  }
+}
+
+TEST(IesProfile, AnglesThatFloatsCannotTellApart_AreRefused) {
+  EXPECT_THAT(refusal(iesText("3 1 1", "0 30 30.0000001\n0\n1 1 1")),
+              HasSubstr("30.0000001 comes after 30, expected ascending ones, 0.0001 degrees apart"));
+  const LightProfile profile =
+      parseIesProfile(iesText("2 3 1", "0 90\n0 200 359.99999\n1 1\n2 2\n3 3"), "a.ies");
+  EXPECT_EQ(profile.turns.size(), 3u);  // closed without a sliver
+  EXPECT_DOUBLE_EQ(profile.turns.back(), 2.0 * std::numbers::pi);
+}
+
+TEST(IesProfile, PowerOfCells_IsNeverNegative) {
+  LightProfile profile;
+  profile.turns = {0.0, 1.0};
+  profile.values = {0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < 10000; ++i) {
+    const double from = 3.14 * i / 10000;
+    profile.heights = {from, from + 1e-9};
+    profile.values = {0.0, 1.0, 0.0, 1.0};
+    ASSERT_GE(cellPower(profile, 0, 0), 0.0) << from;
+  }
+}
+
 TEST(IesProfile, TiltedLamps_AreReadPastTheirTilts) {
   const std::string text =
       "IESNA91\nTILT=INCLUDE\n1\n3\n0 45 90\n1 0.9 0.8\n1 1000 1 2 1 1 1 0,0,0\n1 1 0\n0 180\n0\n5e0 +5.0\n";
@@ -111,7 +157,7 @@ TEST(IesProfile, BrokenFiles_AreRefusedWithTheirLine) {
   EXPECT_THAT(refusal(""), HasSubstr("no photometric profile"));
   EXPECT_THAT(refusal("hello\nworld\n"), HasSubstr("no photometric profile"));
   EXPECT_THAT(refusal("IESNA91\nTILT=NONE\n1 2 three"),
-              HasSubstr("a.ies: line 2: expected the candela multiplier, got \"three\""));
+              HasSubstr("a.ies: line 3: expected the candela multiplier, got \"three\""));
   EXPECT_THAT(refusal(iesText("3 1 1", "0 45 90\n0\n100 60")),
               HasSubstr("the file ends, expected an intensity"));
   EXPECT_THAT(refusal(iesText("3 1 1", "0 90 45\n0\n100 60 1")), HasSubstr("45 comes after 90"));

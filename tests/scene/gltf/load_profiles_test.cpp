@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "scene/light_profile.h"
 #include "support/gltf_files.h"
 
@@ -58,6 +60,58 @@ TEST(LoadProfiles, WhatIsWritten_CarriesTheProfile) {
   const Scene scene = loadScene(readGltf(folder / "b.glb", warnings), warnings);
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_NEAR(profileTowards(scene.lights[0], {0, 1, 0}), 8.0, 1e-9);
+}
+
+/// The scene with so many entries of `uris` in turn, each at a node.
+GltfDocument manyEntries(const test::TemporaryFolder& folder, std::size_t count,
+                         const std::vector<std::string>& uris, const std::string& text, Warnings& warnings) {
+  const std::string path = writeScene(folder, text, {{"light", 0}});
+  Json json = Json::parse(std::ifstream(path));
+  for (const std::string& uri : uris) test::writeBytes(folder / uri, text);
+  Json lights = Json::array(), children = Json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    lights.push_back({{"uri", uris[i % uris.size()]}});
+    Json node;
+    node["extensions"]["EXT_lights_ies"] = {{"light", i}};
+    children.push_back(json["nodes"].size());
+    json["nodes"].push_back(node);
+  }
+  json["extensions"]["EXT_lights_ies"]["lights"] = lights;
+  json["nodes"][0]["children"] = children;
+  test::writeBytes(path, json.dump());
+  return readGltf(path, warnings);
+}
+
+TEST(LoadProfiles, EntriesOfOneFile_ShareItsBytesAndProfile) {
+  const test::TemporaryFolder folder;
+  Warnings warnings;
+  const GltfDocument document = manyEntries(folder, 1000, {"lamp.ies"}, lamp, warnings);
+  EXPECT_LT(document.bin.size(), 200u);
+  EXPECT_EQ(document.json["bufferViews"].size(), 1u);
+  const Scene scene = loadScene(document, warnings);
+  ASSERT_EQ(scene.lights.size(), 1001u);
+  for (const Light& light : scene.lights) EXPECT_EQ(light.profile, scene.lights[0].profile);
+}
+
+TEST(LoadProfiles, TooManyIntensitiesOrBytesTogether_AreRefused) {
+  std::string large = "IES:LM-63-2019\nTILT=NONE\n1 -1 1 1001 1001 1 2 0 0 0 1 1 1\n";
+  for (int i = 0; i <= 1000; ++i) large += std::to_string(0.18 * i) + " ";
+  for (int i = 0; i <= 1000; ++i) large += std::to_string(0.36 * i) + " ";
+  for (int i = 0; i < 1001 * 1001; ++i) large += "1 ";
+  const std::vector<std::string> uris = {"a.ies", "b.ies", "c.ies", "d.ies", "e.ies"};
+  const auto errorOf = [&](const std::string& text) {
+    return test::inputErrorOf([&] {
+      const test::TemporaryFolder folder;
+      Warnings warnings;
+      (void)loadScene(manyEntries(folder, uris.size(), uris, text, warnings), warnings);
+    });
+  };
+  EXPECT_THAT(errorOf(large), testing::AllOf(HasSubstr("/extensions/EXT_lights_ies/lights/4"),
+                                             HasSubstr("5010005 intensities"),
+                                             HasSubstr("expected at most 4194304 together")));
+  EXPECT_THAT(errorOf(lamp + std::string((1 << 24) - 100, ' ')),
+              testing::AllOf(HasSubstr("/extensions/EXT_lights_ies/lights/4/uri"),
+                             HasSubstr("expected at most 67108864 together")));
 }
 
 TEST(LoadProfiles, BrokenOrMissingOnesThatAreUsed_AreErrors) {
