@@ -91,6 +91,7 @@ void LiveScene::moveNode(int node, const RigidMotion& motion) {
     lightMotions_[i] = motion;
     compiled_.lights[i].position = motion.point(restLights_[i].position);
     compiled_.lights[i].direction = motion.direction(restLights_[i].direction);
+    compiled_.lights[i].side = motion.direction(restLights_[i].side);
     changes_.lights.push_back(static_cast<std::uint32_t>(i));
   }
   if (!found)
@@ -119,7 +120,9 @@ void LiveScene::setLight(std::size_t index, const Light& light) {
         fmt::format("there are {} lights; expected one of them, of the same type", compiled_.lights.size()));
   compiled_.lights[index] = restLights_[index] = light;
   restLights_[index].position = lightMotions_[index].pointBefore(light.position);
-  restLights_[index].direction = glm::transpose(lightMotions_[index].rotation) * light.direction;
+  const glm::dmat3 back = glm::transpose(lightMotions_[index].rotation);
+  restLights_[index].direction = back * light.direction;
+  restLights_[index].side = back * light.side;
   changes_.lights.push_back(static_cast<std::uint32_t>(index));
 }
 

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 #include "gi/update/live_scenes.h"
 #include "gpu/tracer.h"
 #include "prelight/error.h"
+#include "scene/light_profile.h"
 #include "support/devices.h"
+#include "support/profiles.h"
 #include "support/scenes.h"
 
 namespace prelight::test {
@@ -69,6 +72,40 @@ TEST(LiveScene, Changes_NameTrianglesAndLightsOnce) {
   EXPECT_EQ(change.triangles, live.trianglesOf(crate));
   EXPECT_EQ(change.lights, std::vector<std::uint32_t>{0});
   EXPECT_TRUE(live.takeChanges().empty());
+}
+
+/// A lamp at a node, which shines more along its X axis than across.
+LoadedScene withProfiledLamp() {
+  LoadedScene loaded("rooms");
+  const auto oval = makeProfile([](double, double turn) { return 2.0 + std::cos(2.0 * turn); });
+  Light& light = loaded.scene.lights.at(0);
+  light = profiledLight(light.position, oval, {0, -1, 0}, {1, 0, 0});
+  loaded.scene.lights.at(0).sceneNode = 0;
+  loaded.compiled = compileScene(loaded.scene, loaded.warnings);
+  return loaded;
+}
+
+RigidMotion quarterTurn() {
+  return {glm::dmat3(glm::rotate(glm::dmat4(1.0), std::numbers::pi / 2.0, glm::dvec3(0.0, 1.0, 0.0))),
+          {0.0, 0.0, 0.0}};
+}
+
+TEST(LiveScene, TurnedLamp_TakesItsProfileAlong) {
+  const LoadedScene loaded = withProfiledLamp();
+  const glm::dvec3 along = glm::normalize(glm::dvec3(1, -1, 0)),
+                   across = glm::normalize(glm::dvec3(0, -1, 1));
+  LiveScene live(loaded.scene, loaded.compiled);
+  EXPECT_NEAR(profileTowards(live.compiled().lights[0], along), 3.0, 1e-6);
+  EXPECT_NEAR(profileTowards(live.compiled().lights[0], across), 1.0, 1e-6);
+  const int node = loaded.scene.nodes.at(loaded.scene.lights[0].sceneNode).node;
+  live.moveNode(node, quarterTurn());
+  EXPECT_NEAR(profileTowards(live.compiled().lights[0], along), 1.0, 1e-6);
+  EXPECT_NEAR(profileTowards(live.compiled().lights[0], across), 3.0, 1e-6);
+  // A light that is set is set where the node stands, and turns on from there.
+  live.setLight(0, Light(live.compiled().lights[0]));
+  live.moveNode(node, RigidMotion{});
+  EXPECT_NEAR(profileTowards(live.compiled().lights[0], along), 3.0, 1e-6);
+  EXPECT_NEAR(profileTowards(live.compiled().lights[0], across), 1.0, 1e-6);
 }
 
 TEST(LiveScene, WhatCannotMove_IsRefused) {
