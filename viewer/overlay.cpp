@@ -40,8 +40,10 @@ void drawLights(Controls& controls) {
   ImGui::SameLine();
   ImGui::Text("%d/%d %s", controls.selectedLight() + 1, static_cast<int>(lights.size()), light.name.c_str());
   glm::vec3 intensity = light.intensity;
-  if (ImGui::DragFloat3(light.type == LightType::Directional ? "W/m2" : "W/sr", &intensity.x, 0.05f, 0.0f,
-                        1e6f)) {
+  const char* unit = light.profile != nullptr               ? "x profile"
+                     : light.type == LightType::Directional ? "W/m2"
+                                                            : "W/sr";
+  if (ImGui::DragFloat3(unit, &intensity.x, 0.05f, 0.0f, 1e6f)) {
     controls.setLightIntensity(intensity);
   }
 }

@@ -8,12 +8,20 @@ namespace {
 
 constexpr int draftEmitterSamples = 4;
 
+/// W/sr over all directions.
+float meanOf(const LightProfile& profile) {
+  return static_cast<float>(profilePower(profile) / (4.0 * std::numbers::pi));
+}
+
 }  // namespace
 
 ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene) {
   sample();
   for (const Light& light : scene.lights)
-    if (light.profile != nullptr) profiles_.add(light);
+    if (light.profile != nullptr) {
+      profiles_.add(light);
+      if (!means_.contains(light.profile.get())) means_[light.profile.get()] = meanOf(*light.profile);
+    }
 }
 
 /// A profile that is not the scene's counts with its mean.
@@ -25,7 +33,7 @@ ShadedLight ViewLights::shaded(const Light& light) const {
     return result;
   }
   result.kind = LightKind::Point;
-  result.intensity *= static_cast<float>(profilePower(*light.profile) / (4.0 * std::numbers::pi));
+  result.intensity *= meanOf(*light.profile);
   result.profile = nullptr;
   return result;
 }
@@ -64,7 +72,10 @@ std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky
   }
   const std::size_t room = maxLights - samples.size();
   if (lights.size() > room) {
-    const auto strength = [](const ShadedLight& l) { return l.intensity.r + l.intensity.g + l.intensity.b; };
+    const auto strength = [this](const ShadedLight& l) {
+      const float sum = l.intensity.r + l.intensity.g + l.intensity.b;
+      return l.profile == nullptr ? sum : sum * means_.at(l.profile.get());
+    };
     std::stable_sort(lights.begin(), lights.end(),
                      [&](const ShadedLight& a, const ShadedLight& b) { return strength(a) > strength(b); });
     lights.resize(room);

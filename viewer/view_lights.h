@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,7 @@ class ViewLights {
 
   const CompiledScene* scene_;
   PackedProfiles profiles_;
+  std::map<const LightProfile*, float> means_;  ///< W/sr, of those
   std::vector<ShadedLight> emitters_, draftEmitters_;
   std::unique_ptr<LightSamples> samples_;  ///< once they are needed
 };

@@ -31,8 +31,9 @@ struct InfoCommand {
   BakeOptions bake;
 };
 
-const char* lightTypeName(LightType type) {
-  switch (type) {
+const char* lightTypeName(const Light& light) {
+  if (light.profile != nullptr) return "profile";
+  switch (light.type) {
     case LightType::Directional:
       return "directional";
     case LightType::Spot:
@@ -41,6 +42,13 @@ const char* lightTypeName(LightType type) {
       break;
   }
   return "point";
+}
+
+/// Intensity; of a profile its largest.
+glm::vec3 peakOf(const Light& light) {
+  if (light.profile == nullptr) return light.intensity;
+  const std::vector<double>& values = light.profile->values;
+  return light.intensity * static_cast<float>(*std::max_element(values.begin(), values.end()));
 }
 
 std::size_t countMaterials(const Scene& scene, bool (*is)(const Material&)) {
@@ -73,8 +81,8 @@ Json contentsJson(const LoadedScene& loaded) {
   Json lights = Json::array();
   for (const Light& light : scene.lights)
     lights.push_back({{"name", light.name},
-                      {"type", lightTypeName(light.type)},
-                      {"intensity", {light.intensity.x, light.intensity.y, light.intensity.z}}});
+                      {"type", lightTypeName(light)},
+                      {"intensity", {peakOf(light).x, peakOf(light).y, peakOf(light).z}}});
   Json cameras = Json::array();
   for (const Camera& camera : scene.cameras)
     cameras.push_back({{"name", camera.name}, {"type", camera.perspective ? "perspective" : "orthographic"}});
@@ -143,10 +151,14 @@ void printContents(const Console& console, const LoadedScene& loaded) {
   if (!loaded.compiled.shapes.empty())
     console.line("instances", fmt::format("{} of {} meshes that are drawn more than once",
                                           loaded.compiled.instances.size(), loaded.compiled.shapes.size()));
-  for (const Light& light : scene.lights)
-    console.line("light", fmt::format("{} '{}', {:g} {:g} {:g} {}", lightTypeName(light.type), light.name,
-                                      light.intensity.x, light.intensity.y, light.intensity.z,
-                                      light.type == LightType::Directional ? "W/m2" : "W/sr"));
+  for (const Light& light : scene.lights) {
+    const glm::vec3 peak = peakOf(light);
+    console.line("light", fmt::format("{} '{}', {:g} {:g} {:g} {}", lightTypeName(light), light.name, peak.x,
+                                      peak.y, peak.z,
+                                      light.profile != nullptr               ? "W/sr at most"
+                                      : light.type == LightType::Directional ? "W/m2"
+                                                                             : "W/sr"));
+  }
   if (loaded.sky)
     console.line("sky", fmt::format("the file's own, {} x {} texels", loaded.sky->width, loaded.sky->height));
   for (const Camera& camera : scene.cameras)

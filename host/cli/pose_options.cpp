@@ -143,6 +143,30 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+namespace {
+
+/// Names what a bake has that is not posed with the scene.
+std::string lostNames(const Bake& bake, const Bake& posed) {
+  std::string names;
+  const auto add = [&](bool lost, const char* name) {
+    if (lost) names += (names.empty() ? "" : ", ") + std::string(name);
+  };
+  add(!bake.ao.empty() || !bake.bentNormals.empty(), "ao");
+  add((bake.sh || bake.compressedSh) && !posed.sh, "sh");
+  add(bake.ch.has_value(), "ch");
+  add(bake.haar.has_value(), "haar");
+  add(bake.glossy.has_value(), "glossy");
+  add(bake.lightGroups.has_value(), "light groups");
+  add(bake.occluders && !posed.occluders, "occluders");
+  add(bake.volume.has_value(), "volume");
+  add(bake.chartTransfer.has_value(), "charts");
+  add(bake.lightMap || !bake.encodedLight.empty(), "light map");
+  add(bake.irradiance.has_value(), "irradiance");
+  return names;
+}
+
+}  // namespace
+
 void poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded, Bake& bake) {
   if (!options.at && !options.animation.empty())
     throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
@@ -165,6 +189,9 @@ void poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded
     for (const NodeMove& move : options.moves) moveNodes(loaded.scene, move);
     if (bake.occluders) posed.occluders = movedOccluders(session, loaded, before, *bake.occluders);
     if (posed.sh || posed.occluders) posed.info = bake.info;
+    if (const std::string lost = lostNames(bake, posed); !lost.empty())
+      session.warn(fmt::format("{}: the bake is of another pose; left out of it: {}",
+                               options.at ? "--at" : "--move", lost));
     bake = std::move(posed);
     Warnings said;  // by the rest pose already
     loaded.compiled = compileScene(loaded.scene, said);

@@ -35,7 +35,7 @@ void addGlobalOptions(CLI::App& program, GlobalOptions& global) {
   program.add_flag("--json", global.json, "print the result as JSON on stdout")->group(group);
   program
       .add_flag("--allow-outside", global.allowOutside,
-                "let a scene name buffers, images and light maps outside of its folder")
+                "let a scene name buffers, images, profiles and light maps outside of its folder")
       ->group(group);
   CLI::Option* quiet = program.add_flag("--quiet", global.quiet, "print nothing but errors")->group(group);
   program.add_flag("--verbose", global.verbose, "print more: stages, the plan, every warning")

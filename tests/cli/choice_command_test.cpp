@@ -57,6 +57,14 @@ TEST_F(CliChoice, BakeOfAMoment_IsShownAtThatMoment) {
   };
   render({"baked.glb", "-o", "baked.exr"});
   render({"baked.glb", "-o", "same.exr", "--at", "2"});
+  const std::vector<std::string> small = {"render", "baked.glb", "-o", "small.exr", "--size", "8x8", "--at"};
+  const auto warned = [&](const char* seconds) {
+    std::vector<std::string> arguments = small;
+    arguments.emplace_back(seconds);
+    return prelightDone(arguments).errors;
+  };
+  EXPECT_THAT(warned("1"), HasSubstr("--at: the bake is of another pose; left out of it: sh"));
+  EXPECT_THAT(warned("2"), ::testing::Not(HasSubstr("another pose")));
   render({"swing.glb", "-o", "there.exr", "--at", "2", "--sh", "2", "--rays", "4"});
   render({"swing.glb", "-o", "rest.exr", "--sh", "2", "--rays", "4"});
   EXPECT_LT(difference("baked.exr", "there.exr"), 1e-6);
