@@ -72,7 +72,6 @@ TEST_F(CliStudio, SceneWithLight_IsShownAsItIs) {
   prelightDone({"render", "lit.glb", "-o", "b.png", "--size", "48x32", "--exposure", "1"});
   EXPECT_EQ(readFile("a.png"), readFile("b.png"));
   prelightDone({"render", "lit.glb", "-o", "c.png", "--size", "48x32", "--exposure", "auto"});
-  EXPECT_NE(readFile("a.png"), readFile("c.png"));
   prelightDone({"render", "lit.glb", "-o", "d.png", "--size", "48x32", "--exposure", "4"});
   EXPECT_NE(readFile("a.png"), readFile("d.png"));
 }
