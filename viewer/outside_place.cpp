@@ -8,7 +8,7 @@
 namespace prelight::viewer {
 namespace {
 
-constexpr std::uint32_t mostSamples = 48;  ///< of a node's surface
+constexpr std::uint32_t mostSamples = 48;  ///< of a node's surface, altogether
 
 /// Directions along no edge that anybody would model.
 const std::array<glm::dvec3, 3> probeDirections = {
@@ -49,15 +49,18 @@ struct Sample {
 std::vector<Sample> samplesOf(const CompiledScene& scene, const std::vector<TriangleRange>& own) {
   std::uint32_t count = 0;
   for (const TriangleRange& range : own) count += range.count;
-  const std::uint32_t step = std::max(1u, count / mostSamples);
+  const std::uint32_t step = std::max(1u, (count + mostSamples - 1) / mostSamples);
+  std::uint32_t next = 0;  // of the range at hand
   std::vector<Sample> samples;
-  for (const TriangleRange& range : own)
-    for (std::uint32_t t = 0; t < range.count; t += step) {
-      const glm::uvec3& corners = scene.triangles[range.first + t];
+  for (const TriangleRange& range : own) {
+    for (; next < range.count; next += step) {
+      const glm::uvec3& corners = scene.triangles[range.first + next];
       glm::dvec3 sum(0.0);
       for (int k = 0; k < 3; ++k) sum += glm::dvec3(scene.positions[corners[k]]);
-      samples.push_back({sum / 3.0, 0.5 * glm::length(geometricNormal(scene, range.first + t))});
+      samples.push_back({sum / 3.0, 0.5 * glm::length(geometricNormal(scene, range.first + next))});
     }
+    next -= range.count;
+  }
   return samples;
 }
 

@@ -132,7 +132,7 @@ void Renderer::sceneMoved() {
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
-  surroundings_->changed();
+  surroundings_->moved();
 }
 
 void Renderer::updateSurroundings(const View& view, const Illumination& light) {

@@ -142,12 +142,18 @@ void Surroundings::place(const CompiledScene& compiled) {
       if (body.node != node.node) others.push_back(body);
     node.center = placeOutside(compiled, own, node.center, others);
   }
+  placed_ = true;
+  insidesDrawn_ = false;
 }
 
 void Surroundings::changed() {
   // Twice where nodes may show each other: what the first round drew is seen in the second.
   waiting_ = (nodes_.size() > 1 ? 2 : 1) * faceCount * nodes_.size();
+}
+
+void Surroundings::moved() {
   placed_ = false;
+  changed();
 }
 
 void Surroundings::changedSlowly() { waiting_ = std::max(waiting_, nodes_.empty() ? std::size_t{0} : 1); }
@@ -156,12 +162,11 @@ void Surroundings::update(const CompiledScene& compiled, std::size_t mostFaces,
                           const std::function<void(const Face&, const gl::Framebuffer&)>& draw) {
   facesDrawn_ = 0;
   if (waiting_ == 0) return;
-  if (!placed_) {
-    place(compiled);
+  if (!placed_) place(compiled);
+  if (!insidesDrawn_)
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].glass) drawInside(i, compiled);
-    placed_ = true;
-  }
+  insidesDrawn_ = true;
   for (; waiting_ > 0 && facesDrawn_ < mostFaces; --waiting_, ++facesDrawn_) {
     drawFace(next_, compiled, draw);
     next_ = (next_ + 1) % (faceCount * nodes_.size());

@@ -40,8 +40,11 @@ class Surroundings {
   std::size_t nodesLeftOut() const { return leftOut_; }
   std::size_t facesDrawn() const { return facesDrawn_; }  ///< by the last update
 
-  /// Something has moved, or shines in another way: all faces are drawn with the next update.
+  /// Something shines in another way: all faces are drawn with the next update.
   void changed();
+
+  /// Something has moved: all faces are drawn with the next update, from where the nodes are then.
+  void moved();
 
   /// Light that changes slowly is another: an update draws one face, in turns.
   void changedSlowly();
@@ -62,7 +65,7 @@ class Surroundings {
  private:
   struct Node {
     int node = -1;
-    bool glass = false;  ///< has an inside
+    bool glass = false;      ///< has an inside
     glm::vec3 center{0.0f};  ///< scene coordinates
     float radius = 0.0f;     ///< of its bounds
     float area = 0.0f;
@@ -83,7 +86,8 @@ class Surroundings {
   std::size_t waiting_ = 0;  ///< faces that are out of date, from next_ on
   std::size_t next_ = 0;
   std::size_t facesSeen_ = 0;  ///< drawn at least once: before, a node shows the sky
-  bool placed_ = false;        ///< centres and insides are those of the scene
+  bool placed_ = false;        ///< centres are those of the scene
+  bool insidesDrawn_ = false;  ///< for these centres
   std::unique_ptr<gl::Framebuffer> target_;
   std::unique_ptr<gl::Program> insideProgram_;
   gl::Object<gl::FramebufferTraits> copyTarget_;

@@ -237,7 +237,6 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   MovedScene moved(inputs.scene, inputs.compiled);
   const ViewerInputs shown = inputs.movedTo(moved.scene());
   Renderer renderer(shown, options.render.lobe);
-  renderer.paceUpdates(true);
   SceneFollower follower(renderer, moved, options.follower);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
@@ -250,6 +249,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   const Showing showing{options.frames,
                         options.exposure ? *options.exposure : meteredView(renderer, controls.view())};
   if (!options.exposure && options.metered) options.metered(showing.exposure);
+  renderer.paceUpdates(true);  // after metering, which a draft would mislead
   runLoop(window.get(), controls, renderer, picture, follower, overlay, showing);
   if (!options.screenshotPath.empty()) {
     renderer.paceUpdates(false);

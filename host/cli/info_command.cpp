@@ -71,8 +71,10 @@ void printSize(const Console& console, const LoadedScene& loaded) {
   const glm::dvec3 size(loaded.compiled.boundsMax - loaded.compiled.boundsMin);
   console.line("size", fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.x, size.y, size.z));
   if (const std::optional<UnitGuess> guess = unitOf(loaded))
-    console.line("unit", fmt::format("probably {}: {}; --scale {:g} makes metres of them", guess->unit,
-                                     guess->reason, guess->scale));
+    console.line("unit",
+                 fmt::format("probably {}: {}{}", guess->unit, guess->reason,
+                             guess->scale ? fmt::format("; --scale {:g} makes metres of them", *guess->scale)
+                                          : std::string()));
 }
 
 Json contentsJson(const LoadedScene& loaded) {
@@ -122,7 +124,9 @@ Json contentsJson(const LoadedScene& loaded) {
     const glm::dvec3 high = compiled.origin + glm::dvec3(compiled.boundsMax);
     json["bounds"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
     const std::optional<UnitGuess> guess = unitOf(loaded);
-    json["unit"] = guess ? Json{{"guess", guess->unit}, {"scale", guess->scale}, {"reason", guess->reason}}
+    json["unit"] = guess ? Json{{"guess", guess->unit},
+                                {"scale", guess->scale ? Json(*guess->scale) : Json(nullptr)},
+                                {"reason", guess->reason}}
                          : Json(nullptr);
   }
   return json;

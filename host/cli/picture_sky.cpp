@@ -59,8 +59,11 @@ PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked
   if (!asked.empty())
     return {session.times().measure("sky", [&] { return readNamedSky(asked); }), asked == studioName};
   if (loaded.sky) return {*loaded.sky, false};
-  const bool glows = onlyGlows(loaded.compiled);
-  if (lightsAsked || lightBaked || (hasLights(loaded.compiled) && !glows)) return {};
+  if (lightsAsked || lightBaked) return {};
+  const bool shines = hasLights(loaded.compiled);
+  // A camera within a scene shows it by the light that it has.
+  const bool glows = shines && loaded.scene.cameras.empty() && onlyGlows(loaded.compiled);
+  if (shines && !glows) return {};
   session.console().note(
       fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map is "
                   "another sky, --light none leaves the studio out)",

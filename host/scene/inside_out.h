@@ -8,9 +8,10 @@
 
 namespace prelight {
 
-/// Primitives (numbers into CompiledScene::primitives) that are closed and whose faces all look inwards
-/// though nothing is inside: whoever made them meant the outside. Neither two-sided nor emissive ones, nor
-/// any that other primitives lie in. None of scenes with lights or cameras, which may be rooms.
+/// Primitives (numbers into CompiledScene::primitives) of closed bodies whose faces all look inwards though
+/// nothing is inside, wherever their mesh is drawn: whoever made them meant the outside. Neither two-sided
+/// nor emissive ones, nor any that other primitives or bodies lie in. None of scenes with lights or cameras,
+/// which may be rooms, or of more than 1000 candidates.
 std::vector<std::uint32_t> insideOutPrimitives(const Scene& scene, const CompiledScene& compiled);
 
 /// Turns the faces and normals of primitives, of all nodes that draw them, and compiles the scene anew.

@@ -1,8 +1,75 @@
 #include "scene/light_sources.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
 
 namespace prelight {
+namespace {
+
+/// An emissive triangle of a surface and the sum of areas up to it.
+struct Emitter {
+  std::uint32_t triangle;
+  double areaSoFar;
+};
+
+/// Whether a ray meets a triangle beyond `least` (Moeller and Trumbore 1997), from either side.
+bool isMet(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& from,
+           const glm::dvec3& direction, double least) {
+  const glm::uvec3& corners = scene.triangles[triangle];
+  const glm::dvec3 a(scene.positions[corners.x]);
+  const glm::dvec3 ab = glm::dvec3(scene.positions[corners.y]) - a;
+  const glm::dvec3 ac = glm::dvec3(scene.positions[corners.z]) - a;
+  const glm::dvec3 across = glm::cross(direction, ac);
+  const double determinant = glm::dot(ab, across);
+  if (determinant == 0.0) return false;
+  const glm::dvec3 away = from - a;
+  const double u = glm::dot(away, across) / determinant;
+  if (u < 0.0 || u > 1.0) return false;
+  const glm::dvec3 turned = glm::cross(away, ab);
+  const double v = glm::dot(direction, turned) / determinant;
+  return v >= 0.0 && u + v <= 1.0 && glm::dot(ac, turned) / determinant > least;
+}
+
+/// Straight ahead and three ways at 45 degrees about it.
+std::array<glm::dvec3, 4> waysFrom(const glm::dvec3& normal) {
+  const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 t = glm::normalize(glm::cross(normal, other)), b = glm::cross(normal, t);
+  std::array<glm::dvec3, 4> ways{normal};
+  for (std::size_t k = 1; k < ways.size(); ++k) {
+    const double turn = 2.0943951023931953 * static_cast<double>(k);
+    ways[k] = glm::normalize(normal + std::cos(turn) * t + std::sin(turn) * b);
+  }
+  return ways;
+}
+
+/// Whether nearly all light of these triangles falls on the scene itself. Rays from a few of them, spread
+/// evenly over their area.
+bool shineInwards(const CompiledScene& scene, const std::vector<Emitter>& emitters) {
+  constexpr int places = 16;
+  constexpr double mostLeaving = 0.2;
+  const double least = 1e-5 * glm::length(glm::dvec3(scene.boundsMax - scene.boundsMin));
+  int rays = 0, leaving = 0;
+  for (int i = 0; i < places; ++i) {
+    const double area = (i + 0.5) / places * emitters.back().areaSoFar;
+    const auto at = std::lower_bound(emitters.begin(), emitters.end(), area,
+                                     [](const Emitter& e, double size) { return e.areaSoFar < size; });
+    const glm::uvec3& corners = scene.triangles[at->triangle];
+    glm::dvec3 from(0.0);
+    for (int k = 0; k < 3; ++k) from += glm::dvec3(scene.positions[corners[k]]) / 3.0;
+    for (const glm::dvec3& way : waysFrom(glm::normalize(geometricNormal(scene, at->triangle)))) {
+      bool met = false;
+      for (std::uint32_t t = 0; t < scene.triangleCount() && !met; ++t)
+        met = t != at->triangle && isMet(scene, t, from, way, least);
+      ++rays;
+      leaving += met ? 0 : 1;
+    }
+  }
+  return leaving <= mostLeaving * rays;
+}
+
+}  // namespace
 
 const Environment* shiningSky(const Environment* sky) {
   if (sky == nullptr) return nullptr;
@@ -18,7 +85,8 @@ bool hasLights(const CompiledScene& scene) {
 
 bool onlyGlows(const CompiledScene& scene) {
   constexpr double mostMean = 0.1;  // W/(m2 sr) over the whole surface
-  double light = 0.0, area = 0.0;
+  double light = 0.0, area = 0.0, shining = 0.0;
+  std::vector<Emitter> emitters;
   for (const Light& lamp : scene.lights)
     if (shines(lamp.intensity)) return false;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
@@ -29,9 +97,10 @@ bool onlyGlows(const CompiledScene& scene) {
     const glm::vec3& most = material.emissionFactor;
     if (material.unlit || material.emissionTexture.image < 0 || std::max({most.x, most.y, most.z}) > 1.0f)
       return false;
+    if (size > 0.0) emitters.push_back({t, shining += size});
     light += size * double(std::max({material.emission.x, material.emission.y, material.emission.z}));
   }
-  return light > 0.0 && light <= mostMean * area;
+  return light > 0.0 && light <= mostMean * area && !shineInwards(scene, emitters);
 }
 
 bool scattersDiffusely(const CompiledScene& scene) {

@@ -9,9 +9,9 @@ namespace prelight {
 
 /// What a scene's unit of length is taken to be where metres are unlikely.
 struct UnitGuess {
-  std::string unit;    ///< "millimetres"
-  double scale = 1.0;  ///< to metres
+  std::string unit;  ///< "millimetres"
   std::string reason;
+  std::optional<double> scale = {};  ///< to metres; none where no --scale makes a likely size of it
 };
 
 /// Longest edge of a scene's bounds, m.

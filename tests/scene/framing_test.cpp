@@ -78,19 +78,19 @@ TEST(UnitGuess, LargeParts_AreMillimetresAndLargeFiguresCentimetres) {
   const auto part = guessUnit(boxScene(glm::vec3(900, 100, 100)), false);
   ASSERT_TRUE(part);
   EXPECT_EQ(part->unit, "millimetres");
-  EXPECT_EQ(part->scale, 0.001);
+  EXPECT_EQ(part->scale.value_or(0.0), 0.001);
   EXPECT_NE(part->reason.find("1800 m"), std::string::npos) << part->reason;
   const auto figure = guessUnit(boxScene(glm::vec3(30, 90, 20)), true);
   ASSERT_TRUE(figure);
-  EXPECT_EQ(figure->scale, 0.01);
+  EXPECT_EQ(figure->scale.value_or(0.0), 0.01);
 }
 
 TEST(UnitGuess, FarBeyondAnyUnit_IsScaledToMetres) {
   for (const float half : {1e-4f, 1e7f}) {
     const auto guess = guessUnit(boxScene(glm::vec3(half)), false);
     ASSERT_TRUE(guess) << half;
-    EXPECT_GE(2.0 * half * guess->scale, 0.01);
-    EXPECT_LE(2.0 * half * guess->scale, 1000.0);
+    EXPECT_GE(2.0 * half * guess->scale.value_or(0.0), 0.01);
+    EXPECT_LE(2.0 * half * guess->scale.value_or(0.0), 1000.0);
   }
 }
 
@@ -118,6 +118,35 @@ TEST(OnlyGlows, SmallDimTextures_AreNoLight) {
   lamp.intensity = glm::vec3(1.0f);
   scene.lights = {lamp};
   EXPECT_FALSE(onlyGlows(scene));
+}
+
+TEST(UnitGuess, NoLikelyScale_IsNotSuggested) {
+  // A thousand times as large, the first is still a speck; the second would need --scale 1e-10.
+  for (const float half : {1e-7f, 2e9f}) {
+    const auto guess = guessUnit(boxScene(glm::vec3(half)), false);
+    ASSERT_TRUE(guess) << half;
+    EXPECT_FALSE(guess->scale.has_value()) << half;
+  }
+}
+
+/// A closed room that a panel below the ceiling lights, and a body that glows on its outside.
+TEST(Glow, PanelInARoom_IsALampAndOneOnTheOutsideIsNot) {
+  for (const bool outside : {false, true}) {
+    CompiledScene scene = test::box(4, glm::vec3(-2.0f), glm::vec3(2.0f), !outside);
+    const std::uint32_t walls = scene.triangleCount();
+    const float y = outside ? 2.01f : 1.9f, x = outside ? 0.5f : -0.5f;
+    test::append(scene, test::sceneOf({{-x, y, -0.5f}, {-x, y, 0.5f}, {x, y, 0.5f}, {x, y, -0.5f}},
+                                      {{0, 1, 2}, {0, 2, 3}}));
+    CompiledMaterial panel = scene.materials.front();
+    panel.emissionTexture.image = 0;
+    panel.emissionFactor = panel.emission = glm::vec3(1.0f);
+    scene.materials.push_back(panel);
+    for (std::uint32_t t = walls; t < scene.triangleCount(); ++t) {
+      scene.triangleMaterials[t] = static_cast<std::uint32_t>(scene.materials.size() - 1);
+      EXPECT_EQ(geometricNormal(scene, t).y > 0.0, outside);
+    }
+    EXPECT_EQ(onlyGlows(scene), outside);
+  }
 }
 
 }  // namespace
