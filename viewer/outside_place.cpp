@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "scene/exact_ray.h"
+
 namespace prelight::viewer {
 namespace {
 
@@ -14,29 +16,12 @@ constexpr std::uint32_t mostSamples = 48;  ///< of a node's surface, altogether
 const std::array<glm::dvec3, 3> probeDirections = {
     {{0.5773, 0.6461, 0.4992}, {-0.7352, 0.2113, 0.6441}, {0.1287, -0.8219, -0.5549}}};
 
-/// Whether a ray meets a triangle ahead (Moeller and Trumbore 1997).
-bool meets(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& from,
-           const glm::dvec3& direction) {
-  const glm::uvec3& corners = scene.triangles[triangle];
-  const glm::dvec3 a(scene.positions[corners.x]);
-  const glm::dvec3 ab = glm::dvec3(scene.positions[corners.y]) - a;
-  const glm::dvec3 ac = glm::dvec3(scene.positions[corners.z]) - a;
-  const glm::dvec3 across = glm::cross(direction, ac);
-  const double determinant = glm::dot(ab, across);
-  if (determinant == 0.0) return false;
-  const glm::dvec3 away = from - a;
-  const double u = glm::dot(away, across) / determinant;
-  const glm::dvec3 turned = glm::cross(away, ab);
-  const double v = glm::dot(direction, turned) / determinant;
-  return u >= 0.0 && v >= 0.0 && u + v < 1.0 && glm::dot(ac, turned) / determinant > 0.0;
-}
-
 bool crossesOddly(const CompiledScene& scene, const TwoSidedBody& body, const glm::dvec3& from,
                   const glm::dvec3& direction) {
   bool odd = false;
   for (const TriangleRange& range : body.triangles)
     for (std::uint32_t t = 0; t < range.count; ++t)
-      odd = odd != meets(scene, range.first + t, from, direction);
+      odd = odd != (distanceTo(scene, range.first + t, from, direction).value_or(0.0) > 0.0);
   return odd;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "base/pattern.h"
+#include "cli/baked_contents.h"
 #include "cli/values.h"
 #include "occluders/scene_motion.h"
 #include "scene/pose.h"
@@ -146,22 +147,12 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
 namespace {
 
 /// Names what a bake has that is not posed with the scene.
-std::string lostNames(const Bake& bake, const Bake& posed) {
+std::string lostNames(const Bake& bake, const Bake& posed, std::size_t vertices) {
+  const std::vector<BakedTechnique> kept = bakedTechniques(posed, vertices);
   std::string names;
-  const auto add = [&](bool lost, const char* name) {
-    if (lost) names += (names.empty() ? "" : ", ") + std::string(name);
-  };
-  add(!bake.ao.empty() || !bake.bentNormals.empty(), "ao");
-  add((bake.sh || bake.compressedSh) && !posed.sh, "sh");
-  add(bake.ch.has_value(), "ch");
-  add(bake.haar.has_value(), "haar");
-  add(bake.glossy.has_value(), "glossy");
-  add(bake.lightGroups.has_value(), "light groups");
-  add(bake.occluders && !posed.occluders, "occluders");
-  add(bake.volume.has_value(), "volume");
-  add(bake.chartTransfer.has_value(), "charts");
-  add(bake.lightMap || !bake.encodedLight.empty(), "light map");
-  add(bake.irradiance.has_value(), "irradiance");
+  for (const BakedTechnique& technique : bakedTechniques(bake, vertices))
+    if (std::none_of(kept.begin(), kept.end(), [&](const auto& k) { return k.key == technique.key; }))
+      names += (names.empty() ? "" : ", ") + technique.key;
   return names;
 }
 
@@ -189,7 +180,7 @@ void poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded
     for (const NodeMove& move : options.moves) moveNodes(loaded.scene, move);
     if (bake.occluders) posed.occluders = movedOccluders(session, loaded, before, *bake.occluders);
     if (posed.sh || posed.occluders) posed.info = bake.info;
-    if (const std::string lost = lostNames(bake, posed); !lost.empty())
+    if (const std::string lost = lostNames(bake, posed, loaded.compiled.vertexCount()); !lost.empty())
       session.warn(fmt::format("{}: the bake is of another pose; left out of it: {}",
                                options.at ? "--at" : "--move", lost));
     bake = std::move(posed);

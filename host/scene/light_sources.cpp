@@ -5,6 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "scene/exact_ray.h"
+#include "scene/tangent_space.h"
+
 namespace prelight {
 namespace {
 
@@ -14,28 +17,9 @@ struct Emitter {
   double areaSoFar;
 };
 
-/// Whether a ray meets a triangle beyond `least` (Moeller and Trumbore 1997), from either side.
-bool isMet(const CompiledScene& scene, std::uint32_t triangle, const glm::dvec3& from,
-           const glm::dvec3& direction, double least) {
-  const glm::uvec3& corners = scene.triangles[triangle];
-  const glm::dvec3 a(scene.positions[corners.x]);
-  const glm::dvec3 ab = glm::dvec3(scene.positions[corners.y]) - a;
-  const glm::dvec3 ac = glm::dvec3(scene.positions[corners.z]) - a;
-  const glm::dvec3 across = glm::cross(direction, ac);
-  const double determinant = glm::dot(ab, across);
-  if (determinant == 0.0) return false;
-  const glm::dvec3 away = from - a;
-  const double u = glm::dot(away, across) / determinant;
-  if (u < 0.0 || u > 1.0) return false;
-  const glm::dvec3 turned = glm::cross(away, ab);
-  const double v = glm::dot(direction, turned) / determinant;
-  return v >= 0.0 && u + v <= 1.0 && glm::dot(ac, turned) / determinant > least;
-}
-
 /// Straight ahead and three ways at 45 degrees about it.
 std::array<glm::dvec3, 4> waysFrom(const glm::dvec3& normal) {
-  const glm::dvec3 other = std::abs(normal.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 t = glm::normalize(glm::cross(normal, other)), b = glm::cross(normal, t);
+  const glm::dvec3 p = anyPerpendicular(normal), t = glm::cross(normal, p), b = -p;
   std::array<glm::dvec3, 4> ways{normal};
   for (std::size_t k = 1; k < ways.size(); ++k) {
     const double turn = 2.0943951023931953 * static_cast<double>(k);
@@ -61,7 +45,7 @@ bool shineInwards(const CompiledScene& scene, const std::vector<Emitter>& emitte
     for (const glm::dvec3& way : waysFrom(glm::normalize(geometricNormal(scene, at->triangle)))) {
       bool met = false;
       for (std::uint32_t t = 0; t < scene.triangleCount() && !met; ++t)
-        met = t != at->triangle && isMet(scene, t, from, way, least);
+        met = t != at->triangle && distanceTo(scene, t, from, way).value_or(0.0) > least;
       ++rays;
       leaving += met ? 0 : 1;
     }

@@ -37,11 +37,6 @@ glm::dvec3 perpendicularPart(const glm::dvec3& v, const glm::dvec3& normal) {
   return unitOrZero(v - glm::dot(v, normal) * normal);
 }
 
-glm::dvec3 anyPerpendicular(const glm::dvec3& n) {
-  const glm::dvec3 axis = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return perpendicularPart(axis, n);
-}
-
 /// Corners that share a tangent.
 class Groups {
  public:
@@ -187,6 +182,11 @@ bool hasFileTangents(const CompiledScene& scene, std::uint32_t triangle) {
 }
 
 }  // namespace
+
+glm::dvec3 anyPerpendicular(const glm::dvec3& n) {
+  const glm::dvec3 axis = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return perpendicularPart(axis, n);
+}
 
 std::vector<glm::vec4> cornerTangents(const CompiledScene& scene) {
   std::vector<glm::vec4> tangents(3 * std::size_t{scene.triangleCount()}, glm::vec4(0.0f));

@@ -14,4 +14,7 @@ namespace prelight {
 /// of its coat's normals, or of the first set. 0 at the corners of other triangles.
 std::vector<glm::vec4> cornerTangents(const CompiledScene& scene);
 
+/// A unit vector across a unit vector.
+glm::dvec3 anyPerpendicular(const glm::dvec3& n);
+
 }  // namespace prelight

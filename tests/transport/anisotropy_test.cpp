@@ -79,11 +79,7 @@ TEST_P(Anisotropy, ValueOfADarkMetal_IsTheExtensions) {
   const BsdfProbe surface = brushed(dark);
   const double ab = double(dark.roughness) * double(dark.roughness),
                at = ab + (1.0 - ab) * double(dark.strength) * double(dark.strength);
-  std::vector<glm::vec4> a, b;
-  for (int i = 0; i < 2000; ++i) {
-    a.push_back(directionOf(0.5 + 0.5 * std::fmod(i * 0.618034, 1.0), i * 0.7));
-    b.push_back(directionOf(0.5 + 0.5 * std::fmod(i * 0.754878, 1.0), i * 1.9));
-  }
+  const auto [a, b] = directionPairs(2000, 0.5);
   const Probed found = surface.probe(a, b);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const glm::dvec3 v(a[i]), l(b[i]), h = glm::normalize(v + l);
@@ -106,11 +102,7 @@ TEST(AnisotropyOfNoStrength, IsTheEvenLobe) {
   const Brushed plain{"", 0.5f, 0.8f, 0.5f, 0.4f, 0.0f};
   std::vector<float> values{0.5f, 0.5f, 0.5f, 0.8f, 0.8f, 0.8f, 0.5f, 0.04f, 0.04f, 0.04f, 1, 1, 0.4f};
   const BsdfProbe even{BuildOptions().define("PRELIGHT_GLOSSY"), values};
-  std::vector<glm::vec4> a, b;
-  for (int i = 0; i < 1000; ++i) {
-    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
-    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
-  }
+  const auto [a, b] = directionPairs(1000, 0.02);
   const Probed found = brushed(plain).probe(a, b), expected = even.probe(a, b);
   for (std::size_t i = 0; i < a.size(); ++i)
     EXPECT_NEAR(found.total(i), expected.total(i), 1e-4 * expected.total(i)) << i;

@@ -96,11 +96,7 @@ TEST_P(Layers, Samples_WeighTheirValueByTheirDensity) {
 // path the eye is.
 TEST_P(Layers, Importance_IsTheAdjointOfRadiance) {
   const BsdfProbe photons = layered(GetParam(), BuildOptions().define("PRELIGHT_PROBE_IMPORTANCE"));
-  std::vector<glm::vec4> a, b;
-  for (int i = 0; i < 3000; ++i) {
-    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
-    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
-  }
+  const auto [a, b] = directionPairs(3000, 0.02);
   const Probed there = photons.probe(a, b), back = surface_.probe(b, a);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double expected = back.total(i) * double(b[i].z);

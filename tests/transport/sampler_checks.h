@@ -32,13 +32,23 @@ inline void expectSamplesToWeighTheirValue(const BsdfProbe& surface, double azim
   }
 }
 
+struct DirectionPairs {
+  std::vector<glm::vec4> a, b;
+};
+
+/// Pairs of directions above the surface that fill the cosines from `least` to 1 evenly.
+inline DirectionPairs directionPairs(int count, double least) {
+  DirectionPairs pairs;
+  for (int i = 0; i < count; ++i) {
+    pairs.a.push_back(directionOf(least + (1.0 - least) * std::fmod(i * 0.618034, 1.0), i * 0.7));
+    pairs.b.push_back(directionOf(least + (1.0 - least) * std::fmod(i * 0.754878, 1.0), i * 1.9));
+  }
+  return pairs;
+}
+
 /// What goes from one direction to another is what goes back, but for a share, and never less than nothing.
 inline void expectReciprocity(const BsdfProbe& surface, double share) {
-  std::vector<glm::vec4> a, b;
-  for (int i = 0; i < 4000; ++i) {
-    a.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.618034, 1.0), i * 0.7));
-    b.push_back(directionOf(0.02 + 0.98 * std::fmod(i * 0.754878, 1.0), i * 1.9));
-  }
+  const auto [a, b] = directionPairs(4000, 0.02);
   const Probed there = surface.probe(a, b), back = surface.probe(b, a);
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double f = there.total(i) / double(b[i].z), g = back.total(i) / double(a[i].z);

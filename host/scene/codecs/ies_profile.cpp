@@ -69,7 +69,7 @@ class IesReader {
   /// A number of others that are still to come: each takes two bytes.
   std::size_t count(const char* what, std::size_t least) {
     const double value = number(what);
-    const double most = static_cast<double>((text_.size() - at_) / 2 + 1);
+    const double most = static_cast<double>(roomForNumbers());
     if (!(value >= static_cast<double>(least) && value <= most && value == std::floor(value)))
       fail(fmt::format("{} is {:g}, expected a whole number from {} that the file has room for", what, value,
                        least));
