@@ -34,21 +34,31 @@ Widths widthsAt(int across, int stretch) {
   return {narrow + (1.0 - narrow) * added * added, narrow};
 }
 
+template <std::size_t steps>
+std::array<glm::dvec2, steps> unitCircle() {
+  std::array<glm::dvec2, steps> points;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double turn = 2.0 * std::numbers::pi * (double(i) + 0.5) / double(steps);
+    points[i] = {std::cos(turn), std::sin(turn)};
+  }
+  return points;
+}
+
 /// Over the normals that are visible along the direction that becomes v when it is stretched by the widths
 /// (Dupuy and Benyoub 2023), the share that leaves: G2 / G1. Constant part of Schlick's reflectance, and
 /// rise; `steps` of their heights, and of their turns.
-glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths, int steps) {
-  const int heights = steps, turns = steps;
+template <std::size_t steps>
+glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths) {
+  static const std::array<glm::dvec2, steps> turns = unitCircle<steps>();
   const glm::dvec3 wo = glm::normalize(glm::dvec3(v.x / widths.along, v.y / widths.across, v.z));
   const double from = widths.term(wo);
   glm::dvec2 sum(0.0);
-  for (int y = 0; y < heights; ++y) {
-    const double step = (y + 0.5) / heights;
+  for (std::size_t y = 0; y < steps; ++y) {
+    const double step = (double(y) + 0.5) / double(steps);
     const double z = 1.0 - (1.0 - step * step * step) * (1.0 + v.z);
     const double radius = std::sqrt(std::max(1.0 - z * z, 0.0));
-    for (int x = 0; x < turns; ++x) {
-      const double turn = 2.0 * std::numbers::pi * (x + 0.5) / turns;
-      const glm::dvec3 c = glm::dvec3(radius * std::cos(turn), radius * std::sin(turn), z) + v;
+    for (const glm::dvec2& turn : turns) {
+      const glm::dvec3 c = glm::dvec3(radius * turn, z) + v;
       const glm::dvec3 h =
           glm::normalize(glm::dvec3(widths.along * c.x, widths.across * c.y, std::max(c.z, 1e-9)));
       const double along = glm::dot(wo, h);
@@ -59,7 +69,7 @@ glm::dvec2 leavesOnce(const glm::dvec3& v, const Widths& widths, int steps) {
       sum += 3.0 * step * step * leaves * glm::dvec2(1.0 - rise, rise);
     }
   }
-  return sum / double(heights * turns);
+  return sum / double(steps * steps);
 }
 
 /// Of one pair of widths, [height][texel].
@@ -72,18 +82,16 @@ double mostAbove(const Widths& widths, double reach) {
 
 /// How far it does, by the direction's reach in the plane of the wider width and its height there.
 double aboveShare(const Widths& widths, double reach, double height) {
-  constexpr int steps = 16;
   const glm::dvec3 w(reach * std::sqrt(1.0 - height * height), std::sqrt(1.0 - reach * reach),
                      std::max(reach * height, 1e-4));
   const glm::dvec3 v = glm::normalize(glm::dvec3(widths.along * w.x, widths.across * w.y, w.z));
-  const glm::dvec2 leaves = leavesOnce(v, widths, steps);
+  const glm::dvec2 leaves = leavesOnce<16>(v, widths);
   const double grazing = std::pow(std::clamp(leaves.y / std::max(leaves.x + leaves.y, 1e-9), 0.0, 1.0), 0.2);
   return (1.0 - grazing - reach * height) / mostAbove(widths, reach);
 }
 
 double allThatLeaves(const Widths& widths, const glm::dvec3& v) {
-  constexpr int steps = 32;
-  const glm::dvec2 leaves = leavesOnce(v, widths, steps);
+  const glm::dvec2 leaves = leavesOnce<32>(v, widths);
   return leaves.x + leaves.y;
 }
 

@@ -34,7 +34,7 @@ struct AnisotropicCell {
 
 AnisotropicCell anisotropicCell(float along, float across, float height) {
   AnisotropicCell cell;
-  cell.across = pow(clamp(across, 0.0f, 1.0f), 0.333333333f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_ACROSS - 1);
+  cell.across = exp2(log2(clamp(across, 1e-9f, 1.0f)) * 0.333333333f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_ACROSS - 1);
   cell.stretch = sqrt(clamp((along - across) / max(1.0f - across, 1e-6f), 0.0f, 1.0f)) * TO_FLOAT(PRELIGHT_ANISOTROPIC_STRETCHES - 1);
   cell.height = clamp(height, 0.0f, 1.0f) * TO_FLOAT(PRELIGHT_ANISOTROPIC_HEIGHTS - 1);
   int a = min(TO_INT(cell.across), PRELIGHT_ANISOTROPIC_ACROSS - 2);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "device/launch_once.h"
 #include "gpu/albedo_table.h"
 #include "gpu/anisotropic_table.h"
+#include "shared/albedo_types.h"
 #include "support/devices.h"
 
 namespace prelight::test {
@@ -36,9 +38,12 @@ struct ProbedSample {
 class BsdfProbe {
  public:
   BsdfProbe(BuildOptions options, std::vector<float> values, const GlassSurface& glass = {})
-      : options_(std::move(options)), values_(std::move(values)) {
-    append(makeAnisotropicTable());
-    append(makeGlassTable(glass));
+      : options_(std::move(options)),
+        values_(std::move(values)),
+        albedos_(makeAlbedoTable(has("PRELIGHT_LAYERS"))) {
+    if (has("PRELIGHT_ANISOTROPY")) append(makeAnisotropicTable());
+    albedos_.resize(PRELIGHT_ANISOTROPIC_END);
+    if (has("PRELIGHT_ROUGH_GLASS")) append(makeGlassTable(glass));
   }
 
   /// Its place in the table.
@@ -80,9 +85,11 @@ class BsdfProbe {
  private:
   static constexpr const char* file = "bsdf_probe_kernels.cl";
 
+  bool has(std::string_view define) const { return options_.text().find(define) != std::string::npos; }
+
   BuildOptions options_;
   std::vector<float> values_;
-  std::vector<glm::vec4> albedos_ = makeAlbedoTable(true);
+  std::vector<glm::vec4> albedos_;
 };
 
 inline glm::vec4 directionOf(double cosine, double azimuth) {
