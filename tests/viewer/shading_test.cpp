@@ -285,6 +285,7 @@ TEST(Shading, DielectricThatReflectsAsAMetal_ShowsTheSky) {
     quad.add(mirror);
     quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
     quad.setSky(constantEnvironment(glm::vec3(1.0f)));
+    quad.compile();
     return pixelAt(quad.render(square()));
   };
   const glm::vec3 white = shown(glm::vec3(1.0f)), gold = shown({1.0f, 0.77f, 0.34f});
