@@ -48,6 +48,14 @@ std::string constant(const char* name, bool value) {
   return constant("bool", name, value ? "true" : "false");
 }
 
+/// As mirrorShare() in surface.frag; textures only take away.
+bool hasMirrorLayer(const Material& m) {
+  constexpr float leastMirror = 0.2f;
+  const float ratio = m.ior > 0.0f ? (m.ior - 1.0f) / (m.ior + 1.0f) : 1.0f;
+  const glm::vec3& color = m.specularColor;
+  return m.specular * std::min(ratio * ratio * std::max({color.r, color.g, color.b}), 1.0f) > leastMirror;
+}
+
 }  // namespace
 
 std::string textOf(const ShaderVariant& variant) {
@@ -89,7 +97,7 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Blending, surface.isBlended());
   features.add(Feature::Unlit, m.unlit);
   features.add(Feature::Translucency, surface.translucency.a > 0.0f);
-  features.add(Feature::Gloss, m.metallic > 0.0f || glass);
+  features.add(Feature::Gloss, m.metallic > 0.0f || glass || hasMirrorLayer(m));
   features.add(Feature::Glass, glass);
   features.add(Feature::Layer, m.specular > 0.0f);
   features.add(Feature::TopLayers, m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/values.h"
@@ -17,6 +18,24 @@ namespace {
 constexpr const char* studioName = "studio";
 constexpr const char* neutralName = "neutral";
 constexpr double widestAspect = 16.0 / 9.0;
+
+/// Such a camera shows a scene by the light that it has.
+bool hasCameraWithin(const LoadedScene& loaded) {
+  const glm::dvec3 least(loaded.compiled.boundsMin), most(loaded.compiled.boundsMax);
+  return std::any_of(loaded.scene.cameras.begin(), loaded.scene.cameras.end(), [&](const Camera& camera) {
+    const glm::dvec3 at(camera.world[3]);
+    return glm::all(glm::lessThanEqual(least, at)) && glm::all(glm::lessThanEqual(at, most));
+  });
+}
+
+/// Lamps in physical units may be thousands of times as bright as what a picture shows.
+void noteBurntPicture(Session& session, const Picture& picture) {
+  constexpr double likely = 0.125;
+  const double metered = meteredExposure(picture);
+  if (metered > likely) return;
+  session.console().note(
+      fmt::format("the picture is far too bright: --exposure {:g} suits it (or auto)", metered));
+}
 
 }  // namespace
 
@@ -61,8 +80,7 @@ PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked
   if (loaded.sky) return {*loaded.sky, false};
   if (lightsAsked || lightBaked) return {};
   const bool shines = hasLights(loaded.compiled);
-  // A camera within a scene shows it by the light that it has.
-  const bool glows = shines && loaded.scene.cameras.empty() && onlyGlows(loaded.compiled);
+  const bool glows = shines && !hasCameraWithin(loaded) && onlyGlows(loaded.compiled);
   if (shines && !glows) return {};
   session.console().note(
       fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map is "
@@ -104,6 +122,7 @@ std::optional<double> writeExposed(Session& session, const std::filesystem::path
                             [&] { writePicture(output, exposure ? exposed(picture, *exposure) : picture); });
   }
   if (exposure && !exposureAskedFor(option, studio)) noteExposure(session, *exposure);
+  if (exposure && !option.factor && !option.automatic && !studio) noteBurntPicture(session, picture);
   return exposure;
 }
 

@@ -22,6 +22,10 @@ std::uint32_t pathsPerBlock(const DeviceInfo& info, bool cachedLight) {
 /// latter close together.
 enum RayPart : std::uint32_t { followed, sentOn, sentToLights, shadowRays, rayParts };
 
+/// Samples of light that one is chosen of where there is a sky: of its samples, which know nothing of the
+/// surface, many lie behind it or hardly count.
+constexpr int skyCandidates = 4;
+
 std::uint32_t foldSeed(std::uint64_t seed) {
   return static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(seed >> 32) * 0x9e3779b9u);
 }
@@ -73,8 +77,9 @@ void PathTracer::buildKernels(const ReferenceRequest& request) {
 
 void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
   const char* file = "integrate/cached_path_kernels.cl";
-  const BuildOptions options =
+  BuildOptions options =
       cachedLightOptions(*cached_, buildOptions(request, cached_->meetsLights, scene_.options()));
+  if (scene_.features().sky) options.define("PRELIGHT_LIGHT_CANDIDATES", skyCandidates);
   generate_ = {device_, file, options, "generatePaths"};
   follow_ = {device_, file, options, "followPaths"};
   add_ = {device_, file, options, "addArrivals"};

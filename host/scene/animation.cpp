@@ -80,7 +80,7 @@ double Animation::startTime() const {
   forEachSampler(*this, [&](const AnimationSampler& sampler) {
     start = std::min(start.value_or(sampler.times.front()), double(sampler.times.front()));
   });
-  return start.value_or(0.0);
+  return std::max(start.value_or(0.0), 0.0);  // no moment before 0 can be asked for
 }
 
 double Animation::endTime() const {

@@ -14,11 +14,17 @@
 #define PRELIGHT_PAIR_LIGHT 3u      // group, emitter
 #define PRELIGHT_PAIR_PLACE 4u      // on the emitter, in the sky
 #define PRELIGHT_PAIRS_A_VERTEX 4u
+#define PRELIGHT_PAIR_CANDIDATE 0x20000u  // beyond those of all surfaces
 
-uint2 pathBits(__constant const ReferenceParameters* p, uint path, uint pair) {
+// Point i of `count` for each path that the same pair has, all of a pixel's together as evenly spread.
+uint2 finerPathBits(__constant const ReferenceParameters* p, uint path, uint pair, uint count, uint i) {
   const uint pixel = p->firstPixel + path / p->samplesPerPass;
   const uint seed = hashInteger(pixel + hashInteger(p->pass + hashInteger(p->seed)));
-  return samplePaddedBits(path % p->samplesPerPass, hashInteger(seed + pair * 0x9e3779b9u));
+  return samplePaddedBits((path % p->samplesPerPass) * count + i, hashInteger(seed + pair * 0x9e3779b9u));
+}
+
+uint2 pathBits(__constant const ReferenceParameters* p, uint path, uint pair) {
+  return finerPathBits(p, path, pair, 1u, 0u);
 }
 
 float2 pathPoint(__constant const ReferenceParameters* p, uint path, uint pair) {

@@ -1,6 +1,7 @@
 // What a path does where it meets the surface: gather light, ask for light that may arrive, go on.
 // Options: those of the included files, PRELIGHT_DIFFUSE_BOUNCES (most a path may have; unset: any number),
-// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs).
+// PRELIGHT_NO_GLOSSY_BOUNCES, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_LIGHT_CANDIDATES (samples of light that one is
+// chosen of; unset: one, and sampleLightAt takes single punctual lights too).
 #ifndef PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 #define PRELIGHT_REFERENCE_PATH_POINT_FUNCS_CL
 
@@ -78,29 +79,15 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
   vstore3(vload3(0, path->radiance) + weight * throughput * radiance, 0, path->radiance);
 }
 
-// Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
-PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
-                                   PathPoint at, PathState path, uint light, Ray* shadow, float3* arriving) {
-  if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
-  if (at.surface.woLocal.z <= 0.0f) return false;
-
-  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
-  const uint2 choice = pathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT);
-  const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
-  LightSample a;
-  bool arrives = false;
-#ifdef PRELIGHT_PUNCTUAL
-  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights, light, at.surface.position, &a);
-#endif
-  if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a);
-  if (!arrives) return false;
+// What a sample of the lights brings if nothing is in between.
+PRELIGHT_INLINE float3 arrivingBy(__constant const ReferenceParameters* p, PathScene s, PathPoint at, PathState path, LightSample a) {
   Scattered f;
-  if (!evalBsdf(at.surface, at.bsdf, a.direction, PRELIGHT_RADIANCE, &f)) return false;
+  if (!evalBsdf(at.surface, at.bsdf, a.direction, PRELIGHT_RADIANCE, &f)) return (float3)(0.0f);
   float3 reflected = f.diffuse + f.glossy;
 #ifndef PRELIGHT_LIGHTS_ONLY
   if (!a.punctual) {
 #ifdef PRELIGHT_SCATTER_ONLY
-    return false;
+    return (float3)(0.0f);
 #else
     // A lobe that no ray follows leaves all its light to this sample.
     const uint lobes = lobesOf(path);
@@ -117,9 +104,65 @@ PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint
 #ifdef PRELIGHT_ABSORPTION
   if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, a.distance);
 #endif
-  if (largest(radiance) <= 0.0f) return false;
+  return radiance;
+}
+
+#ifdef PRELIGHT_LIGHT_CANDIDATES
+// One of several samples of all lights, by what each would bring, with the mean of what they would (resampled importance
+// sampling: Talbot, Cline and Egbert 2005). Samples of a sky know nothing of the surface, so that many lie behind it.
+PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
+                                   PathPoint at, PathState path, LightSample* chosen, float3* arriving) {
+  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
+  float chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_CANDIDATE).x;
+  float sum = 0.0f, share = 0.0f;
+  for (uint i = 0; i < PRELIGHT_LIGHT_CANDIDATES; ++i) {
+    const uint2 choice = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT, PRELIGHT_LIGHT_CANDIDATES, i);
+    const uint2 place = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE, PRELIGHT_LIGHT_CANDIDATES, i);
+    LightSample a;
+    if (!sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a)) continue;
+    const float3 radiance = arrivingBy(p, s, at, path, a);
+    const float weight = radiance.x + radiance.y + radiance.z;
+    if (!(weight > 0.0f)) continue;
+    sum += weight;
+    const float taken = weight / sum;
+    if (chance < taken) {
+      chance /= taken;
+      share = weight;
+      *chosen = a;
+      *arriving = radiance;
+    } else {
+      chance = (chance - taken) / (1.0f - taken);
+    }
+  }
+  if (!(share > 0.0f)) return false;
+  *arriving *= sum / (share * (float)PRELIGHT_LIGHT_CANDIDATES);
+  return true;
+}
+#endif
+
+// Light that could arrive directly: with `light` below groupCount that punctual light, else one by chance. False: none.
+PRELIGHT_INLINE bool sampleLightAt(__constant const ReferenceParameters* p, uint depth, PathScene s, Lights lights,
+                                   PathPoint at, PathState path, uint light, Ray* shadow, float3* arriving) {
+  if (!isDiffuse(at.bsdf) && !isGlossy(at.bsdf)) return false;
+  if (at.surface.woLocal.z <= 0.0f) return false;
+
+  LightSample a;
+#ifdef PRELIGHT_LIGHT_CANDIDATES
+  if (!chooseLightAt(p, depth, s, lights, at, path, &a, arriving)) return false;
+#else
+  const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
+  const uint2 choice = pathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT);
+  const uint2 place = pathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE);
+  bool arrives = false;
+#ifdef PRELIGHT_PUNCTUAL
+  if (light != PRELIGHT_NO_TRIANGLE) arrives = samplePunctual(lights, light, at.surface.position, &a);
+#endif
+  if (light == PRELIGHT_NO_TRIANGLE) arrives = sampleLight(lights, &p->scene.lights, s, at.surface.position, choice, place, &a);
+  if (!arrives) return false;
+  *arriving = arrivingBy(p, s, at, path, a);
+  if (largest(*arriving) <= 0.0f) return false;
+#endif
   *shadow = a.surface ? rayTo(at.surface, a.direction, a.target, 0.99998f) : rayFrom(at.surface, a.direction, a.distance);
-  *arriving = radiance;
   return true;
 }
 

@@ -76,6 +76,37 @@ TEST_F(CliStudio, SceneWithLight_IsShownAsItIs) {
   EXPECT_NE(readFile("a.png"), readFile("d.png"));
 }
 
+/// A sun in lux, as authoring programs write it, and one that suits the screen.
+TEST_F(CliStudio, FarTooBrightPicture_NamesTheExposure) {
+  const auto errorsWith = [&](const char* light) {
+    return prelightDone({"render", "plain.glb", "-o", "a.png", "--size", "48x32", "--light", light}).errors;
+  };
+  EXPECT_THAT(errorsWith("directional:0,-1,-0.2:2000,2000,2000"),
+              HasSubstr("far too bright: --exposure 0.0"));
+  EXPECT_THAT(errorsWith("directional:0,-1,-0.2:2,2,2"), Not(HasSubstr("--exposure")));
+}
+
+/// A roof of which a picture makes a small part glow: a camera within the scene shows it as it is, one
+/// outside of it shows a model.
+TEST_F(CliStudio, GlowSeenFromOutside_GetsTheStudio) {
+  GlbScene scene = plainModel();
+  scene.json["materials"] = nlohmann::json::parse(R"([{"emissiveFactor": [0.05, 0.05, 0.05],
+      "emissiveTexture": {"index": 0}}])");
+  scene.json["textures"] = nlohmann::json::parse(R"([{"source": 0}])");
+  scene.json["images"] = nlohmann::json::parse(R"([{"uri": "none.png"}])");
+  for (auto& mesh : scene.json["meshes"])
+    for (auto& primitive : mesh["primitives"]) primitive["material"] = 0;
+  scene.json["cameras"] =
+      nlohmann::json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.01}}])");
+  for (const bool outside : {true, false}) {
+    GlbScene placed = scene;
+    placed.json["nodes"].push_back({{"camera", 0}, {"translation", {0.0, outside ? 50.0 : 0.1, 0.0}}});
+    placed.json["scenes"][0]["nodes"].push_back(placed.json["nodes"].size() - 1);
+    writeFile("glow.glb", placed.bytes());
+    EXPECT_EQ(reportOf({"render", "glow.glb", "-o", "g.png", "--size", "48x32"})["studio"], outside);
+  }
+}
+
 TEST_F(CliStudio, LightOfTheOptions_LeavesTheStudioOut) {
   for (const char* light : {"none", "point:0,2,0:10,10,10"}) {
     const ProcessResult told =

@@ -26,6 +26,7 @@ class BitWriter {
 
 /// What a KTX 2 file of one level is made of.
 struct Ktx2Parts {
+  std::uint32_t format = 0;  ///< of Vulkan
   std::uint32_t width = 4;
   std::uint32_t height = 4;
   std::uint32_t compression = 0;
@@ -48,9 +49,10 @@ inline std::vector<std::uint8_t> ktx2File(const Ktx2Parts& parts) {
   const std::uint64_t formatBytes = 4 + 24 + 16 * parts.channels.size();
   const std::uint64_t globalsAt = formatAt + formatBytes;
   const std::uint64_t levelAt = globalsAt + parts.globals.size();
-  for (const std::uint64_t number : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{parts.width},
-                                     std::uint64_t{parts.height}, std::uint64_t{0}, std::uint64_t{0},
-                                     std::uint64_t{1}, std::uint64_t{1}, std::uint64_t{parts.compression}})
+  for (const std::uint64_t number :
+       {std::uint64_t{parts.format}, std::uint64_t{1}, std::uint64_t{parts.width},
+        std::uint64_t{parts.height}, std::uint64_t{0}, std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1},
+        std::uint64_t{parts.compression}})
     put(number, 4);
   put(formatAt, 4);
   put(formatBytes, 4);

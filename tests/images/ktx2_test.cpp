@@ -34,6 +34,51 @@ Image imageOf(const Bytes& level, Ktx2Parts parts = {}) {
   return decodeImage(ktx2File(parts), "a.glb: /images/0");
 }
 
+Image plainImage(std::uint32_t format, const Bytes& level, std::uint32_t width, std::uint32_t height) {
+  Ktx2Parts parts;
+  parts.format = format;
+  parts.width = width;
+  parts.height = height;
+  parts.model = 1;
+  parts.channels = {0, 1, 2};
+  return imageOf(level, parts);
+}
+
+/// Vulkan's numbers of R8, R8G8, R8G8B8, B8G8R8 and R8G8B8A8, and of sRGB.
+TEST(PlainKtx2, Bytes_AreTheTexels) {
+  const Bytes level = {1, 2, 3, 4, 5, 6, 7, 8};
+  using Texel = std::vector<int>;
+  EXPECT_EQ(texel(plainImage(9, level, 2, 2), 1, 1), (Texel{4, 0, 0, 255}));
+  EXPECT_EQ(texel(plainImage(16, level, 2, 2), 0, 1), (Texel{5, 6, 0, 255}));
+  EXPECT_EQ(texel(plainImage(23, level, 2, 1), 1, 0), (Texel{4, 5, 6, 255}));
+  EXPECT_EQ(texel(plainImage(29, level, 1, 2), 0, 1), (Texel{4, 5, 6, 255}));
+  EXPECT_EQ(texel(plainImage(30, level, 2, 1), 1, 0), (Texel{6, 5, 4, 255}));
+  EXPECT_EQ(texel(plainImage(37, level, 2, 1), 1, 0), (Texel{5, 6, 7, 8}));
+  EXPECT_EQ(texel(plainImage(43, level, 2, 1), 0, 0), (Texel{1, 2, 3, 4}));
+}
+
+TEST(PlainKtx2, Zstandard_IsInflated) {
+  const Bytes texels = {10, 20, 30, 40, 50, 60};
+  Bytes packed(ZSTD_compressBound(texels.size()));
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), texels.data(), texels.size(), 3));
+  Ktx2Parts parts;
+  parts.format = 23;
+  parts.width = 2;
+  parts.height = 1;
+  parts.compression = 2;
+  parts.levelBytes = texels.size();
+  EXPECT_EQ(texel(imageOf(packed, parts), 1, 0), (std::vector<int>{40, 50, 60, 255}));
+}
+
+TEST(PlainKtx2, TooFewBytesAndOtherFormats_AreRefused) {
+  EXPECT_THROW(plainImage(23, {1, 2, 3, 4, 5}, 2, 1), InputError);
+  EXPECT_THROW(plainImage(97, Bytes(64), 2, 1), InputError);  // halves
+  Ktx2Parts parts;
+  parts.format = 37;
+  parts.compression = 1;
+  EXPECT_THROW(imageOf(Bytes(64), parts), InputError);
+}
+
 /// Mode 8: one colour.
 TEST(Uastc, SolidBlock_IsItsColour) {
   const Image image =

@@ -273,5 +273,28 @@ TEST(Shading, Names_RoundTripAndAnUnknownOneListsThem) {
   }
 }
 
+/// What specular-glossiness writes metals as: black, with a layer of a metal's reflectance. A perfect one
+/// shows an even sky of 1 as it is; one of glass shows nothing of it.
+TEST(Shading, DielectricThatReflectsAsAMetal_ShowsTheSky) {
+  const auto shown = [](const glm::vec3& alongNormal) {
+    Material mirror = lambertian(glm::vec3(0.0f));
+    mirror.specular = 1.0f;
+    mirror.roughness = 0.3f;
+    mirror.specularColor = alongNormal / 0.04f;
+    QuadScene quad;
+    quad.add(mirror);
+    quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+    quad.setSky(constantEnvironment(glm::vec3(1.0f)));
+    quad.compile();
+    return pixelAt(quad.render(square()));
+  };
+  const glm::vec3 white = shown(glm::vec3(1.0f)), gold = shown({1.0f, 0.77f, 0.34f});
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(white[c], 1.0f, 0.01f) << c;
+  EXPECT_NEAR(gold.r, 1.0f, 0.01f);
+  EXPECT_NEAR(gold.g, 0.77f, 0.03f);
+  EXPECT_NEAR(gold.b, 0.34f, 0.03f);
+  EXPECT_EQ(shown(glm::vec3(0.04f)), glm::vec3(0.0f));
+}
+
 }  // namespace
 }  // namespace prelight

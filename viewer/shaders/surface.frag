@@ -2,6 +2,7 @@
 // A surface in one of the shadings. Approximations, so that nothing looks dead or wrong:
 // - metals have no diffuse albedo: they reflect lights (unshadowed, but for vector occluders, whose vertices know what
 //   share of the lights' reflection shadows leave) and the sky, attenuated by the accessibility;
+// - dielectrics whose layer reflects as metals do are mirrors as well, since specular-glossiness writes metals so;
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
 //   light map and of the sky, not of transfer;
@@ -43,6 +44,9 @@ vec3 shadingNormal() {
   vec3 n = usable ? normalize(vNormal) : triangle.xyz;
   return gl_FrontFacing ? n : -n;
 }
+
+// How far a layer's reflectance along the normal makes a mirror of a dielectric: diamond's, 0.17, not at all.
+float mirrorShare(vec3 f0) { return clamp((max(f0.r, max(f0.g, f0.b)) - 0.2) / 0.3, 0.0, 1.0); }
 
 // Of the side that has one; built once a fragment, for all lamps.
 OpenCone openCone() {
@@ -158,7 +162,9 @@ void main() {
   float nv = max(dot(n, toEye), 0.0);
   // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
   // is diffuse.
-  float glossy = hasGloss ? max(m.metallic, m.transmission) : 0.0;
+  float layer = hasGloss ? mirrorShare(m.dielectric) * (1.0 - m.metallic) : 0.0;
+  float glossy = hasGloss ? max(max(m.metallic, m.transmission), layer) : 0.0;
+  m.albedo *= 1.0 - layer * max(m.dielectric.r, max(m.dielectric.g, m.dielectric.b));
   float specularWeight = reflectionRule == reflectionOffMetals ? glossy : 1.0;
 
   OpenCone cone = openCone();

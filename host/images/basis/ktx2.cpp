@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "images/basis/etc1s.h"
@@ -22,8 +23,33 @@ using Bytes = std::span<const std::uint8_t>;
 enum ColorModel : std::uint8_t { ModelEtc1s = 163, ModelUastc = 166 };
 enum Supercompression : std::uint32_t { PlainData = 0, BasisLz = 1, Zstandard = 2 };
 
+/// Formats of Vulkan that are but bytes, one a channel.
+struct PlainFormat {
+  std::uint32_t number;
+  std::size_t channels;
+  bool blueFirst;
+};
+
+constexpr std::array<PlainFormat, 10> plainFormats = {{{9, 1, false},
+                                                       {15, 1, false},
+                                                       {16, 2, false},
+                                                       {22, 2, false},
+                                                       {23, 3, false},
+                                                       {29, 3, false},
+                                                       {30, 3, true},
+                                                       {36, 3, true},
+                                                       {37, 4, false},
+                                                       {43, 4, false}}};
+
+const PlainFormat* plainFormatOf(std::uint64_t number) {
+  const auto found = std::find_if(plainFormats.begin(), plainFormats.end(),
+                                  [&](const PlainFormat& f) { return f.number == number; });
+  return found == plainFormats.end() ? nullptr : &*found;
+}
+
 /// What is read of a file's index and of its data format descriptor.
 struct Ktx2 {
+  const PlainFormat* plain = nullptr;  ///< else Basis Universal, and only then the last four
   std::size_t width = 0;
   std::size_t height = 0;
   std::size_t images = 0;  ///< of all levels
@@ -60,8 +86,10 @@ class Ktx2Reader {
 
   Ktx2 read() const {
     Ktx2 file;
-    if (number(12, 4) != 0)
-      fail(fmt::format("it is of Vulkan's format {}, expected Basis Universal", number(12, 4)));
+    file.plain = plainFormatOf(number(12, 4));
+    if (file.plain == nullptr && number(12, 4) != 0)
+      fail(fmt::format("it is of Vulkan's format {}, expected Basis Universal, or 8 bits a channel",
+                       number(12, 4)));
     file.width = number(20, 4);
     file.height = number(24, 4);
     const std::uint64_t depth = number(28, 4), layers = number(32, 4), faces = number(36, 4);
@@ -75,7 +103,7 @@ class Ktx2Reader {
     file.globals = part(number(64, 8), number(72, 8));
     file.level = part(number(80, 8), number(88, 8));
     file.levelBytes = number(96, 8);
-    readFormat(file, number(48, 4));
+    if (file.plain == nullptr) readFormat(file, number(48, 4));
     return file;
   }
 
@@ -145,19 +173,41 @@ Image decodeEtc1s(const Ktx2Reader& reader, const Ktx2& file) {
   return image;
 }
 
+/// The `bytes` of the largest level; `inflated` holds them where they are compressed.
+Bytes levelOf(const Ktx2Reader& reader, const Ktx2& file, std::size_t bytes,
+              std::vector<std::uint8_t>& inflated) {
+  Bytes level = file.level;
+  if (file.compression == Zstandard) {
+    if (file.levelBytes != bytes) reader.fail("its level is not of the size of its texels");
+    inflated.resize(bytes);
+    const std::size_t got = ZSTD_decompress(inflated.data(), bytes, level.data(), level.size());
+    if (ZSTD_isError(got) != 0 || got != bytes) reader.fail("its Zstandard data are broken");
+    level = inflated;
+  }
+  if (level.size() < bytes) reader.fail("it is cut short");
+  return level;
+}
+
+Image decodePlain(const Ktx2Reader& reader, const Ktx2& file) {
+  const std::size_t texels = file.width * file.height, channels = file.plain->channels;
+  std::vector<std::uint8_t> inflated;
+  const Bytes level = levelOf(reader, file, texels * channels, inflated);
+  Image image{{}, static_cast<int>(file.width), static_cast<int>(file.height), {}};
+  image.rgba.assign(4 * texels, 0);
+  for (std::size_t i = 0; i < texels; ++i) {
+    std::uint8_t* texel = &image.rgba[4 * i];
+    texel[3] = 255;
+    std::copy_n(&level[i * channels], channels, texel);
+    if (file.plain->blueFirst) std::swap(texel[0], texel[2]);
+  }
+  return image;
+}
+
 Image decodeBlocks(const Ktx2Reader& reader, const Ktx2& file) {
   const std::size_t blocksX = (file.width + 3) / 4, blocksY = (file.height + 3) / 4;
   const std::size_t bytes = blocksX * blocksY * uastcBlockBytes;
   std::vector<std::uint8_t> inflated;
-  Bytes blocks = file.level;
-  if (file.compression == Zstandard) {
-    if (file.levelBytes != bytes) reader.fail("its level is not of the size of its blocks");
-    inflated.resize(bytes);
-    const std::size_t got = ZSTD_decompress(inflated.data(), bytes, blocks.data(), blocks.size());
-    if (ZSTD_isError(got) != 0 || got != bytes) reader.fail("its Zstandard data are broken");
-    blocks = inflated;
-  }
-  if (blocks.size() < bytes) reader.fail("it is cut short");
+  const Bytes blocks = levelOf(reader, file, bytes, inflated);
   constexpr std::uint8_t twoChannels = 5;  // red, and green in the place of alpha
   Image image{{}, static_cast<int>(file.width), static_cast<int>(file.height), {}};
   image.rgba.resize(4 * file.width * file.height);
@@ -183,9 +233,12 @@ Image decodeBlocks(const Ktx2Reader& reader, const Ktx2& file) {
 Image decodeKtx2(Bytes bytes, const std::string& where) {
   const Ktx2Reader reader(bytes, where);
   const Ktx2 file = reader.read();
+  const bool isReadable = file.compression == PlainData || file.compression == Zstandard;
+  if (file.plain != nullptr && isReadable) return decodePlain(reader, file);
+  if (file.plain != nullptr)
+    reader.fail(fmt::format("supercompression {}, expected none or Zstandard", file.compression));
   if (file.model == ModelEtc1s && file.compression == BasisLz) return decodeEtc1s(reader, file);
-  if (file.model == ModelUastc && (file.compression == PlainData || file.compression == Zstandard))
-    return decodeBlocks(reader, file);
+  if (file.model == ModelUastc && isReadable) return decodeBlocks(reader, file);
   reader.fail(
       fmt::format("colour model {} with supercompression {}, expected ETC1S with BasisLZ, or UASTC plain or "
                   "with Zstandard",

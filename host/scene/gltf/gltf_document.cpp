@@ -13,6 +13,7 @@
 #include "scene/gltf/gltf_oddities.h"
 #include "scene/gltf/gltf_validate.h"
 #include "scene/gltf/json_cursor.h"
+#include "scene/gltf/listed_children.h"
 #include "scene/gltf/other_formats.h"
 
 namespace prelight {
@@ -42,6 +43,7 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
     checkFileReferences(document);
     validateGltf(JsonCursor(file, document.json), warnings);
     if (options.tellOddities) warnOfOddities(document.json, file, warnings);
+    settleListedChildren(document, warnings);
     embedBuffers(document, chunks.bin, warnings);
     decompress(document, warnings);
     validateBinaryData(document);

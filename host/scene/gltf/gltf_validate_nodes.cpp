@@ -110,18 +110,15 @@ void validateAcyclic(const JsonCursor& root, const std::vector<std::int64_t>& pa
   }
 }
 
-void validateScenes(const JsonCursor& root, const std::vector<std::int64_t>& parents) {
+void validateScenes(const JsonCursor& root, std::size_t nodeCount) {
   if (const auto scene = root.find("scene")) scene->asIndex(root.countOf("scenes"), "scene");
   root.forEachObject("scenes", [&](const JsonCursor& scene, std::size_t) {
-    std::vector<bool> listed(parents.size(), false);
+    std::vector<bool> listed(nodeCount, false);
     const auto nodes = scene.find("nodes");
     const std::size_t count = nodes ? nodes->arraySize() : 0;
     for (std::size_t i = 0; i < count; ++i) {
       const JsonCursor entry = nodes->at(i);
-      const std::size_t node = entry.asIndex(parents.size(), "node");
-      if (parents[node] != noParent) {
-        entry.fail(fmt::format("node {} is a child of node {}, expected a root node", node, parents[node]));
-      }
+      const std::size_t node = entry.asIndex(nodeCount, "node");
       if (listed[node]) entry.fail(fmt::format("node {} is listed twice", node));
       listed[node] = true;
     }
@@ -135,7 +132,7 @@ void validateNodes(const JsonCursor& root) {
   root.forEachObject("nodes", [&](const JsonCursor& node, std::size_t) { validateNode(root, node, lights); });
   const std::vector<std::int64_t> parents = findParents(root, root.countOf("nodes"));
   validateAcyclic(root, parents);
-  validateScenes(root, parents);
+  validateScenes(root, parents.size());
 }
 
 }  // namespace prelight

@@ -37,8 +37,8 @@ std::vector<float> readTimes(const LoadContext& context, const JsonCursor& input
                            reader.type(), reader.componentType()));
   std::vector<float> times = reader.floats();
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!std::isfinite(times[i]) || times[i] < 0.0f)
-      input.fail(fmt::format("time {} is {}, expected finite seconds >= 0", i, times[i]),
+    if (!std::isfinite(times[i]))
+      input.fail(fmt::format("time {} is {}, expected finite seconds", i, times[i]),
                  "export the animation again");
     if (i > 0 && times[i] <= times[i - 1])
       input.fail(
@@ -227,6 +227,12 @@ class AnimationLoader {
     AnimationSampler sampler;
     sampler.interpolation = interpolationOf(json);
     sampler.times = readTimes(context_, json.at("input"));
+    if (!sampler.times.empty() && sampler.times.front() < 0.0f && !startsEarly_) {
+      warn(json.at("input"),
+           fmt::format("time 0 is {}, expected seconds >= 0; the animation starts at 0, within its keys",
+                       sampler.times.front()));
+      startsEarly_ = true;
+    }
     const std::size_t parts = sampler.interpolation == Interpolation::CubicSpline ? 3 : 1;
     std::vector<float> numbers =
         readNumbers(context_, json.at("output"), shape, parts * sampler.times.size());
@@ -253,6 +259,7 @@ class AnimationLoader {
   Scene& scene_;
   const AnimatedPlaces& places_;
   Animation animation_;
+  bool startsEarly_ = false;
   std::map<std::pair<AnimatedProperty, std::size_t>, std::size_t> properties_;  ///< with their objects
   std::set<std::string> unsupported_;
   std::set<std::string> pointers_;

@@ -86,15 +86,24 @@ TEST(LoadAnimations, CubicSpline_NeedsThreeValuesForEachTime) {
 
 TEST(LoadAnimations, BadTimes_AreRefusedWithTheirPlace) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const std::vector<float>& times : {std::vector<float>{1, 1},
-                                          {1, 0.5f},
-                                          {0, nan},
-                                          {-1, 1},
-                                          {0, std::numeric_limits<float>::infinity()}}) {
+  for (const std::vector<float>& times :
+       {std::vector<float>{1, 1}, {1, 0.5f}, {0, nan}, {0, std::numeric_limits<float>::infinity()}}) {
     GltfDocument document = movingTriangle();
     document.json["animations"][0]["samplers"][0]["input"] = test::appendFloats(document, times, "SCALAR");
     expectError(document, {"/animations/0/samplers/0/input", "time"});
   }
+}
+
+TEST(LoadAnimations, KeysBeforeZero_CountAndTheAnimationStartsAtZero) {
+  GltfDocument document = movingTriangle();
+  document.json["animations"][0]["samplers"][0]["input"] = test::appendFloats(document, {-1, 1}, "SCALAR");
+  Warnings warnings;
+  const Scene scene = test::reload(document, warnings);
+  EXPECT_TRUE(test::anyContains(warnings, "/animations/0/samplers/0/input: time 0 is -1"));
+  const Animation& move = scene.animations.at(0);
+  EXPECT_EQ(move.startTime(), 0.0);
+  EXPECT_EQ(move.endTime(), 1.0);
+  EXPECT_NEAR(sampleAt(move.samplers[0], AnimatedPath::Translation, 0.0).x, 1.0, 1e-12);
 }
 
 TEST(LoadAnimations, BadReferencesAndTypes_AreRefusedWithTheirPlace) {
