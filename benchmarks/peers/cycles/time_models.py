@@ -5,7 +5,7 @@
     time_models.py FOLDER SCENE ... --times [--runs 3] [--only KIND ...]
     time_models.py FOLDER SCENE ...
 
-The first draws the truths, in parts of 512 samples a pixel, and keeps those that are there: one of Cycles, one of `prelight
+The first draws the truths, in parts (--part, 512 samples a pixel), and keeps those that are there: one of Cycles, one of `prelight
 reference`. The second draws every KIND (cycles, denoised, reference, full) at several samples a pixel, `--runs` times with a
 seed each (once where a picture takes more than ten seconds), after one picture of each that is not counted, and writes
 NAME_times.json. The third writes NAME_times.md (a table, and times at equal error) and NAME_times.png (a chart).
@@ -33,7 +33,6 @@ import numpy
 from compare_grid import read_picture, relative_error
 from compare_models import prepare
 
-PART = 512
 SLOW = 10.0
 DEPTH = 32
 KINDS = {"cycles": (4, 16, 64, 256), "denoised": (4, 16, 64, 256), "reference": (4, 16, 64, 256), "full": (1, 4, 8, 16, 64)}
@@ -75,33 +74,43 @@ def truth_parts(options, kind):
 
 
 def draw_truths(options):
-    for part in range(max(1, options.truth_spp // PART)):
+    for part in range(options.truth_spp // options.part):
         for kind in ("cycles", "reference"):
             path = options.folder / f"{options.name}_truth_{kind}_{part:02}.exr"
             if not path.exists():
-                draw(options, kind, min(PART, options.truth_spp), 1000 + part, path)
+                draw(options, kind, options.part, 1000 + part, path)
 
 
-def truth(options, kind):
-    """Mean of the parts, the relMSE that its own noise makes, and its samples a pixel."""
-    parts = numpy.array([read_picture(p) for p in truth_parts(options, kind)])
-    if len(parts) < 2:
-        sys.exit(f"{options.name}: draw the truths first (--truths), of {2 * PART} samples a pixel or more")
-    mean = parts.mean(0)
-    signs = numpy.where(numpy.arange(len(parts)) % 2, -1.0, 1.0)[: len(parts) // 2 * 2, None, None, None]
-    noise = (parts[: len(signs)] * signs).mean(0)
-    return mean, relative_error(mean + noise, mean), len(parts) * PART
+def read_truths(options):
+    """{program: (mean of the parts, the relMSE that its own noise makes, its samples a pixel)}"""
+    out = {}
+    for kind in ("cycles", "reference"):
+        parts = numpy.array([read_picture(p) for p in truth_parts(options, kind)])
+        if not len(parts):
+            sys.exit(f"{options.name}: draw the truths first (--truths)")
+        even = parts[: len(parts) // 2 * 2]
+        signs = numpy.where(numpy.arange(len(even)) % 2, -1.0, 1.0)[:, None, None, None]
+        mean = parts.mean(0)
+        noise = relative_error(mean + (even * signs).mean(0), mean) if len(even) else None
+        out[kind] = [mean, noise, len(parts) * options.part]
+    for kind, other in (("cycles", "reference"), ("reference", "cycles")):
+        # One part does not tell its noise. What it is apart from the other truth counts as that: for scenes that both mean alike.
+        if out[kind][1] is None:
+            out[kind][1] = max(0.0, relative_error(out[kind][0], out[other][0]) - (out[other][1] or 0.0))
+    return out
 
 
 def picture_path(options, kind, spp, seed):
     return options.folder / f"{options.name}_{kind}_{spp}_{seed}.exr"
 
 
-def measure(options):
-    rows = []
-    for kind in options.only or KINDS:
+def measure(options, path):
+    """Rows of times, written after each; those of kinds that are not asked for stay."""
+    kinds = options.only or list(KINDS)
+    rows = [r for r in json.loads(path.read_text()) if r["kind"] not in kinds] if path.exists() else []
+    for kind in kinds:
         draw(options, kind, 1, 1, picture_path(options, kind, 1, 0))
-        for spp in KINDS[kind]:
+        for spp in [n for n in KINDS[kind] if n <= options.most]:
             times = []
             while len(times) < options.runs and (not times or times[0][1] < SLOW):
                 seed = len(times) + 1
@@ -109,8 +118,8 @@ def measure(options):
             row = {"kind": kind, "spp": spp, "runs": len(times), "times": [statistics.median(t) for t in zip(*times)]}
             row["spread"] = [[min(t), max(t)] for t in zip(*times)]
             rows.append(row)
+            path.write_text(json.dumps(rows, indent=1))
             print(kind, spp, [round(t, 3) for t in row["times"]], flush=True)
-    return rows
 
 
 def add_errors(options, rows, truths):
@@ -151,12 +160,13 @@ def table(name, rows, truths):
         render, whole, processor = row["times"]
         lines.append(f"| {NAMES[row['kind']]} | {row['spp']} | {theirs:.5f} | {ours:.5f} | {row['means'][0]:.4f} | "
                      f"{render:.2f} | {whole:.2f} | {processor:.2f} |")  # fmt: skip
-    lines += ["", "| seconds of rendering alone (of the whole command) to the error of | relMSE | " + " | ".join(NAMES.values()) + " |"]
+    lines += ["", "| seconds of rendering alone (of all processors, whole command) to the error of | relMSE | "]
+    lines[-1] += " | ".join(NAMES.values()) + " |"
     lines += ["|---|---|" + "---|" * len(NAMES)]
     for which, program in enumerate(truths):
         for row in [r for r in rows if (r["kind"], r["spp"]) in (("full", 8), ("reference", 64), ("denoised", 16))]:
             error = row["errors"][which]
-            cells = [f"{time_cell(rows, k, 0, which, error)} ({time_cell(rows, k, 1, which, error)})" for k in NAMES]
+            cells = [f"{time_cell(rows, k, 0, which, error)} ({time_cell(rows, k, 2, which, error)})" for k in NAMES]
             label = f"{NAMES[row['kind']]}, {row['spp']} samples, to the truth of {NAMES[program]}"
             lines.append(f"| {label} | {error:.5f} | " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
@@ -170,10 +180,10 @@ def chart(path, name, rows, truths):
 
     figure, axes = pyplot.subplots(2, 2, figsize=(11, 8), sharey="row")
     for line, program in enumerate(truths):
-        for column, clock in enumerate(("render alone", "whole command")):
+        for column, clock in enumerate(("render alone", "all processors, whole command")):
             axis = axes[line][column]
             for kind in NAMES:
-                curve = curve_of(rows, kind, column, line)
+                curve = curve_of(rows, kind, 2 * column, line)
                 axis.loglog(*zip(*curve), marker="o", label=NAMES[kind].replace("`", ""))
             axis.set_xlabel(f"seconds, {clock}")
             axis.set_ylabel(f"relMSE of 99 % to {NAMES[program].replace('`', '')}'s truth")
@@ -192,9 +202,11 @@ def main():
     parser.add_argument("--env")
     parser.add_argument("--size", default="256x256")
     parser.add_argument("--truth-spp", type=int, default=4096)
+    parser.add_argument("--part", type=int, default=512, help="samples a pixel of a part of a truth")
     parser.add_argument("--truths", action="store_true", help="draw the truths and nothing else")
     parser.add_argument("--times", action="store_true", help="measure and nothing else: on a machine that does nothing besides")
     parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--most", type=int, default=256, help="leave out pictures of more samples a pixel")
     parser.add_argument("--only", nargs="*", choices=list(KINDS))
     options = parser.parse_args()
     options.frame = False
@@ -208,10 +220,11 @@ def main():
         return
     stem = options.folder / f"{options.name}_times"
     if options.times:
-        stem.with_suffix(".json").write_text(json.dumps(measure(options), indent=1))
+        measure(options, stem.with_suffix(".json"))
         return
     rows = json.loads(stem.with_suffix(".json").read_text())
-    truths = {kind: truth(options, kind) for kind in ("cycles", "reference")}
+    rows.sort(key=lambda row: list(KINDS).index(row["kind"]))
+    truths = read_truths(options)
     add_errors(options, rows, truths)
     stem.with_suffix(".md").write_text(table(options.name, rows, truths))
     chart(stem.with_suffix(".png"), options.name, rows, truths)
