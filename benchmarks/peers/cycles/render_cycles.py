@@ -50,6 +50,26 @@ def import_scene(path):
         light.cycles.use_multiple_importance_sampling = True
 
 
+def emit_from_fronts():
+    """Emission of one-sided materials leaves the front alone, as Prelight has it; the importer's leaves both sides."""
+    for material in bpy.data.materials:
+        if not material.use_backface_culling or material.node_tree is None:
+            continue
+        nodes, links = material.node_tree.nodes, material.node_tree.links
+        for shader in [n for n in nodes if n.type == "BSDF_PRINCIPLED"]:
+            color, strength = shader.inputs["Emission Color"], shader.inputs["Emission Strength"]
+            dark = not color.is_linked and max(color.default_value[:3]) == 0.0
+            if dark or strength.is_linked or strength.default_value == 0.0:
+                continue
+            front, scaled = nodes.new("ShaderNodeMath"), nodes.new("ShaderNodeMath")
+            front.operation, scaled.operation = "SUBTRACT", "MULTIPLY"
+            front.inputs[0].default_value = 1.0
+            links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], front.inputs[1])
+            scaled.inputs[0].default_value = strength.default_value
+            links.new(front.outputs[0], scaled.inputs[1])
+            links.new(scaled.outputs[0], strength)
+
+
 def choose_camera(path, index, scene):
     """Takes the camera's numbers from the file: the importer rounds its angle through a lens of a sensor."""
     document, _ = read_gltf(path)
@@ -137,6 +157,7 @@ def set_picture(scene, options):
 def main():
     options = parse()
     import_scene(options.scene)
+    emit_from_fronts()
     scene = bpy.context.scene
     choose_camera(options.scene, options.camera, scene)
     set_sky(scene, options.env, [float(v) for v in options.sky.split(",")])
