@@ -6,6 +6,7 @@
 #include <map>
 
 #include "gpu/scene_albedos.h"
+#include "gpu/surface_arrays.h"
 #include "photon/caustic_casters.h"
 #include "scene/lobes.h"
 #include "scene/tangent_space.h"
@@ -110,12 +111,14 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
 }
 
 void RenderScene::makeAlbedos(const CompiledScene& compiled) {
-  const auto& materials = compiled.materials;
-  if (std::none_of(materials.begin(), materials.end(),
-                   [](const CompiledMaterial& m) { return reflectsSpecularly(m) || hasLayers(m); }))
-    return;
-  const SceneAlbedos albedos =
-      makeSceneAlbedos(compiled, std::vector<bool>(materials.size(), true), GlassTables::None);
+  const std::vector<bool> used = usedMaterials(compiled);
+  bool lookedUp = false;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CompiledMaterial& m = compiled.materials[i];
+    lookedUp = lookedUp || (used[i] && (reflectsSpecularly(m) || hasLayers(m)));
+  }
+  if (!lookedUp) return;
+  const SceneAlbedos albedos = makeSceneAlbedos(compiled, used, GlassTables::None);
   albedos_ = gl::makeBufferTexture(albedos.texels, "reflectances");
   for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].filmTable = albedos.filmTables[i];
 }

@@ -2,6 +2,7 @@
 """Renders a glTF scene with Blender Cycles the way `prelight reference` draws it: an independent picture to compare with.
 
     render_cycles.py SCENE.glb -o OUT.exr --size WxH [--camera I] [--env MAP.exr] [--sky R,G,B] [--spp 512] [--depth 32]
+                     [--denoise]
 
 The same camera, sky, radiometric units and pixel filter; linear pictures; nothing clamped, caustics on. A picture holds
 radiance in W/(m2 sr), R,G,B. Materials are what Blender's glTF importer makes of them (README.md says where that differs).
@@ -13,6 +14,7 @@ import math
 import os
 import pathlib
 import sys
+import time
 
 import bpy
 
@@ -30,6 +32,7 @@ def parse():
     parser.add_argument("--spp", type=int, default=512)
     parser.add_argument("--depth", type=int, default=32, help="bounces of every kind")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--denoise", action="store_true", help="OpenImageDenoise with albedo and normals, as Blender sets it up")
     parser.add_argument("--threads", type=int, default=0, help="0: as many as there are cores")
     return parser.parse_args()
 
@@ -45,6 +48,26 @@ def import_scene(path):
             light.angle = 0.0
         light.cycles.max_bounces = 1024
         light.cycles.use_multiple_importance_sampling = True
+
+
+def emit_from_fronts():
+    """Emission of one-sided materials leaves the front alone, as Prelight has it; the importer's leaves both sides."""
+    for material in bpy.data.materials:
+        if not material.use_backface_culling or material.node_tree is None:
+            continue
+        nodes, links = material.node_tree.nodes, material.node_tree.links
+        for shader in [n for n in nodes if n.type == "BSDF_PRINCIPLED"]:
+            color, strength = shader.inputs["Emission Color"], shader.inputs["Emission Strength"]
+            dark = not color.is_linked and max(color.default_value[:3]) == 0.0
+            if dark or strength.is_linked or strength.default_value == 0.0:
+                continue
+            front, scaled = nodes.new("ShaderNodeMath"), nodes.new("ShaderNodeMath")
+            front.operation, scaled.operation = "SUBTRACT", "MULTIPLY"
+            front.inputs[0].default_value = 1.0
+            links.new(nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], front.inputs[1])
+            scaled.inputs[0].default_value = strength.default_value
+            links.new(front.outputs[0], scaled.inputs[1])
+            links.new(scaled.outputs[0], strength)
 
 
 def choose_camera(path, index, scene):
@@ -99,7 +122,11 @@ def set_integrator(scene, options):
     cycles.samples = options.spp
     cycles.seed = options.seed
     cycles.use_adaptive_sampling = False
-    cycles.use_denoising = False
+    cycles.use_denoising = options.denoise
+    if options.denoise:
+        cycles.denoiser = "OPENIMAGEDENOISE"
+        cycles.denoising_input_passes = "RGB_ALBEDO_NORMAL"
+        cycles.denoising_prefilter = "ACCURATE"
     cycles.use_light_tree = True
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
     cycles.blur_glossy = 0.0
@@ -130,13 +157,16 @@ def set_picture(scene, options):
 def main():
     options = parse()
     import_scene(options.scene)
+    emit_from_fronts()
     scene = bpy.context.scene
     choose_camera(options.scene, options.camera, scene)
     set_sky(scene, options.env, [float(v) for v in options.sky.split(",")])
     set_integrator(scene, options)
     set_picture(scene, options)
+    start = time.monotonic()
     bpy.ops.render.render(write_still=True)
-    print(f"Cycles {bpy.app.version_string}, {options.spp} samples a pixel: {options.output}", flush=True)
+    seconds = time.monotonic() - start
+    print(f"Cycles {bpy.app.version_string}, {options.spp} samples a pixel, {seconds:.3f} s: {options.output}", flush=True)
     os._exit(0)  # bpy 4.2 as a module crashes while Python takes it down, with the picture already written
 
 
