@@ -30,7 +30,7 @@ std::map<std::uint32_t, int> primitiveStarts(const CompiledScene& compiled) {
 constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little diffusely
 
 bool mirrors(const CompiledMaterial& material) {
-  return makesCaustics(material) || (!material.unlit && material.metallic >= metallic);
+  return makesCaustics(material) || isGlass(material) || (!material.unlit && material.metallic >= metallic);
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
