@@ -4,7 +4,8 @@
 // [1] Krivanek and Colbert 2008, "Real-time Shading with Filtered Importance Sampling".
 // [2] Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
 // [3] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
-const int facets = 16;
+const int facets = 8;
+const int mostInRoughBody = 6;  // reflections
 const float laterCosine = 0.6;  // at which light that leaves a sheet after the first bounce divides between its sides
 const float leastLobe = 1e-4;  // of what a lamp's light is worth in a direction, 1/sr: less is not looked at
 
@@ -93,35 +94,42 @@ vec3 lampsThroughBody(vec3 point, vec3 n, vec3 from, float ior, float roughness)
   if (counts.y == 0) return sum;
   float a2 = roughness * roughness;
   a2 *= a2;
+  vec3 lifted = point + 2.0 * texelOfCube() * distance(point, cubeCenter) * n;  // the surface is known no better
   for (int k = 0; k < counts.y; ++k) {
     vec3 toLight;
     vec3 irradiance = perpendicularIrradiance(lights[k], point, toLight);
     float lobe = leavingLobe(n, from, toLight, ior, a2);
-    if (lobe > leastLobe) sum += lobe * irradiance * visibility(k, point, n, 1);
+    if (lobe > leastLobe) sum += lobe * irradiance * visibility(k, lifted, n, 1);
   }
   return sum / scatteredWithin(-dot(n, from), roughness);
+}
+
+// Visible and not masked on the way out, of those that are visible.
+float unmasked(float from, float to, float a2) {
+  float terms = sqrt(a2 + (1.0 - a2) * from * from);
+  return to <= 0.0 ? 0.0 : to * (from + terms) / (from * sqrt(a2 + (1.0 - a2) * to * to) + to * terms);
 }
 
 // Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside.
 vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle) {
   if (cube < 0) return skyRadiance(way, levelOfSolidAngle(solidAngle));
   vec3 passed = vec3(1.0), sum = vec3(0.0);
-  for (int i = 0; i <= mostReflectionsWithin; ++i) {
+  for (int i = 0; i <= mostInRoughBody; ++i) {
     vec3 n = leaveBody(point, way, absorption, passed);
     float leaves = dot(n, way);
     if (leaves <= 0.0) break;
     sum += passed * lampsThroughBody(point, n, -way, ior, roughness);
     vec3 h = frameOf(n) * visibleFacet(u.xy, way * frameOf(n), roughness * roughness);
-    float comes = max(dot(h, way), 1e-6);
-    bool reflects = u.z < fresnelDielectric(comes, 1.0 / ior);
-    vec3 next = reflects ? reflect(way, h) : refract(way, -h, ior);
-    if (reflects == (dot(n, next) > 0.0)) {  // it meets another facet
-      reflects = true;
-      next = reflect(way, n);
-    }
-    way = next;
+    float comes = max(dot(h, way), 1e-6), a2 = roughness * roughness;
+    a2 *= a2;
+    float reflected = fresnelDielectric(comes, 1.0 / ior);
+    bool reflects = u.z < reflected;
+    way = reflects ? reflect(way, h) : refract(way, -h, ior);
+    float along = dot(n, way);
+    if (reflects == along > 0.0) return sum;
+    passed *= (reflects ? unmasked(leaves, -along, a2) : smithMasking(along, a2)) / scatteredWithin(leaves, roughness);
     if (!reflects) break;
-    u = fract(u + vec3(0.75487767, 0.56984029, 0.61803399));
+    u = vec3(fract(u.xy + vec2(0.75487767, 0.56984029)), u.z / reflected);
   }
   return sum + passed * surroundingWithin(point, way, solidAngle);
 }
@@ -137,12 +145,6 @@ vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, v
   // Of a solid angle of normals, [3] eq. 17, once the light has left the body, which bends it at both ends.
   float outside = 2.0 * both * both / max(to, 1e-4);
   return throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2));
-}
-
-// Visible and not masked on the way out, of those that are visible.
-float unmasked(float from, float to, float a2) {
-  float terms = sqrt(a2 + (1.0 - a2) * from * from);
-  return to <= 0.0 ? 0.0 : to * (from + terms) / (from * sqrt(a2 + (1.0 - a2) * to * to) + to * terms);
 }
 
 // Radiance that comes through a body of tint 1. reflected: what all its facets reflect of surroundings of one radiance.

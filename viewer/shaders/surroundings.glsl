@@ -64,6 +64,8 @@ vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
   return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, 0.0) : found.rgb;
 }
 
+float texelOfCube() { return pi / 2.0 / float(textureSize(surroundings, 0).x); }
+
 // About the mip level of the sky whose texels are as large as a solid angle.
 float levelOfSolidAngle(float solidAngle) { return max(0.5 * log2(max(solidAngle, 1e-9)) - skyLevels.x, 0.0); }
 
@@ -75,7 +77,7 @@ vec3 surroundingWithin(vec3 point, vec3 way, float solidAngle) {
   bool isSky = along >= beyondScene;
   vec3 seen = isSky ? way : from + along * way;
   float spread = isSky ? 1.0 : along * along / max(dot(seen, seen), 1e-30);  // what is near is a small part of the middle's view
-  float texel = pi / 2.0 / float(textureSize(surroundings, 0).x);
+  float texel = texelOfCube();
   float level = max(0.5 * log2(max(solidAngle * spread, 1e-9) / (texel * texel)), 0.0);
   vec4 found = textureLod(surroundings, vec4(seen, float(cube)), level);
   return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, levelOfSolidAngle(solidAngle)) : found.rgb;
