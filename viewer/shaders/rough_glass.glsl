@@ -110,8 +110,9 @@ float unmasked(float from, float to, float a2) {
   return to <= 0.0 ? 0.0 : to * (from + terms) / (from * sqrt(a2 + (1.0 - a2) * to * to) + to * terms);
 }
 
-// Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside.
-vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle) {
+// Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside. weight: factor of
+// what it meets there but for absorption, in the mean of many ways 1.
+vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle, inout float weight) {
   if (cube < 0) return skyRadiance(way, levelOfSolidAngle(solidAngle));
   vec3 passed = vec3(1.0), sum = vec3(0.0);
   for (int i = 0; i <= mostInRoughBody; ++i) {
@@ -126,25 +127,29 @@ vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, 
     bool reflects = u.z < reflected;
     way = reflects ? reflect(way, h) : refract(way, -h, ior);
     float along = dot(n, way);
-    if (reflects == along > 0.0) return sum;
-    passed *= (reflects ? unmasked(leaves, -along, a2) : smithMasking(along, a2)) / scatteredWithin(leaves, roughness);
+    float share = 0.0;
+    if (reflects != along > 0.0) share = reflects ? unmasked(leaves, -along, a2) : smithMasking(along, a2);
+    share /= scatteredWithin(leaves, roughness);
+    passed *= share;
+    weight *= share;
+    if (weight == 0.0) return sum;
     if (!reflects) break;
     u = vec3(fract(u.xy + vec2(0.75487767, 0.56984029)), u.z / reflected);
   }
   return sum + passed * surroundingWithin(point, way, solidAngle);
 }
 
-// What a facet h of a body lets through on the way to the eye; h, wo in the frame.
-vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, vec3 u, out float weight) {
+// What a facet h of a body lets through on the way to the eye; h, wo in the frame. weight: where light enters, and as it leaves.
+vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, vec3 u, out vec2 weight) {
   vec3 way = refract(-wo, h, 1.0 / ior);
   float a2 = roughness * roughness;
   a2 *= a2;
-  weight = way.z < 0.0 ? smithMasking(-way.z, a2) : 0.0;
-  if (weight <= 0.0) return vec3(0.0);
+  weight = vec2(way.z < 0.0 ? smithMasking(-way.z, a2) : 0.0);
+  if (weight.x <= 0.0) return vec3(0.0);
   float from = dot(wo, h), to = -dot(way, h), both = from - ior * to;
   // Of a solid angle of normals, [3] eq. 17, once the light has left the body, which bends it at both ends.
   float outside = 2.0 * both * both / max(to, 1e-4);
-  return throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2));
+  return weight.x * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2), weight.y);
 }
 
 // Radiance that comes through a body of tint 1. reflected: what all its facets reflect of surroundings of one radiance.
@@ -152,6 +157,7 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
   float a2 = s.roughness * s.roughness;
   vec3 sum = vec3(0.0), colors = vec3(0.0);
   float weights = 0.0;
+  vec2 passing = vec2(0.0);
   reflected = vec3(0.0);
   for (int k = 0; k < facets; ++k) {
     vec2 enters;
@@ -165,16 +171,19 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
       ior = iorOfWave(glassIor, dispersion, part);
       color = colorOfWave(part);
     }
-    float weight, mirrored = unmasked(wo.z, 2.0 * dot(wo, h) * h.z - wo.z, a2 * a2);
+    vec2 weight;
+    float mirrored = unmasked(wo.z, 2.0 * dot(wo, h) * h.z - wo.z, a2 * a2);
     vec3 seen = seenThroughFacet(frame, wo, h, ior, s.roughness, leaves, weight);
     vec3 share = facetOfGlass(s, dot(wo, h));
-    sum += weight * (1.0 - largest(share)) * color * seen;
+    sum += (1.0 - largest(share)) * color * seen;
     colors += color;
     reflected += mirrored * share;
-    weights += mix(weight, mirrored, largest(share));
+    passing += (1.0 - largest(share)) * weight;
+    weights += mix(weight.x, mirrored, largest(share));
   }
   reflected /= max(weights, 1e-6);
-  return sum * float(facets) / (max(weights, 1e-6) * max(colors, vec3(1e-6)));
+  // So few ways have weights whose mean is not 1.
+  return sum * float(facets) / max(colors, vec3(1e-6)) * passing.x / (max(passing.y, 1e-6) * max(weights, 1e-6));
 }
 
 // Radiance that comes through a sheet of tint 1. reflected: as above.
