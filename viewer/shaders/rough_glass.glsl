@@ -110,9 +110,9 @@ float unmasked(float from, float to, float a2) {
   return to <= 0.0 ? 0.0 : to * (from + terms) / (from * sqrt(a2 + (1.0 - a2) * to * to) + to * terms);
 }
 
-// Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside. weight: factor of
-// what it meets there but for absorption, in the mean of many ways 1.
-vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle, inout float weight) {
+// Radiance that comes through a body from a refracted direction; solidAngle: of what the way stands for outside. What
+// facets mask on the way out is not taken off: few ways with weights as unlike as those would show one by one.
+vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, float solidAngle) {
   if (cube < 0) return skyRadiance(way, levelOfSolidAngle(solidAngle));
   vec3 passed = vec3(1.0), sum = vec3(0.0);
   for (int i = 0; i <= mostInRoughBody; ++i) {
@@ -121,35 +121,30 @@ vec3 throughRoughBody(vec3 point, vec3 way, float ior, float roughness, vec3 u, 
     if (leaves <= 0.0) break;
     sum += passed * lampsThroughBody(point, n, -way, ior, roughness);
     vec3 h = frameOf(n) * visibleFacet(u.xy, way * frameOf(n), roughness * roughness);
-    float comes = max(dot(h, way), 1e-6), a2 = roughness * roughness;
-    a2 *= a2;
-    float reflected = fresnelDielectric(comes, 1.0 / ior);
+    float reflected = fresnelDielectric(max(dot(h, way), 1e-6), 1.0 / ior);
     bool reflects = u.z < reflected;
-    way = reflects ? reflect(way, h) : refract(way, -h, ior);
-    float along = dot(n, way);
-    float share = 0.0;
-    if (reflects != along > 0.0) share = reflects ? unmasked(leaves, -along, a2) : smithMasking(along, a2);
-    share /= scatteredWithin(leaves, roughness);
-    passed *= share;
-    weight *= share;
-    if (weight == 0.0) return sum;
+    vec3 next = reflects ? reflect(way, h) : refract(way, -h, ior);
+    bool meetsMore = reflects == dot(n, next) > 0.0;
+    way = meetsMore ? reflect(way, n) : next;
+    u.z = reflects ? u.z / reflected : (u.z - reflected) / (1.0 - reflected);
+    reflects = reflects || meetsMore;
     if (!reflects) break;
-    u = vec3(fract(u.xy + vec2(0.75487767, 0.56984029)), u.z / reflected);
+    u.xy = fract(u.xy + vec2(0.75487767, 0.56984029));
   }
   return sum + passed * surroundingWithin(point, way, solidAngle);
 }
 
-// What a facet h of a body lets through on the way to the eye; h, wo in the frame. weight: where light enters, and as it leaves.
-vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, vec3 u, out vec2 weight) {
+// What a facet h of a body lets through on the way to the eye; h, wo in the frame. weight: share that others do not mask.
+vec3 seenThroughFacet(mat3 frame, vec3 wo, vec3 h, float ior, float roughness, vec3 u, out float weight) {
   vec3 way = refract(-wo, h, 1.0 / ior);
   float a2 = roughness * roughness;
   a2 *= a2;
-  weight = vec2(way.z < 0.0 ? smithMasking(-way.z, a2) : 0.0);
-  if (weight.x <= 0.0) return vec3(0.0);
+  weight = way.z < 0.0 ? smithMasking(-way.z, a2) : 0.0;
+  if (weight <= 0.0) return vec3(0.0);
   float from = dot(wo, h), to = -dot(way, h), both = from - ior * to;
   // Of a solid angle of normals, [3] eq. 17, once the light has left the body, which bends it at both ends.
   float outside = 2.0 * both * both / max(to, 1e-4);
-  return weight.x * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2), weight.y);
+  return weight * throughRoughBody(vPosition, frame * way, ior, roughness, u, outside * spanOf(wo, h, a2));
 }
 
 // Radiance that comes through a body of tint 1. reflected: what all its facets reflect of surroundings of one radiance.
@@ -157,7 +152,6 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
   float a2 = s.roughness * s.roughness;
   vec3 sum = vec3(0.0), colors = vec3(0.0);
   float weights = 0.0;
-  vec2 passing = vec2(0.0);
   reflected = vec3(0.0);
   for (int k = 0; k < facets; ++k) {
     vec2 enters;
@@ -171,19 +165,17 @@ vec3 seenThroughRoughBody(Scattering s, mat3 frame, vec3 wo, out vec3 reflected)
       ior = iorOfWave(glassIor, dispersion, part);
       color = colorOfWave(part);
     }
-    vec2 weight;
+    float weight;
     float mirrored = unmasked(wo.z, 2.0 * dot(wo, h) * h.z - wo.z, a2 * a2);
     vec3 seen = seenThroughFacet(frame, wo, h, ior, s.roughness, leaves, weight);
     vec3 share = facetOfGlass(s, dot(wo, h));
     sum += (1.0 - largest(share)) * color * seen;
     colors += color;
     reflected += mirrored * share;
-    passing += (1.0 - largest(share)) * weight;
-    weights += mix(weight.x, mirrored, largest(share));
+    weights += mix(weight, mirrored, largest(share));
   }
   reflected /= max(weights, 1e-6);
-  // So few ways have weights whose mean is not 1.
-  return sum * float(facets) / max(colors, vec3(1e-6)) * passing.x / (max(passing.y, 1e-6) * max(weights, 1e-6));
+  return sum * float(facets) / (max(weights, 1e-6) * max(colors, vec3(1e-6)));
 }
 
 // Radiance that comes through a sheet of tint 1. reflected: as above.
