@@ -111,13 +111,11 @@ void RenderScene::makeSurfaces(const RenderInputs& inputs) {
 
 void RenderScene::makeAlbedos(const CompiledScene& compiled) {
   const auto& materials = compiled.materials;
-  if (std::none_of(materials.begin(), materials.end(),
-                   [](const CompiledMaterial& m) {
-                     return reflectsSpecularly(m) || hasLayers(m) || isRoughGlass(m);
-                   }))
+  if (std::none_of(materials.begin(), materials.end(), [](const CompiledMaterial& m) {
+        return reflectsSpecularly(m) || hasLayers(m) || isRoughGlass(m);
+      }))
     return;
-  const SceneAlbedos albedos =
-      makeSceneAlbedos(compiled, std::vector<bool>(materials.size(), true));
+  const SceneAlbedos albedos = makeSceneAlbedos(compiled, std::vector<bool>(materials.size(), true));
   albedos_ = gl::makeBufferTexture(albedos.texels, "reflectances");
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     surfaces_[i].filmTable = albedos.filmTables[i];

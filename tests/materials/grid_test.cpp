@@ -60,8 +60,8 @@ Allowance allowanceOf(const std::string& cell) {
       {"glass_solid", {0.005, 0.045}},
       {"glass_attenuation", {0.005, 0.045}},
       {"thickness_texture", {0.005, 0.045}},
-      // Nor is what passes rough glass blurred there.
-      {"glass_rough", {0.008, 0.18}},
+      // Rough bodies forgo there what is masked where light leaves.
+      {"glass_rough", {0.008, 0.03}},
       // Cards refract there like the face of a solid.
       {"glass_thin_rough", {0.055}},
       {"transmission_texture", {0.036}},
