@@ -82,12 +82,26 @@ bool isUnknownToCycles(const std::string& cell) { return cell == "diffuse_transm
 
 /// Cells of which OpenGL is compared.
 bool isComparedInOpenGl(const std::string& cell) {
-  static const std::set<std::string> compared = {
-      "lambert_white",   "base_factor",    "base_texture",        "metal_mirror",
-      "metal_white_1.0", "metal_gold",     "plastic_0.5",         "glass_solid",
-      "glass_thin",      "glass_rough",    "clearcoat_rough",     "clearcoat_normal",
-      "sheen_0.7",       "anisotropy",     "iridescence",         "mask",
-      "blend_texture",   "blend_constant", "diffuse_transmission"};
+  static const std::set<std::string> compared = {"lambert_white",
+                                                 "base_factor",
+                                                 "base_texture",
+                                                 "metal_mirror",
+                                                 "metal_white_1.0",
+                                                 "metal_gold",
+                                                 "plastic_0.5",
+                                                 "glass_solid",
+                                                 "glass_thin_rough",
+                                                 "glass_thin",
+                                                 "glass_rough",
+                                                 "clearcoat_rough",
+                                                 "clearcoat_normal",
+                                                 "sheen_0.7",
+                                                 "anisotropy",
+                                                 "iridescence",
+                                                 "mask",
+                                                 "blend_texture",
+                                                 "blend_constant",
+                                                 "diffuse_transmission"};
   return compared.contains(cell);
 }
 
