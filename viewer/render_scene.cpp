@@ -31,7 +31,7 @@ std::map<std::uint32_t, int> primitiveStarts(const CompiledScene& compiled) {
 constexpr float metallic = 0.5f;  ///< surfaces with more of it reflect little diffusely
 
 bool mirrors(const CompiledMaterial& material) {
-  return makesCaustics(material) || (!material.unlit && material.metallic >= metallic);
+  return makesCaustics(material) || isGlass(material) || (!material.unlit && material.metallic >= metallic);
 }
 
 glm::vec3 centerOf(const CompiledScene& compiled, const Batch& batch) {
@@ -115,12 +115,15 @@ void RenderScene::makeAlbedos(const CompiledScene& compiled) {
   bool lookedUp = false;
   for (std::size_t i = 0; i < used.size(); ++i) {
     const CompiledMaterial& m = compiled.materials[i];
-    lookedUp = lookedUp || (used[i] && (reflectsSpecularly(m) || hasLayers(m)));
+    lookedUp = lookedUp || (used[i] && (reflectsSpecularly(m) || hasLayers(m) || isRoughGlass(m)));
   }
   if (!lookedUp) return;
-  const SceneAlbedos albedos = makeSceneAlbedos(compiled, used, GlassTables::None);
+  const SceneAlbedos albedos = makeSceneAlbedos(compiled, used);
   albedos_ = gl::makeBufferTexture(albedos.texels, "reflectances");
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].filmTable = albedos.filmTables[i];
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    surfaces_[i].filmTable = albedos.filmTables[i];
+    surfaces_[i].glassTable = albedos.glassTables[i];
+  }
 }
 
 SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, bool srgb) {

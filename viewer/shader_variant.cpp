@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/lobes.h"
 #include "viewer/render_scene.h"
 
 namespace prelight::viewer {
@@ -22,6 +23,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasTranslucency",
                                                          "hasGloss",
                                                          "hasGlass",
+                                                         "hasRoughGlass",
                                                          "hasLayer",
                                                          "hasTopLayers",
                                                          "hasLayerTextures",
@@ -99,6 +101,7 @@ Features featuresOf(const Surface& surface) {
   features.add(Feature::Translucency, surface.translucency.a > 0.0f);
   features.add(Feature::Gloss, m.metallic > 0.0f || glass || hasMirrorLayer(m));
   features.add(Feature::Glass, glass);
+  features.add(Feature::RoughGlass, glass && m.roughness >= smoothBelow);
   features.add(Feature::Layer, m.specular > 0.0f);
   features.add(Feature::TopLayers, m.clearcoat.factor > 0.0f || m.sheen.color != glm::vec3(0.0f));
   features.add(Feature::LayerTextures,

@@ -29,6 +29,7 @@ enum class Feature : int {
   Translucency,  ///< light comes through diffusely
   Gloss,         ///< metal or glass: the sky is reflected
   Glass,
+  RoughGlass,
   Layer,          ///< a dielectric reflects on top of what is diffuse
   TopLayers,      ///< a clear coat or a sheen over all that
   LayerTextures,  ///< those have textures
@@ -48,7 +49,7 @@ enum class Feature : int {
   EmitterLights,
 };
 
-constexpr int featureCount = 30;
+constexpr int featureCount = 31;
 
 class Features {
  public:
@@ -58,12 +59,12 @@ class Features {
   }
   static constexpr Features all() {
     Features features;
-    features.bits_ = (std::uint32_t{1} << featureCount) - 1;
+    features.bits_ = (std::uint64_t{1} << featureCount) - 1;
     return features;
   }
 
   constexpr void add(Feature feature, bool present = true) {
-    if (present) bits_ |= std::uint32_t{1} << static_cast<int>(feature);
+    if (present) bits_ |= std::uint64_t{1} << static_cast<int>(feature);
   }
   constexpr bool has(Feature feature) const { return (bits_ >> static_cast<int>(feature) & 1) != 0; }
   constexpr Features operator|(Features other) const {
@@ -73,7 +74,7 @@ class Features {
   constexpr auto operator<=>(const Features&) const = default;
 
  private:
-  std::uint32_t bits_ = 0;
+  std::uint64_t bits_ = 0;
 };
 
 /// Lights that a program knows the number of, as they are few: what is read of a light of a known number is

@@ -95,6 +95,7 @@ void setSurface(const Surface& surface, Features features, const gl::Texture& wh
           glm::vec4(m.anisotropy.strength, std::cos(m.anisotropy.rotation), std::sin(m.anisotropy.rotation),
                     surface.has(TextureSlot::Anisotropy) ? 1.0f : 0.0f));
   if (features.has(Feature::Film)) setFilm(surface, p);
+  if (features.has(Feature::RoughGlass)) p.set("glassTable", static_cast<int>(surface.glassTable));
   if (features.has(Feature::Dispersion)) p.set("dispersion", m.dispersion);
   p.set("showsSurroundings", surface.showsSurroundings ? 1 : 0);
   cullBacksOf(surface);

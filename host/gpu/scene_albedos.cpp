@@ -34,8 +34,7 @@ GlassSurface glassSurfaceOf(const CompiledMaterial& m) {
 
 }  // namespace
 
-SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool>& used,
-                              GlassTables glassTables) {
+SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool>& used) {
   const std::size_t count = scene.materials.size();
   bool sheen = false, anisotropic = false;
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,7 +49,7 @@ SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool
     const CompiledMaterial& m = scene.materials[i];
     if (used[i] && hasFilm(m) && reflectsSpecularly(m))
       albedos.filmTables[i] = appendTable(makeFilmTable(m), albedos.texels);
-    if (glassTables == GlassTables::None || !used[i] || !m.solid || !isRoughGlass(m)) continue;
+    if (!used[i] || !m.solid || !isRoughGlass(m)) continue;
     const GlassSurface surface = glassSurfaceOf(m);
     auto known = std::find_if(glass.begin(), glass.end(), [&](const auto& g) { return g.first == surface; });
     if (known == glass.end())

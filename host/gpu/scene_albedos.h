@@ -17,10 +17,7 @@ struct SceneAlbedos {
   std::vector<std::uint32_t> filmTables;   ///< [material]
 };
 
-enum class GlassTables { All, None };
-
 /// Of the materials that are used, [material].
-SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool>& used,
-                              GlassTables glassTables = GlassTables::All);
+SceneAlbedos makeSceneAlbedos(const CompiledScene& scene, const std::vector<bool>& used);
 
 }  // namespace prelight

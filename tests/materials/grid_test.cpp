@@ -60,8 +60,8 @@ Allowance allowanceOf(const std::string& cell) {
       {"glass_solid", {0.005, 0.045}},
       {"glass_attenuation", {0.005, 0.045}},
       {"thickness_texture", {0.005, 0.045}},
-      // Nor is what passes rough glass blurred there.
-      {"glass_rough", {0.008, 0.18}},
+      // Rough bodies forgo there what is masked where light leaves.
+      {"glass_rough", {0.008, 0.03}},
       // Cards refract there like the face of a solid.
       {"glass_thin_rough", {0.055}},
       {"transmission_texture", {0.036}},
@@ -82,12 +82,26 @@ bool isUnknownToCycles(const std::string& cell) { return cell == "diffuse_transm
 
 /// Cells of which OpenGL is compared.
 bool isComparedInOpenGl(const std::string& cell) {
-  static const std::set<std::string> compared = {
-      "lambert_white",   "base_factor",    "base_texture",        "metal_mirror",
-      "metal_white_1.0", "metal_gold",     "plastic_0.5",         "glass_solid",
-      "glass_thin",      "glass_rough",    "clearcoat_rough",     "clearcoat_normal",
-      "sheen_0.7",       "anisotropy",     "iridescence",         "mask",
-      "blend_texture",   "blend_constant", "diffuse_transmission"};
+  static const std::set<std::string> compared = {"lambert_white",
+                                                 "base_factor",
+                                                 "base_texture",
+                                                 "metal_mirror",
+                                                 "metal_white_1.0",
+                                                 "metal_gold",
+                                                 "plastic_0.5",
+                                                 "glass_solid",
+                                                 "glass_thin_rough",
+                                                 "glass_thin",
+                                                 "glass_rough",
+                                                 "clearcoat_rough",
+                                                 "clearcoat_normal",
+                                                 "sheen_0.7",
+                                                 "anisotropy",
+                                                 "iridescence",
+                                                 "mask",
+                                                 "blend_texture",
+                                                 "blend_constant",
+                                                 "diffuse_transmission"};
   return compared.contains(cell);
 }
 

@@ -26,6 +26,7 @@ uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pix
 uniform int showsSurroundings;  // 1: the surface reflects as mirrors do what lies around it
 uniform vec3 absorption;        // of a body of glass, 1/m
 uniform float dispersion;       // 20 over Abbe's number
+#include "rough_glass.glsl"
 
 const int waves = 6;  // lengths that light is looked at: their colours add up to white
 
@@ -44,11 +45,18 @@ vec3 shadeLight(int k, Scattering s, TopLayers top, vec3 geometric, vec3 n, vec3
   float left = leftByLayers(top, max(dot(top.coatNormal, toEye), 0.0), nv);
   vec3 wo = vec3(inFrame(s, n, toEye).xy, nv);
   vec3 wi = inFrame(s, n, toLight);
+  bool onGlass = isRoughGlass(s) && k < counts.y;  // samples of large lights are seen around it
+  if (onGlass && solidGlass == 0 && nl < 0.0 && side < 0.0) {
+    vec3 passing = shareBlurred(s.roughness) * roughGlassOfLight(s, n, toEye, toLight);
+    if (hasTranslucency && translucency.a > 0.0) passing += transmittedOfLight(s, wo, wi) * -nl;
+    return left * passing * irradiance * visibility(k, vPosition, -geometric, reach);
+  }
   if (hasTranslucency && translucency.a > 0.0 && nl < 0.0 && side < 0.0)
     return left * transmittedOfLight(s, wo, wi) * irradiance * -nl * visibility(k, vPosition, -geometric, reach);
   if (nl <= 0.0 || side <= 0.0) return vec3(0.0);
   vec3 reflected = diffuseOfLight(s, wo, wi);
   if (lobes.x > 0.0) reflected += lobes.x * glossyOfLight(s, n, toEye, toLight);
+  if (onGlass) reflected += roughGlassOfLight(s, n, toEye, toLight) / nl;
   if (!hasTopLayers) return reflected * irradiance * nl * visibility(k, vPosition, geometric, reach);
   reflected = reflected * nl * left + layersOfLight(top, n, toEye, toLight, lobes.y);
   return reflected * irradiance * visibility(k, vPosition, geometric, reach);
@@ -103,16 +111,20 @@ vec2 shownBySurroundings(Scattering s, TopLayers top, float metallic) {
   return vec2(1.0 - wide, hasTopLayers ? 1.0 - smoothstep(0.2, 0.3, top.coatRoughness) : 0.0);
 }
 
-// What glass reflects; what it lets through where it has an inside, else the factor of what lies behind.
-vec3 shadeGlass(Scattering s, vec3 base, vec3 n, vec3 toEye, float nv, out vec3 through) {
+// What glass reflects; what it lets through where it has an inside or is rough, else the factor of what lies behind.
+vec3 shadeGlass(Scattering s, vec3 n, vec3 toEye, float nv, out vec3 through) {
   vec3 reflected = glassReflectance(s, max(nv, 1e-6));
   if (solidGlass == 0) reflected = 2.0 * reflected / (1.0 + reflected);  // all the reflections between two faces
-  vec3 radiance = s.glass * reflected * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
-  through = s.glass * (1.0 - largest(reflected)) * base;
-  if (solidGlass == 0 || glassIor <= 0.0) return radiance;
-  radiance += through * base * seenThroughBody(n, toEye);  // base: where it enters and where it leaves
-  through = vec3(0.0);
-  return radiance;
+  bool hasInside = solidGlass != 0 && glassIor > 0.0;
+  float blurred = !isRoughGlass(s) || glassIor <= 0.0 ? 0.0 : hasInside ? 1.0 : shareBlurred(s.roughness);
+  vec3 radiance = vec3(0.0);
+  if (blurred > 0.0) radiance = blurred * s.tint * seenThroughRoughGlass(s, n, toEye, reflected);
+  through = (1.0 - largest(reflected)) * s.tint;
+  if (hasInside && blurred == 0.0) radiance = through * seenThroughBody(n, toEye);
+  if (hasInside) radiance *= s.tint;  // where it leaves, too
+  radiance += reflected * surroundingRadiance(vPosition, reflect(-toEye, n), s.roughness);
+  through *= hasInside ? 0.0 : s.glass * (1.0 - blurred);
+  return s.glass * radiance;
 }
 
 void main() {
@@ -163,7 +175,7 @@ void main() {
   if (hasTopLayers) radiance += coated * onCoatAround;
   if (hasTopLayers) radiance += top.sheen * sheenAlbedo(top, nv) * (1.0 - coated) * indirect / pi;
   vec3 through = vec3(0.0);
-  if (hasGlass && s.glass > 0.0) radiance += left * shadeGlass(s, m.base, n, toEye, nv, through);
+  if (hasGlass && s.glass > 0.0) radiance += left * shadeGlass(s, n, toEye, nv, through);
   through *= left;
   outRadiance = vec4(radiance * alpha, distance(eye.xyz, vPosition));
   outTransmitted = vec4(vec3(1.0 - alpha) + alpha * through, 1.0);

@@ -44,6 +44,7 @@ struct Scattering {
   float glass;     // share that is glass
   vec3 glassF0;    // its reflectance along the normal
   float glassF90;  // at grazing angles
+  vec3 tint;       // of what passes a surface of it
   float roughness;
   vec2 widths;  // of the lobe along and across `along`
   vec3 along;   // unit, in the plane of the surface
@@ -143,6 +144,7 @@ Scattering scatteringOf(FragmentMaterial m, Stretch stretch) {
   s.glass = m.transmission;
   s.glassF0 = m.dielectric;
   s.glassF90 = m.f90;
+  s.tint = m.base;
   s.roughness = hasAnisotropy && anisotropy.x > 0.0 ? max(m.roughness, smoothBelow) : m.roughness;
   s.widths = vec2(mix(s.roughness * s.roughness, 1.0, stretch.amount), s.roughness * s.roughness);
   s.along = stretch.along;

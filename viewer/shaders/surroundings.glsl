@@ -64,6 +64,25 @@ vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
   return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, 0.0) : found.rgb;
 }
 
+float texelOfCube() { return pi / 2.0 / float(textureSize(surroundings, 0).x); }
+
+// About the mip level of the sky whose texels are as large as a solid angle.
+float levelOfSolidAngle(float solidAngle) { return max(0.5 * log2(max(solidAngle, 1e-9)) - skyLevels.x, 0.0); }
+
+// The same of all that a cone of a solid angle about the direction meets.
+vec3 surroundingWithin(vec3 point, vec3 way, float solidAngle) {
+  if (cube < 0) return skyRadiance(way, levelOfSolidAngle(solidAngle));
+  vec3 from = point - cubeCenter;
+  float along = distanceAlong(surroundings, from, way);
+  bool isSky = along >= beyondScene;
+  vec3 seen = isSky ? way : from + along * way;
+  float spread = isSky ? 1.0 : along * along / max(dot(seen, seen), 1e-30);  // what is near is a small part of the middle's view
+  float texel = texelOfCube();
+  float level = max(0.5 * log2(max(solidAngle * spread, 1e-9) / (texel * texel)), 0.0);
+  vec4 found = textureLod(surroundings, vec4(seen, float(cube)), level);
+  return level == 0.0 && found.a >= beyondScene ? skyRadiance(way, levelOfSolidAngle(solidAngle)) : found.rgb;
+}
+
 const int tilts = 16;
 
 // The same by microfacets that are wider along one direction than across: tilts of the normal along it, each as likely, whose
@@ -86,18 +105,22 @@ vec3 surroundingStretched(vec3 point, vec3 n, vec3 toEye, vec3 along, vec2 width
   return weights > 0.0 ? sum / weights : surroundingRadiance(point, reflect(-toEye, n), sqrt(widths.y));
 }
 
+// Follows a way within a body to where it meets its surface, of which it returns the outward normal.
+vec3 leaveBody(inout vec3 point, vec3 way, vec3 absorption, inout vec3 passed) {
+  float along = distanceAlong(insides, point - cubeCenter, way);
+  point += along * way;
+  passed *= exp(-absorption * along);
+  vec3 n = texture(insides, vec4(point - cubeCenter, float(cube))).xyz;
+  return dot(n, n) > 1e-6 ? normalize(n) : normalize(point - cubeCenter);
+}
+
 // Radiance that comes through a body of glass from a refracted direction: where it leaves the body, or after reflections
 // within. `passed`: share that the body lets through.
 vec3 radianceThroughBody(vec3 point, vec3 way, float ior, vec3 absorption, out vec3 passed) {
   passed = vec3(1.0);
   if (cube < 0) return skyRadiance(way, 0.0);
   for (int i = 0; i <= mostReflectionsWithin; ++i) {
-    vec3 from = point - cubeCenter;
-    float along = distanceAlong(insides, from, way);
-    point += along * way;
-    passed *= exp(-absorption * along);
-    vec3 n = texture(insides, vec4(point - cubeCenter, float(cube))).xyz;
-    n = dot(n, n) > 1e-6 ? normalize(n) : normalize(point - cubeCenter);
+    vec3 n = leaveBody(point, way, absorption, passed);
     if (dot(n, way) <= 0.0) break;
     vec3 leaving = refract(way, -n, ior);
     if (dot(leaving, leaving) > 0.0) return surroundingRadiance(point, leaving, 0.0);

@@ -19,6 +19,7 @@ const bool hasUnlit = true;
 const bool hasTranslucency = true;
 const bool hasGloss = true;
 const bool hasGlass = true;
+const bool hasRoughGlass = true;
 const bool hasLayer = true;
 const bool hasTopLayers = true;
 const bool hasLayerTextures = true;
