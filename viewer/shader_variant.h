@@ -46,9 +46,10 @@ enum class Feature : int {
   SpotLights,
   ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
+  NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
-constexpr int featureCount = 30;
+constexpr int featureCount = 31;
 
 class Features {
  public:
