@@ -4,7 +4,7 @@
 
 #include "basis/sh_zonal.h"
 #include "compress/half_float.h"
-#include "images/environment.h"
+#include "prelight/picture.h"
 #include "transfer/near_lamps.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
@@ -18,7 +18,7 @@ using test::QuadScene;
 using test::square;
 using viewer::Shading;
 
-constexpr auto pi = static_cast<float>(std::numbers::pi);
+constexpr auto lampPi = static_cast<float>(std::numbers::pi);
 constexpr int shellBands = 4;
 
 /// A white quad that faces +Z in a scene 6 m deep, lit by a lamp above its middle, seen from aslant. Shells:
@@ -29,7 +29,7 @@ glm::vec3 lampOver(double distance, double blocked, bool withShells, Shading sha
   quad.add(test::lambertian(glm::vec3(1)), 2.0f, glm::translate(glm::dmat4(1.0), {0, 0, 6}));
   quad.lookFrom({0.02, 0, 0.1}, {0, 0, 0});
   quad.scene.lights = {
-      test::makeLight(LightType::Point, glm::vec3(pi * float(distance * distance)), {0, 0, distance})};
+      test::makeLight(LightType::Point, glm::vec3(lampPi * float(distance * distance)), {0, 0, distance})};
   quad.setSky(constantEnvironment(glm::vec3(0)));
   quad.compile();
   quad.bakeOpen(3);
