@@ -60,7 +60,7 @@ TEST(NearLampShading, LampBeforeWhatBlocks_IsAsWithoutShells) {
 
 TEST(NearLampShading, PartOfAShell_IsWhatTheHostFinds) {
   const NearLampTransfer range{1, 2, 0.1, 10.0, {}};
-  for (const double blocked : {0.4, 0.6}) {
+  for (const double blocked : {0.5, 0.7}) {
     const double visibility = 1.0 - blocked * shareBefore(range, 0, 2.0);
     ASSERT_LT(sharpened(visibility), 1.0);
     expectColor(lampOver(2.0, blocked, true),
