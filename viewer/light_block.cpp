@@ -17,7 +17,10 @@ LightBlock pack(const ShadedLight& light) {
       glm::vec4(light.intensity, light.range),
       glm::vec4(profiled ? light.profileStart : light.coneScale,
                 profiled ? static_cast<float>(light.profileEntry) : light.coneOffset,
-                light.throughTransfer ? 1.0f : 0.0f, light.twoSided ? 1.0f : 0.0f)};
+                light.shadow >= 0       ? static_cast<float>(light.shadow + 2)
+                : light.throughTransfer ? 1.0f
+                                        : 0.0f,
+                light.twoSided ? 1.0f : 0.0f)};
 }
 
 }  // namespace

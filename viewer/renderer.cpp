@@ -30,6 +30,8 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
       sky_(inputs, lights_.hasEmitters()),
       programs_(inputs.encoding) {
   if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
+  if (inputs.bake != nullptr && inputs.bake->nearLamps)
+    nearLamps_ = std::make_unique<NearLampPass>(*inputs.bake->nearLamps, compiled_);
   for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
@@ -102,6 +104,7 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
     features.add(Feature::SpotLights, light.kind == LightKind::Spot);
     features.add(Feature::ProfiledLights, light.kind == LightKind::Profiled);
     features.add(Feature::EmitterLights, light.kind == LightKind::Emitter);
+    features.add(Feature::NearLamps, light.shadow >= 0);
   }
   return variant;
 }
@@ -130,6 +133,7 @@ void Renderer::sceneMoved() {
   lights_.setScene(compiled_);
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
+  if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
@@ -164,6 +168,8 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   light.lights = lights_.of(view, sky_.seenBy(view).map);
+  if (nearLamps_ != nullptr && rulesFor(view).through == Through::FarLights)
+    NearLampPass::choose(light.lights);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
@@ -253,6 +259,7 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look&
       program.use();
       program.set("causticCorner", look.causticCorner);
       if (look.transfer != nullptr) look.transfer->bind(program);
+      if (nearLamps_ != nullptr) nearLamps_->attach();
       used = &program;
     }
     setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);
@@ -307,6 +314,7 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
   const Illumination light = illuminationOf(view);
   const DrawnTransfer* transfer = litTransfer(view, light);
+  if (nearLamps_ != nullptr) nearLamps_->run(light.lights);
   const bool isFull = view.shading == Shading::GlobalIllumination;
   passed(isFull ? FramePass::ShadowMaps : FramePass::Transfer);
   if (isFull) {
@@ -386,13 +394,15 @@ void Renderer::describe(const View& view, Warnings& notes) {
                     std::to_string(room) + " are drawn");
   }
   const DrawingRules rules = rulesOf(view.shading, inputs_);
-  const bool inside = std::any_of(light.lights.begin(), light.lights.end(),
-                                  [](const ShadedLight& source) { return !source.throughTransfer; });
+  const bool inside = std::any_of(light.lights.begin(), light.lights.end(), [](const ShadedLight& source) {
+    return !source.throughTransfer && source.shadow < 0;
+  });
   if (rules.through == Through::FarLights && inside) {
     notes.push_back("emissive surfaces and lights within the scene's bounds shine without shadows in " +
                     std::string(shadingName(view.shading)) +
                     " shading: the transfer cannot tell what is in front of them from what is behind "
-                    "(--shading lights has their shadows)");
+                    "(--shading lights has their shadows, and bake --near-lamps gives them to " +
+                    std::to_string(NearLampPass::mostLamps) + " lamps here)");
   }
   if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
   if (view.shading == Shading::GlobalIllumination && surroundings_->nodesLeftOut() > 0)

@@ -14,6 +14,7 @@
 #include "viewer/gl/texture.h"
 #include "viewer/global_illumination_lighting.h"
 #include "viewer/illumination.h"
+#include "viewer/near_lamp_pass.h"
 #include "viewer/render_scene.h"
 #include "viewer/surface_programs.h"
 #include "viewer/surroundings.h"
@@ -137,6 +138,7 @@ class Renderer {
   std::array<Drawn, shadingCount> drawn_;
   std::unique_ptr<GlobalIlluminationLighting> globalIllumination_;
   std::unique_ptr<Surroundings> surroundings_;
+  std::unique_ptr<NearLampPass> nearLamps_;  ///< where the bake has shells of distance
   std::optional<Illumination> surroundedBy_;
   std::optional<gl::BufferTexture> profiles_;  ///< of lamps that have such
   bool surroundedCoarsely_ = false;            ///< with the shadows of a draft

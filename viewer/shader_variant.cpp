@@ -40,7 +40,8 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasPointLights",
                                                          "hasSpotLights",
                                                          "hasProfiledLights",
-                                                         "hasEmitterLights"};
+                                                         "hasEmitterLights",
+                                                         "hasNearLamps"};
 
 std::string constant(const char* type, const char* name, const std::string& value) {
   return std::string("const ") + type + " " + name + " = " + value + ";\n";

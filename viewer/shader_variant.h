@@ -47,6 +47,7 @@ enum class Feature : int {
   SpotLights,
   ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
+  NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
 constexpr int featureCount = 31;

@@ -231,6 +231,11 @@ void checkBake(const Bake& bake, const CompiledScene& scene) {
   if (!bake.bentNormals.empty()) expectSize("bent normals", bake.bentNormals.size(), vertices);
   if (!bake.apertures.empty()) expectSize("occlusion cones", bake.apertures.size(), vertices);
   if (bake.sh) checkHarmonics("SH transfer", *bake.sh, vertices);
+  if (const auto& lamps = bake.nearLamps) {
+    expectDrawable("shells of near lamps", lamps->order, maxTransferOrder, 1);
+    expectSize("shells of near lamps", lamps->halves.size(),
+               numbers(vertices, lamps->shells, lamps->order, 2));
+  }
   if (bake.ch) checkHarmonics("CH transfer", *bake.ch, vertices);
   if (const auto& compressed = bake.compressedSh) {
     expectDrawable("compressed SH transfer", compressed->order, maxTransferOrder, compressed->channels);

@@ -59,6 +59,8 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, tracer_, blockSize_, options_.incidentOrder);
+  if (options_.shells.count() > 0)
+    shells_.emplace(device_, options_.shells, blockSize_, blocks_.size());
   if (options_.texelFaceSize > 0) texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
   if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
     geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
@@ -124,6 +126,7 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
   block.count = static_cast<std::uint32_t>(receivers.size());
   block.set = purpose.set;
   block.occluders = purpose.occluders;
+  block.shells = shells_ && purpose.shells;
   block.storedRow.reset();
   if (purpose.storedRow != nullptr) block.storedRow = *purpose.storedRow;
   setParameters(
@@ -131,7 +134,7 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
       block.storedRow ? senders_.value().roomFor(*block.storedRow, block.count, block.lane).firstRow : 0);
   generate(block, receivers);
   const std::size_t rayCount = std::size_t{block.count} * options_.raysPerReceiver;
-  const bool closest = block.storedRow || purpose.occluders || options_.marksInside ||
+  const bool closest = block.storedRow || purpose.occluders || block.shells || options_.marksInside ||
                        options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
   closest ? tracer.traceClosest(block.rays, block.hits, rayCount, 0, block.lane)
           : tracer.traceAny(block.rays, block.hits, rayCount, 0, block.lane);
@@ -139,6 +142,8 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
   project_.launch({block.count, block.lane}, block.parameters, shTable_, block.rays, block.hits,
                   block.values);
   if (options_.texelFaceSize > 0) codeTexels(block);
+  if (block.shells)
+    shells_->start({block.parameters, block.receivers, block.rays, block.hits}, block.count, block.lane);
 }
 
 void Caster::finish(std::size_t place, CastValues& values) {
@@ -154,6 +159,7 @@ void Caster::finish(std::size_t place, CastValues& values) {
   const CastBlockBuffers buffers{block.parameters, block.receivers, block.rays, block.hits};
   Tracer& tracer = tracerOf(block.set);
   if (lights_) lights_->cast(buffers, block.count, tracer, block.set, values.lights);
+  if (block.shells) shells_->finish(block.count, block.lane, values.shells);
   if (block.occluders) occluders_.value().cast(buffers, block.count, tracer, values.occluders);
 }
 

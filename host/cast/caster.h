@@ -9,6 +9,7 @@
 #include "cast/light_caster.h"
 #include "cast/occluder_caster.h"
 #include "cast/sender_rows.h"
+#include "cast/shell_caster.h"
 #include "gpu/tracer.h"
 #include "prelight/request.h"
 #include "shared/cast_types.h"
@@ -43,6 +44,7 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   int incidentOrder = 0;                  ///< of the lights: incident radiance in SH of this order as well
+  ShellShape shells;      ///< of distance that blocks' hits are told apart by
   OcclusionLimits limits;
   const OccluderGroups* occluders =
       nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
@@ -61,6 +63,7 @@ struct CastValues {
                               ///< incidentOrder [..][value], see LightCaster; or empty
   std::vector<std::uint8_t> inside;  ///< [receiver], 1: rays met nothing but backs of one-sided surfaces; or
                                      ///< empty
+  std::vector<float> shells;         ///< [receiver][shell][1 + order^2], see ShellCaster; or empty
   OccluderValues occluders;          ///< where they were asked for
 };
 
@@ -70,6 +73,7 @@ struct CastPurpose {
       nullptr;             ///< rows of senders are kept from this one on; nullptr: they are not
   std::uint32_t set = 0;   ///< of occluders, that all receivers are of
   bool occluders = false;  ///< tell occluders apart; after setAccessibility()
+  bool shells = false;     ///< tell hits apart by distance, where the options have shells
 };
 
 /// Of the values of a vertex's transfer, [3][columns], the partValues from firstValue on. They stand
@@ -162,6 +166,7 @@ class Caster {
     std::uint32_t count = 0;  ///< receivers
     std::uint32_t set = 0;
     bool occluders = false;
+    bool shells = false;
     std::optional<std::uint32_t> storedRow;  ///< the first, where rows of senders are stored
   };
 
@@ -191,6 +196,7 @@ class Caster {
   Buffer<float> transfer_;
   std::optional<LightCaster> lights_;
   std::optional<OccluderCaster> occluders_;
+  std::optional<ShellCaster> shells_;
   using Parameters = Buffer<device::CastParameters>;
   using Receivers = Buffer<device::Receiver>;
   using Rays = Buffer<device::Ray>;

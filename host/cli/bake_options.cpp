@@ -49,6 +49,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.cones, "--cones");
   add(request.sh.order > 0, fmt::format("--sh {}", request.sh.order));
   add(request.ch.order > 0, fmt::format("--ch {}", request.ch.order));
+  add(request.nearLamps.shells > 0, fmt::format("--near-lamps {}", request.nearLamps.shells));
   add(request.haar.size > 0, fmt::format("--haar {}", request.haar.size));
   add(request.glossy.order > 0, fmt::format("--glossy {}", request.glossy.order));
   add(request.occluders.wanted, "--vo");
@@ -281,6 +282,13 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   app.add_flag(
       "--ch-naive", request.ch.naive,
       "store plain inner products with the cpherical harmonics, which are not orthogonal: for comparison");
+  addWholeNumber(
+      app, "--near-lamps", {2, BakeRequest::maxShells},
+      [&](std::uint64_t n) { request.nearLamps.shells = static_cast<int>(n); },
+      fmt::format(
+          "shadows of lamps within the scene, too, from the rays of --sh or --ch: shells that distances "
+          "are told apart by, 2 to {} (8 is usual)",
+          BakeRequest::maxShells));
   addWaveletOptions(app, request);
   addOrder(app, "--glossy", BakeRequest::maxGlossyOrder, request.glossy.order,
            "transfer matrices of glossy surfaces, of this order (its fourth power of entries)");

@@ -59,6 +59,7 @@ BakeRequest requestFor(const std::vector<viewer::Shading>& missing, const BakeRe
     lightAsked = lightAsked || (bounces && info.askedBy(asked));
   }
   if (request.sh.order > 0) request.chartTransfer.size = asked.chartTransfer.size;
+  if (request.sh.order > 0 || request.ch.order > 0) request.nearLamps = asked.nearLamps;
   if (!light) {
     request.bounces = 0;
   } else if (!lightAsked && request.bounces == 0) {
@@ -84,6 +85,7 @@ void mergeBake(Bake& into, Bake&& from) {
   };
   take(into.sh, from.sh);
   take(into.ch, from.ch);
+  take(into.nearLamps, from.nearLamps);
   take(into.haar, from.haar);
   take(into.glossy, from.glossy);
   take(into.lightGroups, from.lightGroups);

@@ -143,6 +143,7 @@ Json toJson(const BakeRequest& request) {
   if (request.cones) json["cones"] = true;
   if (request.ch.order > 0) json["ch"] = request.ch.order;
   if (request.ch.order > 0 && request.ch.naive) json["chNaive"] = true;
+  if (request.nearLamps.shells > 0) json["nearLamps"] = request.nearLamps.shells;
   if (request.haar.size > 0) json["haar"] = request.haar.size;
   if (request.haar.size > 0) json["haarError"] = request.haar.error;
   if (request.glossy.order > 0) json["glossy"] = request.glossy.order;

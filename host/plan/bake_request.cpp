@@ -17,8 +17,8 @@ BakeRequest BakeRequest::withoutTechniques() const {
   BakeRequest request = *this;
   request.ao = request.cones = false;
   request.sh = {};
-  request.ch.order = request.haar.size = request.glossy.order = request.volume.size =
-      request.chartTransfer.size = 0;
+  request.ch.order = request.nearLamps.shells = request.haar.size = request.glossy.order =
+      request.volume.size = request.chartTransfer.size = 0;
   request.lightGroups = {};
   request.occluders.wanted = request.radiosity.wanted = false;
   request.lightMap.wanted = request.lightMap.caustics = false;
@@ -30,6 +30,8 @@ int transferOrder(const BakeRequest& request) {
   return std::max({request.sh.order, request.ch.order, request.glossy.order,
                    request.haar.size > 0 && request.bounces > 0 ? haarBounceOrder : 0});
 }
+
+int nearLampOrder(const BakeRequest& request) { return std::max(request.sh.order, request.ch.order); }
 
 int castOrder(const BakeRequest& request) {
   return std::max(transferOrder(request), 2 * request.glossy.order - 1);

@@ -14,6 +14,8 @@ struct Projections {
   std::uint32_t groups = 0;          ///< of lights
   std::size_t texelRows = 0;         ///< receivers whose rays are kept texel by texel, fronts only
   std::size_t texelCount = 0;        ///< of the cube map that they are kept on
+  std::size_t shells = 0;            ///< of distance that hits are told apart by, fronts only
+  int shellOrder = 0;                ///< bands of SH of each
   bool backs = true;                 ///< cast from backs that rays meet, where rows are stored
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only
   bool occluders = false;            ///< means of what is seen of each, fronts only

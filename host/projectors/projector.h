@@ -8,6 +8,7 @@
 #include "base/stage_clock.h"
 #include "base/state_file.h"
 #include "cast/light_groups.h"
+#include "cast/shell_caster.h"
 #include "gpu/tracer.h"
 #include "occluders/occluder_groups.h"
 #include "plan/shadow_sets.h"
@@ -47,6 +48,7 @@ struct CastNeeds {
   const GroupedLights* lights = nullptr;      ///< whose direct light is fitted
   const OccluderGroups* occluders = nullptr;  ///< that hits are told apart by
   int texelFaceSize = 0;                      ///< of a cube map that rays are kept on; 0: they are not
+  ShellShape shells;                          ///< of distance that hits are told apart by
   bool receivers = false;                     ///< where bounces are: keep those of stored rows
   bool reflected = false;  ///< where bounces are: keep what surfaces reflect (SlotTransfer)
 };

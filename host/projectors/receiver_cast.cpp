@@ -40,6 +40,7 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.bounceColumns = static_cast<std::size_t>(order * order) + groupCount(needs);
   options.texelFaceSize = needs.texelFaceSize;
   options.lights = needs.lights;
+  options.shells = needs.shells;
   options.sets = &context.sets;
   options.setTracers = context.setTracers;
   options.limits = context.request.limits;
@@ -58,6 +59,8 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
     projections.texelRows = context.plan.texelBytes / (sizeof(std::uint32_t) * schedule.raysPerReceiver);
     projections.texelCount = cubeTexelCount(needs.texelFaceSize);
   }
+  projections.shells = needs.shells.count();
+  projections.shellOrder = needs.shells.order;
   projections.recordBytes = context.plan.recordBytes;
   projections.parks = context.plan.parks;
   projections.backs = context.plan.runs(Pass::Bounces);

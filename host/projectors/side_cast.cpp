@@ -16,7 +16,7 @@ constexpr std::size_t waitingBlocks = 1;  // before they are cast, and before th
 Projections projectionsOf(Projections projections, Side side) {
   if (side == Side::Front) return projections;
   projections.bentNormal = projections.receivers = projections.occluders = false;
-  projections.texelRows = 0;
+  projections.texelRows = projections.shells = 0;
   return projections;
 }
 
@@ -177,7 +177,8 @@ void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
                       receivers_ + count <= SideSums::mostRecords;
   // A block that is alone takes the first place: the memory of others is not touched in vain.
   const std::size_t place = started_ ? (startedPlace_ + 1) % caster_.places() : 0;
-  caster_.start(place, block.receivers, {stores ? &row : nullptr, set, block.occluders});
+  caster_.start(place, block.receivers,
+                {stores ? &row : nullptr, set, block.occluders, projections_.shells > 0});
   finishStarted();
   startedPlace_ = place;
   started_ = [this, &block, place] {
@@ -200,12 +201,12 @@ void SideCast::finishStarted() const {
 
 // Where every ray around escaped, the closed form is most likely the answer, and where every one was blocked,
 // 0. A few more rays are cast there all the same, each for many: were there none, what the first rays missed
-// would be missed on average, too. Blocked rays carry light in bounces, so that those are thinned only
-// without.
+// would be missed on average, too. Blocked rays carry light in bounces and tell distances in shells, so that
+// those are thinned only without.
 void SideCast::thinPlainTriangles() {
   parallelRanges(mesh_.triangles.size(), 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-      sampler_.thinned()[t] = sums_.isPlain(t, storedCapacity_ == 0) ? 1 : 0;
+    const bool closedToo = storedCapacity_ == 0 && projections_.shells == 0;
+    for (std::size_t t = begin; t < end; ++t) sampler_.thinned()[t] = sums_.isPlain(t, closedToo) ? 1 : 0;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/prefetch.h"
+#include "basis/sh_zonal.h"
 #include "fit/adaptive_smoothing.h"
 
 namespace prelight {
@@ -13,6 +14,11 @@ namespace {
 
 constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, before fewer are cast there
 constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
+
+/// Of a shell.
+std::size_t shellColumns(const Projections& projections) {
+  return static_cast<std::size_t>(projections.shellOrder * projections.shellOrder);
+}
 
 }  // namespace
 
@@ -33,6 +39,7 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
       residual_(baseline_.columns()) {
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
+  if (projections_.shells > 0) shellFit_.emplace(plainFit(projections_.shells * shellColumns(projections_)));
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
@@ -40,12 +47,14 @@ void SideSums::park() {
   fit_.park();
   if (bentFit_) bentFit_->park();
   if (lightFit_) lightFit_->park();
+  if (shellFit_) shellFit_->park();
 }
 
 void SideSums::unpark() {
   fit_.fetch();
   if (bentFit_) bentFit_->fetch();
   if (lightFit_) lightFit_->fetch();
+  if (shellFit_) shellFit_->fetch();
 }
 
 void SideSums::add(const CastBlock& block) {
@@ -62,6 +71,7 @@ void SideSums::add(const CastBlock& block) {
     lightRows_.assign(block.values.lights.begin(), block.values.lights.end());
     lightFit_->add(block.samples, lightRows_);
   }
+  if (shellFit_) addShells(block);
   receivers_ += block.samples.size();
 }
 
@@ -70,6 +80,7 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (const std::uint32_t slot : mesh_.triangles[t]) slots[slot] |= triangles[t];
   if (lightFit_) lightFit_->extendTo(slots);
+  if (shellFit_) shellFit_->extendTo(slots);
   fit_.extendTo(std::move(slots));
 }
 
@@ -143,6 +154,23 @@ void SideSums::addBentNormal(const SurfaceSample& sample, const glm::dvec3& mean
       static_cast<float>(length * length / (length * length + bentNormalHalfWeight * bentNormalHalfWeight));
   bentSamples_.push_back(weighted);
   bentRows_.insert(bentRows_.end(), {residual.x, residual.y, residual.z});
+}
+
+// As addReceiver() does with what is open: the closed form times a shell's share of the hemisphere is added.
+void SideSums::addShells(const CastBlock& block) {
+  const std::size_t columns = shellColumns(projections_), rows = block.samples.size() * projections_.shells;
+  std::vector<double> open(columns);
+  shellRows_.resize(rows * columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (row % projections_.shells == 0) {
+      const float* normal = block.receivers[row / projections_.shells].normal;
+      sh::openTransfer({normal[0], normal[1], normal[2]}, projections_.shellOrder, open);
+    }
+    const float* values = &block.values.shells[row * (1 + columns)];
+    for (std::size_t i = 0; i < columns; ++i)
+      shellRows_[row * columns + i] = double(values[1 + i]) + double(values[0]) * open[i];
+  }
+  shellFit_->add(block.samples, shellRows_);
 }
 
 void SideSums::markSlots(const SurfaceSample& sample, double open) {
@@ -219,6 +247,7 @@ void SideSums::save(StateWriter& state) const {
   fit_.save(state);
   if (bentFit_) bentFit_->save(state);
   if (lightFit_) lightFit_->save(state);
+  if (shellFit_) shellFit_->save(state);
   if (occluders_) occluders_->save(state);
   texelRows_.save(state);
   records_.save(state);
@@ -231,6 +260,7 @@ void SideSums::load(StateReader& state) {
   fit_.load(state);
   if (bentFit_) bentFit_->load(state);
   if (lightFit_) lightFit_->load(state);
+  if (shellFit_) shellFit_->load(state);
   if (occluders_) occluders_->load(state, projections_.occluderCount);
   texelRows_.load(state);
   records_.load(state);

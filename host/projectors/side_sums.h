@@ -57,6 +57,7 @@ class SideSums {
   const VertexFit& fit() const { return fit_; }
   const VertexFit& bentFit() const { return bentFit_.value(); }
   const VertexFit& lightFit() const { return lightFit_.value(); }
+  const VertexFit& shellFit() const { return shellFit_.value(); }
   const OccluderMeans& occluders() const { return occluders_.value(); }
   const TexelRows& texelRows() const { return texelRows_; }
   const Baseline& baseline() const { return baseline_; }
@@ -91,6 +92,7 @@ class SideSums {
   void askFor(std::span<const SurfaceSample> samples, std::size_t i) const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
+  void addShells(const CastBlock& block);
   void markSlots(const SurfaceSample& sample, double open);
   void check(const StateReader& state) const;
 
@@ -103,16 +105,17 @@ class SideSums {
   VertexFit fit_;
   std::optional<VertexFit> bentFit_;
   std::optional<VertexFit> lightFit_;
+  std::optional<VertexFit> shellFit_;
   std::optional<OccluderMeans> occluders_;
   SampleRecords records_;
   TexelRows texelRows_;
   std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
   std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
   std::uint64_t receivers_ = 0;
-  std::vector<double> residual_;            ///< of the receiver at hand
-  std::vector<double> rows_, lightRows_;    ///< of the block at hand, [receiver][column]
-  std::vector<SurfaceSample> bentSamples_;  ///< of the block at hand, those with a direction
-  std::vector<double> bentRows_;            ///< [bent sample][3]
+  std::vector<double> residual_;                      ///< of the receiver at hand
+  std::vector<double> rows_, lightRows_, shellRows_;  ///< of the block at hand, [receiver][column]
+  std::vector<SurfaceSample> bentSamples_;            ///< of the block at hand, those with a direction
+  std::vector<double> bentRows_;                      ///< [bent sample][3]
 };
 
 }  // namespace prelight

@@ -51,6 +51,7 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
   bake.apertures = numbers(vertices);
   bake.sh = bake.ch = harmonics;
   bake.compressedSh = compress(harmonics, parseCompression("half"));
+  bake.nearLamps = NearLampTransfer{1, 2, 0.1, 1.0, std::vector<std::uint16_t>(2 * vertices, 0x3800)};
   bake.animation = AnimatedTransfer{0, {0.0}, {harmonics}};
   bake.haar = HaarTransfer{1, 1, 0, {0, 1, 1, 1}, {0}, {1.0f}};
   bake.glossy = GlossyTransfer{1, 1, 0, numbers(vertices)};

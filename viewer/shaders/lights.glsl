@@ -4,7 +4,7 @@ struct Light {
   vec4 positionKind;    // w: LightKind
   vec4 directionArea;   // xyz: way of the light, emitter's normal or profile's pole; w: emitter's area, or squared least distance
   vec4 intensityRange;  // w: range, 0 infinite
-  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry; z: 1 far: outside the scene; w: 1 two-sided emitter
+  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry; z: 1 far: outside the scene, 2 to 5: its shadow; w: 1 two-sided emitter
 };
 
 uniform samplerBuffer profiles;  // PackedProfiles
@@ -17,7 +17,8 @@ const int kindEmitter = 3;
 const int kindProfiled = 4;
 
 int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
-bool isFar(Light light) { return light.cone.z > 0.5; }
+bool isFar(Light light) { return light.cone.z > 0.5 && light.cone.z < 1.5; }
+int shadowOf(Light light) { return int(light.cone.z + 0.5) - 2; }  // of vLampVisibility; < 0: none
 
 // Irradiance on a surface at `point` that faces the light, and the unit direction to the light.
 vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {

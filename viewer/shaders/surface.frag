@@ -6,7 +6,8 @@
 // - transmissive surfaces are thin: what lies behind shows straight through, tinted, and they reflect the sky;
 // - light comes through translucent surfaces where that of their other side is known: of lights without shadows, of a
 //   light map and of the sky, not of transfer;
-// - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows.
+// - lights that a transfer cannot see rightly (viewer/lighting.h) shine without shadows, but for lamps that have those of
+//   shells of distance.
 #include "frame.glsl"
 #include "variant.glsl"
 #include "lights.glsl"
@@ -31,6 +32,7 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
+in vec4 vLampVisibility;
 
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
@@ -58,6 +60,13 @@ bool isTransferred(Light light) {
   return throughRule == throughAllLights || (throughRule == throughFarLights && isFar(light));
 }
 
+// What shells of distance leave of a near lamp's light: sharpened() of host/transfer/near_lamps.h. Backs have none.
+float lampShadow(Light light) {
+  int shadow = shadowOf(light);
+  if (!hasNearLamps || shadow < 0 || !gl_FrontFacing) return 1.0;
+  return clamp(0.5 + 3.0 * (vLampVisibility[shadow] - 0.5), 0.0, 1.0);
+}
+
 // Of surfaces that do not show how emissive surfaces are reflected, their samples are summed with fewer operations.
 const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && ambientRule != ambientCone &&
                                 reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
@@ -72,6 +81,7 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
   vec3 perpendicular = perpendicularIrradiance(light, vPosition, toLight);
   vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
   if (cone.there) irradiance *= lampInCone(cone, toLight);
+  if (hasNearLamps) irradiance *= lampShadow(light);
   if (!transferred) sum += irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
     sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;

@@ -37,3 +37,4 @@ const bool hasPointLights = true;
 const bool hasSpotLights = true;
 const bool hasProfiledLights = true;
 const bool hasEmitterLights = true;
+const bool hasNearLamps = true;

@@ -45,6 +45,7 @@ struct Bake {
   std::optional<HarmonicTransfer> sh;
   std::optional<CompressedTransfer> compressedSh;  ///< in place of `sh`
   std::optional<HarmonicTransfer> ch;
+  std::optional<NearLampTransfer> nearLamps;  ///< what shadows lamps within the scene
   std::optional<AnimatedTransfer> animation;  ///< SH at moments; `sh` is that of the rest pose
   std::optional<HaarTransfer> haar;
   std::optional<GlossyTransfer> glossy;

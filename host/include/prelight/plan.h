@@ -62,10 +62,11 @@ enum class Pass : std::uint8_t {
   EnvironmentMaps,
   OcclusionCones,
   Instances,
+  NearLamps,
 };
 
 /// [Pass], for people and files.
-constexpr std::array<std::string_view, 49> passNames = {"cast",
+constexpr std::array<std::string_view, 50> passNames = {"cast",
                                                         "shadow sets",
                                                         "ambient occlusion",
                                                         "sh transfer",
@@ -113,7 +114,8 @@ constexpr std::array<std::string_view, 49> passNames = {"cast",
                                                         "shadow maps",
                                                         "environment maps",
                                                         "occlusion cones",
-                                                        "instances"};
+                                                        "instances",
+                                                        "near lamps"};
 
 constexpr std::string_view nameOf(Pass pass) { return passNames[static_cast<std::size_t>(pass)]; }
 

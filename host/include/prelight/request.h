@@ -38,6 +38,12 @@ struct ChRequest {
   bool naive = false;  ///< store inner products instead of dual coefficients, to show what that costs
 };
 
+/// Shadows of lamps within the scene, from how far the rays of SH or CH transfer went; of the greater of their
+/// orders, one of which it needs.
+struct NearLampsRequest {
+  int shells = 0;  ///< of distance; 0: none; 2..BakeRequest::maxShells
+};
+
 /// Haar wavelets of transfer, on cube maps.
 struct HaarRequest {
   int size = 0;         ///< 0: none; a power of two up to BakeRequest::maxHaarSize
@@ -135,6 +141,7 @@ struct BakeRequest {
   bool cones = false;  ///< how wide the cone about the bent normal is that is open; needs ao
   ShRequest sh = {};
   ChRequest ch = {};
+  NearLampsRequest nearLamps = {};
   HaarRequest haar = {};
   GlossyRequest glossy = {};
   LightGroupsRequest lightGroups = {};
@@ -171,6 +178,7 @@ struct BakeRequest {
   BakeRequest withoutTechniques() const;
 
   static constexpr int maxShOrder = 32;
+  static constexpr int maxShells = 32;
   static constexpr int maxGlossyOrder = 8;
   static constexpr int maxHaarSize = 128;
   static constexpr int maxVolumeSize = 64;

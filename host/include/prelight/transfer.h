@@ -22,6 +22,20 @@ struct HarmonicTransfer {
   bool naive = false;               ///< CH: inner products <T, C_i> in place of coefficients
 };
 
+/// What blocks light before some distance, of every vertex: shell k has, in SH, the part (1/pi) integral
+/// max(n.w,0) Y_i dw of the directions whose first surface lies in it. Shells share the distances from `nearest`
+/// to `farthest` evenly by their logarithm; the first has what is nearer, too, and the last what is farther.
+/// Without bounces, so that colours do not matter.
+struct NearLampTransfer {
+  int order = 0;
+  int shells = 0;
+  double nearest = 0.0;  ///< m
+  double farthest = 0.0;
+  std::vector<std::uint16_t> halves;  ///< [vertex][shell][i], IEEE half
+
+  std::size_t columns() const { return static_cast<std::size_t>(order * order); }
+};
+
 /// Diffuse SH transfer at the texels of charts: HarmonicTransfer's, with the texel's
 /// own normal where the surface has a normal map.
 struct ChartTransfer {

@@ -25,6 +25,9 @@
 #include "projectors/light_map/light_map_planning.h"
 #include "projectors/light_map/light_map_projector.h"
 #include "projectors/light_map/light_map_technique.h"
+#include "projectors/near_lamps/near_lamps_planning.h"
+#include "projectors/near_lamps/near_lamps_projector.h"
+#include "projectors/near_lamps/near_lamps_technique.h"
 #include "projectors/occlusion_cones/occlusion_cones_planning.h"
 #include "projectors/occlusion_cones/occlusion_cones_projector.h"
 #include "projectors/occlusion_cones/occlusion_cones_technique.h"
@@ -57,7 +60,7 @@ struct Row {
   std::array<int, 3> planned;                                   ///< [PlanningOrder]
 };
 
-constexpr std::array<Row, 15> rows = {{
+constexpr std::array<Row, 16> rows = {{
     // places: entry, root, summary; planned: plan, key, run
     {ambientOcclusionTechnique, ambientOcclusionPlanning, ambientOcclusionProjector, {0, 0, 0}, {0, 0, 0}},
     {shTechnique, shPlanning, shProjector, {1, 1, 2}, {1, 1, 2}},
@@ -74,6 +77,7 @@ constexpr std::array<Row, 15> rows = {{
     {lightMapTechnique, lightMapPlanning, lightMapProjector, {12, 12, 11}, {10, 10, 10}},
     {occlusionConesTechnique, occlusionConesPlanning, occlusionConesProjector, {13, 13, 13}, {11, 11, 11}},
     {encodedLightTechnique, encodedLightPlanning, encodedLightProjector, {14, 14, 14}, {12, 12, 12}},
+    {nearLampsTechnique, nearLampsPlanning, nearLampsProjector, {15, 15, 15}, {13, 13, 13}},
 }};
 
 template <std::size_t columns>

@@ -1,0 +1,59 @@
+#include "projectors/near_lamps/near_lamps_projector.h"
+
+#include "base/parallel.h"
+#include "compress/half_float.h"
+#include "plan/cast_orders.h"
+#include "projectors/packed_values.h"
+#include "projectors/receiver_cast.h"
+#include "transfer/near_lamps.h"
+
+namespace prelight {
+
+namespace {
+
+constexpr std::size_t lampGrain = 1024;  // vertices that a thread takes at once
+
+class NearLampsProjector final : public Projector {
+ public:
+  explicit NearLampsProjector(const BakeContext& context) : context_(context) {
+    const ShellRange range = shellRange(context.scene);
+    transfer_.order = nearLampOrder(context.request);
+    transfer_.shells = context.request.nearLamps.shells;
+    transfer_.nearest = range.nearest;
+    transfer_.farthest = range.farthest;
+  }
+
+  std::string_view stage() const override { return "near lamps"; }
+
+  void addNeeds(CastNeeds& needs) const override {
+    needs.shells.order = transfer_.order;
+    for (int shell = 1; shell < transfer_.shells; ++shell)
+      needs.shells.starts.push_back(static_cast<float>(shellStart(transfer_, shell)));
+  }
+
+  void run(ReceiverCast* cast, Bake& bake, Progress& /*progress*/) override {
+    const std::vector<float> fitted = cast->front().solveShells();
+    const std::size_t width = transfer_.columns() * static_cast<std::size_t>(transfer_.shells);
+    transfer_.halves.resize(context_.scene.vertexCount() * width);
+    parallelRanges(context_.scene.vertexCount(), lampGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        for (std::size_t i = 0; i < width; ++i)
+          transfer_.halves[v * width + i] =
+              toHalf(finiteOr(fitted[context_.mesh.slotOfVertex[v] * width + i], 0.0f));
+    });
+    bake.nearLamps = transfer_;
+  }
+
+ private:
+  const BakeContext& context_;
+  NearLampTransfer transfer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Projector> nearLampsProjector(const BakeContext& context) {
+  if (!context.plan.runs(Pass::NearLamps)) return nullptr;
+  return std::make_unique<NearLampsProjector>(context);
+}
+
+}  // namespace prelight

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "prelight/compiled_scene.h"
+#include "prelight/transfer.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/gl/capture.h"
+#include "viewer/gl/texture.h"
+#include "viewer/lighting.h"
+
+namespace prelight::viewer {
+
+/// Shadows of lamps within the scene, from shells of distance: how much of a lamp's light arrives at each
+/// vertex (host/transfer/near_lamps.h), by a vertex shader whose results pictures read until a lamp moves.
+class NearLampPass {
+ public:
+  static constexpr int mostLamps = 4;  ///< the components of an attribute
+
+  /// The scene outlives it.
+  NearLampPass(const NearLampTransfer& transfer, const CompiledScene& scene);
+
+  /// Gives shadows to the first lamps that do not come through the transfer.
+  static void choose(std::span<ShadedLight> lights);
+
+  /// The scene's vertices are at other places.
+  void verticesMoved() { isStale_ = true; }
+
+  /// Makes the shadows of the lights that were chosen ready.
+  void run(std::span<const ShadedLight> lights);
+
+  /// Ties them to the vertex array in use.
+  void attach() const { visibility_.attach(); }
+
+ private:
+  void setUp();
+
+  const CompiledScene& scene_;
+  int order_, shells_;
+  double nearest_, farthest_;
+  gl::Program program_;
+  gl::Capture capture_;
+  gl::VertexArray vertexArray_;
+  gl::BufferTexture texels_;  ///< [vertex][shell][number / 4]
+  VertexStream positions_, normals_, visibility_;
+  std::vector<glm::vec3> lamps_;  ///< places that visibility_ is of
+  bool isStale_ = true;
+};
+
+}  // namespace prelight::viewer

@@ -1,0 +1,82 @@
+#version 410 core
+// How much of the light of near lamps arrives at a vertex: lampVisibility() of host/transfer/near_lamps.h.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+uniform samplerBuffer texels;  // [vertex][shell][number / 4]
+uniform ivec4 shellShape;      // x: order of SH, y: shells
+uniform vec4 shellRange;       // x: nearest distance, y: shells a factor e of distance, z: lag in shells
+uniform float openBands[32];   // what the hemisphere has in a band, for Legendre's polynomial of the cosine
+uniform vec3 lamps[4];
+uniform int lampCount;
+
+out vec4 lampVisibility;
+
+// What a hemisphere without blockers has in a direction, cut to the bands.
+float openTowards(float cosine) {
+  float before = 0.0;
+  float p = 1.0;
+  float sum = 0.0;
+  for (int l = 0; l < shellShape.x; ++l) {
+    sum += openBands[l] * p;
+    float next = (float(2 * l + 1) * cosine * p - float(l) * before) / float(l + 1);
+    before = p;
+    p = next;
+  }
+  return sum;
+}
+
+// Number i of a vertex's shells together, each with the share of it that is before `place`, in shells.
+float blockedNumber(int i, float place) {
+  int texelsARow = (shellShape.x * shellShape.x + 3) / 4;
+  float sum = 0.0;
+  for (int k = 0; k < shellShape.y && place > float(k); ++k) {
+    int row = gl_VertexID * shellShape.y + k;
+    sum += min(place - float(k), 1.0) * texelFetch(texels, row * texelsARow + i / 4)[i % 4];
+  }
+  return sum;
+}
+
+// The recurrences of deltaThroughSeries().
+float blockedTowards(vec3 w, float place) {
+  float sum = 0.0;
+  float real = 1.0;
+  float imaginary = 0.0;
+  float sectoral = 0.282094792;  // sqrt(1 / (4 pi))
+  for (int m = 0; m < shellShape.x; ++m) {
+    if (m > 0) {
+      float next = real * w.x - imaginary * w.y;
+      imaginary = imaginary * w.x + real * w.y;
+      real = next;
+      sectoral *= sqrt(float(2 * m + 1) / float(2 * m));
+    }
+    float before = 0.0;
+    float p = m > 0 ? 1.41421356 * sectoral : sectoral;
+    for (int l = m; l < shellShape.x; ++l) {
+      if (l > m) {
+        float a = sqrt(float(4 * l * l - 1) / float(l * l - m * m));
+        float b = l > 1 ? sqrt(float((l - 1) * (l - 1) - m * m) / float(4 * (l - 1) * (l - 1) - 1)) : 0.0;
+        float next = a * (w.z * p - b * before);
+        before = p;
+        p = next;
+      }
+      int zonal = l * (l + 1);
+      sum += p * real * blockedNumber(zonal + m, place);
+      if (m > 0) sum += p * imaginary * blockedNumber(zonal - m, place);
+    }
+  }
+  return sum;
+}
+
+void main() {
+  lampVisibility = vec4(1.0);
+  vec3 n = normal * inversesqrt(max(dot(normal, normal), 1e-30));
+  for (int k = 0; k < lampCount; ++k) {
+    vec3 path = lamps[k] - position;
+    float d = max(length(path), 1e-15);
+    float open = openTowards(dot(n, path) / d);
+    float place = log(d / shellRange.x) * shellRange.y - shellRange.z;
+    if (open > 1e-4) lampVisibility[k] = clamp(1.0 - blockedTowards(path / d, place) / open, 0.0, 1.0);
+  }
+  gl_Position = vec4(0.0);
+}
