@@ -50,7 +50,7 @@ enum class Feature : int {
   NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
-constexpr int featureCount = 31;
+constexpr int featureCount = 32;
 
 class Features {
  public:
