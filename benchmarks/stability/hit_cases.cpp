@@ -59,21 +59,23 @@ double bandScale(std::size_t i) {
   return std::sqrt((2.0 * std::floor(std::sqrt(double(i) + 0.5)) + 1.0) / (4.0 * pi));
 }
 
-/// Means of (V - k) times direction and Y over a receiver's rays, and of |V - k|.
+/// Means of (V - k) times direction and Y over a receiver's rays, and of |V - k|; V of ray i is share(i), and
+/// k its mean.
 struct Projected {
-  double open = 0.0, magnitude = 0.0;
+  double mean = 0.0, magnitude = 0.0;
   glm::dvec3 direction{0.0};
   std::vector<double> sh;
 
-  Projected(const Cast& cast, std::size_t receiver, int order)
+  template <class Share>
+  Projected(const Cast& cast, std::size_t receiver, int order, const Share& share)
       : sh(static_cast<std::size_t>(order * order), 0.0) {
     const std::size_t first = receiver * cast.rays;
     std::vector<double> y(std::max<std::size_t>(1, sh.size()));
-    for (std::size_t j = 0; j < cast.rays; ++j) open += cast.open(first + j) / cast.rays;
+    for (std::size_t j = 0; j < cast.rays; ++j) mean += share(first + j) / cast.rays;
     for (std::size_t j = 0; j < cast.rays; ++j) {
       const Ray& ray = cast.ray[first + j];
       const glm::dvec3 d(ray.direction[0], ray.direction[1], ray.direction[2]);
-      const double weight = (cast.open(first + j) - open) / cast.rays;
+      const double weight = (share(first + j) - mean) / cast.rays;
       magnitude += std::abs(weight);
       direction += weight * d;
       if (order == 0) continue;
@@ -102,17 +104,60 @@ void compareProjection(const char* stress, const Cast& cast, int order, Growth g
   const auto n = static_cast<std::size_t>(order * order);
   Differences differences;
   for (std::size_t r = 0; r < cast.receivers; ++r) {
-    const Projected truth(cast, r, order);
+    const Projected truth(cast, r, order, [&](std::size_t i) { return cast.open(i); });
     const float* row = got.data() + r * (4 + n);
     // k, which all weights contain, is off by its own rounding: no error is relative to less than it is.
-    const double scale = std::max(truth.magnitude, truth.open);
-    differences.add(row[0], truth.open);
+    const double scale = std::max(truth.magnitude, truth.mean);
+    differences.add(row[0], truth.mean);
     for (int axis = 0; axis < 3; ++axis) differences.add(row[1 + axis], truth.direction[axis], scale);
     for (std::size_t i = 0; i < n; ++i) differences.add(row[4 + i], truth.sh[i], scale * bandScale(i));
   }
   trials.record(stress, differences,
                 (cast.rays / 8.0 + 8.0 + 8.0 * order) * unitRoundoff + sumBound(cast.rays),
                 std::move(growth));
+}
+
+std::vector<float> projectShells(const Cast& cast, int order, const std::vector<float>& starts,
+                                 Trials& trials) {
+  DeviceContext& device = trials.context();
+  const std::size_t shells = starts.size() + 1;
+  const CastParameters parameters = cast.parameters(0, 0);
+  const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
+  const Buffer<float> startBuffer(device, std::span<const float>(starts));
+  const Buffer<float> table(device, std::span<const float>(makeShTable(order)));
+  const Buffer<Ray> rays(device, std::span<const Ray>(cast.ray));
+  const Buffer<Hit> hits(device, std::span<const Hit>(cast.hit));
+  const Buffer<float> values(device, cast.receivers * shells * static_cast<std::size_t>(1 + order * order));
+  launchOnce(device, "project/shell_kernels.cl", BuildOptions().define("PRELIGHT_SH_ORDER", order),
+             "projectShells", cast.receivers * shells, parameterBuffer, static_cast<std::uint32_t>(shells),
+             startBuffer, table, rays, hits, values);
+  return values.read();
+}
+
+/// Hits as far as `reach`, told apart by shells that begin at a fifth, a half and all of it.
+void compareShells(const char* stress, double reach, int order, Trials& trials) {
+  Cast cast(64, reach);
+  cast.obscurance = 0.0f;
+  const std::vector<float> starts = {static_cast<float>(0.2 * reach), static_cast<float>(0.5 * reach),
+                                     static_cast<float>(reach)};
+  const std::vector<float> got = projectShells(cast, order, starts, trials);
+  const auto n = static_cast<std::size_t>(order * order);
+  Differences differences;
+  for (std::size_t item = 0; item < cast.receivers * (starts.size() + 1); ++item) {
+    const std::size_t receiver = item / (starts.size() + 1), shell = item % (starts.size() + 1);
+    const Projected truth(cast, receiver, order, [&](std::size_t i) {
+      const bool after = shell == 0 || cast.hit[i].t >= starts[shell - 1];
+      const bool before = shell == starts.size() || cast.hit[i].t < starts[shell];
+      return after && before ? 1.0 - cast.open(i) : 0.0;
+    });
+    const float* row = got.data() + item * (1 + n);
+    const double scale = std::max(truth.magnitude, truth.mean);
+    differences.add(row[0], truth.mean);
+    for (std::size_t i = 0; i < n; ++i) differences.add(row[1 + i], truth.sh[i], scale * bandScale(i));
+  }
+  trials.record(stress, differences,
+                (cast.rays / 8.0 + 8.0 + 8.0 * order) * unitRoundoff + sumBound(cast.rays),
+                {"order", double(order)});
 }
 
 void gather(const char* stress, double magnitude, bool white, std::uint32_t rayCount, Trials& trials) {
@@ -287,6 +332,10 @@ void runProjection(Trials& trials) {
     compareProjection("blocked and open rays", Cast(64, 0.0), order, growth, trials);
     compareProjection("obscurance of 1e-6 m", Cast(64, 1e-6), order, growth, trials);
     compareProjection("obscurance of 1e30 m", Cast(64, 1e30), order, growth, trials);
+    if (order == 0) continue;
+    compareShells("shells of distance", 1.0, order, trials);
+    compareShells("shells of 1e-6 m", 1e-6, order, trials);
+    compareShells("shells of 1e30 m", 1e30, order, trials);
   }
   for (const std::uint32_t rays : {8u, 32u, 128u, 256u})
     compareProjection("more rays", Cast(rays, 1.0), 3, {"rays", double(rays)}, trials);

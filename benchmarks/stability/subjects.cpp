@@ -152,7 +152,7 @@ std::vector<Subject> casting() {
        "means in double",
        "mean magnitude of V - k, at the greatest value of the band",
        std::string(sumRule) + "; some roundings a band",
-       {"project/project_kernels.cl:projectHits"},
+       {"project/project_kernels.cl:projectHits", "project/shell_kernels.cl:projectShells"},
        runProjection},
       {"bounces",
        Kernel,
