@@ -115,6 +115,7 @@ PRELIGHT_INLINE bool chooseLightAt(__constant const ReferenceParameters* p, uint
   const uint pair = depth * PRELIGHT_PAIRS_A_VERTEX;
   float chance = pathPoint(p, at.path, pair + PRELIGHT_PAIR_CANDIDATE).x;
   float sum = 0.0f, share = 0.0f;
+#pragma unroll 1  // compiling four copies takes longer than they save
   for (uint i = 0; i < PRELIGHT_LIGHT_CANDIDATES; ++i) {
     const uint2 choice = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_LIGHT, PRELIGHT_LIGHT_CANDIDATES, i);
     const uint2 place = finerPathBits(p, at.path, pair + PRELIGHT_PAIR_PLACE, PRELIGHT_LIGHT_CANDIDATES, i);
