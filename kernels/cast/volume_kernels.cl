@@ -1,6 +1,7 @@
 // Points in the air that look all around: a grid of voxels.
 // Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send.
 #include "bvh/alpha_funcs.cl"
+#include "core/lanes_funcs.cl"
 #include "core/sampling_block_funcs.cl"
 #include "project/sh_funcs.cl"
 #include "project/visibility_funcs.cl"
@@ -75,21 +76,12 @@ __kernel void projectVolume(__constant const CastParameters* parameters, __const
   for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) sum[i] = 0.0f;
   const bool mixed = open > 0.0f && open < (float)count;
   for (uint j = 0; mixed && j < count; j += 8) {
-    float x[8], y[8], z[8], weight[8];
-    for (int i = 0; i < 8; ++i) {
-      x[i] = rays[j + i].direction[0];
-      y[i] = rays[j + i].direction[1];
-      z[i] = rays[j + i].direction[2];
-      weight[i] = visibilityOf(parameters, hits[j + i]) - k;
-    }
-    accumulateSh(shTable, vload8(0, x), vload8(0, y), vload8(0, z), vload8(0, weight), sum);
+    float weights[8];
+    for (int i = 0; i < 8; ++i) weights[i] = visibilityOf(parameters, hits[j + i]) - k;
+    accumulateRays(shTable, rays + j, weights, sum);
   }
   values[0] = inside ? 1.0f : 0.0f;
-  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) {
-    const float4 a = sum[i].lo + sum[i].hi;
-    const float2 b = a.lo + a.hi;
-    values[1 + i] = (b.x + b.y) / (float)count;
-  }
+  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) values[1 + i] = sumOf(sum[i]) / (float)count;
   values[1] += 0.28209479177387814f * k;  // Y_00 = 1 / sqrt(4 pi), the only one whose mean is not 0
 }
 

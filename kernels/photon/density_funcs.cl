@@ -7,6 +7,7 @@
 #ifndef PRELIGHT_PHOTON_DENSITY_FUNCS_CL
 #define PRELIGHT_PHOTON_DENSITY_FUNCS_CL
 
+#include "core/lanes_funcs.cl"
 #include "photon/kernel_area_funcs.cl"
 
 #ifndef PRELIGHT_DENSITY_NEAREST
@@ -97,12 +98,6 @@ float8 kernelWeights(float8 squared) {
 #else
   return fmax(1.0f - squared, 0.0f);
 #endif
-}
-
-float sumOf(float8 x) {
-  const float4 four = x.lo + x.hi;
-  const float2 two = four.lo + four.hi;
-  return two.x + two.y;
 }
 
 // K of a block's photons, 0 for those that do not count within the squared radius r2.

@@ -1,5 +1,6 @@
 // Projectors: the hits of a receiver become ambient occlusion, bent normal and SH transfer.
 // Option: PRELIGHT_SH_ORDER, 0 when no SH is asked for.
+#include "core/lanes_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
@@ -11,12 +12,6 @@
 #if PRELIGHT_SH_ORDER > 0
 #include "project/sh_funcs.cl"
 #endif
-
-float sum8(float8 v) {
-  const float4 a = v.lo + v.hi;
-  const float2 b = a.lo + a.hi;
-  return b.x + b.y;
-}
 
 // Visibility of eight rays: 1 open, 0 blocked.
 float8 openLanes(__constant const CastParameters* parameters, __global const Hit* hits) {
@@ -69,10 +64,10 @@ __kernel void projectHits(__constant const CastParameters* parameters, __constan
 #endif
   }
   values[0] = k;
-  values[1] = sum8(sumX) * scale;
-  values[2] = sum8(sumY) * scale;
-  values[3] = sum8(sumZ) * scale;
+  values[1] = sumOf(sumX) * scale;
+  values[2] = sumOf(sumY) * scale;
+  values[3] = sumOf(sumZ) * scale;
 #if PRELIGHT_SH_ORDER > 0
-  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) values[4 + i] = sum8(sum[i]) * scale;
+  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) values[4 + i] = sumOf(sum[i]) * scale;
 #endif
 }

@@ -6,6 +6,8 @@
 #ifndef PRELIGHT_PROJECT_SH_FUNCS_CL
 #define PRELIGHT_PROJECT_SH_FUNCS_CL
 
+#include "shared/ray_types.h"
+
 // sum[i] += weight x Y_i(x, y, z) for all PRELIGHT_SH_ORDER^2 functions. table: see host/basis/sh_table.h.
 void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, float8 weight, float8* sum) {
   float8 cosine = weight;  // weight x sin^m(theta) cos(m phi)
@@ -31,6 +33,17 @@ void accumulateSh(__constant const float* table, float8 x, float8 y, float8 z, f
       if (m > 0) sum[l * (l + 1) - m] += value * sine;
     }
   }
+}
+
+// The same for the directions of eight rays, each with its weight.
+void accumulateRays(__constant const float* table, __global const Ray* rays, const float* weights, float8* sum) {
+  float x[8], y[8], z[8];
+  for (int i = 0; i < 8; ++i) {
+    x[i] = rays[i].direction[0];
+    y[i] = rays[i].direction[1];
+    z[i] = rays[i].direction[2];
+  }
+  accumulateSh(table, vload8(0, x), vload8(0, y), vload8(0, z), vload8(0, weights), sum);
 }
 
 // values[i] = Y_i(w) for all PRELIGHT_SH_ORDER^2 functions.

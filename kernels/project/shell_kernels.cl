@@ -1,6 +1,7 @@
 // Hits by distance: what blocks the light of lamps that are farther than a shell of distances.
 // Option: PRELIGHT_SH_ORDER, at least 1.
 #include "core/inline.h"
+#include "core/lanes_funcs.cl"
 #include "project/sh_funcs.cl"
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
@@ -41,19 +42,10 @@ __kernel void projectShells(__constant const CastParameters* parameters, uint sh
   for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) sum[i] = 0.0f;
   const bool mixed = blocked > 0.0f && blocked < (float)count;
   for (uint j = 0; mixed && j < count; j += 8) {
-    float x[8], y[8], z[8], weight[8];
-    for (int i = 0; i < 8; ++i) {
-      x[i] = rays[j + i].direction[0];
-      y[i] = rays[j + i].direction[1];
-      z[i] = rays[j + i].direction[2];
-      weight[i] = blockedWithin(parameters, hits[j + i], from, before) - k;
-    }
-    accumulateSh(shTable, vload8(0, x), vload8(0, y), vload8(0, z), vload8(0, weight), sum);
+    float weights[8];
+    for (int i = 0; i < 8; ++i) weights[i] = blockedWithin(parameters, hits[j + i], from, before) - k;
+    accumulateRays(shTable, rays + j, weights, sum);
   }
   values[0] = k;
-  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) {
-    const float4 half8 = sum[i].lo + sum[i].hi;
-    const float2 half4 = half8.lo + half8.hi;
-    values[1 + i] = (half4.x + half4.y) * scale;
-  }
+  for (int i = 0; i < PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER; ++i) values[1 + i] = sumOf(sum[i]) * scale;
 }

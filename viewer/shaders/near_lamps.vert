@@ -1,5 +1,7 @@
 #version 410 core
 // How much of the light of near lamps arrives at a vertex: lampVisibility() of host/transfer/near_lamps.h.
+#include "sh_steps.glsl"
+
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
@@ -37,32 +39,16 @@ float blockedNumber(int i, float place) {
   return sum;
 }
 
-// The recurrences of deltaThroughSeries().
 float blockedTowards(vec3 w, float place) {
   float sum = 0.0;
-  float real = 1.0;
-  float imaginary = 0.0;
-  float sectoral = 0.282094792;  // sqrt(1 / (4 pi))
+  ShSteps s = beginSh();
   for (int m = 0; m < shellShape.x; ++m) {
-    if (m > 0) {
-      float next = real * w.x - imaginary * w.y;
-      imaginary = imaginary * w.x + real * w.y;
-      real = next;
-      sectoral *= sqrt(float(2 * m + 1) / float(2 * m));
-    }
-    float before = 0.0;
-    float p = m > 0 ? 1.41421356 * sectoral : sectoral;
+    stepToSector(s, m, w);
     for (int l = m; l < shellShape.x; ++l) {
-      if (l > m) {
-        float a = sqrt(float(4 * l * l - 1) / float(l * l - m * m));
-        float b = l > 1 ? sqrt(float((l - 1) * (l - 1) - m * m) / float(4 * (l - 1) * (l - 1) - 1)) : 0.0;
-        float next = a * (w.z * p - b * before);
-        before = p;
-        p = next;
-      }
+      if (l > m) stepToBand(s, l, m, w);
       int zonal = l * (l + 1);
-      sum += p * real * blockedNumber(zonal + m, place);
-      if (m > 0) sum += p * imaginary * blockedNumber(zonal - m, place);
+      sum += s.p * s.real * blockedNumber(zonal + m, place);
+      if (m > 0) sum += s.p * s.imaginary * blockedNumber(zonal - m, place);
     }
   }
   return sum;

@@ -1,4 +1,4 @@
-// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl and lights.glsl, whose
+// Light through baked diffuse transfer at a vertex, to be multiplied by the albedo; needs frame.glsl, sh_steps.glsl and lights.glsl, whose
 // lights are those that the transfer is evaluated for vertex by vertex.
 uniform int transferForm;         // TransferForm of drawn_transfer.h
 uniform ivec4 transferShape;      // x: numbers a row, y: channels, z: order of SH or CH, 0: neither
@@ -29,34 +29,18 @@ vec3 transferNumber(int base, int i, int l) {
   return t;
 }
 
-// What the transfer leaves of a light of irradiance 1 from a direction. Values of SH by the recurrences of
-// host/basis/sh_evaluate.cpp, an m at a time so that nothing of the size of order squared is kept; they become moments
-// of CH by one triangular product an m.
+// What the transfer leaves of a light of irradiance 1 from a direction. Values of SH become moments of CH by one
+// triangular product an m.
 vec3 deltaThroughSeries(int base, vec3 w) {
   int order = transferShape.z;
   float values[maxTransferOrder];
   vec3 sum = vec3(0.0);
-  float real = 1.0;
-  float imaginary = 0.0;
-  float sectoral = 0.282094792;  // sqrt(1 / (4 pi))
+  ShSteps s = beginSh();
   for (int m = 0; m < order; ++m) {
-    if (m > 0) {
-      float next = real * w.x - imaginary * w.y;
-      imaginary = imaginary * w.x + real * w.y;
-      real = next;
-      sectoral *= sqrt(float(2 * m + 1) / float(2 * m));
-    }
-    float before = 0.0;
-    float p = m > 0 ? 1.41421356 * sectoral : sectoral;
+    stepToSector(s, m, w);
     for (int l = m; l < order; ++l) {
-      if (l > m) {
-        float a = sqrt(float(4 * l * l - 1) / float(l * l - m * m));
-        float b = l > 1 ? sqrt(float((l - 1) * (l - 1) - m * m) / float(4 * (l - 1) * (l - 1) - 1)) : 0.0;
-        float next = a * (w.z * p - b * before);
-        before = p;
-        p = next;
-      }
-      float windowed = texelFetch(transferLight, l * (l + 1)).w * p;
+      if (l > m) stepToBand(s, l, m, w);
+      float windowed = texelFetch(transferLight, l * (l + 1)).w * s.p;
       values[l] = windowed;
       float value = windowed;
       if (transferIsCh != 0) {
@@ -65,8 +49,8 @@ vec3 deltaThroughSeries(int base, vec3 w) {
         for (int k = l; k >= m; k -= 2) value += texelFetch(chBasis, row + k).x * values[k];
       }
       int zonal = l * (l + 1);
-      sum += value * real * transferNumber(base, zonal + m, l);
-      if (m > 0) sum += value * imaginary * transferNumber(base, zonal - m, l);
+      sum += value * s.real * transferNumber(base, zonal + m, l);
+      if (m > 0) sum += value * s.imaginary * transferNumber(base, zonal - m, l);
     }
   }
   return sum;

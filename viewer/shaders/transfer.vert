@@ -3,6 +3,7 @@
 #include "frame.glsl"
 #include "variant.glsl"
 #include "lights.glsl"
+#include "sh_steps.glsl"
 #include "transfer.glsl"
 
 layout(location = 0) in vec3 position;
