@@ -85,7 +85,9 @@ HeadlessWindow::HeadlessWindow(WindowStage& stage, Shading shading, const Window
       renderer_(inputs_),
       light_(stage.live ? std::make_unique<viewer::LiveFollower>(*stage.live, stage.globalIllumination)
                         : nullptr),
-      follower_(renderer_, moved_, light_.get()),
+      follower_(
+          renderer_, moved_,
+          light_ ? std::vector<viewer::LightFollower*>{light_.get()} : std::vector<viewer::LightFollower*>{}),
       picture_(renderer_, samplesPerAxis),
       screen_(std::make_unique<Screen>(settings.width, settings.height)),
       controls_(viewOf(inputs_, shading, settings), stage.scene.compiled, [](Shading) { return true; }) {

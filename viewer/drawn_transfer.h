@@ -99,6 +99,9 @@ class DrawnTransfer {
   /// The scene's vertices are at other places. True where light() has to be called for it.
   virtual bool verticesMoved() { return false; }
 
+  /// Replaces the irradiance that it shows, W/m2, [vertex]. False where it shows none.
+  virtual bool replaceIrradiance(std::span<const glm::vec3> /*irradiance*/) { return false; }
+
   /// True where what light() makes ready is for one place of the eye.
   virtual bool dependsOnEye(const Illumination&) const { return false; }
 

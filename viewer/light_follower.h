@@ -4,7 +4,7 @@
 #include <span>
 
 #include "prelight/scene.h"
-#include "viewer/caustic_pass.h"
+#include "viewer/shading.h"
 
 namespace prelight::viewer {
 
@@ -24,23 +24,28 @@ struct FollowedView {
   double skyRotation = 0.0;           ///< radians about +Y
 };
 
-/// Indirect light and caustics of global illumination that follow what moves, while a window is open.
+/// Whether two lights of one place in a list shine alike.
+bool shinesAs(const Light& a, const Light& b);
+
+class Renderer;
+
+/// Light that follows what moves while a window is open.
 class LightFollower {
  public:
   virtual ~LightFollower() = default;
 
-  /// Called before every frame of global illumination: does a frame's share of the work. True: there is new
-  /// light. While it returns false nothing is drawn unless the view changes. OpenGL's state stays as it is.
+  /// The shading whose light it is.
+  virtual Shading shading() const = 0;
+
+  /// Called before every frame of that shading: does a frame's share of the work. True: there is new light.
+  /// While it returns false nothing is drawn unless the view changes. OpenGL's state stays as it is.
   virtual bool update(const FollowedView& view) = 0;
 
   /// False: further calls of update() would bring more, though nothing changes.
   virtual bool settled() const { return true; }
 
-  /// W/m2, [y][x][channel 3] of the light map that the window was opened with.
-  virtual std::span<const float> indirect() const = 0;
-
-  /// The photons stay until the next update().
-  virtual Caustics caustics() const = 0;
+  /// Hands the light over that update() found.
+  virtual void show(Renderer& renderer) const = 0;
 };
 
 }  // namespace prelight::viewer

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "viewer/renderer.h"
+
 namespace prelight::viewer {
-
-namespace {
-
-bool same(const Light& a, const Light& b) {
-  return a.type == b.type && a.intensity == b.intensity && a.position == b.position &&
-         a.direction == b.direction && a.range == b.range && a.innerConeAngle == b.innerConeAngle &&
-         a.outerConeAngle == b.outerConeAngle && a.profile == b.profile && a.side == b.side;
-}
-
-}  // namespace
 
 LiveFollower::LiveFollower(LiveLight& live, const GlobalIllumination& start)
     : live_(live), map_(start.indirect), photons_(start.photons), filter_(start.caustics.filter) {}
@@ -28,7 +20,7 @@ void LiveFollower::tell(const FollowedView& view) {
   // Where the window has them, also those that hang on nodes that have moved.
   const std::size_t known = live_.scene().compiled().lights.size();
   for (std::size_t i = 0; i < std::min(view.lights.size(), known); ++i)
-    if (!same(view.lights[i], live_.scene().compiled().lights[i])) live_.setLight(i, view.lights[i]);
+    if (!shinesAs(view.lights[i], live_.scene().compiled().lights[i])) live_.setLight(i, view.lights[i]);
   if (view.skyRotation != live_.skyRotation()) live_.setSkyRotation(view.skyRotation);
 }
 
@@ -42,6 +34,11 @@ bool LiveFollower::update(const FollowedView& view) {
   }
   if (frame_.causticsChanged) photons_ = live_.caustics();
   return frame_.shownChanged || frame_.causticsChanged;
+}
+
+void LiveFollower::show(Renderer& renderer) const {
+  renderer.updateIndirect(indirect());
+  renderer.updateCaustics(caustics());
 }
 
 }  // namespace prelight::viewer

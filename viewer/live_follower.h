@@ -4,20 +4,28 @@
 
 #include "gi/global_illumination.h"
 #include "gi/update/live_light.h"
+#include "viewer/caustic_pass.h"
 #include "viewer/light_follower.h"
 
 namespace prelight::viewer {
 
-/// Live light as a window's light: what is dragged and turned there is told to it, a frame at a time.
+/// Live light as a window's indirect light and caustics of full shading: what is dragged and turned there is
+/// told to it, a frame at a time.
 class LiveFollower final : public LightFollower {
  public:
   /// `start`: illuminationOf(live), whose filter of caustics stays. Both outlive it.
   LiveFollower(LiveLight& live, const GlobalIllumination& start);
 
+  Shading shading() const override { return Shading::GlobalIllumination; }
   bool update(const FollowedView& view) override;
   bool settled() const override { return live_.settled(); }
-  std::span<const float> indirect() const override { return map_.values; }
-  Caustics caustics() const override { return {photons_, filter_}; }
+  void show(Renderer& renderer) const override;
+
+  /// W/m2, [y][x][channel 3] of the light map that the window was opened with.
+  std::span<const float> indirect() const { return map_.values; }
+
+  /// The photons stay until the next update().
+  Caustics caustics() const { return {photons_, filter_}; }
 
   /// What the last update did.
   const LiveFrame& frame() const { return frame_; }

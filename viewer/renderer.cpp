@@ -123,6 +123,17 @@ void Renderer::updateCaustics(const Caustics& caustics) {
     caustics_->update(caustics, compiled_);
 }
 
+void Renderer::updateIrradiance(std::span<const glm::vec3> irradiance) {
+  if (!canShade(Shading::Radiosity))
+    throw Error(ExitCode::RuntimeFailure, "irradiance", "the bake has no radiosity that it could replace",
+                "bake with --radiosity");
+  if (irradiance.size() != compiled_.vertexCount())
+    throw Error(ExitCode::RuntimeFailure, "irradiance",
+                std::to_string(irradiance.size()) + " values; one for each of the scene's " +
+                    std::to_string(compiled_.vertexCount()) + " vertices is needed");
+  drawnOf(Shading::Radiosity).transfer->replaceIrradiance(irradiance);
+}
+
 bool Renderer::isBehind() const {
   return globalIllumination_ != nullptr &&
          (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
@@ -180,6 +191,13 @@ Illumination Renderer::illuminationOf(const View& view) {
   return light;
 }
 
+Renderer::Drawn& Renderer::drawnOf(Shading shading) {
+  Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
+  if (!drawn.isMade) drawn.transfer = makeDrawnTransfer(shading, inputs_, lobe_);
+  drawn.isMade = true;
+  return drawn;
+}
+
 const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination& light) {
   if (!canShade(view.shading)) {
     const ShadingInfo& info = infoOf(view.shading);
@@ -194,8 +212,7 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
     globalIllumination().light(light);
     return &globalIllumination();
   }
-  Drawn& drawn = drawn_[static_cast<std::size_t>(view.shading)];
-  if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
+  Drawn& drawn = drawnOf(view.shading);
   Illumination seen = light;
   if (drawn.transfer != nullptr && drawn.transfer->dependsOnEye(light)) seen.eye = eyeOf(view);
   if (drawn.isStale || drawn.light != seen) {

@@ -47,6 +47,10 @@ class Renderer {
   /// Replaces the caustics of global illumination.
   void updateCaustics(const Caustics& caustics);
 
+  /// Replaces the irradiance of radiosity shading, W/m2, [vertex]; light in an encoding stays as it is.
+  /// Throws Error for another number of values, and when the bake has no radiosity.
+  void updateIrradiance(std::span<const glm::vec3> irradiance);
+
   /// Vertices of the scene are at other places, with normals as they were: draws them there from now on.
   /// Baked light stays as it is.
   void sceneMoved();
@@ -88,11 +92,20 @@ class Renderer {
   const CausticPass* caustics() const { return caustics_.get(); }
 
  private:
+  /// A technique in OpenGL and the light that it was last lit by.
+  struct Drawn {
+    std::unique_ptr<DrawnTransfer> transfer;  ///< nullptr where the shading has none
+    std::optional<Illumination> light;
+    bool isMade = false;   ///< `transfer` is what it should be
+    bool isStale = false;  ///< the scene has moved
+  };
+
   void passed(FramePass pass) const {
     if (observer_) observer_(pass);
   }
   OccluderEye eyeOf(const View& view) const;
   Illumination illuminationOf(const View& view);
+  Drawn& drawnOf(Shading shading);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
   std::vector<ShadedLight> shownLights(const View& view, const Illumination& light) const;
@@ -123,13 +136,6 @@ class Renderer {
                           const std::vector<const Batch*>& opaque);
   void makeCaustics(const Caustics& caustics);
   void bindTextures(const View& view) const;
-
-  /// A technique in OpenGL and the light that it was last lit by.
-  struct Drawn {
-    std::unique_ptr<DrawnTransfer> transfer;
-    std::optional<Illumination> light;
-    bool isStale = false;  ///< the scene has moved
-  };
 
   RenderInputs inputs_;
   const CompiledScene& compiled_;

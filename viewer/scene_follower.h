@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "viewer/light_follower.h"
 #include "viewer/moved_scene.h"
 #include "viewer/renderer.h"
@@ -9,9 +12,9 @@ namespace prelight::viewer {
 /// What follows a view besides its picture: places of nodes, and light that is computed all the while.
 class SceneFollower {
  public:
-  /// Everything outlives it; `light` nullptr: it stays as it is.
-  SceneFollower(Renderer& renderer, MovedScene& scene, LightFollower* light)
-      : renderer_(renderer), scene_(scene), light_(light) {}
+  /// Everything outlives it. Light of shadings without a follower stays as it is.
+  SceneFollower(Renderer& renderer, MovedScene& scene, std::vector<LightFollower*> lights)
+      : renderer_(renderer), scene_(scene), lights_(std::move(lights)) {}
 
   /// True when the picture is out of date for it.
   bool update(const View& view);
@@ -20,9 +23,11 @@ class SceneFollower {
   bool isBusy(const View& view) const;
 
  private:
+  LightFollower* followerOf(Shading shading) const;
+
   Renderer& renderer_;
   MovedScene& scene_;
-  LightFollower* light_;
+  std::vector<LightFollower*> lights_;
 };
 
 }  // namespace prelight::viewer

@@ -237,7 +237,7 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   MovedScene moved(inputs.scene, inputs.compiled);
   const ViewerInputs shown = inputs.movedTo(moved.scene());
   Renderer renderer(shown, options.render.lobe);
-  SceneFollower follower(renderer, moved, options.follower);
+  SceneFollower follower(renderer, moved, options.followers);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "viewer/light_follower.h"
 #include "viewer/render.h"
@@ -16,7 +17,7 @@ using ViewerInputs = RenderInputs;
 struct ViewerOptions {
   RenderOptions render;  ///< first view; width and height are the window's, in pixels
   std::string title = "prelight";
-  LightFollower* follower = nullptr;  ///< of global illumination; nullptr: its light stays as it is
+  std::vector<LightFollower*> followers;  ///< of shadings whose light does not stay as it is
   int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
   /// Factor of radiance in the window and in .png screenshots; none: metered from the first view.
   std::optional<double> exposure = 1.0;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/following_radiosity.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
 #include "cli/report.h"
@@ -59,7 +60,9 @@ void runView(const ViewCommand& command, Context& context) {
   };
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following)
-    options.follower = &follower.emplace(*shaded.following->light, *shaded.globalIllumination);
+    options.followers.push_back(&follower.emplace(*shaded.following->light, *shaded.globalIllumination));
+  const auto radiosity = followingRadiosity(session, command.picture, shaded);
+  if (radiosity != nullptr) options.followers.push_back(&radiosity->follower);
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   nlohmann::ordered_json report = {{"command", "view"},

@@ -41,7 +41,7 @@ ExchangeSolver::ExchangeSolver(const ExchangeSystem& system)
 void ExchangeSolver::setDirect(const std::vector<glm::vec4>& direct) {
   direct_.write(std::span<const glm::vec4>(direct));
   directNorm_ = norm(direct_);
-  if (!started_) restart();
+  if (!started_ || directNorm_ <= 0.0) restart();
 }
 
 void ExchangeSolver::restart() {

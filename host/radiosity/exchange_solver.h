@@ -24,7 +24,7 @@ class ExchangeSolver {
   explicit ExchangeSolver(const ExchangeSystem& system);
 
   /// Direct light of every element, W/m2, w unused. The irradiance keeps its last value as a start; the first
-  /// one is the direct light.
+  /// one is the direct light, and so is the one without any light.
   void setDirect(const std::vector<glm::vec4>& direct);
 
   /// Starts from the direct light again.

@@ -88,11 +88,11 @@ std::vector<glm::vec4> Radiosity::emissionThroughRows(std::vector<float>& share)
 
 /// Means of the points that count. Of many emitters the form factors know more than few shadow rays, wherever
 /// enough of the element's rays have met them.
-void Radiosity::sumPoints(const std::vector<PointIrradiance>& points) {
+void Radiosity::sumPoints(const std::vector<PointIrradiance>& points, bool manyEmitters) {
   const std::uint32_t perElement = directLight_->pointsPerElement();
   std::vector<float> share;
   std::vector<glm::vec4> carried;
-  if (directLight_->manyEmitters()) carried = emissionThroughRows(share);
+  if (manyEmitters) carried = emissionThroughRows(share);
   directPoints_.assign(points.size(), glm::vec4(0.0f));
   pointMeans_.assign(factors_.elementCount(), glm::vec4(0.0f));
   directElements_ = pointMeans_;
@@ -114,10 +114,26 @@ void Radiosity::sumPoints(const std::vector<PointIrradiance>& points) {
   }
 }
 
+/// Emissive triangles stay where they are: their light is found once.
+std::vector<PointIrradiance> Radiosity::estimateDirect(const RadiosityLights& lights, Progress& progress) {
+  RadiosityLights unknown = lights;
+  unknown.emitters = lights.emitters && !emitters_;
+  directLight_->setLights(unknown);
+  std::vector<PointIrradiance> points = directLight_->estimate(lit_, progress);
+  if (!lights.emitters) return points;
+  if (!emitters_) {
+    emitters_.emplace();
+    emitters_->areMany = directLight_->manyEmitters();
+    for (const PointIrradiance& point : points) emitters_->points.push_back(point.emitters);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].emitters = emitters_->points[i];
+  return points;
+}
+
 void Radiosity::setLights(const RadiosityLights& lights, Progress& progress) {
   const auto start = Clock::now();
-  directLight_->setLights(lights);
-  sumPoints(directLight_->estimate(lit_, progress));
+  const std::vector<PointIrradiance> points = estimateDirect(lights, progress);
+  sumPoints(points, lights.emitters && emitters_->areMany);
   solver_->setDirect(directElements_);
   report_.directRays = directLight_->rays();
   report_.directSeconds += secondsSince(start);

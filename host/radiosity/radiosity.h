@@ -66,9 +66,16 @@ class Radiosity {
  private:
   void makeRows();
   std::vector<glm::vec4> emissionThroughRows(std::vector<float>& share) const;
-  void sumPoints(const std::vector<PointIrradiance>& points);
+  std::vector<PointIrradiance> estimateDirect(const RadiosityLights& lights, Progress& progress);
+  void sumPoints(const std::vector<PointIrradiance>& points, bool manyEmitters);
   std::vector<float> fitDirect(const FitMesh& mesh, double meanArea) const;
   std::vector<float> fitIndirect(const FitMesh& mesh, double meanArea) const;
+
+  /// Light of emissive triangles.
+  struct EmittersLight {
+    bool areMany = false;           ///< DirectLight::manyEmitters
+    std::vector<glm::vec4> points;  ///< PointIrradiance::emitters, [of lit_][point]
+  };
 
   const CompiledScene& scene_;
   Tracer& tracer_;
@@ -79,6 +86,7 @@ class Radiosity {
   std::vector<std::uint32_t> lit_;    ///< elements that have points that count
   std::vector<std::uint32_t> valid_;  ///< parallel to lit_: ExchangeCounts::valid
   std::optional<DirectLight> directLight_;
+  std::optional<EmittersLight> emitters_;  ///< none: not found yet
   std::vector<glm::vec4> directPoints_;    ///< [of lit_][point], without what rows carry
   std::vector<glm::vec4> pointMeans_;      ///< [element], of those
   std::vector<glm::vec4> directElements_;  ///< [element]

@@ -11,19 +11,6 @@ namespace prelight {
 
 namespace {
 
-RadiosityOptions optionsOf(const CompiledScene& scene, const BakeRequest& request) {
-  const RadiosityScale scale = radiosityScale(scene, request);
-  checkRadiosityMemory(scale, request);
-  RadiosityOptions options;
-  options.patchSize = scale.patchSize;
-  options.raysPerElement = scale.rays;
-  options.seed = request.seed;
-  options.maxMemory = request.memory();
-  options.method = request.radiosity.method;
-  options.tolerance = request.radiosity.tolerance;
-  return options;
-}
-
 std::string noteOf(const RadiosityReport& report) {
   return fmt::format(
       "radiosity: {} elements of at most {:.3g} m, {:.0f} form factors a row, {} iterations of {} to a "
@@ -37,8 +24,21 @@ std::string noteOf(const RadiosityReport& report) {
 
 }  // namespace
 
+RadiosityOptions radiosityOptions(const CompiledScene& scene, const BakeRequest& request) {
+  const RadiosityScale scale = radiosityScale(scene, request);
+  checkRadiosityMemory(scale, request);
+  RadiosityOptions options;
+  options.patchSize = scale.patchSize;
+  options.raysPerElement = scale.rays;
+  options.seed = request.seed;
+  options.maxMemory = request.memory();
+  options.method = request.radiosity.method;
+  options.tolerance = request.radiosity.tolerance;
+  return options;
+}
+
 RadiosityBake::RadiosityBake(const CompiledScene& scene, const BakeRequest& request, Tracer& tracer)
-    : scene_(scene), request_(request), radiosity_(scene, tracer, optionsOf(scene, request)) {}
+    : scene_(scene), request_(request), radiosity_(scene, tracer, radiosityOptions(scene, request)) {}
 
 std::vector<glm::vec3> RadiosityBake::run(const FitMesh& mesh, Progress& progress, BakeReport& report) {
   radiosity_.cast(progress);

@@ -8,6 +8,10 @@
 
 namespace prelight {
 
+/// How a bake solves for radiosity. Throws Error (OutOfMemory) where even the least rays would find more form
+/// factors than the request's memory holds.
+RadiosityOptions radiosityOptions(const CompiledScene& scene, const BakeRequest& request);
+
 /// The radiosity of a bake: Bake::irradiance under the scene's own lights and the request's sky.
 class RadiosityBake {
  public:

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "cli/picture_options.h"
+#include "radiosity/live_radiosity.h"
+#include "viewer/radiosity_follower.h"
+
+namespace prelight::cli {
+
+/// Radiosity that follows the lights of a window.
+struct FollowingRadiosity {
+  LiveRadiosity live;
+  viewer::RadiosityFollower follower;
+
+  FollowingRadiosity(const ShadedScene& shaded, const BakeRequest& request, const DeviceOptions& device,
+                     RadiosityLights shown);
+};
+
+/// For a scene whose bake holds radiosity; nullptr for others, and, with a warning, where memory does not
+/// hold the form factors. `shaded` outlives it. Computes nothing before a light changes.
+std::unique_ptr<FollowingRadiosity> followingRadiosity(Session& session, const PictureOptions& options,
+                                                       const ShadedScene& shaded);
+
+}  // namespace prelight::cli
