@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <mutex>
 
 #include "device/context.h"
 #include "device/opencl_context.h"
@@ -48,7 +49,10 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int 
   return info;
 }
 
+/// Loaders and platforms set themselves up at the first question; not all stand two of them at a time.
 std::vector<FoundDevice> findDevices() {
+  static std::mutex asking;
+  const std::lock_guard lock(asking);
   std::vector<FoundDevice> found;
   std::vector<cl::Platform> platforms;
   try {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
+#include <thread>
+#include <vector>
 
 #include "device/buffer.h"
 #include "device/context.h"
@@ -39,6 +42,20 @@ TEST(Device, UnknownSelector_IsAnErrorThatListsWhatThereIs) {
       EXPECT_NE(std::string(error.what()).find(listDevices()[0].name), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(Device, OpenedByManyThreadsAtOnce_WorksInEach) {
+  // Of use as the first test of its process alone, as CTest runs it: loaders set themselves up once.
+  std::atomic<int> opened = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 8; ++i)
+      threads.emplace_back([&] {
+        const Device device = Device::open({});
+        opened += device.info().name.empty() ? 0 : 1;
+      });
+  }
+  EXPECT_EQ(opened, 8);
 }
 
 TEST(Device, SelfTest_PassesOnEveryDevice) {
