@@ -2,9 +2,11 @@
 
 namespace prelight::viewer {
 
-LightSamples::LightSamples(const CompiledScene& scene) { setScene(scene); }
+LightSamples::LightSamples(const CompiledScene& scene) : bodies_(glowingBodies(scene)) { setScene(scene); }
 
-void LightSamples::setScene(const CompiledScene& scene) { emitters_ = sampleEmitters(scene, emitterCount); }
+void LightSamples::setScene(const CompiledScene& scene) {
+  emitters_ = sampleEmitters(scene, bodies_, emitterCount);
+}
 
 std::vector<ShadedLight> LightSamples::of(bool emitters, const Environment* sky, double rotation) {
   std::vector<ShadedLight> samples;

@@ -24,6 +24,7 @@ class LightSamples {
   std::vector<ShadedLight> of(bool emitters, const Environment* sky, double rotation);
 
  private:
+  std::vector<BodySide> bodies_;  ///< glowingBodies()
   std::vector<ShadedLight> emitters_;
   std::vector<SkyLight> skyLights_;
   const Environment* cutSky_ = nullptr;

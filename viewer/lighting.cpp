@@ -24,16 +24,20 @@ struct Emitter {
   std::uint32_t triangle = 0;
   double area = 0.0;
   double power = 0.0;  ///< area x luminance, what decides how many samples it gets
+  BodySide side = BodySide::Unclear;
 };
 
-std::vector<Emitter> findEmitters(const CompiledScene& scene) {
+std::vector<Emitter> findEmitters(const CompiledScene& scene, std::span<const BodySide> bodies) {
   std::vector<Emitter> emitters;
+  std::size_t primitive = 0;
   for (std::uint32_t t = 0; t < scene.triangleCount(); ++t) {
+    while (primitive + 1 < bodies.size() && scene.primitives[primitive + 1].firstTriangle <= t) ++primitive;
     const CompiledMaterial& material = scene.materials[scene.triangleMaterials[t]];
     const double shine = luminance(material.emission);
     if (!(shine > 0.0)) continue;
     const double area = 0.5 * glm::length(geometricNormal(scene, t));
-    if (area > 0.0) emitters.push_back({t, area, area * shine});
+    if (area > 0.0)
+      emitters.push_back({t, area, area * shine, bodies.empty() ? BodySide::Unclear : bodies[primitive]});
   }
   return emitters;
 }
@@ -119,8 +123,9 @@ IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
   return incident;
 }
 
-std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {
-  const std::vector<Emitter> emitters = findEmitters(scene);
+std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,
+                                        int count) {
+  const std::vector<Emitter> emitters = findEmitters(scene, bodies);
   double total = 0.0;
   for (const Emitter& emitter : emitters) total += emitter.power;
   std::vector<ShadedLight> samples;
@@ -141,8 +146,9 @@ std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count) {
     sample.intensity = material.emission;
     sample.position = point;
     sample.direction = glm::normalize(geometricNormal(scene, emitter.triangle));
+    if (emitter.side == BodySide::Inside) sample.direction = -sample.direction;
     sample.area = static_cast<float>(total / count * emitter.area / emitter.power);
-    sample.twoSided = material.doubleSided;
+    sample.twoSided = material.doubleSided && emitter.side == BodySide::Unclear;
     sample.isSample = true;
     samples.push_back(sample);
   }

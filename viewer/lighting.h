@@ -11,6 +11,7 @@
 #include "prelight/error.h"
 #include "prelight/picture.h"
 #include "prelight/scene.h"
+#include "scene/closed_bodies.h"
 
 /// What lights a picture, ready for the shaders. Conventions of the lights' maths:
 /// - a point light of intensity I gives E = I cos / r^2, cut off at its range as in KHR_lights_punctual, and
@@ -75,8 +76,10 @@ device::OccluderLight occluderLight(const ShadedLight& light);
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point);
 
 /// At most `count` samples of the emissive triangles by emitted power, spread evenly over them: the same for
-/// the same scene. Empty when nothing emits.
-std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, int count);
+/// the same scene. Empty when nothing emits. `bodies`: glowingBodies() of the scene; without shadows, the
+/// inner sides of a closed lamp would shine through it.
+std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,
+                                        int count);
 
 /// Factor of a band of a delta light's coefficients (see above).
 double deltaWindow(int band, int order);

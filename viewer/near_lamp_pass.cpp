@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -23,6 +24,67 @@ std::vector<std::uint16_t> paddedRows(const NearLampTransfer& transfer) {
     std::copy_n(transfer.halves.begin() + static_cast<std::ptrdiff_t>(row * length), length,
                 texels.begin() + static_cast<std::ptrdiff_t>(row * padded));
   return texels;
+}
+
+/// Samples of emissive surfaces that are neighbours.
+using SampleGroup = std::vector<ShadedLight*>;
+
+/// Squared extent of the box around a group over the surface that it stands for, above which one place does
+/// not stand for all.
+constexpr float mostSpread = 16.0f;
+
+glm::vec3 extentOf(const SampleGroup& group) {
+  glm::vec3 lower = group.front()->position, upper = lower;
+  for (const ShadedLight* sample : group) {
+    lower = glm::min(lower, sample->position);
+    upper = glm::max(upper, sample->position);
+  }
+  return upper - lower;
+}
+
+bool isCompact(const SampleGroup& group) {
+  float area = 0.0f;
+  for (const ShadedLight* sample : group) area += sample->area;
+  const glm::vec3 extent = extentOf(group);
+  return glm::dot(extent, extent) <= mostSpread * area;
+}
+
+/// Cuts the widest group across its longest side, half of its samples here and half there, until there are as
+/// many as may be.
+std::vector<SampleGroup> groupsOf(SampleGroup samples, std::size_t most) {
+  std::vector<SampleGroup> groups;
+  if (!samples.empty() && most > 0) groups.push_back(std::move(samples));
+  while (!groups.empty() && groups.size() < most) {
+    const auto widest =
+        std::max_element(groups.begin(), groups.end(), [](const SampleGroup& a, const SampleGroup& b) {
+          return glm::length(extentOf(a)) < glm::length(extentOf(b));
+        });
+    const glm::vec3 extent = extentOf(*widest);
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    if (extent[axis] <= 0.0f) break;
+    const auto middle = widest->begin() + static_cast<std::ptrdiff_t>(widest->size() / 2);
+    std::nth_element(widest->begin(), middle, widest->end(), [&](const ShadedLight* a, const ShadedLight* b) {
+      return a->position[axis] < b->position[axis];
+    });
+    SampleGroup beyond(middle, widest->end());
+    widest->erase(middle, widest->end());
+    groups.push_back(std::move(beyond));
+  }
+  return groups;
+}
+
+/// Where the lights that share a shadow are, in the mean over their surface; [shadow].
+std::vector<glm::vec3> placesOf(std::span<const ShadedLight> lights) {
+  std::vector<glm::vec4> sums;
+  for (const ShadedLight& light : lights) {
+    if (light.shadow < 0) continue;
+    sums.resize(std::max(sums.size(), static_cast<std::size_t>(light.shadow) + 1), glm::vec4(0.0f));
+    const float weight = light.isSample ? light.area : 1.0f;
+    sums[static_cast<std::size_t>(light.shadow)] += glm::vec4(weight * light.position, weight);
+  }
+  std::vector<glm::vec3> places;
+  for (const glm::vec4& sum : sums) places.push_back(glm::vec3(sum) / sum.w);
+  return places;
 }
 
 }  // namespace
@@ -60,14 +122,36 @@ void NearLampPass::setUp() {
 
 void NearLampPass::choose(std::span<ShadedLight> lights) {
   int chosen = 0;
-  for (ShadedLight& light : lights)
-    if (!light.throughTransfer && !light.isSample && chosen < mostLamps) light.shadow = chosen++;
+  SampleGroup samples;
+  for (ShadedLight& light : lights) {
+    if (light.throughTransfer) continue;
+    if (light.isSample)
+      samples.push_back(&light);
+    else if (chosen < mostLamps)
+      light.shadow = chosen++;
+  }
+  for (const SampleGroup& group : groupsOf(samples, static_cast<std::size_t>(mostLamps - chosen))) {
+    if (!isCompact(group)) continue;
+    for (ShadedLight* sample : group) sample->shadow = chosen;
+    ++chosen;
+  }
+}
+
+void NearLampPass::share(std::span<const ShadedLight> chosen, std::span<ShadedLight> samples) {
+  for (ShadedLight& sample : samples) {
+    if (!sample.isSample) continue;
+    float least = std::numeric_limits<float>::infinity();
+    for (const ShadedLight& other : chosen) {
+      const float distance = glm::distance(other.position, sample.position);
+      if (!other.isSample || distance >= least) continue;
+      least = distance;
+      sample.shadow = other.shadow;
+    }
+  }
 }
 
 void NearLampPass::run(std::span<const ShadedLight> lights) {
-  std::vector<glm::vec3> lamps;
-  for (const ShadedLight& light : lights)
-    if (light.shadow >= 0) lamps.push_back(light.position);
+  std::vector<glm::vec3> lamps = placesOf(lights);
   if (lamps.empty() || (!isStale_ && lamps == lamps_)) return;
   if (isStale_) {
     positions_.fill(std::span<const glm::vec3>(scene_.positions));

@@ -21,8 +21,13 @@ class NearLampPass {
   /// The scene outlives it.
   NearLampPass(const NearLampTransfer& transfer, const CompiledScene& scene);
 
-  /// Gives shadows to the first lamps that do not come through the transfer.
+  /// Gives shadows to the first lamps that do not come through the transfer. What they leave is for samples
+  /// of emissive surfaces: neighbours share one. Samples that lie far apart for the surface that they stand
+  /// for have none.
   static void choose(std::span<ShadedLight> lights);
+
+  /// Gives other samples of the same surfaces the shadows of the nearest that were chosen.
+  static void share(std::span<const ShadedLight> chosen, std::span<ShadedLight> samples);
 
   /// The scene's vertices are at other places.
   void verticesMoved() { isStale_ = true; }

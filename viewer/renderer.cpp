@@ -58,7 +58,10 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
 std::vector<ShadedLight> Renderer::shownLights(const View& view, const Illumination& light) const {
   std::vector<ShadedLight> lights = light.lights;
   if (view.shading == Shading::GlobalIllumination) return lights;
-  if (view.draft && view.emitters) lights_.thinOut(lights);
+  if (view.draft && view.emitters) {
+    lights_.thinOut(lights);
+    NearLampPass::share(light.lights, lights);
+  }
   if (!specialised_) return lights;
   const DrawingRules rules = rulesFor(view);
   const bool allReflect = rules.reflection == Reflection::Everywhere ||
@@ -418,8 +421,8 @@ void Renderer::describe(const View& view, Warnings& notes) {
     notes.push_back("emissive surfaces and lights within the scene's bounds shine without shadows in " +
                     std::string(shadingName(view.shading)) +
                     " shading: the transfer cannot tell what is in front of them from what is behind "
-                    "(--shading lights has their shadows, and bake --near-lamps gives them to " +
-                    std::to_string(NearLampPass::mostLamps) + " lamps here)");
+                    "(--shading lights has their shadows, and bake --near-lamps gives some to " +
+                    std::to_string(NearLampPass::mostLamps) + " lamps and parts of emissive surfaces here)");
   }
   if (const DrawnTransfer* transfer = litTransfer(view, light)) transfer->describe(light, notes);
   if (view.shading == Shading::GlobalIllumination && surroundings_->nodesLeftOut() > 0)

@@ -15,7 +15,7 @@ float meanOf(const LightProfile& profile) {
 
 }  // namespace
 
-ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene) {
+ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene), bodies_(glowingBodies(scene)) {
   sample();
   for (const Light& light : scene.lights)
     if (light.profile != nullptr) {
@@ -46,14 +46,14 @@ void ViewLights::setScene(const CompiledScene& scene) {
 
 /// Drafts have fewer samples, but not fewer than there are triangles to tell apart.
 void ViewLights::sample() {
-  emitters_ = sampleEmitters(*scene_, emitterSamples);
+  emitters_ = sampleEmitters(*scene_, bodies_, emitterSamples);
   const auto triangles = std::count_if(scene_->triangleMaterials.begin(), scene_->triangleMaterials.end(),
                                        [&](std::uint32_t material) {
                                          const glm::vec3& emission = scene_->materials[material].emission;
                                          return std::max({emission.r, emission.g, emission.b}) > 0.0f;
                                        });
   const auto fewer = std::clamp<std::ptrdiff_t>(triangles, draftEmitterSamples, emitterSamples);
-  draftEmitters_ = sampleEmitters(*scene_, static_cast<int>(fewer));
+  draftEmitters_ = sampleEmitters(*scene_, bodies_, static_cast<int>(fewer));
 }
 
 void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {

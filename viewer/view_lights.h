@@ -37,6 +37,7 @@ class ViewLights {
   ShadedLight shaded(const Light& light) const;
 
   const CompiledScene* scene_;
+  std::vector<BodySide> bodies_;  ///< glowingBodies()
   PackedProfiles profiles_;
   std::map<const LightProfile*, float> means_;  ///< W/sr, of those
   std::vector<ShadedLight> emitters_, draftEmitters_;

@@ -1,9 +1,11 @@
 #include "viewer/lighting.h"
+#include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "support/scenes.h"
 #include "viewer/quad_scene.h"
 
 namespace prelight::viewer {
@@ -24,7 +26,7 @@ QuadScene twoLamps() {
 
 TEST(Emitters, Samples_OfTwoLamps_HaveTheirAreaAndShareByPower) {
   const QuadScene lamps = twoLamps();
-  const auto samples = sampleEmitters(lamps.compiled, 40);
+  const auto samples = sampleEmitters(lamps.compiled, glowingBodies(lamps.compiled), 40);
   ASSERT_EQ(samples.size(), 40u);
   double area = 0.0;
   int onLarger = 0;
@@ -38,12 +40,25 @@ TEST(Emitters, Samples_OfTwoLamps_HaveTheirAreaAndShareByPower) {
   EXPECT_EQ(onLarger, 32);
 }
 
+TEST(Emitters, Samples_OfAClosedTwoSidedLamp_ShineOutOfItAlone) {
+  for (const bool inward : {false, true}) {
+    CompiledScene lamp = test::box(2, {-1, 2, -1}, {1, 2.2f, 1}, inward);
+    lamp.materials[0].emission = glm::vec3(2.0f);
+    lamp.materials[0].doubleSided = true;
+    for (const ShadedLight& sample : sampleEmitters(lamp, glowingBodies(lamp), 32)) {
+      EXPECT_FALSE(sample.twoSided);
+      EXPECT_GT(glm::dot(sample.direction, sample.position - glm::vec3(0, 2.1f, 0)), 0.0f);
+    }
+    EXPECT_TRUE(sampleEmitters(lamp, {}, 32)[0].twoSided);
+  }
+}
+
 TEST(Emitters, Samples_OfNothing_AreNone) {
   QuadScene dark;
   dark.add(lambertian(glm::vec3(1)));
   dark.compile();
-  EXPECT_TRUE(sampleEmitters(dark.compiled, 32).empty());
-  EXPECT_TRUE(sampleEmitters(CompiledScene(), 32).empty());
+  EXPECT_TRUE(sampleEmitters(dark.compiled, {}, 32).empty());
+  EXPECT_TRUE(sampleEmitters(CompiledScene(), {}, 32).empty());
 }
 
 TEST(Lights, WithinTheBounds_DoNotGoThroughTheTransfer) {

@@ -6,8 +6,12 @@
 #include "compress/half_float.h"
 #include "prelight/picture.h"
 #include "transfer/near_lamps.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/near_lamp_pass.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
+#include "viewer/renderer.h"
+#include "viewer/view.h"
 
 namespace prelight {
 namespace {
@@ -20,6 +24,28 @@ using viewer::Shading;
 
 constexpr auto lampPi = static_cast<float>(std::numbers::pi);
 constexpr int shellBands = 4;
+
+/// Shells of which the first blocks `blocked` of all of the hemisphere's light, everywhere.
+void blockFirstShell(QuadScene& quad, double blocked) {
+  NearLampTransfer lamps{shellBands, 2, 0.1, 10.0, {}};
+  std::vector<double> open(lamps.columns());
+  sh::openTransfer({0, 0, 1}, shellBands, open);
+  for (std::uint32_t v = 0; v < quad.compiled.vertexCount(); ++v)
+    for (int shell = 0; shell < 2; ++shell)
+      for (const double value : open)
+        lamps.halves.push_back(toHalf(shell == 0 ? static_cast<float>(blocked * value) : 0.0f));
+  quad.bake.nearLamps = lamps;
+}
+
+/// The middle of what a window draws while something moves.
+glm::vec3 draftPixel(const QuadScene& quad) {
+  const viewer::RenderOptions options = square(Shading::Sh);
+  const viewer::gl::EglContext context;
+  viewer::Renderer renderer(quad.inputs());
+  viewer::View view = viewer::makeView(quad.inputs(), options);
+  view.draft = true;
+  return pixelAt(viewer::renderView(renderer, view, 1));
+}
 
 /// A white quad that faces +Z in a scene 6 m deep, lit by a lamp above its middle, seen from aslant. Shells:
 /// the first blocks `blocked` of all of the hemisphere's light.
@@ -34,16 +60,7 @@ glm::vec3 lampOver(double distance, double blocked, bool withShells, Shading sha
   quad.compile();
   quad.bakeOpen(3);
   quad.bake.ch = quad.bake.sh;
-  if (withShells) {
-    NearLampTransfer lamps{shellBands, 2, 0.1, 10.0, {}};
-    std::vector<double> open(lamps.columns());
-    sh::openTransfer({0, 0, 1}, shellBands, open);
-    for (std::uint32_t v = 0; v < quad.compiled.vertexCount(); ++v)
-      for (int shell = 0; shell < 2; ++shell)
-        for (const double value : open)
-          lamps.halves.push_back(toHalf(shell == 0 ? static_cast<float>(blocked * value) : 0.0f));
-    quad.bake.nearLamps = lamps;
-  }
+  if (withShells) blockFirstShell(quad, blocked);
   return pixelAt(quad.render(square(shading)));
 }
 
@@ -51,6 +68,35 @@ TEST(NearLampShading, LampBehindWhatBlocks_IsDark) {
   expectColor(lampOver(5.0, 1.0, false), glm::dvec3(1), 2e-3);
   expectColor(lampOver(5.0, 1.0, true), glm::dvec3(0), 1e-6);
   expectColor(lampOver(5.0, 1.0, true, Shading::Ch), glm::dvec3(0), 1e-6);
+}
+
+/// The same under an emissive square that faces it.
+glm::vec3 panelOver(double distance, double blocked, bool withShells, bool draft = false) {
+  QuadScene quad;
+  quad.add(test::lambertian(glm::vec3(1)), 0.02f);
+  Material glowing = test::lambertian(glm::vec3(0));
+  glowing.emission = glm::vec3(20);
+  quad.add(glowing, 0.2f,
+           glm::rotate(glm::translate(glm::dmat4(1.0), {0, 0, distance}), std::numbers::pi, {1, 0, 0}));
+  quad.add(test::lambertian(glm::vec3(0)), 2.0f, glm::translate(glm::dmat4(1.0), {0, 0, 6}));
+  quad.lookFrom({0.02, 0, 0.1}, {0, 0, 0});
+  quad.setSky(constantEnvironment(glm::vec3(0)));
+  quad.compile();
+  quad.bakeOpen(3);
+  if (withShells) blockFirstShell(quad, blocked);
+  return draft ? draftPixel(quad) : pixelAt(quad.render(square(Shading::Sh)));
+}
+
+TEST(NearLampShading, EmissiveSurfaceBehindWhatBlocks_IsDark_InDraftsToo) {
+  EXPECT_GT(panelOver(3.0, 1.0, false).x, 0.02f);
+  expectColor(panelOver(3.0, 1.0, true), glm::dvec3(0), 1e-6);
+  EXPECT_GT(panelOver(3.0, 1.0, false, true).x, 0.02f);
+  expectColor(panelOver(3.0, 1.0, true, true), glm::dvec3(0), 1e-6);
+}
+
+TEST(NearLampShading, EmissiveSurfaceBeforeWhatBlocks_IsAsWithoutShells) {
+  const glm::vec3 plain = panelOver(0.15, 1.0, false);
+  expectColor(panelOver(0.15, 1.0, true), glm::dvec3(plain), 1e-4 * plain.x);
 }
 
 TEST(NearLampShading, LampBeforeWhatBlocks_IsAsWithoutShells) {
@@ -66,6 +112,53 @@ TEST(NearLampShading, PartOfAShell_IsWhatTheHostFinds) {
     expectColor(lampOver(2.0, blocked, true),
                 sharpened(visibility) * glm::dvec3(lampOver(2.0, blocked, false)), 4e-3);
   }
+}
+
+viewer::ShadedLight lampAt(const glm::vec3& position) {
+  viewer::ShadedLight lamp;
+  lamp.position = position;
+  return lamp;
+}
+
+/// 16 samples of a square of a metre at x.
+std::vector<viewer::ShadedLight> panelAt(float x) {
+  std::vector<viewer::ShadedLight> samples;
+  for (int i = 0; i < 16; ++i) {
+    viewer::ShadedLight sample =
+        lampAt({x + 0.25f * static_cast<float>(i % 4), 2.0f, 0.25f * static_cast<float>(i / 4)});
+    sample.isSample = true;
+    sample.area = 1.0f / 16.0f;
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+TEST(NearLampPass, SamplesOfTwoPanels_ShareShadowsWithNeighboursOnly) {
+  std::vector<viewer::ShadedLight> lights = {lampAt({0, 0, 0}), lampAt({1, 0, 0})};
+  for (const float x : {-5.0f, 5.0f})
+    for (const viewer::ShadedLight& sample : panelAt(x)) lights.push_back(sample);
+  viewer::NearLampPass::choose(lights);
+  EXPECT_EQ(lights[0].shadow, 0);
+  EXPECT_EQ(lights[1].shadow, 1);
+  for (std::size_t i = 2; i < lights.size(); ++i) {
+    EXPECT_GE(lights[i].shadow, 2);
+    EXPECT_EQ(lights[i].shadow == lights[2].shadow, i < 18) << i;
+  }
+  std::vector<viewer::ShadedLight> draft = {panelAt(5.1f)[3]};
+  viewer::NearLampPass::share(lights, draft);
+  EXPECT_EQ(draft[0].shadow, lights.back().shadow);
+}
+
+TEST(NearLampPass, SamplesThatLieFarApartForTheirSurface_HaveNoShadow) {
+  std::vector<viewer::ShadedLight> lights;
+  for (int i = 0; i < 32; ++i) {
+    viewer::ShadedLight bulb = lampAt({i, 0, 0});
+    bulb.isSample = true;
+    bulb.area = 0.01f;
+    lights.push_back(bulb);
+  }
+  viewer::NearLampPass::choose(lights);
+  for (const viewer::ShadedLight& light : lights) EXPECT_LT(light.shadow, 0);
 }
 
 TEST(NearLampShading, PhongAndAo_HaveNoShadowsOfShells) {

@@ -106,9 +106,9 @@ vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, O
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
   for (int k = 0; k < sampleCount; ++k)  // which compilers write out, as it is short
-    irradiance += facingIrradianceOfEmitter(lights[lampCount + k], vPosition, n);
+    irradiance += lampShadow(lights[lampCount + k]) * facingIrradianceOfEmitter(lights[lampCount + k], vPosition, n);
   for (int k = counts.y; sampleCount < 0 && k < counts.x; ++k)
-    irradiance += facingIrradianceOfEmitter(lights[k], vPosition, n);
+    irradiance += lampShadow(lights[k]) * facingIrradianceOfEmitter(lights[k], vPosition, n);
   return sum + irradiance * m.albedo / pi;
 }
 
