@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "prelight/bake.h"
 #include "prelight/error.h"
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/program.h"
@@ -73,6 +74,7 @@ class VertexStream {
     buffer_.fill(GL_ARRAY_BUFFER, values, GL_DYNAMIC_DRAW);
   }
 
+  Attribute attribute() const { return attribute_; }
   const gl::Buffer& buffer() const { return buffer_; }
 
   /// Ties it to the vertex array in use.
@@ -98,6 +100,9 @@ class DrawnTransfer {
 
   /// The scene's vertices are at other places. True where light() has to be called for it.
   virtual bool verticesMoved() { return false; }
+
+  /// Takes the numbers of another bake in place of those that it has, where it can: then light() is called.
+  virtual bool takeBake(const Bake&) { return false; }
 
   /// True where what light() makes ready is for one place of the eye.
   virtual bool dependsOnEye(const Illumination&) const { return false; }

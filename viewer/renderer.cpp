@@ -92,7 +92,8 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   }
   Features& features = variant.features;
   features.add(Feature::VertexColors, compiled_.hasVertexColors());
-  features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
+  const Bake* bake = bakeOf(view.shading);
+  features.add(Feature::Charts, bake != nullptr && bake->chartTransfer);
   features.add(Feature::Caustics, showsCaustics(view));
   features.add(Feature::SkyLight, sky_.seenBy(view).map != nullptr);
   features.add(Feature::SkyMap, sky_.isMap());
@@ -128,8 +129,11 @@ bool Renderer::isBehind() const {
          (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
 }
 
-void Renderer::sceneMoved() {
-  scene_.fillPositions(compiled_);
+void Renderer::sceneMoved(bool shapes) {
+  if (shapes)
+    scene_.fillVertices(compiled_);
+  else
+    scene_.fillPositions(compiled_);
   lights_.setScene(compiled_);
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
@@ -137,6 +141,30 @@ void Renderer::sceneMoved() {
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
+}
+
+/// What a shading is drawn from; near lamps and light maps of a bake are not of its other poses.
+const Bake* Renderer::bakeOf(Shading shading) const {
+  const bool posed = inputs_.posed != nullptr && shading != Shading::Phong &&
+                     shading != Shading::GlobalIllumination && infoOf(shading).carriedBy(*inputs_.posed);
+  return posed ? inputs_.posed : inputs_.bake;
+}
+
+NearLampPass* Renderer::nearLampsOf(Shading shading) const {
+  return bakeOf(shading) == inputs_.bake ? nearLamps_.get() : nullptr;
+}
+
+void Renderer::bakeChanged(Shading shading) {
+  Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
+  if (drawn.transfer == nullptr) return;
+  const Bake* bake = bakeOf(shading);
+  if (bake == drawn.bake && bake == inputs_.bake) return;  // that one stays what it is
+  if (bake != nullptr && drawn.transfer->takeBake(*bake)) {
+    drawn.bake = bake;
+    drawn.isStale = true;
+  } else {
+    drawn = {};
+  }
 }
 
 void Renderer::updateSurroundings(const View& view, const Illumination& light) {
@@ -168,7 +196,7 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   light.lights = lights_.of(view, sky_.seenBy(view).map);
-  if (nearLamps_ != nullptr && rulesFor(view).through == Through::FarLights)
+  if (nearLampsOf(view.shading) != nullptr && rulesFor(view).through == Through::FarLights)
     NearLampPass::choose(light.lights);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
@@ -195,7 +223,10 @@ const DrawnTransfer* Renderer::litTransfer(const View& view, const Illumination&
     return &globalIllumination();
   }
   Drawn& drawn = drawn_[static_cast<std::size_t>(view.shading)];
-  if (!drawn.light) drawn.transfer = makeDrawnTransfer(view.shading, inputs_, lobe_);
+  if (!drawn.light) {
+    drawn.bake = bakeOf(view.shading);
+    drawn.transfer = makeDrawnTransfer(view.shading, inputs_.with(drawn.bake), lobe_);
+  }
   Illumination seen = light;
   if (drawn.transfer != nullptr && drawn.transfer->dependsOnEye(light)) seen.eye = eyeOf(view);
   if (drawn.isStale || drawn.light != seen) {

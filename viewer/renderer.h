@@ -47,9 +47,12 @@ class Renderer {
   /// Replaces the caustics of global illumination.
   void updateCaustics(const Caustics& caustics);
 
-  /// Vertices of the scene are at other places, with normals as they were: draws them there from now on.
-  /// Baked light stays as it is.
-  void sceneMoved();
+  /// Vertices of the scene are at other places: draws them there from now on. `shapes`: normals, triangles
+  /// and what else vertices carry are others too. Baked light stays as it is.
+  void sceneMoved(bool shapes = false);
+
+  /// The posed bake of the inputs carries something else for a shading.
+  void bakeChanged(Shading shading);
 
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
   void paceUpdates(bool pace) { paced_ = pace; }
@@ -95,6 +98,8 @@ class Renderer {
   Illumination illuminationOf(const View& view);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
+  const Bake* bakeOf(Shading shading) const;
+  NearLampPass* nearLampsOf(Shading shading) const;
   std::vector<ShadedLight> shownLights(const View& view, const Illumination& light) const;
   bool anySurfaceHas(Feature feature) const;
   DrawingRules rulesFor(const View& view) const;
@@ -127,6 +132,7 @@ class Renderer {
   /// A technique in OpenGL and the light that it was last lit by.
   struct Drawn {
     std::unique_ptr<DrawnTransfer> transfer;
+    const Bake* bake = nullptr;  ///< that it is of
     std::optional<Illumination> light;
     bool isStale = false;  ///< the scene has moved
   };

@@ -2,16 +2,27 @@
 
 namespace prelight::viewer {
 
-bool SceneFollower::update(const View& view) {
-  const bool moved = scene_.move(view.nodeShifts);
-  if (moved) renderer_.sceneMoved();
-  if (light_ == nullptr || view.shading != Shading::GlobalIllumination) return moved;
+std::vector<DragNode> dragNodes(const PosedScene& scene) {
+  std::vector<DragNode> nodes;
+  for (const PosedScene::Node& node : scene.nodes()) nodes.push_back({node.name, node.center});
+  return nodes;
+}
+
+bool SceneFollower::update(Controls& controls) {
+  const View& view = controls.view();
+  const PoseChange change = scene_.pose({view.moment, view.nodeShifts}, view.shading);
+  if (change.places) {
+    renderer_.sceneMoved(change.shapes);
+    controls.follow({scene_.lights(), scene_.cameras()});
+  }
+  if (change.bake) renderer_.bakeChanged(view.shading);
+  if (light_ == nullptr || view.shading != Shading::GlobalIllumination) return change.any();
   const bool lit = light_->update({view.lights, scene_.shifts(), view.skyRotation});
   if (lit) {
     renderer_.updateIndirect(light_->indirect());
     renderer_.updateCaustics(light_->caustics());
   }
-  return moved || lit;
+  return change.any() || lit;
 }
 
 bool SceneFollower::isBusy(const View& view) const {

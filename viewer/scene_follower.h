@@ -1,27 +1,33 @@
 #pragma once
 
+#include "viewer/controls.h"
 #include "viewer/light_follower.h"
-#include "viewer/moved_scene.h"
+#include "viewer/posed_scene.h"
 #include "viewer/renderer.h"
 
 namespace prelight::viewer {
 
-/// What follows a view besides its picture: places of nodes, and light that is computed all the while.
+/// What of a scene can be dragged, for Controls.
+std::vector<DragNode> dragNodes(const PosedScene& scene);
+
+/// What follows a user's hands besides the picture: how the scene stands, what its bake says then, and light
+/// that is computed all the while.
 class SceneFollower {
  public:
   /// Everything outlives it; `light` nullptr: it stays as it is.
-  SceneFollower(Renderer& renderer, MovedScene& scene, LightFollower* light)
+  SceneFollower(Renderer& renderer, PosedScene& scene, LightFollower* light)
       : renderer_(renderer), scene_(scene), light_(light) {}
 
-  /// True when the picture is out of date for it.
-  bool update(const View& view);
+  /// Poses the scene as the view has it, and has the view's lights and camera follow. True when the picture
+  /// is out of date for it.
+  bool update(Controls& controls);
 
   /// Light of the view would change further by itself.
   bool isBusy(const View& view) const;
 
  private:
   Renderer& renderer_;
-  MovedScene& scene_;
+  PosedScene& scene_;
   LightFollower* light_;
 };
 

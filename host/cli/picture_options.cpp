@@ -290,7 +290,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   ShadedScene shaded;
   shaded.loaded = session.load(options.scene, options.load);
   shaded.bake = carriedBake(session, shaded.loaded);
-  poseScene(session, options.pose, shaded.loaded, shaded.bake);
+  shaded.motion = poseScene(session, options.pose, shaded.loaded, shaded.bake);
   PictureSky sky = choosePictureSky(session, options.environment, options.lights.has_value(),
                                     carriesStaticLight(shaded.bake), shaded.loaded);
   shaded.environment = std::move(sky.map);

@@ -51,7 +51,8 @@ void addPictureOptions(CLI::App& app, PictureOptions& options);
 /// A scene ready to be drawn.
 struct ShadedScene {
   LoadedScene loaded;
-  Bake bake;  ///< what the file carries and what was baked for the shading
+  Bake bake;           ///< what the file carries and what was baked for the shading
+  BakedMotion motion;  ///< of a scene that is posed
   std::optional<Environment> environment;
   bool studio = false;  ///< `environment` is the built-in one
   viewer::RenderOptions render;
