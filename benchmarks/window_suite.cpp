@@ -66,7 +66,7 @@ struct Case {
   std::string name() const { return fmt::format("{}/{}", scene, viewer::shadingName(shading)); }
 };
 
-constexpr std::array<Case, 13> cases = {{{"shapes", Shading::Sh},
+constexpr std::array<Case, 14> cases = {{{"shapes", Shading::Sh},
                                          {"cornell", Shading::Sh},
                                          {"rooms", Shading::GlobalIllumination},
                                          {"shapes", Shading::Phong},
@@ -78,7 +78,8 @@ constexpr std::array<Case, 13> cases = {{{"shapes", Shading::Sh},
                                          {"cornell", Shading::Vo},
                                          {"caustics", Shading::GlobalIllumination},
                                          {"swing", Shading::Sh},
-                                         {"swing", Shading::Vo}}};
+                                         {"swing", Shading::Vo},
+                                         {"shapes", Shading::Vo}}};
 
 /// Frames while something changes, then some whose parts are timed.
 Frames measureFrames(HeadlessWindow& window, int count, const Progress& progress,

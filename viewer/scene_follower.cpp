@@ -8,14 +8,17 @@ std::vector<DragNode> dragNodes(const PosedScene& scene) {
   return nodes;
 }
 
+PoseChange showPose(PosedScene& scene, Renderer& renderer, const ScenePlace& place, Shading shading) {
+  const PoseChange change = scene.pose(place, shading);
+  if (change.places) renderer.sceneMoved(change.shapes);
+  if (change.bake) renderer.bakeChanged(shading);
+  return change;
+}
+
 bool SceneFollower::update(Controls& controls) {
   const View& view = controls.view();
-  const PoseChange change = scene_.pose({view.moment, view.nodeShifts}, view.shading);
-  if (change.places) {
-    renderer_.sceneMoved(change.shapes);
-    controls.follow({scene_.lights(), scene_.cameras()});
-  }
-  if (change.bake) renderer_.bakeChanged(view.shading);
+  const PoseChange change = showPose(scene_, renderer_, {view.moment, view.nodeShifts}, view.shading);
+  if (change.places) controls.follow({scene_.lights(), scene_.cameras()});
   if (light_ == nullptr || view.shading != Shading::GlobalIllumination) return change.any();
   const bool lit = light_->update({view.lights, scene_.shifts(), view.skyRotation});
   if (lit) {

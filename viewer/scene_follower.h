@@ -10,6 +10,9 @@ namespace prelight::viewer {
 /// What of a scene can be dragged, for Controls.
 std::vector<DragNode> dragNodes(const PosedScene& scene);
 
+/// Poses a scene and has its renderer know.
+PoseChange showPose(PosedScene& scene, Renderer& renderer, const ScenePlace& place, Shading shading);
+
 /// What follows a user's hands besides the picture: how the scene stands, what its bake says then, and light
 /// that is computed all the while.
 class SceneFollower {

@@ -279,6 +279,14 @@ viewer::RenderInputs ShadedScene::inputs() const {
           encoding};
 }
 
+viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
+  viewer::PoseSources sources;
+  if (motion.keys) sources.keys = &*motion.keys;
+  sources.occluders = motion.occluders.get();
+  if (!pose.moves.empty()) sources.moves = [&pose](Scene& scene) { moveNodes(scene, pose.moves); };
+  return sources;
+}
+
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
   return session.times()
       .measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); })

@@ -18,6 +18,7 @@
 #include "integrators/global_illumination_renderer.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
+#include "viewer/posed_scene.h"
 #include "viewer/render.h"
 
 namespace prelight::cli {
@@ -65,6 +66,8 @@ struct ShadedScene {
   std::unique_ptr<FollowingLight> following;  ///< of a window that shows global illumination
 
   viewer::RenderInputs inputs() const;
+  /// What other poses need; refers to both.
+  viewer::PoseSources poseSources(const PoseOptions& pose) const;
 };
 
 /// Loads, checks the options against the scene and bakes what the shading needs and the file does not carry,

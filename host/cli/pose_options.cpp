@@ -128,12 +128,6 @@ std::string lostNames(const std::vector<BakedTechnique>& had, const Bake& posed,
   return names;
 }
 
-std::size_t animationMeant(const PoseOptions& options, const Scene& scene, const Bake& bake) {
-  if (!options.animation.empty()) return findAnimation(scene, options.animation);
-  if (bake.animation) return bake.animation->animation;
-  return scene.moment ? scene.moment->animation : 0;
-}
-
 /// What of a bake holds where its scene has been posed.
 Bake posedBake(Session& session, const LoadedScene& loaded, const Bake& bake, const BakedMotion& motion,
                bool moved) {
@@ -147,6 +141,12 @@ Bake posedBake(Session& session, const LoadedScene& loaded, const Bake& bake, co
 }
 
 }  // namespace
+
+std::size_t animationMeant(const PoseOptions& options, const Scene& scene, const Bake& bake) {
+  if (!options.animation.empty()) return findAnimation(scene, options.animation);
+  if (bake.animation) return bake.animation->animation;
+  return scene.moment ? scene.moment->animation : 0;
+}
 
 void moveNodes(Scene& scene, std::span<const NodeMove> moves) {
   for (const NodeMove& move : moves) moveMatching(scene, move);

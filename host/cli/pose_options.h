@@ -40,6 +40,10 @@ struct BakedMotion {
   std::unique_ptr<const PosedOccluders> occluders;
 };
 
+/// The animation that moments are of, into Scene::animations: the one that is named, else the one that was
+/// baked, else that of the scene's moment, else the first. Throws UsageError for one that the scene lacks.
+std::size_t animationMeant(const PoseOptions& options, const Scene& scene, const Bake& bake);
+
 /// Moves nodes of a posed scene. Throws UsageError for a node that the scene lacks.
 void moveNodes(Scene& scene, std::span<const NodeMove> moves);
 

@@ -8,7 +8,6 @@
 #include "cli/picture_options.h"
 #include "cli/report.h"
 #include "scene/dropped_features.h"
-#include "scene/pose.h"
 #include "viewer/live_follower.h"
 #include "viewer/playback.h"
 #include "viewer/window.h"
@@ -49,22 +48,9 @@ viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& s
   viewer::PlayOptions play = command.play;
   if (!play.plays) return play;
   const Scene& scene = shaded.loaded.scene;
-  const std::string& name = command.picture.pose.animation;
   if (scene.animations.empty()) throw UsageError("--play", "the scene has no animations");
-  if (!name.empty())
-    play.animation = findAnimation(scene, name);
-  else if (shaded.bake.animation)
-    play.animation = shaded.bake.animation->animation;
+  play.animation = animationMeant(command.picture.pose, scene, shaded.bake);
   return play;
-}
-
-/// What a scene that is posed already needs for other poses.
-viewer::PoseSources poseSources(const ShadedScene& shaded, const PoseOptions& pose) {
-  viewer::PoseSources sources;
-  if (shaded.motion.keys) sources.keys = &*shaded.motion.keys;
-  sources.occluders = shaded.motion.occluders.get();
-  if (!pose.moves.empty()) sources.moves = [&pose](Scene& scene) { moveNodes(scene, pose.moves); };
-  return sources;
 }
 
 void runView(const ViewCommand& command, Context& context) {
@@ -87,7 +73,7 @@ void runView(const ViewCommand& command, Context& context) {
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
   options.exposure = exposureAskedFor(command.picture.exposure, shaded.studio);
-  options.pose = poseSources(shaded, command.picture.pose);
+  options.pose = shaded.poseSources(command.picture.pose);
   options.play = playOptions(command, shaded);
   options.note = [&](const std::string& note) { session.console().note(note); };
   std::optional<double> exposure = options.exposure;

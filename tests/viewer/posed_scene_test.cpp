@@ -14,8 +14,10 @@
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/loader.h"
 #include "scene/pose.h"
+#include "support/bent_bar.h"
 #include "support/run_bake.h"
 #include "transfer/animated_transfer.h"
+#include "viewer/frames.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/scene_follower.h"
@@ -31,6 +33,13 @@ using ::testing::IsEmpty;
 
 constexpr double restless = 1e-4;  ///< difference that a picture of something else has at least
 
+/// Into Scene::nodes.
+std::size_t nodeOf(const Scene& scene, const std::string& name) {
+  return std::find_if(scene.meshNodes.begin(), scene.meshNodes.end(),
+                      [&](const MeshNode& node) { return node.name == name; })
+      ->sceneNode;
+}
+
 /// The built-in animated scene, of which few rays are enough: what is drawn is compared, not judged.
 struct Swing {
   Scene scene;
@@ -40,6 +49,7 @@ struct Swing {
   Swing() {
     Warnings warnings;
     scene = loadScene(makeBuiltinScene("swing"), warnings);
+    addMotion();
     compiled = compileScene(scene, warnings);
     BakeRequest request;
     request.effort.rays = 4;
@@ -55,6 +65,22 @@ struct Swing {
     request.occluders = {};
     bake.animation =
         bakeAnimation(scene, compiled, 0, request, keys, *bake.sh, test::sharedDevice(), progress, report);
+  }
+
+  /// Of the camera, and of a light that hangs on the ball.
+  void addMotion() {
+    Animation& animation = scene.animations[0];
+    const glm::dvec3 eye(scene.cameras[0].world[3]);
+    animation.channels.push_back(
+        {scene.cameras[0].sceneNode, AnimatedPath::Translation, animation.samplers.size()});
+    animation.samplers.push_back({Interpolation::Linear,
+                                  {0, 4},
+                                  {glm::vec4(eye, 0.0f), glm::vec4(eye + glm::dvec3(0.5, 0.3, -0.4), 0.0f)}});
+    Light light;
+    light.intensity = glm::vec3(4.0f);
+    light.sceneNode = nodeOf(scene, "Ball");
+    placeLight(light, glm::translate(glm::dmat4(1.0), scene.nodes[light.sceneNode].translation));
+    scene.lights.push_back(light);
   }
 
   RenderInputs inputs() const { return {.scene = scene, .compiled = compiled, .bake = &bake}; }
@@ -183,9 +209,7 @@ TEST(DraggedScene, NodesInVo_AreThoseOfAPictureWithThemThere_AndBackAgain) {
   view.nodeShifts[nodeNamed(stage.scene, "Ball")] = {1.5, 0.25, 0.0};
   view.nodeShifts[nodeNamed(stage.scene, "Box")] = {0.0, 0.0, 1.0};
   const auto show = [&](const View& shown) {
-    const PoseChange change = stage.scene.pose({shown.moment, shown.nodeShifts}, shown.shading);
-    if (change.places) stage.renderer.sceneMoved(change.shapes);
-    if (change.bake) stage.renderer.bakeChanged(shown.shading);
+    showPose(stage.scene, stage.renderer, {shown.moment, shown.nodeShifts}, shown.shading);
     return renderView(stage.renderer, shown, 1);
   };
   EXPECT_LT(largestDifference(show(view), moved), 1e-5);
@@ -197,9 +221,7 @@ TEST(DraggedScene, NodesInVo_AreThoseOfAPictureWithThemThere_AndBackAgain) {
 Scene growing() {
   Scene scene = swing().scene;
   Animation& animation = scene.animations[0];
-  const auto ball = std::find_if(scene.meshNodes.begin(), scene.meshNodes.end(),
-                                 [](const MeshNode& node) { return node.name == "Ball"; });
-  animation.channels.push_back({ball->sceneNode, AnimatedPath::Scale, animation.samplers.size()});
+  animation.channels.push_back({nodeOf(scene, "Ball"), AnimatedPath::Scale, animation.samplers.size()});
   animation.samplers.push_back(
       {Interpolation::Linear, {0, 4}, {glm::vec4(1.0f), glm::vec4(2.0f, 2.0f, 2.0f, 0.0f)}});
   return scene;
@@ -235,12 +257,7 @@ TEST(PlayedScene, WithoutKeys_KeepsTheTransferAndSaysSo) {
 /// A scene whose ball hangs on its box.
 Scene hanging() {
   Scene scene = swing().scene;
-  const auto sceneNode = [&](const std::string& name) {
-    return std::find_if(scene.meshNodes.begin(), scene.meshNodes.end(),
-                        [&](const MeshNode& node) { return node.name == name; })
-        ->sceneNode;
-  };
-  scene.nodes[sceneNode("Ball")].parent = static_cast<int>(sceneNode("Box"));
+  scene.nodes[nodeOf(scene, "Ball")].parent = static_cast<int>(nodeOf(scene, "Box"));
   return scene;
 }
 
@@ -269,6 +286,65 @@ TEST(DraggedScene, WhatHangsOnANode_GoesAlong_WhereCoordinatesStayToo) {
     EXPECT_EQ(posed.showsMoments(), full == nullptr);
     EXPECT_EQ(now.origin == swing().compiled.origin, full != nullptr);
   }
+}
+
+/// A bar that a skin bends and a morph target thickens, seen by a camera that hangs on nothing.
+Scene bending() {
+  Warnings warnings;
+  Scene scene = loadScene(test::bentBar(), warnings);
+  Primitive& bar = scene.meshes[0].primitives[0];
+  bar.targets.emplace_back().positions.assign(bar.positions.size(), glm::vec3(0.1f, 0.2f, 0.3f));
+  bar.targets[0].normals.assign(bar.positions.size(), glm::vec3(0.0f, 0.0f, 2.0f));
+  MeshNode& node = scene.meshNodes[0];
+  node.restWeights = node.weights = {0.0f};
+  Animation& animation = scene.animations[0];
+  animation.channels.push_back({node.sceneNode, AnimatedPath::Weights, animation.samplers.size()});
+  AnimationSampler& weights = animation.samplers.emplace_back();
+  weights.times = {0, 1};
+  weights.weights = {0, 1};
+  weights.targets = 1;
+  Camera& camera = scene.cameras.emplace_back();
+  camera.world = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 1.0, 5.0));
+  camera.sceneNode = scene.nodes.size();
+  Light& light = scene.lights.emplace_back();
+  light.type = LightType::Directional;
+  light.direction = glm::normalize(glm::dvec3(-1.0, 0.0, -1.0));
+  return scene;
+}
+
+TEST(PlayedScene, BentAndMorphedVertices_AreWhereStillPicturesHaveThem) {
+  const Scene scene = bending();
+  const std::vector<double> moments = {0.8, 0.2, 0.5};
+  Warnings notes;
+  std::vector<Picture> stills;
+  for (const double seconds : moments) {
+    const Scene posed = sceneAt(scene, 0, seconds);
+    const CompiledScene compiled = compileScene(posed, notes);
+    stills.push_back(renderPicture({.scene = posed, .compiled = compiled}, optionsOf(Shading::Phong), notes));
+  }
+  ASSERT_GT(largestDifference(stills[0], stills[1]), restless);
+  const CompiledScene compiled = compileScene(scene, notes);
+  Stage stage(Shading::Phong, {.scene = scene, .compiled = compiled});
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    stage.controls.seek(moments[i]);
+    EXPECT_EQ(largestDifference(stage.frame(), stills[i]), 0.0) << moments[i] << " s";
+  }
+}
+
+TEST(RenderFrames, OfAnAnimation_AreItsStillPictures) {
+  const std::vector<SceneMoment> moments = {{0, 0.5}, {0, 1.5}, {0, 1.0}};
+  std::vector<Picture> frames;
+  Warnings notes;
+  renderFrames(
+      swing().inputs(), optionsOf(Shading::Vo), {}, moments,
+      [&](std::size_t frame, const Picture& picture) {
+        EXPECT_EQ(frame, frames.size());
+        frames.push_back(picture);
+      },
+      notes);
+  ASSERT_EQ(frames.size(), moments.size());
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    EXPECT_EQ(largestDifference(frames[i], stillAt(moments[i].seconds, Shading::Vo)), 0.0);
 }
 
 }  // namespace
