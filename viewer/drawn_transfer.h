@@ -101,6 +101,9 @@ class DrawnTransfer {
   /// The scene's vertices are at other places. True where light() has to be called for it.
   virtual bool verticesMoved() { return false; }
 
+  /// The scene's materials are others. True where light() has to be called for it.
+  virtual bool materialsChanged() { return false; }
+
   /// Takes the numbers of another bake in place of those that it has, where it can: then light() is called.
   virtual bool takeBake(const Bake&) { return false; }
 

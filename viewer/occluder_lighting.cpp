@@ -62,6 +62,13 @@ bool OccluderLighting::verticesMoved() {
   return true;
 }
 
+bool OccluderLighting::materialsChanged() {
+  gloss_ = {vertexGloss(inputs_, false), vertexGloss(inputs_, true)};
+  anyGloss_ = {anyOf(gloss_[0]), anyOf(gloss_[1])};
+  receiversMoved_ = true;
+  return true;
+}
+
 bool OccluderLighting::takeBake(const Bake& bake) {
   if (!bake.occluders || bake.occluders->stored != stored_) return false;
   transfer_ = &*bake.occluders;

@@ -21,6 +21,7 @@ class OccluderLighting : public DrawnTransfer {
 
   void light(const Illumination& light) override;
   bool verticesMoved() override;
+  bool materialsChanged() override;
   bool takeBake(const Bake& bake) override;
   bool dependsOnEye(const Illumination& light) const override;
   void bind(const gl::Program& program) const override;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "scene/compile/compile_parts.h"
 #include "scene/compile/flatten.h"
 #include "scene/move_node.h"
 #include "scene/pose.h"
@@ -57,10 +58,20 @@ std::vector<PosedScene::Node> draggedNodes(const Scene& scene, const CompiledSce
   return nodes;
 }
 
-/// What poses are made of; images stay.
-Scene withoutImages(const Scene& scene, bool withMeshes) {
+/// Whether an animation of a scene changes what its surfaces are made of.
+bool animatesMaterials(const Scene& scene) {
+  return std::any_of(scene.animations.begin(), scene.animations.end(), [](const Animation& animation) {
+    return std::any_of(animation.properties.begin(), animation.properties.end(), [](const auto& channel) {
+      return channel.property < AnimatedProperty::LightIntensity;
+    });
+  });
+}
+
+/// What poses are made of; the rest of a scene is large.
+Scene posable(const Scene& scene, bool withMeshes, bool withImages) {
   Scene copy;
   if (withMeshes) copy.meshes = scene.meshes;
+  if (withImages) copy.images = scene.images;
   copy.nodes = scene.nodes;
   copy.meshNodes = scene.meshNodes;
   copy.skins = scene.skins;
@@ -94,13 +105,16 @@ PosedScene::PosedScene(const RenderInputs& inputs, PoseSources sources)
       live_(keepsCoordinates(inputs) ? std::make_unique<LiveScene>(inputs.scene, inputs.compiled) : nullptr),
       nodes_(draggedNodes(inputs.scene, inputs.compiled)) {
   if (!live_) compiled_ = inputs.compiled;
+  changesMaterials_ = !live_ && animatesMaterials(inputs.scene);
+  if (changesMaterials_) posed_ = posable(inputs.scene, true, true);
   for (const Node& node : nodes_) shifts_.push_back({node.node, glm::dvec3(0.0)});
   if (sources_.keys == nullptr && inputs.bake != nullptr && inputs.bake->animation)
     sources_.keys = &*inputs.bake->animation;
 }
 
 RenderInputs PosedScene::shown() const {
-  RenderInputs shown = inputs_.movedTo(live_ ? live_->compiled() : compiled_);
+  RenderInputs shown =
+      inputs_.movedTo(changesMaterials_ ? *posed_ : inputs_.scene, live_ ? live_->compiled() : compiled_);
   shown.posed = &bake_;
   return shown;
 }
@@ -132,7 +146,7 @@ void PosedScene::dragLive() {
 
 /// Nodes of the scene, from where the inputs or the moment have them.
 void PosedScene::placeNodes() {
-  if (!posed_) posed_ = withoutImages(inputs_.scene, !live_);
+  if (!posed_) posed_ = posable(inputs_.scene, !live_, false);
   takePose(inputs_.scene, *posed_);
   if (place_.moment) {
     setPose(*posed_, place_.moment->animation, place_.moment->seconds);
@@ -158,6 +172,8 @@ PoseChange PosedScene::pose(const ScenePlace& asked, Shading shading) {
     place_ = std::move(place);
     if (live_) dragLive();
     placeNodes();
+    change.materials = changesMaterials_ && change.shapes;
+    if (change.materials) compiled_.materials = compileMaterials(*posed_);
     if (!live_) flattenAnew(*posed_, compiled_);
   }
   change.bake = followBake(shading);

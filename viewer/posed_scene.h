@@ -28,7 +28,8 @@ struct ScenePlace {
 struct PoseChange {
   bool places = false;  ///< of vertices
   bool shapes = false;  ///< normals, triangles and whatever else vertices carry
-  bool bake = false;    ///< light of the shading that is shown
+  bool materials = false;
+  bool bake = false;  ///< light of the shading that is shown
 
   bool any() const { return places || bake; }
 };
@@ -40,8 +41,8 @@ struct PoseSources {
   std::function<void(Scene&)> moves;          ///< of nodes, once an animation has placed them; empty: none
 };
 
-/// A scene as a window shows it. Vertices, lights, cameras and what its bake carries of them all follow one
-/// place.
+/// A scene as a window shows it. Vertices, materials, lights, cameras and what its bake carries of them all
+/// follow one place.
 ///
 /// Where light is computed in the scene's coordinates (global illumination, caustics) those stay, and nodes
 /// can be dragged, but no moment is shown.
@@ -93,7 +94,8 @@ class PosedScene {
   PoseSources sources_;
   std::unique_ptr<LiveScene> live_;  ///< where coordinates stay
   CompiledScene compiled_;           ///< elsewhere
-  std::optional<Scene> posed_;       ///< once it stands elsewhere than the inputs'; without images
+  std::optional<Scene> posed_;       ///< once it stands elsewhere than the inputs'
+  bool changesMaterials_ = false;    ///< an animation does: `posed_` has images then, and is there at once
   std::vector<Node> nodes_;
   std::vector<NodeShift> shifts_;
   ScenePlace place_;

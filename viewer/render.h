@@ -49,10 +49,10 @@ struct RenderInputs {
     return chosenInputs;
   }
 
-  /// All of them for a scene whose vertices are elsewhere.
-  RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene,          moved,    bake, environment, device, caustics, globalIllumination,
-            normalTextures, encoding, posed};
+  /// All of them for a scene that stands otherwise.
+  RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
+    return {movedScene,         moved,          bake,     environment, device, caustics,
+            globalIllumination, normalTextures, encoding, posed};
   }
 };
 

@@ -189,6 +189,12 @@ void RenderScene::fillVertices(const CompiledScene& compiled) {
   makeBatches(compiled);
 }
 
+void RenderScene::fillSurfaces(const RenderInputs& inputs) {
+  surfaces_.clear();
+  makeSurfaces(inputs);
+  makeAlbedos(inputs.compiled);
+}
+
 void RenderScene::drawOccluders(const std::function<void(const Surface&)>& setSurface) const {
   glBindVertexArray(vertexArray_.name());
   glVertexAttrib4f(static_cast<GLuint>(Attribute::Color), 1.0f, 1.0f, 1.0f, 1.0f);

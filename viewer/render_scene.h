@@ -105,6 +105,9 @@ class RenderScene {
   /// The same, of vertices that carry something else too, and of triangles, as they are in other poses.
   void fillVertices(const CompiledScene& compiled);
 
+  /// Replaces what materials say; textures stay.
+  void fillSurfaces(const RenderInputs& inputs);
+
   /// Draws all triangles with the program in use, both sides of them, as what stands in the light's way;
   /// `setSurface` is called before those of a surface that has holes and once for all that have none.
   void drawOccluders(const std::function<void(const Surface&)>& setSurface) const;

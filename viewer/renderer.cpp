@@ -32,7 +32,7 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
   if (inputs.bake != nullptr && inputs.bake->nearLamps)
     nearLamps_ = std::make_unique<NearLampPass>(*inputs.bake->nearLamps, compiled_);
-  for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
+  findFeatures();
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
   if (!lights_.profiles().empty()) profiles_ = gl::makeBufferTexture(lights_.profiles(), "profiles of lamps");
@@ -127,6 +127,18 @@ void Renderer::updateCaustics(const Caustics& caustics) {
 bool Renderer::isBehind() const {
   return globalIllumination_ != nullptr &&
          (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
+}
+
+void Renderer::findFeatures() {
+  surfaceFeatures_.clear();
+  for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
+}
+
+void Renderer::materialsChanged() {
+  scene_.fillSurfaces(inputs_);
+  findFeatures();
+  for (Drawn& drawn : drawn_)
+    if (drawn.transfer != nullptr && drawn.transfer->materialsChanged()) drawn.isStale = true;
 }
 
 void Renderer::sceneMoved(bool shapes) {

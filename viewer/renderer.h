@@ -51,6 +51,9 @@ class Renderer {
   /// and what else vertices carry are others too. Baked light stays as it is.
   void sceneMoved(bool shapes = false);
 
+  /// Materials of the scene are others, with the same textures; sceneMoved() has to follow.
+  void materialsChanged();
+
   /// The posed bake of the inputs carries something else for a shading.
   void bakeChanged(Shading shading);
 
@@ -99,6 +102,7 @@ class Renderer {
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
   const Bake* bakeOf(Shading shading) const;
+  void findFeatures();
   NearLampPass* nearLampsOf(Shading shading) const;
   std::vector<ShadedLight> shownLights(const View& view, const Illumination& light) const;
   bool anySurfaceHas(Feature feature) const;

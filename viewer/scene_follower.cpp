@@ -10,6 +10,7 @@ std::vector<DragNode> dragNodes(const PosedScene& scene) {
 
 PoseChange showPose(PosedScene& scene, Renderer& renderer, const ScenePlace& place, Shading shading) {
   const PoseChange change = scene.pose(place, shading);
+  if (change.materials) renderer.materialsChanged();
   if (change.places) renderer.sceneMoved(change.shapes);
   if (change.bake) renderer.bakeChanged(shading);
   return change;

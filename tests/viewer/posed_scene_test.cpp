@@ -67,7 +67,7 @@ struct Swing {
         bakeAnimation(scene, compiled, 0, request, keys, *bake.sh, test::sharedDevice(), progress, report);
   }
 
-  /// Of the camera, and of a light that hangs on the ball.
+  /// Of the camera, of a light that hangs on the ball, of the ball's colour and metalness and of the lamp.
   void addMotion() {
     Animation& animation = scene.animations[0];
     const glm::dvec3 eye(scene.cameras[0].world[3]);
@@ -81,6 +81,17 @@ struct Swing {
     light.sceneNode = nodeOf(scene, "Ball");
     placeLight(light, glm::translate(glm::dmat4(1.0), scene.nodes[light.sceneNode].translation));
     scene.lights.push_back(light);
+    const auto change = [&](const std::string& material, AnimatedProperty property, const glm::vec4& from,
+                            const glm::vec4& to) {
+      const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                      [&](const Material& m) { return m.name == material; });
+      const auto object = static_cast<std::size_t>(found - scene.materials.begin());
+      animation.properties.push_back({property, object, animation.samplers.size(), from});
+      animation.samplers.push_back({Interpolation::Linear, {0, 4}, {from, to}});
+    };
+    change("Red", AnimatedProperty::BaseColor, {0.75f, 0.15f, 0.12f, 1.0f}, {0.1f, 0.2f, 0.8f, 1.0f});
+    change("Red", AnimatedProperty::Metallic, glm::vec4(0.0f), glm::vec4(1.0f));
+    change("Lamp", AnimatedProperty::Emission, {30.0f, 28.0f, 24.0f, 0.0f}, {10.0f, 20.0f, 30.0f, 0.0f});
   }
 
   RenderInputs inputs() const { return {.scene = scene, .compiled = compiled, .bake = &bake}; }
