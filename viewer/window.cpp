@@ -234,6 +234,7 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
       glfwPollEvents();
     } else {
       glfwWaitEventsTimeout(0.25);
+      lastFrame = Clock::now();  // what plays from now on has not played meanwhile
     }
     int width = 0;
     int height = 0;

@@ -103,7 +103,7 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
       "show the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
       ->type_name("SECONDS");
   app.add_option("--animation", options.animation,
-                 "the animation that --at means (default: the one that was baked, else the first)")
+                 "the animation that moments are of (default: the one that was baked, else the first)")
       ->type_name("NAME|INDEX");
   app.add_option_function<std::vector<std::string>>(
          "--move",
