@@ -228,18 +228,17 @@ TEST(DraggedScene, NodesInVo_AreThoseOfAPictureWithThemThere_AndBackAgain) {
   EXPECT_EQ(largestDifference(show(view), rest), 0.0);
 }
 
-/// swing with its ball growing to twice its size.
-Scene growing() {
+/// swing with its ball, within 4 s, of other scales.
+Scene scaled(const glm::vec4& last) {
   Scene scene = swing().scene;
   Animation& animation = scene.animations[0];
   animation.channels.push_back({nodeOf(scene, "Ball"), AnimatedPath::Scale, animation.samplers.size()});
-  animation.samplers.push_back(
-      {Interpolation::Linear, {0, 4}, {glm::vec4(1.0f), glm::vec4(2.0f, 2.0f, 2.0f, 0.0f)}});
+  animation.samplers.push_back({Interpolation::Linear, {0, 4}, {glm::vec4(1.0f), last}});
   return scene;
 }
 
 TEST(PlayedScene, OccludersThatDoNotMoveRigidly_StayAndSaySoOnce) {
-  const Scene scene = growing();
+  const Scene scene = scaled({2.0f, 2.0f, 2.0f, 0.0f});
   RenderInputs inputs{.scene = scene, .compiled = swing().compiled, .bake = &swing().bake};
   PosedScene posed(inputs);
   EXPECT_TRUE(posed.pose({SceneMoment{0, 1.0}, {}}, Shading::Vo).bake);
@@ -323,9 +322,8 @@ Scene bending() {
   return scene;
 }
 
-TEST(PlayedScene, BentAndMorphedVertices_AreWhereStillPicturesHaveThem) {
-  const Scene scene = bending();
-  const std::vector<double> moments = {0.8, 0.2, 0.5};
+/// Frames of a scene without a bake are its still pictures.
+void expectStills(const Scene& scene, const std::vector<double>& moments) {
   Warnings notes;
   std::vector<Picture> stills;
   for (const double seconds : moments) {
@@ -340,6 +338,14 @@ TEST(PlayedScene, BentAndMorphedVertices_AreWhereStillPicturesHaveThem) {
     stage.controls.seek(moments[i]);
     EXPECT_EQ(largestDifference(stage.frame(), stills[i]), 0.0) << moments[i] << " s";
   }
+}
+
+TEST(PlayedScene, BentAndMorphedVertices_AreWhereStillPicturesHaveThem) {
+  expectStills(bending(), {0.8, 0.2, 0.5});
+}
+
+TEST(PlayedScene, NodeThatIsFlattenedAndTurnedInsideOut_IsTheStillPicture) {
+  expectStills(scaled({-1.0f, 1.0f, 1.0f, 0.0f}), {0.5, 3.0, 2.0, 1.0});
 }
 
 TEST(RenderFrames, OfAnAnimation_AreItsStillPictures) {
