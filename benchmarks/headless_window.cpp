@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "bake/animated_bake.h"
 #include "benchmarks/processor_time.h"
 #include "viewer/view.h"
 
@@ -59,6 +60,12 @@ WindowStage::WindowStage(const std::string& name, Shading shading, const WindowS
     viewer::infoOf(shading).addTo(request, asked);
     request.effort.rays = settings.rays;
     bake = timedBake(scene, request, device, progress).bake;
+    if (request.sh.order > 0 && !scene.scene.animations.empty()) {
+      StopOnly quiet(progress);
+      AnimationReport report;
+      bake.animation =
+          bakeAnimation(scene.scene, scene.compiled, 0, request, {}, *bake.sh, device, quiet, report);
+    }
     inputs.bake = &bake;
   }
 }
@@ -80,24 +87,34 @@ class HeadlessWindow::Screen {
 };
 
 HeadlessWindow::HeadlessWindow(WindowStage& stage, Shading shading, const WindowSettings& settings)
-    : moved_(stage.scene.scene, stage.scene.compiled),
-      inputs_(stage.inputs.movedTo(moved_.scene())),
-      renderer_(inputs_),
+    : played_(stage.scene.scene),
+      scene_(stage.inputs),
+      renderer_(scene_.shown()),
       light_(stage.live ? std::make_unique<viewer::LiveFollower>(*stage.live, stage.globalIllumination)
                         : nullptr),
       follower_(
-          renderer_, moved_,
+          renderer_, scene_,
           light_ ? std::vector<viewer::LightFollower*>{light_.get()} : std::vector<viewer::LightFollower*>{}),
       picture_(renderer_, samplesPerAxis),
       screen_(std::make_unique<Screen>(settings.width, settings.height)),
-      controls_(viewOf(inputs_, shading, settings), stage.scene.compiled, [](Shading) { return true; }) {
+      controls_(
+          viewOf(stage.inputs, shading, settings), stage.scene.compiled, [](Shading) { return true; }, {},
+          dragNodes(scene_)) {
+  controls_.startFollowing({scene_.lights(), scene_.cameras()}, {true, std::nullopt});
   renderer_.paceUpdates(true);
 }
 
 HeadlessWindow::~HeadlessWindow() = default;
 
+bool HeadlessWindow::play() {
+  viewer::Playback playback(played_);
+  playback.toggle();
+  if (playback.exists() && scene_.showsMoments()) controls_.setPlayback(playback);
+  return controls_.playback().plays();
+}
+
 void HeadlessWindow::frame(bool settled) {
-  if (follower_.update(controls_.view()) || renderer_.isBehind()) picture_.invalidate();
+  if (follower_.update(controls_) || renderer_.isBehind()) picture_.invalidate();
   picture_.update(controls_.view(), controls_.changes(), settled);
   presenter_.present(picture_.target(), picture_.samples(), screen_->name());
   viewer::gl::Framebuffer::finish();
@@ -113,7 +130,7 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
     before = now;
   };
   renderer_.observePasses([&](FramePass pass) { passed(nameOf(pass)); });
-  if (follower_.update(controls_.view()) || renderer_.isBehind()) picture_.invalidate();
+  if (follower_.update(controls_) || renderer_.isBehind()) picture_.invalidate();
   passed("light that follows");
   picture_.update(controls_.view(), controls_.changes(), settled);
   presenter_.present(picture_.target(), picture_.samples(), screen_->name());
@@ -124,9 +141,9 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
 
 /// Pictures are not drawn before light has settled: they would be drawn in vain.
 void HeadlessWindow::settle() {
-  follower_.update(controls_.view());
+  follower_.update(controls_);
   for (int i = 0; i < mostSettlingFrames && follower_.isBusy(controls_.view()); ++i)
-    follower_.update(controls_.view());
+    follower_.update(controls_);
   do frame(true);
   while (renderer_.isBehind());
 }

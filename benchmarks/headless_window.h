@@ -11,7 +11,7 @@
 #include "viewer/controls.h"
 #include "viewer/live_follower.h"
 #include "viewer/live_picture.h"
-#include "viewer/moved_scene.h"
+#include "viewer/posed_scene.h"
 #include "viewer/presenter.h"
 #include "viewer/scene_follower.h"
 
@@ -59,14 +59,17 @@ class HeadlessWindow {
   /// Until nothing changes by itself.
   void settle();
 
+  /// The scene has animations, which it plays from now on.
+  bool play();
+
   /// A frame of the view that stands still, all samples of it.
   void still();
 
  private:
   class Screen;
 
-  viewer::MovedScene moved_;
-  viewer::RenderInputs inputs_;
+  const Scene& played_;
+  viewer::PosedScene scene_;
   viewer::Renderer renderer_;
   std::unique_ptr<viewer::LiveFollower> light_;
   viewer::SceneFollower follower_;

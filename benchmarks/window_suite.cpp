@@ -66,7 +66,7 @@ struct Case {
   std::string name() const { return fmt::format("{}/{}", scene, viewer::shadingName(shading)); }
 };
 
-constexpr std::array<Case, 11> cases = {{{"shapes", Shading::Sh},
+constexpr std::array<Case, 14> cases = {{{"shapes", Shading::Sh},
                                          {"cornell", Shading::Sh},
                                          {"rooms", Shading::GlobalIllumination},
                                          {"shapes", Shading::Phong},
@@ -76,16 +76,19 @@ constexpr std::array<Case, 11> cases = {{{"shapes", Shading::Sh},
                                          {"cornell", Shading::LightMap},
                                          {"rooms", Shading::LightMap},
                                          {"cornell", Shading::Vo},
-                                         {"caustics", Shading::GlobalIllumination}}};
+                                         {"caustics", Shading::GlobalIllumination},
+                                         {"swing", Shading::Sh},
+                                         {"swing", Shading::Vo},
+                                         {"shapes", Shading::Vo}}};
 
-/// Frames while something is dragged, then some whose parts are timed.
-Frames move(HeadlessWindow& window, Drag what, int count, const Progress& progress) {
+/// Frames while something changes, then some whose parts are timed.
+Frames measureFrames(HeadlessWindow& window, int count, const Progress& progress,
+                     const std::function<void(int)>& change) {
   Frames frames;
   const int all = framesBeforeTiming + count + std::max(1, count / 4);
   for (int i = 0; i < all; ++i) {
     progress.check();
-    const double turn = 2.0 * std::numbers::pi * i / std::max(count, 1);
-    window.controls().drag(what, {dragged, 0.3 * dragged * std::sin(turn)});
+    change(i);
     if (i < framesBeforeTiming)
       window.frame(false);
     else if (i < framesBeforeTiming + count)
@@ -94,6 +97,13 @@ Frames move(HeadlessWindow& window, Drag what, int count, const Progress& progre
       frames.parts.push_back(window.timedFrame(false));
   }
   return frames;
+}
+
+Frames move(HeadlessWindow& window, Drag what, int count, const Progress& progress) {
+  return measureFrames(window, count, progress, [&](int i) {
+    const double turn = 2.0 * std::numbers::pi * i / std::max(count, 1);
+    window.controls().drag(what, {dragged, 0.3 * dragged * std::sin(turn)});
+  });
 }
 
 void measureCase(const Case& chosen, const Device& device, const BenchmarkOptions& options,
@@ -108,6 +118,15 @@ void measureCase(const Case& chosen, const Device& device, const BenchmarkOption
   window.controls().run(Command::ResetView);
   if (window.controls().selectedLight() < 0) window.controls().run(Command::AddLight);
   report(name + "/moving light", move(window, Drag::Light, options.windowFrames, progress), results);
+  if (chosen.shading == Shading::Vo) {
+    window.controls().run(Command::NextNode);  // the first is what the others stand on
+    report(name + "/moving node", move(window, Drag::Node, options.windowFrames, progress), results);
+  }
+  if (window.play())
+    report(name + "/playing",
+           measureFrames(window, options.windowFrames, progress,
+                         [&](int) { window.controls().playOn(viewer::Playback::frame); }),
+           results);
   window.settle();
   Frames still;
   for (int run = 0; run < options.runs; ++run) still.measure([&] { window.still(); });

@@ -71,7 +71,7 @@ void Controls::orbit(const glm::dvec2& delta) {
   const double slope = std::abs(glm::normalize(glm::dvec3(pitched[2])).y);
   if (slope < steepest || slope < std::abs(axis(2).y)) world = pitched;
   view_.camera.world = world;
-  moved();
+  cameraMoved();
 }
 
 void Controls::pan(const glm::dvec2& delta) {
@@ -79,7 +79,7 @@ void Controls::pan(const glm::dvec2& delta) {
   const glm::dvec3 shift = -heightAt(distance) * (delta.x * axis(0) + delta.y * axis(1));
   target_ += shift;
   view_.camera.world[3] += glm::dvec4(shift, 0.0);
-  moved();
+  cameraMoved();
 }
 
 double Controls::heightAt(double depth) const {
@@ -118,10 +118,11 @@ void Controls::zoom(double factor) {
     view_.camera.xMag *= factor;
     view_.camera.yMag *= factor;
   }
-  moved();
+  cameraMoved();
 }
 
-void Controls::moved() {
+void Controls::cameraMoved() {
+  hasOwnCamera_ = true;
   // The camera's own planes were made for where it stood.
   view_.camera.zNear = std::min(view_.camera.zNear, 1e-3 * radius_);
   view_.camera.zFar = 0.0;
@@ -163,6 +164,18 @@ void Controls::run(Command command) {
     case Command::NextNode:
       if (selectedNode_ >= 0) selectNode((selectedNode_ + 1) % static_cast<int>(nodes_.size()));
       return;
+    case Command::PlayOrPause:
+      playback_.toggle();
+      return showMoment();
+    case Command::FrameBack:
+    case Command::FrameOn:
+      playback_.step(command == Command::FrameOn ? 1 : -1);
+      return showMoment();
+    case Command::ToStart:
+      return seek(playback_.start());
+    case Command::Slower:
+    case Command::Faster:
+      return setSpeed(playback_.speed() * (command == Command::Faster ? 2.0 : 0.5));
     case Command::NextGroup:
       if (selectedGroup_ >= 0) selectGroup((selectedGroup_ + 1) % static_cast<int>(groups_.size()));
       return;
@@ -174,12 +187,17 @@ void Controls::run(Command command) {
       return;
     case Command::ResetView:
       view_.camera = firstCamera_;
-      const glm::dvec3 eye(view_.camera.world[3]);
-      const double depth = glm::dot(center_ - eye, -axis(2));
-      target_ = eye - axis(2) * (depth > 0.0 ? depth : radius_);
-      ++changes_;
-      return;
+      hasOwnCamera_ = false;
+      return aimAhead();
   }
+}
+
+/// The camera turns about what it looks at, as deep as the scene's centre.
+void Controls::aimAhead() {
+  const glm::dvec3 eye(view_.camera.world[3]);
+  const double depth = glm::dot(center_ - eye, -axis(2));
+  target_ = eye - axis(2) * (depth > 0.0 ? depth : radius_);
+  ++changes_;
 }
 
 void Controls::setShading(Shading shading) {
@@ -223,7 +241,57 @@ void Controls::setOccluders(const OccluderOptions& options) {
   ++changes_;
 }
 
+void Controls::setPlayback(const Playback& playback) {
+  playback_ = playback;
+  showMoment();
+}
+
+void Controls::choosePlayed(std::size_t which) {
+  playback_.choose(which);
+  showMoment();
+}
+
+void Controls::seek(double seconds) {
+  playback_.seek(seconds);
+  showMoment();
+}
+
+void Controls::setSpeed(double factor) { playback_.setSpeed(factor); }
+
+void Controls::setLoop(bool loop) { playback_.setLoop(loop); }
+
+void Controls::showMoment() {
+  if (view_.moment == playback_.moment()) return;
+  view_.moment = playback_.moment();
+  ++changes_;
+}
+
+void Controls::startFollowing(const SceneLook& look, const Following& what) {
+  following_ = what;
+  if (what.lights) followedLights_.assign(look.lights.begin(), look.lights.end());
+  if (what.camera) followedCamera_ = look.cameras[*what.camera];
+}
+
+void Controls::follow(const SceneLook& look) {
+  for (std::size_t i = 0; following_.lights && i < followedLights_.size(); ++i) {
+    if (look.lights[i] == followedLights_[i]) continue;
+    view_.lights[i] = followedLights_[i] = look.lights[i];
+    ++changes_;
+  }
+  if (!following_.camera || look.cameras[*following_.camera] == followedCamera_) return;
+  firstCamera_ = followedCamera_ = look.cameras[*following_.camera];
+  if (hasOwnCamera_) return;
+  view_.camera = firstCamera_;
+  aimAhead();
+}
+
+void Controls::playOn(double seconds) {
+  playback_.advance(seconds);
+  showMoment();
+}
+
 void Controls::passTime(double seconds) {
+  playOn(seconds);
   if (view_.shading != Shading::Vo || !areAnimated(view_.occluders)) return;
   OccluderOptions later = view_.occluders;
   later.seconds = std::fmod(later.seconds + seconds, effectPeriod);

@@ -3,9 +3,12 @@
 #include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "viewer/playback.h"
 #include "viewer/renderer.h"
 
 namespace prelight::viewer {
@@ -20,16 +23,39 @@ enum class Command {
   NextLight,
   NextNode,
   AddLight,
+  PlayOrPause,
+  FrameBack,
+  FrameOn,
+  ToStart,
+  Slower,
+  Faster,
   NextGroup,
   BrightenGroup,
   DimGroup,
   ResetView,
 };
 
+/// Whether light of a shading follows nodes that are dragged.
+constexpr bool followsNodes(Shading shading) {
+  return shading == Shading::GlobalIllumination || shading == Shading::Vo;
+}
+
 /// A node that can be dragged.
 struct DragNode {
   std::string name;
   glm::dvec3 center{0.0};  ///< at rest, world
+};
+
+/// What of a scene moves with its animations.
+struct SceneLook {
+  std::span<const Light> lights;
+  std::span<const Camera> cameras;
+};
+
+/// What of a view is the scene's and follows its animations.
+struct Following {
+  bool lights = false;                ///< the view's first ones, in the scene's order
+  std::optional<std::size_t> camera;  ///< that the first view is of
 };
 
 /// What the user's hands do to a view, free of any window system. Every change counts up `changes`.
@@ -65,8 +91,25 @@ class Controls {
   void selectNode(int index);
   void setGroupFactor(const glm::vec3& factor);       ///< of the selected group
   void setOccluders(const OccluderOptions& options);  ///< cut to their ranges
-  /// Moves the time of effects on, where they show.
+  /// Moves the time of effects on, where they show, and the animation.
   void passTime(double seconds);
+  /// The animation alone, where it plays.
+  void playOn(double seconds);
+
+  /// What there is to play.
+  void setPlayback(const Playback& playback);
+  const Playback& playback() const { return playback_; }
+  void choosePlayed(std::size_t which);  ///< into Playback::animations()
+  void seek(double seconds);
+  void setSpeed(double factor);
+  void setLoop(bool loop);
+
+  /// The lights and the camera that follow the scene, which is as it was at first.
+  void startFollowing(const SceneLook& look, const Following& what);
+
+  /// Where an animation has changed a light or the camera since the last call, the view has it as it is now;
+  /// a camera that the user has moved stays until the view is reset.
+  void follow(const SceneLook& look);
   void resize(int width, int height);
 
  private:
@@ -77,7 +120,9 @@ class Controls {
   void moveNode(const glm::dvec2& delta);
   double heightAt(double depth) const;
   void addLight();
-  void moved();
+  void cameraMoved();
+  void aimAhead();
+  void showMoment();
   glm::dvec3 axis(int index) const { return glm::normalize(glm::dvec3(view_.camera.world[index])); }
   Light* selected();
 
@@ -92,6 +137,11 @@ class Controls {
   int selectedGroup_ = -1;
   std::vector<DragNode> nodes_;
   int selectedNode_ = -1;
+  Playback playback_;
+  Following following_;
+  std::vector<Light> followedLights_;
+  Camera followedCamera_;
+  bool hasOwnCamera_ = false;  ///< that does not follow the scene's
   std::size_t changes_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "prelight/bake.h"
 #include "prelight/error.h"
 #include "viewer/gl/buffer.h"
 #include "viewer/gl/program.h"
@@ -73,6 +74,7 @@ class VertexStream {
     buffer_.fill(GL_ARRAY_BUFFER, values, GL_DYNAMIC_DRAW);
   }
 
+  Attribute attribute() const { return attribute_; }
   const gl::Buffer& buffer() const { return buffer_; }
 
   /// Ties it to the vertex array in use.
@@ -101,6 +103,12 @@ class DrawnTransfer {
 
   /// Replaces the irradiance that it shows, W/m2, [vertex]. False where it shows none.
   virtual bool replaceIrradiance(std::span<const glm::vec3> /*irradiance*/) { return false; }
+
+  /// The scene's materials are others. True where light() has to be called for it.
+  virtual bool materialsChanged() { return false; }
+
+  /// Takes the numbers of another bake in place of those that it has, where it can: then light() is called.
+  virtual bool takeBake(const Bake&) { return false; }
 
   /// True where what light() makes ready is for one place of the eye.
   virtual bool dependsOnEye(const Illumination&) const { return false; }

@@ -28,6 +28,15 @@ std::string shadingKeys(const Controls& controls) {
   return keys;
 }
 
+void addNodeKeys(const Controls& controls, std::vector<std::string>& lines) {
+  const bool full = controls.canShade(Shading::GlobalIllumination), vo = controls.canShade(Shading::Vo);
+  if (!full && !vo) return;
+  if (controls.nodes().size() > 1) lines.push_back(line("N", "next node"));
+  const char* shadings = full && vo ? "full and vo" : full ? "full" : "vo";
+  lines.push_back(
+      line("Shift + right drag", std::string("move the selected node (") + shadings + " shading)"));
+}
+
 }  // namespace
 
 Shading shadingOfKey(int digit) { return shadings()[static_cast<std::size_t>((digit + 9) % 10)].shading; }
@@ -42,9 +51,12 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
   if (controls.view().lights.size() > 1) lines.push_back(line("Tab", "next light"));
   lines.push_back(line("L", "add a light"));
   if (hasSky) lines.push_back(line("Shift + left drag", "turn the sky (also Q and E)"));
-  if (controls.canShade(Shading::GlobalIllumination) && !controls.nodes().empty()) {
-    if (controls.nodes().size() > 1) lines.push_back(line("N", "next node"));
-    lines.push_back(line("Shift + right drag", "move the selected node (full shading)"));
+  if (!controls.nodes().empty()) addNodeKeys(controls, lines);
+  if (controls.playback().exists()) {
+    lines.push_back(line("Space", "play or pause the animation"));
+    lines.push_back(line("Left, Right", "a frame of it back, on"));
+    lines.push_back(line("[ and ]", "play slower, faster"));
+    lines.push_back(line("Home", "to its start"));
   }
   lines.push_back(line("number keys", shadingKeys(controls)));
   if (controls.canShade(Shading::GlobalIllumination)) lines.push_back(line("F", "full shading"));

@@ -44,14 +44,50 @@ OccluderLighting::OccluderLighting(const RenderInputs& inputs)
     : inputs_(inputs),
       gloss_{vertexGloss(inputs, false), vertexGloss(inputs, true)},
       anyGloss_{anyOf(gloss_[0]), anyOf(gloss_[1])},
-      pass_(*inputs.bake->occluders, inputs.compiled.origin, receivers(false)),
+      stored_(inputs.bake->occluders->stored),
+      transfer_(&*inputs.bake->occluders),
+      origin_(inputs.compiled.origin),
+      pass_(*transfer_, origin_, receivers()),
       accessibility_(Attribute::Accessibility,
                      std::span<const float>(occluderAccessibility(*inputs.bake->occluders))) {}
 
-std::vector<device::OccluderReceiverPoint> OccluderLighting::receivers(bool allHighlights) const {
+std::vector<device::OccluderReceiverPoint> OccluderLighting::receivers() const {
   const CompiledScene& scene = inputs_.compiled;
-  return OccluderReceivers{scene.positions, scene.normals, scene.origin, gloss_[allHighlights ? 1 : 0]}
+  return OccluderReceivers{scene.positions, scene.normals, scene.origin, gloss_[allHighlights_ ? 1 : 0]}
       .points();
+}
+
+bool OccluderLighting::verticesMoved() {
+  receiversMoved_ = true;
+  return true;
+}
+
+bool OccluderLighting::materialsChanged() {
+  gloss_ = {vertexGloss(inputs_, false), vertexGloss(inputs_, true)};
+  anyGloss_ = {anyOf(gloss_[0]), anyOf(gloss_[1])};
+  receiversMoved_ = true;
+  return true;
+}
+
+bool OccluderLighting::takeBake(const Bake& bake) {
+  if (!bake.occluders || bake.occluders->stored != stored_) return false;
+  transfer_ = &*bake.occluders;
+  recordsChanged_ = true;
+  return true;
+}
+
+/// What has changed since pictures were last lit goes to OpenGL.
+void OccluderLighting::followScene(bool allHighlights) {
+  if (recordsChanged_ || origin_ != inputs_.compiled.origin) {
+    origin_ = inputs_.compiled.origin;
+    pass_.setTransfer(*transfer_, origin_);
+    accessibility_.fill(std::span<const float>(occluderAccessibility(*transfer_)));
+  }
+  if (receiversMoved_ || allHighlights_ != allHighlights) {
+    allHighlights_ = allHighlights;
+    pass_.setReceivers(receivers());
+  }
+  recordsChanged_ = receiversMoved_ = false;
 }
 
 std::vector<device::OccluderLight> OccluderLighting::allLights(const Illumination& light) {
@@ -87,10 +123,7 @@ bool OccluderLighting::dependsOnEye(const Illumination& light) const {
 }
 
 void OccluderLighting::light(const Illumination& light) {
-  if (allHighlights_ != light.occluders.allHighlights) {
-    allHighlights_ = light.occluders.allHighlights;
-    pass_.setReceivers(receivers(allHighlights_));
-  }
+  followScene(light.occluders.allHighlights);
   pass_.light(allLights(light), shadingOf(light.occluders), light.eye);
 }
 

@@ -20,13 +20,17 @@ class OccluderLighting : public DrawnTransfer {
   explicit OccluderLighting(const RenderInputs& inputs);
 
   void light(const Illumination& light) override;
+  bool verticesMoved() override;
+  bool materialsChanged() override;
+  bool takeBake(const Bake& bake) override;
   bool dependsOnEye(const Illumination& light) const override;
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
  private:
+  void followScene(bool allHighlights);
   std::vector<device::OccluderLight> allLights(const Illumination& light);
-  std::vector<device::OccluderReceiverPoint> receivers(bool allHighlights) const;
+  std::vector<device::OccluderReceiverPoint> receivers() const;
   OccluderShading shadingOf(const OccluderOptions& options) const;
 
   RenderInputs inputs_;
@@ -35,7 +39,11 @@ class OccluderLighting : public DrawnTransfer {
   const Environment* cutSky_ = nullptr;          ///< that skyLights_ are of
   int cutCount_ = 0;
   std::vector<SkyLight> skyLights_;
-  bool allHighlights_ = false;  ///< what the receivers are for
+  std::vector<OccluderVector> stored_;  ///< that pass_ is made for
+  bool allHighlights_ = false;          ///< what the receivers are for
+  const OccluderTransfer* transfer_;    ///< of the bake
+  glm::dvec3 origin_;                   ///< of the scene's coordinates that pass_ has the records in
+  bool recordsChanged_ = false, receiversMoved_ = false;
   OccluderPass pass_;
   VertexStream accessibility_;
 };

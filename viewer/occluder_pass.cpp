@@ -81,22 +81,36 @@ OccluderPass::OccluderPass(const OccluderTransfer& transfer, const glm::dvec3& o
       vertices_(points.size()),
       prepareProgram_("occluder_records.vert", preparedNames(upload_.stored)),
       lightProgram_("occluders.vert", {"litDiffuse", "litSpecular", "litReflected"}),
-      records_(asTexels(std::span<const glm::vec4>(upload_.records), "records of vector occluders")),
-      owners_(gl::makeBufferTexture(std::span<const std::int32_t>(upload_.owners), 1, GL_R32I,
-                                    "vertices of vector occluders")),
-      offsets_(gl::makeBufferTexture(std::span<const std::uint32_t>(transfer.offsets), 1, GL_R32UI,
-                                     "offsets of vector occluders")),
       receivers_(asTexels(points, "receivers of vector occluders")),
-      waves_(asTexels(std::span<const glm::vec4>(makeWaveTable()), "waves")),
-      prepared_(asTexels(std::span<const glm::vec4>(std::vector<glm::vec4>(
-                             upload_.owners.size() * static_cast<std::size_t>(upload_.stride))),
-                         "prepared vector occluders")) {
+      waves_(asTexels(std::span<const glm::vec4>(makeWaveTable()), "waves")) {
   const std::vector<device::LitVertex> dark(vertices_);
   lit_.fill(GL_TRANSFORM_FEEDBACK_BUFFER, std::span<const device::LitVertex>(dark), GL_DYNAMIC_COPY);
-  upload_.records = {};
+  upload(transfer);
   nameUnits(prepareProgram_);
   nameUnits(lightProgram_);
   gl::check("preparing vector occluders");
+}
+
+void OccluderPass::upload(const OccluderTransfer& transfer) {
+  records_ = asTexels(std::span<const glm::vec4>(upload_.records), "records of vector occluders");
+  owners_ = gl::makeBufferTexture(std::span<const std::int32_t>(upload_.owners), 1, GL_R32I,
+                                  "vertices of vector occluders");
+  offsets_ = gl::makeBufferTexture(std::span<const std::uint32_t>(transfer.offsets), 1, GL_R32UI,
+                                   "offsets of vector occluders");
+  const std::size_t texels = upload_.owners.size() * static_cast<std::size_t>(upload_.stride);
+  if (texels > preparedTexels_) {
+    prepared_ =
+        asTexels(std::span<const glm::vec4>(std::vector<glm::vec4>(texels)), "prepared vector occluders");
+    preparedTexels_ = texels;
+  }
+  upload_.records = {};
+  preparedFor_.reset();
+}
+
+void OccluderPass::setTransfer(const OccluderTransfer& transfer, const glm::dvec3& origin) {
+  upload_ = OccluderUpload(transfer, origin);
+  upload(transfer);
+  gl::check("replacing vector occluders");
 }
 
 void OccluderPass::setReceivers(std::span<const device::OccluderReceiverPoint> points) {

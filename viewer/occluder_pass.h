@@ -19,7 +19,10 @@ class OccluderPass {
   OccluderPass(const OccluderTransfer& transfer, const glm::dvec3& origin,
                std::span<const device::OccluderReceiverPoint> points);
 
-  /// Replaces what the vertices reflect.
+  /// Replaces the records: others of as many vertices, with the same vectors. Throws as the constructor.
+  void setTransfer(const OccluderTransfer& transfer, const glm::dvec3& origin);
+
+  /// Replaces where the vertices are and what they reflect.
   void setReceivers(std::span<const device::OccluderReceiverPoint> points);
 
   void light(std::span<const device::OccluderLight> lights, const OccluderShading& shading,
@@ -32,10 +35,13 @@ class OccluderPass {
  private:
   void prepare(const device::OccluderTerms& terms);
 
+  void upload(const OccluderTransfer& transfer);
+
   OccluderUpload upload_;
   std::size_t vertices_ = 0;
   gl::Program prepareProgram_, lightProgram_;
   gl::BufferTexture records_, owners_, offsets_, receivers_, waves_, prepared_, lights_;
+  std::size_t preparedTexels_ = 0;  ///< that prepared_ has room for
   gl::Buffer lit_;
   gl::VertexArray noVertices_;
   gl::Capture capture_;

@@ -49,7 +49,7 @@ void drawLights(Controls& controls) {
 }
 
 void drawNodes(Controls& controls) {
-  if (controls.view().shading != Shading::GlobalIllumination || controls.selectedNode() < 0) return;
+  if (!followsNodes(controls.view().shading) || controls.selectedNode() < 0) return;
   if (!ImGui::BeginCombo("node", controls.nodes()[controls.selectedNode()].name.c_str())) return;
   for (int i = 0; i < static_cast<int>(controls.nodes().size()); ++i) {
     ImGui::PushID(i);
@@ -58,6 +58,34 @@ void drawNodes(Controls& controls) {
     ImGui::PopID();
   }
   ImGui::EndCombo();
+}
+
+void drawTimeline(Controls& controls) {
+  const Playback& playback = controls.playback();
+  if (!playback.exists()) return;
+  ImGui::Separator();
+  if (ImGui::Button(playback.plays() ? "Pause" : "Play")) controls.run(Command::PlayOrPause);
+  ImGui::SameLine();
+  bool loops = playback.loops();
+  if (ImGui::Checkbox("loop", &loops)) controls.setLoop(loops);
+  ImGui::SameLine();
+  if (playback.animations().size() < 2) {
+    ImGui::TextUnformatted(playback.animations()[playback.chosen()].name.c_str());
+  } else if (ImGui::BeginCombo("animation", playback.animations()[playback.chosen()].name.c_str())) {
+    for (std::size_t i = 0; i < playback.animations().size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(playback.animations()[i].name.c_str(), i == playback.chosen()))
+        controls.choosePlayed(i);
+      ImGui::PopID();
+    }
+    ImGui::EndCombo();
+  }
+  auto seconds = static_cast<float>(playback.seconds());
+  if (ImGui::SliderFloat("time", &seconds, static_cast<float>(playback.start()),
+                         static_cast<float>(playback.end()), "%.2f s"))
+    controls.seek(seconds);
+  auto speed = static_cast<float>(playback.speed());
+  if (ImGui::SliderFloat("speed", &speed, -2.0f, 2.0f, "%.2f")) controls.setSpeed(speed);
 }
 
 void drawGroups(Controls& controls) {
@@ -131,6 +159,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
   drawNodes(controls);
   drawGroups(controls);
   drawOccluders(controls);
+  drawTimeline(controls);
   if (showHelp_) {
     ImGui::Separator();
     for (const std::string& line : keyHelp(controls, hasSky_)) ImGui::TextUnformatted(line.c_str());

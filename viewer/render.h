@@ -39,10 +39,20 @@ struct RenderInputs {
   bool normalTextures = true;
   const Encoding* encoding =
       nullptr;  ///< lightmap and radiosity shading draw light in it, where the bake holds some; nullptr: none
+  /// What it carries is drawn in place of the bake's, which is of another pose; nullptr: there is none.
+  const Bake* posed = nullptr;
 
-  /// All of them for a scene whose vertices are elsewhere.
-  RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalTextures, encoding};
+  /// All of them with another bake, which is the pose's.
+  RenderInputs with(const Bake* chosen) const {
+    RenderInputs chosenInputs = *this;
+    chosenInputs.bake = chosen;
+    return chosenInputs;
+  }
+
+  /// All of them for a scene that stands otherwise.
+  RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
+    return {movedScene,         moved,          bake,     environment, device, caustics,
+            globalIllumination, normalTextures, encoding, posed};
   }
 };
 

@@ -137,6 +137,8 @@ SurfaceTexture RenderScene::texture(const Scene& scene, const TextureRef& use, b
 }
 
 void RenderScene::makeBatches(const CompiledScene& compiled) {
+  batches_.clear();
+  occluders_.clear();
   const std::map<std::uint32_t, int> starts = primitiveStarts(compiled);
   for (std::uint32_t t = 0; t < compiled.triangleCount(); ++t) {
     const std::uint32_t surface = compiled.triangleMaterials[t];
@@ -165,6 +167,32 @@ void RenderScene::makeBatches(const CompiledScene& compiled) {
 void RenderScene::fillPositions(const CompiledScene& compiled) {
   streams_.front().fill(std::span<const glm::vec3>(compiled.positions));
   for (Batch& batch : batches_) batch.center = centerOf(compiled, batch);
+}
+
+template <typename T>
+void RenderScene::fillAttribute(Attribute attribute, const std::vector<T>& values) const {
+  for (const VertexStream& stream : streams_)
+    if (stream.attribute() == attribute) stream.fill(std::span<const T>(values));
+}
+
+void RenderScene::fillVertices(const CompiledScene& compiled) {
+  fillAttribute(Attribute::Position, compiled.positions);
+  fillAttribute(Attribute::Normal, compiled.normals);
+  fillAttribute(Attribute::TexCoords, texCoords(compiled));
+  fillAttribute(Attribute::Color, compiled.colors);
+  const auto refill = [](const gl::Buffer& buffer, const auto& values) {
+    buffer.fill(GL_TEXTURE_BUFFER, std::span(values), GL_DYNAMIC_DRAW);
+  };
+  refill(triangles_, compiled.triangles);
+  refill(triangleNormals_.buffer, geometricNormals(compiled));
+  if (compiled.needsTangents()) refill(tangents_.buffer, cornerTangents(compiled));
+  makeBatches(compiled);
+}
+
+void RenderScene::fillSurfaces(const RenderInputs& inputs) {
+  surfaces_.clear();
+  makeSurfaces(inputs);
+  makeAlbedos(inputs.compiled);
 }
 
 void RenderScene::drawOccluders(const std::function<void(const Surface&)>& setSurface) const {

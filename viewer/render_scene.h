@@ -102,6 +102,12 @@ class RenderScene {
   /// Takes the vertices to other places.
   void fillPositions(const CompiledScene& compiled);
 
+  /// The same, of vertices that carry something else too, and of triangles, as they are in other poses.
+  void fillVertices(const CompiledScene& compiled);
+
+  /// Replaces what materials say; textures stay.
+  void fillSurfaces(const RenderInputs& inputs);
+
   /// Draws all triangles with the program in use, both sides of them, as what stands in the light's way;
   /// `setSurface` is called before those of a surface that has holes and once for all that have none.
   void drawOccluders(const std::function<void(const Surface&)>& setSurface) const;
@@ -120,6 +126,8 @@ class RenderScene {
   void makeVertices(const RenderInputs& inputs);
   template <typename T>
   void addAttribute(Attribute attribute, std::span<const T> values);
+  template <typename T>
+  void fillAttribute(Attribute attribute, const std::vector<T>& values) const;
 
   gl::VertexArray vertexArray_;
   std::vector<VertexStream> streams_;

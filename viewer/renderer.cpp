@@ -32,7 +32,7 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   if (inputs.bake != nullptr) checkBake(*inputs.bake, compiled_);
   if (inputs.bake != nullptr && inputs.bake->nearLamps)
     nearLamps_ = std::make_unique<NearLampPass>(*inputs.bake->nearLamps, compiled_);
-  for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
+  findFeatures();
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
   if (!lights_.profiles().empty()) profiles_ = gl::makeBufferTexture(lights_.profiles(), "profiles of lamps");
@@ -95,7 +95,8 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   }
   Features& features = variant.features;
   features.add(Feature::VertexColors, compiled_.hasVertexColors());
-  features.add(Feature::Charts, inputs_.bake != nullptr && inputs_.bake->chartTransfer);
+  const Bake* bake = bakeOf(view.shading);
+  features.add(Feature::Charts, bake != nullptr && bake->chartTransfer);
   features.add(Feature::Caustics, showsCaustics(view));
   features.add(Feature::SkyLight, sky_.seenBy(view).map != nullptr);
   features.add(Feature::SkyMap, sky_.isMap());
@@ -142,8 +143,23 @@ bool Renderer::isBehind() const {
          (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
 }
 
-void Renderer::sceneMoved() {
-  scene_.fillPositions(compiled_);
+void Renderer::findFeatures() {
+  surfaceFeatures_.clear();
+  for (const Surface& surface : scene_.surfaces()) surfaceFeatures_.push_back(featuresOf(surface));
+}
+
+void Renderer::materialsChanged() {
+  scene_.fillSurfaces(inputs_);
+  findFeatures();
+  for (Drawn& drawn : drawn_)
+    if (drawn.transfer != nullptr && drawn.transfer->materialsChanged()) drawn.isStale = true;
+}
+
+void Renderer::sceneMoved(bool shapes) {
+  if (shapes)
+    scene_.fillVertices(compiled_);
+  else
+    scene_.fillPositions(compiled_);
   lights_.setScene(compiled_);
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
@@ -151,6 +167,30 @@ void Renderer::sceneMoved() {
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
+}
+
+/// What a shading is drawn from; near lamps and light maps of a bake are not of its other poses.
+const Bake* Renderer::bakeOf(Shading shading) const {
+  const bool posed = inputs_.posed != nullptr && shading != Shading::Phong &&
+                     shading != Shading::GlobalIllumination && infoOf(shading).carriedBy(*inputs_.posed);
+  return posed ? inputs_.posed : inputs_.bake;
+}
+
+NearLampPass* Renderer::nearLampsOf(Shading shading) const {
+  return bakeOf(shading) == inputs_.bake ? nearLamps_.get() : nullptr;
+}
+
+void Renderer::bakeChanged(Shading shading) {
+  Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
+  if (drawn.transfer == nullptr) return;
+  const Bake* bake = bakeOf(shading);
+  if (bake == drawn.bake && bake == inputs_.bake) return;  // that one stays what it is
+  if (bake != nullptr && drawn.transfer->takeBake(*bake)) {
+    drawn.bake = bake;
+    drawn.isStale = true;
+  } else {
+    drawn = {};
+  }
 }
 
 void Renderer::updateSurroundings(const View& view, const Illumination& light) {
@@ -182,7 +222,7 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   light.lights = lights_.of(view, sky_.seenBy(view).map);
-  if (nearLamps_ != nullptr && rulesFor(view).through == Through::FarLights)
+  if (nearLampsOf(view.shading) != nullptr && rulesFor(view).through == Through::FarLights)
     NearLampPass::choose(light.lights);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
@@ -196,7 +236,9 @@ Illumination Renderer::illuminationOf(const View& view) {
 
 Renderer::Drawn& Renderer::drawnOf(Shading shading) {
   Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
-  if (!drawn.isMade) drawn.transfer = makeDrawnTransfer(shading, inputs_, lobe_);
+  if (drawn.isMade) return drawn;
+  drawn.bake = bakeOf(shading);
+  drawn.transfer = makeDrawnTransfer(shading, inputs_.with(drawn.bake), lobe_);
   drawn.isMade = true;
   return drawn;
 }

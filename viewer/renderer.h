@@ -51,9 +51,15 @@ class Renderer {
   /// Throws Error for another number of values, and when the bake has no radiosity.
   void updateIrradiance(std::span<const glm::vec3> irradiance);
 
-  /// Vertices of the scene are at other places, with normals as they were: draws them there from now on.
-  /// Baked light stays as it is.
-  void sceneMoved();
+  /// Vertices of the scene are at other places: draws them there from now on. `shapes`: normals, triangles
+  /// and what else vertices carry are others too. Baked light stays as it is.
+  void sceneMoved(bool shapes = false);
+
+  /// Materials of the scene are others, with the same textures; sceneMoved() has to follow.
+  void materialsChanged();
+
+  /// The posed bake of the inputs carries something else for a shading.
+  void bakeChanged(Shading shading);
 
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
   void paceUpdates(bool pace) { paced_ = pace; }
@@ -95,6 +101,7 @@ class Renderer {
   /// A technique in OpenGL and the light that it was last lit by.
   struct Drawn {
     std::unique_ptr<DrawnTransfer> transfer;  ///< nullptr where the shading has none
+    const Bake* bake = nullptr;               ///< that it is of
     std::optional<Illumination> light;
     bool isMade = false;   ///< `transfer` is what it should be
     bool isStale = false;  ///< the scene has moved
@@ -108,6 +115,9 @@ class Renderer {
   Drawn& drawnOf(Shading shading);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
+  const Bake* bakeOf(Shading shading) const;
+  void findFeatures();
+  NearLampPass* nearLampsOf(Shading shading) const;
   std::vector<ShadedLight> shownLights(const View& view, const Illumination& light) const;
   bool anySurfaceHas(Feature feature) const;
   DrawingRules rulesFor(const View& view) const;

@@ -10,14 +10,29 @@ LightFollower* SceneFollower::followerOf(Shading shading) const {
   return found == lights_.end() ? nullptr : *found;
 }
 
-bool SceneFollower::update(const View& view) {
-  const bool moved = scene_.move(view.nodeShifts);
-  if (moved) renderer_.sceneMoved();
+std::vector<DragNode> dragNodes(const PosedScene& scene) {
+  std::vector<DragNode> nodes;
+  for (const PosedScene::Node& node : scene.nodes()) nodes.push_back({node.name, node.center});
+  return nodes;
+}
+
+PoseChange showPose(PosedScene& scene, Renderer& renderer, const ScenePlace& place, Shading shading) {
+  const PoseChange change = scene.pose(place, shading);
+  if (change.materials) renderer.materialsChanged();
+  if (change.places) renderer.sceneMoved(change.shapes);
+  if (change.bake) renderer.bakeChanged(shading);
+  return change;
+}
+
+bool SceneFollower::update(Controls& controls) {
+  const View& view = controls.view();
+  const PoseChange change = showPose(scene_, renderer_, {view.moment, view.nodeShifts}, view.shading);
+  if (change.places) controls.follow({scene_.lights(), scene_.cameras()});
   LightFollower* light = followerOf(view.shading);
-  if (light == nullptr) return moved;
+  if (light == nullptr) return change.any();
   const bool lit = light->update({view.lights, scene_.shifts(), view.skyRotation});
   if (lit) light->show(renderer_);
-  return moved || lit;
+  return change.any() || lit;
 }
 
 bool SceneFollower::isBusy(const View& view) const {

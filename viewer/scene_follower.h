@@ -3,21 +3,30 @@
 #include <utility>
 #include <vector>
 
+#include "viewer/controls.h"
 #include "viewer/light_follower.h"
-#include "viewer/moved_scene.h"
+#include "viewer/posed_scene.h"
 #include "viewer/renderer.h"
 
 namespace prelight::viewer {
 
-/// What follows a view besides its picture: places of nodes, and light that is computed all the while.
+/// What of a scene can be dragged, for Controls.
+std::vector<DragNode> dragNodes(const PosedScene& scene);
+
+/// Poses a scene and has its renderer know.
+PoseChange showPose(PosedScene& scene, Renderer& renderer, const ScenePlace& place, Shading shading);
+
+/// What follows a user's hands besides the picture: how the scene stands, what its bake says then, and light
+/// that is computed all the while.
 class SceneFollower {
  public:
   /// Everything outlives it. Light of shadings without a follower stays as it is.
-  SceneFollower(Renderer& renderer, MovedScene& scene, std::vector<LightFollower*> lights)
+  SceneFollower(Renderer& renderer, PosedScene& scene, std::vector<LightFollower*> lights)
       : renderer_(renderer), scene_(scene), lights_(std::move(lights)) {}
 
-  /// True when the picture is out of date for it.
-  bool update(const View& view);
+  /// Poses the scene as the view has it, and has the view's lights and camera follow. True when the picture
+  /// is out of date for it.
+  bool update(Controls& controls);
 
   /// Light of the view would change further by itself.
   bool isBusy(const View& view) const;
@@ -26,7 +35,7 @@ class SceneFollower {
   LightFollower* followerOf(Shading shading) const;
 
   Renderer& renderer_;
-  MovedScene& scene_;
+  PosedScene& scene_;
   std::vector<LightFollower*> lights_;
 };
 

@@ -92,18 +92,29 @@ TransferRows TransferRows::upload(std::span<const T> values, int count, int chan
 
 HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene)
     : order_(transfer.order), naive_(transfer.naive), pass_(scene) {
-  const std::span<const float> values(transfer.coefficients);
-  const int count = order_ * order_;
-  rows_ = TransferRows::upload(values, count, transfer.channels, "harmonic transfer");
   if (basis == Basis::Ch) {
     ch_.emplace(order_);
     chBasis_ = gl::makeBufferTexture(std::span<const float>(basisTable(*ch_)), 1, GL_R32F, "CH basis");
   }
+  upload(transfer);
+}
+
+void HarmonicSeries::upload(const HarmonicTransfer& transfer) {
+  const std::span<const float> values(transfer.coefficients);
+  const int count = order_ * order_;
+  rows_ = TransferRows::upload(values, count, transfer.channels, "harmonic transfer");
   const std::size_t vertices = values.size() / (static_cast<std::size_t>(count) * transfer.channels);
   const auto accessibility =
       seriesAccessibility(vertices, transfer.channels, evenSky(order_, ch_ ? &*ch_ : nullptr),
                           [&](std::size_t at, std::size_t, std::size_t) { return double(values[at]); });
   accessibility_.emplace(Attribute::Accessibility, std::span<const float>(accessibility));
+}
+
+/// In SH; the rest of what it is made for does not depend on the numbers.
+bool HarmonicSeries::takeBake(const Bake& bake) {
+  if (ch_ || ranges_ || !bake.sh || bake.sh->order != order_) return false;
+  upload(*bake.sh);
+  return true;
 }
 
 HarmonicSeries::HarmonicSeries(const CompressedTransfer& transfer, const CompiledScene& scene)

@@ -42,10 +42,13 @@ class HarmonicSeries : public DrawnTransfer {
 
   void light(const Illumination& light) override;
   bool verticesMoved() override { return pass_.verticesMoved(); }
+  bool takeBake(const Bake& bake) override;
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
  private:
+  void upload(const HarmonicTransfer& transfer);
+
   int order_ = 0;
   bool naive_ = false;
   std::optional<ch::Basis> ch_;

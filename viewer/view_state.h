@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "prelight/scene.h"
@@ -31,7 +32,9 @@ struct View {
   AoCorrection aoCorrection = AoCorrection::None;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool draft = false;                   ///< while something moves: fewer samples of large lights
-  std::vector<glm::dvec3> nodeShifts;   ///< m, of MovedScene; the renderer knows them by sceneMoved()
+  /// Of PosedScene, m; the renderer knows them, and the moment, by sceneMoved().
+  std::vector<glm::dvec3> nodeShifts;
+  std::optional<SceneMoment> moment;  ///< none: as the scene was given
 };
 
 }  // namespace prelight::viewer

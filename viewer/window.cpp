@@ -17,8 +17,8 @@
 #include "viewer/controls.h"
 #include "viewer/key_help.h"
 #include "viewer/live_picture.h"
-#include "viewer/moved_scene.h"
 #include "viewer/overlay.h"
+#include "viewer/posed_scene.h"
 #include "viewer/presenter.h"
 #include "viewer/scene_follower.h"
 #include "viewer/view.h"
@@ -29,6 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double settleTime = 0.2;  ///< seconds without a change until a picture gets all its samples
+constexpr double countedFrame = 1.0 / 60.0;  ///< s that pass in a frame of a window that counts them
 
 std::string glfwReason() {
   const char* text = nullptr;
@@ -80,6 +81,18 @@ std::optional<Command> commandOf(int key) {
       return Command::AddLight;
     case GLFW_KEY_N:
       return Command::NextNode;
+    case GLFW_KEY_SPACE:
+      return Command::PlayOrPause;
+    case GLFW_KEY_LEFT:
+      return Command::FrameBack;
+    case GLFW_KEY_RIGHT:
+      return Command::FrameOn;
+    case GLFW_KEY_HOME:
+      return Command::ToStart;
+    case GLFW_KEY_LEFT_BRACKET:
+      return Command::Slower;
+    case GLFW_KEY_RIGHT_BRACKET:
+      return Command::Faster;
     case GLFW_KEY_G:
       return Command::NextGroup;
     case GLFW_KEY_PAGE_UP:
@@ -160,10 +173,20 @@ class EventRouter {
   glm::dvec2 cursor_{0.0};
 };
 
-std::vector<DragNode> dragNodes(const MovedScene& scene) {
-  std::vector<DragNode> nodes;
-  for (const MovedScene::Node& node : scene.nodes()) nodes.push_back({node.name, node.center});
-  return nodes;
+/// What the scene's animations move and the user may stop.
+void setUpPlayback(const ViewerInputs& inputs, const ViewerOptions& options, const PosedScene& scene,
+                   Controls& controls) {
+  const std::size_t camera = static_cast<std::size_t>(options.render.camera.value_or(0));
+  Following following{!options.render.lights.has_value(), std::nullopt};
+  if (camera < scene.cameras().size()) following.camera = camera;
+  controls.startFollowing({scene.lights(), scene.cameras()}, following);
+  if (!scene.showsMoments()) return;
+  Playback playback(inputs.scene);
+  if (options.play.animation) playback.chooseAnimation(*options.play.animation);
+  playback.setSpeed(options.play.speed);
+  playback.setLoop(options.play.loops);
+  if (options.play.plays) playback.toggle();
+  controls.setPlayback(playback);
 }
 
 std::vector<std::string> groupNames(const ViewerInputs& inputs) {
@@ -177,7 +200,13 @@ std::vector<std::string> groupNames(const ViewerInputs& inputs) {
 struct Showing {
   int frames = 0;
   double exposure = 1.0;
+  std::function<void(const std::string&)> note;
 };
+
+void tellNotes(PosedScene& scene, const Showing& showing) {
+  for (const std::string& note : scene.takeNotes())
+    if (showing.note) showing.note(note);
+}
 
 /// The exposure that suits a view, from a small picture of it.
 double meteredView(Renderer& renderer, View view) {
@@ -192,7 +221,7 @@ void writeScreenshot(const std::filesystem::path& path, const Picture& picture, 
 }
 
 void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePicture& picture,
-             SceneFollower& follower, Overlay& overlay, const Showing& showing) {
+             PosedScene& scene, SceneFollower& follower, Overlay& overlay, const Showing& showing) {
   const int frames = showing.frames;
   const Presenter presenter;
   auto lastChange = Clock::now(), lastFrame = lastChange;
@@ -201,10 +230,11 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
   for (int frame = 0; glfwWindowShouldClose(window) == GLFW_FALSE && (frames == 0 || frame < frames);
        ++frame) {
     if (frames > 0 || !picture.isFinal(controls.changes()) || followed || follower.isBusy(controls.view()) ||
-        frame < 3) {
+        controls.playback().plays() || frame < 3) {
       glfwPollEvents();
     } else {
       glfwWaitEventsTimeout(0.25);
+      lastFrame = Clock::now();  // what plays from now on has not played meanwhile
     }
     int width = 0;
     int height = 0;
@@ -215,7 +245,8 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
       seen = controls.changes();
       lastChange = Clock::now();
     }
-    followed = follower.update(controls.view()) || renderer.isBehind();
+    followed = follower.update(controls) || renderer.isBehind();
+    tellNotes(scene, showing);
     if (followed) picture.invalidate();
     const bool settled = std::chrono::duration<double>(Clock::now() - lastChange).count() > settleTime;
     picture.update(controls.view(), controls.changes(), settled);
@@ -223,7 +254,10 @@ void runLoop(GLFWwindow* window, Controls& controls, Renderer& renderer, LivePic
     overlay.draw(controls, picture.lastSeconds());
     glfwSwapBuffers(window);
     const auto now = Clock::now();
-    if (frames == 0) controls.passTime(std::chrono::duration<double>(now - lastFrame).count());
+    if (frames == 0)
+      controls.passTime(std::chrono::duration<double>(now - lastFrame).count());
+    else if (frame + 1 < frames)
+      controls.playOn(countedFrame);
     lastFrame = now;
   }
 }
@@ -234,23 +268,24 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   View view = makeView(inputs, options.render);
   const GlfwSession session;
   const WindowHandle window = openWindow(options, view.width, view.height);
-  MovedScene moved(inputs.scene, inputs.compiled);
-  const ViewerInputs shown = inputs.movedTo(moved.scene());
-  Renderer renderer(shown, options.render.lobe);
-  SceneFollower follower(renderer, moved, options.followers);
+  PosedScene scene(inputs, options.pose);
+  Renderer renderer(scene.shown(), options.render.lobe);
+  SceneFollower follower(renderer, scene, options.followers);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),
-      dragNodes(moved));
+      dragNodes(scene));
+  setUpPlayback(inputs, options, scene, controls);
   EventRouter router(window.get(), controls);
   Overlay overlay(window.get(), inputs.environment != nullptr);
   router.attach(overlay);
   LivePicture picture(renderer, options.render.samplesPerAxis);
   const Showing showing{options.frames,
-                        options.exposure ? *options.exposure : meteredView(renderer, controls.view())};
+                        options.exposure ? *options.exposure : meteredView(renderer, controls.view()),
+                        options.note};
   if (!options.exposure && options.metered) options.metered(showing.exposure);
   renderer.paceUpdates(true);  // after metering, which a draft would mislead
-  runLoop(window.get(), controls, renderer, picture, follower, overlay, showing);
+  runLoop(window.get(), controls, renderer, picture, scene, follower, overlay, showing);
   if (!options.screenshotPath.empty()) {
     renderer.paceUpdates(false);
     writeScreenshot(options.screenshotPath,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/light_follower.h"
+#include "viewer/posed_scene.h"
 #include "viewer/render.h"
 
 namespace prelight::viewer {
@@ -14,14 +15,26 @@ namespace prelight::viewer {
 /// What the window shows; the same as for a picture.
 using ViewerInputs = RenderInputs;
 
+/// Of an animation, from the start on.
+struct PlayOptions {
+  bool plays = false;
+  std::optional<std::size_t> animation;  ///< into Scene::animations; none: that of the scene's moment, or the
+                                         ///< first
+  double speed = 1.0;
+  bool loops = true;
+};
+
 struct ViewerOptions {
   RenderOptions render;  ///< first view; width and height are the window's, in pixels
   std::string title = "prelight";
   std::vector<LightFollower*> followers;  ///< of shadings whose light does not stay as it is
-  int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
+  PoseSources pose;                       ///< of inputs that are posed already
+  PlayOptions play;
+  int frames = 0;  ///< closes after this many frames; 0: when the user closes the window
   /// Factor of radiance in the window and in .png screenshots; none: metered from the first view.
   std::optional<double> exposure = 1.0;
-  std::function<void(double)> metered;   ///< is told the exposure that was metered; empty: nobody is
+  std::function<void(double)> metered;           ///< is told the exposure that was metered; empty: nobody is
+  std::function<void(const std::string&)> note;  ///< is told what does not follow a pose; empty: nobody is
   std::filesystem::path screenshotPath;  ///< written after the last frame, without the overlay; empty: none
 };
 

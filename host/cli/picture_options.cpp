@@ -279,6 +279,14 @@ viewer::RenderInputs ShadedScene::inputs() const {
           encoding};
 }
 
+viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
+  viewer::PoseSources sources;
+  if (motion.keys) sources.keys = &*motion.keys;
+  sources.occluders = motion.occluders.get();
+  if (!pose.moves.empty()) sources.moves = [&pose](Scene& scene) { moveNodes(scene, pose.moves); };
+  return sources;
+}
+
 Bake carriedBake(Session& session, const LoadedScene& loaded) {
   return session.times()
       .measure("read bake", [&] { return readBake(loaded.document, loaded.compiled); })
@@ -290,7 +298,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   ShadedScene shaded;
   shaded.loaded = session.load(options.scene, options.load);
   shaded.bake = carriedBake(session, shaded.loaded);
-  poseScene(session, options.pose, shaded.loaded, shaded.bake);
+  shaded.motion = poseScene(session, options.pose, shaded.loaded, shaded.bake);
   PictureSky sky = choosePictureSky(session, options.environment, options.lights.has_value(),
                                     carriesStaticLight(shaded.bake), shaded.loaded);
   shaded.environment = std::move(sky.map);

@@ -18,6 +18,7 @@
 #include "integrators/global_illumination_renderer.h"
 #include "prelight/device.h"
 #include "prelight/picture.h"
+#include "viewer/posed_scene.h"
 #include "viewer/render.h"
 
 namespace prelight::cli {
@@ -51,7 +52,8 @@ void addPictureOptions(CLI::App& app, PictureOptions& options);
 /// A scene ready to be drawn.
 struct ShadedScene {
   LoadedScene loaded;
-  Bake bake;  ///< what the file carries and what was baked for the shading
+  Bake bake;           ///< what the file carries and what was baked for the shading
+  BakedMotion motion;  ///< of a scene that is posed
   std::optional<Environment> environment;
   bool studio = false;  ///< `environment` is the built-in one
   viewer::RenderOptions render;
@@ -64,6 +66,8 @@ struct ShadedScene {
   std::unique_ptr<FollowingLight> following;  ///< of a window that shows global illumination
 
   viewer::RenderInputs inputs() const;
+  /// What other poses need; refers to both.
+  viewer::PoseSources poseSources(const PoseOptions& pose) const;
 };
 
 /// Loads, checks the options against the scene and bakes what the shading needs and the file does not carry,

@@ -99,7 +99,8 @@ void setUpStudio(Session& session, LoadedScene& loaded, std::optional<int> width
     }
   }
   const double aspect = width ? static_cast<double>(*width) / height : widestAspect;
-  loaded.scene.cameras.push_back(frameModel(loaded.compiled, aspect));
+  Camera& camera = loaded.scene.cameras.emplace_back(frameModel(loaded.compiled, aspect));
+  camera.sceneNode = loaded.scene.nodes.size();
 }
 
 std::optional<double> exposureAskedFor(const ExposureOption& option, bool studio) {

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/glm.hpp>
+#include <utility>
 
 #include "base/pattern.h"
 #include "cli/baked_contents.h"
 #include "cli/values.h"
-#include "occluders/scene_motion.h"
+#include "scene/move_node.h"
 #include "scene/pose.h"
 #include "transfer/animated_transfer.h"
 
@@ -35,65 +36,36 @@ std::optional<std::vector<double>> numbersOf(std::string_view text) {
   }
 }
 
-/// What a node turns about: with a skin, where its first joint takes the origin of the mesh.
-glm::dvec3 originOf(const Scene& scene, const MeshNode& node, const glm::dmat4& transform) {
-  if (node.skin < 0) return glm::dvec3(transform[3]);
-  const Skin& skin = scene.skins[static_cast<std::size_t>(node.skin)];
-  return glm::dvec3(transform * skin.toWorld[0][3]);
-}
-
-void moveNodes(Scene& scene, const NodeMove& move) {
+void moveMatching(Scene& scene, const NodeMove& move) {
   bool found = false;
   for (MeshNode& node : scene.meshNodes) {
     const std::string name = node.name.empty() ? fmt::format("node {}", node.node) : node.name;
     if (!matchesPattern(name, move.pattern)) continue;
     found = true;
-    for (glm::dmat4& transform : node.transforms) {
-      const glm::dvec3 origin = originOf(scene, node, transform);
-      const glm::dmat4 turn =
-          glm::rotate(glm::dmat4(1.0), glm::radians(move.yawDegrees), glm::dvec3(0.0, 1.0, 0.0));
-      transform = glm::translate(glm::dmat4(1.0), origin + move.by) * turn *
-                  glm::translate(glm::dmat4(1.0), -origin) * transform;
-    }
+    moveNode(scene, node, move.by, glm::radians(move.yawDegrees));
   }
   if (!found)
     throw UsageError("--move " + move.pattern, "no node with a mesh has that name",
                      "see the names with prelight info");
 }
 
-/// What skins and morph targets bend moves in no way that occluders can follow.
-void requireRigid(const Scene& before, const Scene& after) {
-  for (std::size_t n = 0; n < after.meshNodes.size(); ++n) {
-    const MeshNode& node = after.meshNodes[n];
-    const auto skin = static_cast<std::size_t>(std::max(node.skin, 0));
-    const bool bent = node.skin >= 0 && before.skins[skin].toWorld != after.skins[skin].toWorld;
-    if (bent || before.meshNodes[n].weights != node.weights)
-      throw InputError("vector occluders",
-                       fmt::format("node \"{}\" is bent, and they only move rigidly", node.name),
-                       "bake the scene as it is then, with --at");
+/// `loaded` is as it was baked.
+std::unique_ptr<const PosedOccluders> occludersOf(Session& session, const LoadedScene& loaded,
+                                                  OccluderTransfer rest) {
+  try {
+    return std::make_unique<const PosedOccluders>(std::make_shared<const OccluderTransfer>(std::move(rest)),
+                                                  loaded.scene, loaded.compiled);
+  } catch (const InputError& error) {
+    session.warn(fmt::format("{}; left out", error.what()));
+    return nullptr;
   }
-}
-
-/// A scene without what does not move.
-Scene posesOf(const Scene& scene) {
-  Scene poses;
-  poses.meshNodes = scene.meshNodes;
-  poses.skins = scene.skins;
-  return poses;
 }
 
 /// `loaded` is posed, its compiled scene still as it was.
 std::optional<OccluderTransfer> movedOccluders(Session& session, const LoadedScene& loaded,
-                                               const Scene& before, const OccluderTransfer& rest) {
+                                               const PosedOccluders& occluders) {
   try {
-    requireRigid(before, loaded.scene);
-    const auto members = membersOf(loaded.compiled, rest);
-    if (!members)
-      throw InputError("vector occluders", "their names are not those of the scene's parts", "bake it anew");
-    const OccluderMotions motions =
-        motionsBetween(loaded.scene, loaded.compiled, *members, transformsOf(before).nodes,
-                       transformsOf(loaded.scene).nodes, rest.names);
-    return OccluderMover(rest, loaded.compiled, *members).moved(motions);
+    return occluders.at(loaded.scene, loaded.compiled);
   } catch (const InputError& error) {
     session.warn(fmt::format("{}; left out", error.what()));
     return std::nullopt;
@@ -131,7 +103,7 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
       "show the scene at this moment of an animation, seconds (default: as it was baked, else at rest)")
       ->type_name("SECONDS");
   app.add_option("--animation", options.animation,
-                 "the animation that --at means (default: the one that was baked, else the first)")
+                 "the animation that moments are of (default: the one that was baked, else the first)")
       ->type_name("NAME|INDEX");
   app.add_option_function<std::vector<std::string>>(
          "--move",
@@ -146,47 +118,64 @@ void addPoseOptions(CLI::App& app, PoseOptions& options) {
 
 namespace {
 
-/// Names what a bake has that is not posed with the scene.
-std::string lostNames(const Bake& bake, const Bake& posed, std::size_t vertices) {
+/// Names what a bake had that is not posed with the scene.
+std::string lostNames(const std::vector<BakedTechnique>& had, const Bake& posed, std::size_t vertices) {
   const std::vector<BakedTechnique> kept = bakedTechniques(posed, vertices);
   std::string names;
-  for (const BakedTechnique& technique : bakedTechniques(bake, vertices))
+  for (const BakedTechnique& technique : had)
     if (std::none_of(kept.begin(), kept.end(), [&](const auto& k) { return k.key == technique.key; }))
       names += (names.empty() ? "" : ", ") + technique.key;
   return names;
 }
 
+/// What of a bake holds where its scene has been posed.
+Bake posedBake(Session& session, const LoadedScene& loaded, const Bake& bake, const BakedMotion& motion,
+               bool moved) {
+  Bake posed;
+  const std::optional<SceneMoment>& moment = loaded.scene.moment;
+  if (motion.keys && moment && motion.keys->animation == moment->animation && !moved)
+    posed.sh = transferAt(*motion.keys, loaded.scene, loaded.compiled, moment->seconds);
+  if (motion.occluders) posed.occluders = movedOccluders(session, loaded, *motion.occluders);
+  if (posed.sh || posed.occluders) posed.info = bake.info;
+  return posed;
+}
+
 }  // namespace
 
-void poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded, Bake& bake) {
-  if (!options.at && !options.animation.empty())
+std::size_t animationMeant(const PoseOptions& options, const Scene& scene, const Bake& bake) {
+  if (!options.animation.empty()) return findAnimation(scene, options.animation);
+  if (bake.animation) return bake.animation->animation;
+  return scene.moment ? scene.moment->animation : 0;
+}
+
+void moveNodes(Scene& scene, std::span<const NodeMove> moves) {
+  for (const NodeMove& move : moves) moveMatching(scene, move);
+}
+
+BakedMotion poseScene(Session& session, const PoseOptions& options, LoadedScene& loaded, Bake& bake) {
+  BakedMotion motion;
+  if (!options.at && !options.animation.empty() && !options.plays)
     throw UsageError("--animation", "no moment of it is given", "add --at SECONDS");
-  if (!options.at && options.moves.empty()) return;
+  if (!options.at && options.moves.empty()) return motion;
   session.times().measure("pose", [&] {
-    const Scene before = posesOf(loaded.scene);
-    const std::optional<SceneMoment> moment = loaded.scene.moment;
-    Bake posed;
-    if (options.at) {
-      const std::size_t animation = !options.animation.empty()
-                                        ? findAnimation(loaded.scene, options.animation)
-                                    : bake.animation ? bake.animation->animation
-                                    : moment         ? moment->animation
-                                                     : 0;
-      setPose(loaded.scene, animation, *options.at);
-      if (moment == loaded.scene.moment && options.moves.empty()) return;
-      if (bake.animation && bake.animation->animation == animation && options.moves.empty())
-        posed.sh = transferAt(*bake.animation, loaded.scene, loaded.compiled, *options.at);
-    }
-    for (const NodeMove& move : options.moves) moveNodes(loaded.scene, move);
-    if (bake.occluders) posed.occluders = movedOccluders(session, loaded, before, *bake.occluders);
-    if (posed.sh || posed.occluders) posed.info = bake.info;
-    if (const std::string lost = lostNames(bake, posed, loaded.compiled.vertexCount()); !lost.empty())
+    const std::size_t vertices = loaded.compiled.vertexCount();
+    const std::size_t animation = animationMeant(options, loaded.scene, bake);
+    const bool moved = !options.moves.empty();
+    if (options.at && !moved && loaded.scene.moment == SceneMoment{animation, *options.at}) return;
+    const std::vector<BakedTechnique> had = bakedTechniques(bake, vertices);
+    if (bake.occluders) motion.occluders = occludersOf(session, loaded, std::move(*bake.occluders));
+    motion.keys = std::move(bake.animation);
+    if (options.at) setPose(loaded.scene, animation, *options.at);
+    moveNodes(loaded.scene, options.moves);
+    Bake posed = posedBake(session, loaded, bake, motion, moved || !options.at);
+    if (const std::string lost = lostNames(had, posed, vertices); !lost.empty())
       session.warn(fmt::format("{}: the bake is of another pose; left out of it: {}",
                                options.at ? "--at" : "--move", lost));
     bake = std::move(posed);
     Warnings said;  // by the rest pose already
     loaded.compiled = compileScene(loaded.scene, said);
   });
+  return motion;
 }
 
 }  // namespace prelight::cli

@@ -8,6 +8,7 @@
 #include "cli/global_illumination_picture.h"
 #include "cli/output_file.h"
 #include "cli/picture_options.h"
+#include "cli/picture_sequence.h"
 #include "cli/report.h"
 #include "io/finite_results.h"
 #include "io/plan_json.h"
@@ -19,6 +20,7 @@ namespace {
 struct RenderCommand {
   PictureOptions picture;
   bool rasterised = false;
+  std::optional<double> framesASecond;  ///< none: one picture
   std::filesystem::path output;
 };
 
@@ -48,6 +50,10 @@ int samplesPerAxis(std::uint32_t samples) {
 
 void runRender(const RenderCommand& command, Context& context) {
   Session session(context);
+  if (command.framesASecond) {
+    renderSequence(session, command.picture, *command.framesASecond, command.output);
+    return;
+  }
   const bool globalIllumination = command.picture.shading == viewer::Shading::GlobalIllumination;
   if (globalIllumination && !command.rasterised) {
     renderGlobalIlluminationPicture(session, command.picture, command.picture.globalIllumination,
@@ -105,6 +111,14 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "full shading as the window draws it, with shadow maps and environment maps: direct light and "
       "mirrors are traced otherwise");
   addPoseOptions(*app, command->picture.pose);
+  addRealNumber(
+      *app, "--fps", {1e-3, 1e3},
+      [target = command.get()](double rate) {
+        target->framesASecond = rate;
+        target->picture.pose.plays = true;
+      },
+      "draw the animation, from --at or its start to its end, as so many pictures a second, numbered where "
+      "the output's name has %d or %04d");
   app->add_option("-o,--output", command->output,
                   "picture to write: .exr is linear radiance, .png is for the screen")
       ->required()
@@ -117,6 +131,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "point:0,2,0:10,10,10\n"
       "  prelight render room.glb -o room.exr --shading full --spp 32 --size 512\n"
       "  prelight render room.glb -o room.png --shading full --rasterised --spp 16\n"
+      "  prelight render moving.glb -o frame.%04d.png --animation swing --fps 24\n"
       "  prelight render occluders.glb -o glass.png --shading vo --caustic-strength 1.5 --specular-exponent "
       "200\n"
       "  prelight render occluders.glb -o sea.png --shading vo --waves 0.4 --effect-time 2.5");

@@ -10,6 +10,7 @@
 #include "cli/report.h"
 #include "scene/dropped_features.h"
 #include "viewer/live_follower.h"
+#include "viewer/playback.h"
 #include "viewer/window.h"
 
 namespace prelight::cli {
@@ -19,6 +20,7 @@ constexpr std::uint64_t maxFrames = 1'000'000;
 
 struct ViewCommand {
   PictureOptions picture;
+  viewer::PlayOptions play;
   std::filesystem::path screenshot;
   int frames = 0;
 };
@@ -34,10 +36,29 @@ void warnOfDroppedFeatures(Session& session, const ShadedScene& shaded) {
   for (const std::string& warning : dropped) session.warn(warning);
 }
 
+/// Before anything is computed.
+void checkPlay(const ViewCommand& command) {
+  const PictureOptions& picture = command.picture;
+  const bool full = picture.shading == viewer::Shading::GlobalIllumination;
+  if (command.play.plays && (full || picture.causticPhotons > 0))
+    throw UsageError(full ? "--play --shading full" : "--play --caustics",
+                     "its light is computed for one moment", "play another shading, or choose --at");
+}
+
+viewer::PlayOptions playOptions(const ViewCommand& command, const ShadedScene& shaded) {
+  viewer::PlayOptions play = command.play;
+  if (!play.plays) return play;
+  const Scene& scene = shaded.loaded.scene;
+  if (scene.animations.empty()) throw UsageError("--play", "the scene has no animations");
+  play.animation = animationMeant(command.picture.pose, scene, shaded.bake);
+  return play;
+}
+
 void runView(const ViewCommand& command, Context& context) {
   if (!command.screenshot.empty() && command.frames == 0)
     throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
                      "add --frames 1");
+  checkPlay(command);
   Session session(context);
   const ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
     if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
@@ -53,6 +74,9 @@ void runView(const ViewCommand& command, Context& context) {
   options.frames = command.frames;
   options.screenshotPath = command.screenshot;
   options.exposure = exposureAskedFor(command.picture.exposure, shaded.studio);
+  options.pose = shaded.poseSources(command.picture.pose);
+  options.play = playOptions(command, shaded);
+  options.note = [&](const std::string& note) { session.console().note(note); };
   std::optional<double> exposure = options.exposure;
   options.metered = [&](double metered) {
     exposure = metered;
@@ -82,6 +106,15 @@ void addViewCommand(CLI::App& program, Context& context) {
   CLI::App* app = program.add_subcommand("view", "Open a window on a scene");
   addPictureOptions(*app, command->picture);
   addPoseOptions(*app, command->picture.pose);
+  app->add_flag_callback(
+      "--play", [target = command.get()] { target->play.plays = target->picture.pose.plays = true; },
+      "play the animation, from --at or its start (Space pauses)");
+  addRealNumber(
+      *app, "--speed", {-viewer::Playback::greatestSpeed, viewer::Playback::greatestSpeed},
+      [target = command.get()](double factor) { target->play.speed = factor; },
+      "of playing, below 0 backwards (default 1)");
+  app->add_flag_callback(
+      "--once", [target = command.get()] { target->play.loops = false; }, "play to the end and stop there");
   app->add_option("--screenshot", command->screenshot, "write the last frame (.exr or .png); needs --frames")
       ->type_name("FILE");
   addWholeNumber(
@@ -94,6 +127,7 @@ void addViewCommand(CLI::App& program, Context& context) {
       "  prelight view baked.glb --env sky.hdr\n"
       "  prelight view occluders.glb --shading vo --shadow-formula thesis --shadow-strength 1.5 --waves 0.2 "
       "--fire 0.5\n"
+      "  prelight view moving.glb --play --animation swing --speed 0.5\n"
       "  prelight view baked.glb --screenshot shot.png --frames 2 --size 640x360");
   app->callback([command, &context] { runView(*command, context); });
 }

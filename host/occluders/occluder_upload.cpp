@@ -35,6 +35,8 @@ OccluderUpload::OccluderUpload(const OccluderTransfer& transfer, const glm::dvec
            (specular ? PRELIGHT_STORES_SPECULAR : 0);
   stride = baseVectors + (transmissive || caustic ? throughVectors : 0) + (specular ? mirrorVectors : 0);
 
+  records.reserve(transfer.vectors.size());
+  owners.reserve(transfer.recordCount());
   for (std::size_t r = 0; r < transfer.recordCount(); ++r) {
     for (std::size_t i = 0; i < transfer.stored.size(); ++i) {
       const OccluderVector kind = transfer.stored[i];

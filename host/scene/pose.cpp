@@ -201,7 +201,8 @@ void setPose(Scene& scene, std::size_t animation, double seconds) {
   const std::vector<glm::dmat4> world = worldAt(scene, played, seconds);
   setWeights(scene, played, seconds);
   placeMeshes(scene, world, placeOf(animation, seconds));
-  for (Camera& camera : scene.cameras) placeCamera(camera, world[camera.sceneNode]);
+  for (Camera& camera : scene.cameras)
+    if (camera.sceneNode < world.size()) placeCamera(camera, world[camera.sceneNode]);
   for (Light& light : scene.lights) placeLight(light, world[light.sceneNode]);
   setProperties(scene, played, seconds);
   scene.moment = {animation, seconds};

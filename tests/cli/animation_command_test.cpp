@@ -84,6 +84,50 @@ TEST_F(CliAnimation, RenderBetweenKeys_IsNearABakeAtThatMoment) {
   EXPECT_LT(difference("keys.exr", "there.exr"), 0.5 * difference("wrong.exr", "there.exr"));
 }
 
+TEST_F(CliAnimation, RenderedFrames_AreThePicturesAtTheirMoments) {
+  bake({"--animation", "0", "--keys", "3"});
+  render("baked.glb", "frame.%02d.exr", {"--fps", "2", "--at", "2.5"});
+  for (const auto& [frame, seconds] :
+       std::vector<std::pair<std::string, std::string>>{{"00", "2.5"}, {"01", "3"}, {"03", "4"}}) {
+    render("baked.glb", "still.exr", {"--at", seconds});
+    EXPECT_EQ(difference("frame." + frame + ".exr", "still.exr"), 0.0) << seconds << " s";
+  }
+  EXPECT_GT(difference("frame.00.exr", "frame.03.exr"), 0.001) << "nothing has moved";
+  EXPECT_EQ(files().count("frame.04.exr"), 0u);
+}
+
+TEST_F(CliAnimation, PlayedWindow_ShowsTheMomentOfItsLastFrame) {
+  bake({"--animation", "0", "--keys", "3"});
+  std::vector<std::string> command = {"xvfb-run",
+                                      "-a",
+                                      "-s",
+                                      "-screen 0 640x480x24",
+                                      PRELIGHT_PROGRAM,
+                                      "view",
+                                      "baked.glb",
+                                      "--play",
+                                      "--animation",
+                                      "swing",
+                                      "--speed",
+                                      "-2",
+                                      "--at",
+                                      "2.5",
+                                      "--frames",
+                                      "31",
+                                      "--size",
+                                      "96x72",
+                                      "--shading",
+                                      "sh",
+                                      "--light",
+                                      "directional:0.3,-1,-0.5:2,2,2",
+                                      "--screenshot",
+                                      "shot.exr"};
+  const ProcessResult view = runProcess(command, {.directory = path("")});
+  ASSERT_EQ(view.exitCode, 0) << view.errors;
+  render("baked.glb", "still.exr", {"--at", "1.5"});
+  EXPECT_LT(difference("shot.exr", "still.exr"), 1e-6);
+}
+
 TEST_F(CliAnimation, BadOptions_AreUsageErrors) {
   const std::vector<std::string> start = {"bake", "swing.glb", "-o", "b.glb"};
   const auto refused = [&](std::vector<std::string> options, const std::vector<std::string>& parts) {
@@ -102,7 +146,15 @@ TEST_F(CliAnimation, BadOptions_AreUsageErrors) {
   refused({"--sh", "2", "--animation", "0", "--resume"}, {"--resume"});
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--animation", "0"}, {"--animation", "--at"});
   expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--at", "-1"}, {"--at"});
+  expectFailure(2, {"render", "swing.glb", "-o", "a.png", "--fps", "2", "--shading", "phong"},
+                {"-o a.png", "%04d"});
+  expectFailure(2, {"render", "swing.glb", "-o", "a%d.png", "--fps", "2", "--shading", "full"},
+                {"--fps --shading full", "--at"});
+  expectFailure(2, {"view", "swing.glb", "--play", "--shading", "full"}, {"--play --shading full"});
+  expectFailure(2, {"view", "swing.glb", "--play", "--speed", "99"}, {"--speed"});
   writeFile("still.glb", floorAndRoof().bytes());
+  expectFailure(2, {"render", "still.glb", "-o", "a%d.png", "--fps", "2", "--shading", "phong"},
+                {"--fps", "no animations"});
   expectFailure(2, {"render", "still.glb", "-o", "a.png", "--at", "1"}, {"no animations"});
 }
 

@@ -67,6 +67,61 @@ TEST_F(ControlsTest, Node_Dragged_FollowsTheMouseAtItsDepth) {
   EXPECT_NEAR(glm::length(c.view().nodeShifts[1]), 0.0, 1e-12);
 }
 
+TEST_F(ControlsTest, AnimatedLightAndCamera_AreFollowed_UntilTheUserMovesTheCamera) {
+  Controls c = controls();
+  std::vector<Light> lights = view_.lights;
+  std::vector<Camera> cameras = {view_.camera};
+  c.startFollowing({lights, cameras}, {true, 0});
+  c.drag(Drag::Light, {0.25, 0.0});
+  const glm::dvec3 dragged = c.view().lights[0].position;
+  cameras[0].world[3].x = 6.0;
+  c.follow({lights, cameras});
+  EXPECT_EQ(c.view().lights[0].position, dragged) << "the animation does not move it";
+  EXPECT_EQ(eyeOf(c).x, 6.0);
+  lights[0].position = {5, 1, 2};
+  c.scroll(1.0, false);
+  const glm::dvec3 eye = eyeOf(c);
+  cameras[0].world[3].x = 7.0;
+  c.follow({lights, cameras});
+  EXPECT_EQ(c.view().lights[0].position, lights[0].position);
+  EXPECT_EQ(eyeOf(c), eye);
+  c.run(Command::ResetView);
+  EXPECT_EQ(eyeOf(c).x, 7.0);
+}
+
+TEST_F(ControlsTest, OtherLightsThanTheScenes_AreNotFollowed) {
+  Controls c = controls();
+  std::vector<Light> lights = view_.lights;
+  c.startFollowing({lights, {}}, {false, std::nullopt});
+  lights[0].position = {5, 1, 2};
+  c.follow({lights, {}});
+  EXPECT_EQ(c.view().lights[0].position, view_.lights[0].position);
+}
+
+TEST_F(ControlsTest, Animation_Played_ChangesTheViewAsTimePasses) {
+  Scene scene;
+  scene.nodes.resize(1);
+  Animation& animation = scene.animations.emplace_back();
+  animation.samplers.push_back({Interpolation::Linear, {0, 2}, std::vector<glm::vec4>(2)});
+  animation.channels.push_back({0, AnimatedPath::Translation, 0});
+  Controls c = controls();
+  c.setPlayback(Playback(scene));
+  c.passTime(0.05);
+  EXPECT_FALSE(c.view().moment);
+  const std::size_t before = c.changes();
+  c.run(Command::PlayOrPause);
+  c.run(Command::Faster);
+  c.passTime(0.05);
+  EXPECT_EQ(c.view().moment, (SceneMoment{0, 0.1}));
+  EXPECT_GT(c.changes(), before);
+  c.run(Command::FrameBack);
+  const std::size_t paused = c.changes();
+  c.passTime(0.05);
+  EXPECT_EQ(c.changes(), paused);
+  c.run(Command::ToStart);
+  EXPECT_EQ(c.view().moment, (SceneMoment{0, 0.0}));
+}
+
 TEST_F(ControlsTest, Node_WithoutAny_IsNotDragged) {
   Controls c = controls();
   const std::size_t before = c.changes();

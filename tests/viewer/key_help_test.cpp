@@ -53,6 +53,30 @@ TEST(KeyHelp, OneLightAndOneGroup_OffersNoNextOne) {
   EXPECT_THAT(lines, Not(Contains(HasSubstr("next"))));
 }
 
+TEST(KeyHelp, Nodes_NameTheShadingsThatFollowThem) {
+  EXPECT_THAT(helpOf({Shading::Phong, Shading::Vo}, 0, {}, {{"box", {}}}, false),
+              Contains(HasSubstr("move the selected node (vo shading)")));
+  EXPECT_THAT(helpOf({Shading::Vo, Shading::GlobalIllumination}, 0, {}, {{"box", {}}}, false),
+              Contains(HasSubstr("(full and vo shading)")));
+  EXPECT_THAT(helpOf({Shading::Phong}, 0, {}, {{"box", {}}}, false), Not(Contains(HasSubstr("node"))));
+}
+
+TEST(KeyHelp, Animation_HasItsKeys) {
+  CompiledScene compiled;
+  View view;
+  view.camera.world = glm::dmat4(1.0);
+  Scene scene;
+  scene.nodes.resize(1);
+  Animation& animation = scene.animations.emplace_back();
+  animation.samplers.push_back({Interpolation::Linear, {0, 2}, std::vector<glm::vec4>(2)});
+  animation.channels.push_back({0, AnimatedPath::Translation, 0});
+  Controls controls(view, compiled, [](Shading) { return true; });
+  EXPECT_THAT(keyHelp(controls, false), Not(Contains(HasSubstr("animation"))));
+  controls.setPlayback(Playback(scene));
+  for (const char* key : {"Space", "Left, Right", "[ and ]", "Home"})
+    EXPECT_THAT(keyHelp(controls, false), Contains(testing::StartsWith(key))) << key;
+}
+
 TEST(ShadingOfKey, NumberKeys_NameTheFirstTenShadingsInOrder) {
   EXPECT_EQ(shadingOfKey(1), Shading::Phong);
   EXPECT_EQ(shadingOfKey(9), Shading::Radiosity);

@@ -197,6 +197,8 @@ struct Light {
   /// Point only: multiplies the intensity, which then has no unit.
   std::shared_ptr<const LightProfile> profile = {};
   glm::dvec3 side{1.0, 0.0, 0.0};  ///< of a profile: unit, the lamp's X axis, across the direction
+
+  bool operator==(const Light&) const = default;
 };
 
 struct Camera {
@@ -209,7 +211,9 @@ struct Camera {
   double zFar = 0.0;  ///< 0 means infinite
   double xMag = 1.0;  ///< orthographic half width and half height
   double yMag = 1.0;
-  std::size_t sceneNode = 0;  ///< into Scene::nodes
+  std::size_t sceneNode = 0;  ///< into Scene::nodes, or their number: it hangs on none
+
+  bool operator==(const Camera&) const = default;
 };
 
 enum class AnimatedPath : std::uint8_t { Translation, Rotation, Scale, Weights };

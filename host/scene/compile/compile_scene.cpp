@@ -8,6 +8,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/error.h"
 #include "scene/compile/compile_parts.h"
+#include "scene/compile/flatten.h"
 #include "scene/deform.h"
 
 namespace prelight {
@@ -335,15 +336,23 @@ glm::dvec3 geometricNormal(const CompiledScene& scene, std::uint32_t triangle) {
   return glm::cross(glm::dvec3(scene.positions[t.y]) - a, glm::dvec3(scene.positions[t.z]) - a);
 }
 
-CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
-  CompiledScene compiled;
-  compiled.lights = scene.lights;
-  compiled.materials = compileMaterials(scene);
+namespace {
+
+/// What no pose changes; the rest of a compiled scene is empty.
+CompiledScene withoutGeometry(CompiledScene&& scene) {
+  CompiledScene kept;
+  kept.materials = std::move(scene.materials);
+  kept.images = std::move(scene.images);
+  return kept;
+}
+
+/// Adds the meshes to a compiled scene that has materials and no geometry yet. Gives which of the materials
+/// are drawn.
+std::vector<bool> addGeometry(const Scene& scene, CompiledScene& compiled) {
   const DrawnMeshes meshes(scene);
   std::vector<Draw> draws = listDraws(scene, meshes);
-  const std::vector<bool> drawn = drawnMaterials(draws, compiled.materials.size());
+  std::vector<bool> drawn = drawnMaterials(draws, compiled.materials.size());
   const int sets = texCoordSets(compiled, drawn);
-  copyAlbedoImages(scene, drawn, compiled);
   const Bounds bounds = worldBounds(draws);
   if (!bounds.empty()) compiled.origin = bounds.low + 0.5 * (bounds.high - bounds.low);
   reserveArrays(scene, draws, sets, compiled);
@@ -354,6 +363,24 @@ CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
     compiled.boundsMin = glm::vec3(bounds.low - compiled.origin);
     compiled.boundsMax = glm::vec3(bounds.high - compiled.origin);
   }
+  return drawn;
+}
+
+}  // namespace
+
+void flattenAnew(const Scene& scene, CompiledScene& compiled) {
+  CompiledScene flat = withoutGeometry(std::move(compiled));
+  flat.lights = scene.lights;
+  addGeometry(scene, flat);
+  compiled = std::move(flat);
+}
+
+CompiledScene compileScene(const Scene& scene, Warnings& warnings) {
+  CompiledScene compiled;
+  compiled.lights = scene.lights;
+  compiled.materials = compileMaterials(scene);
+  const std::vector<bool> drawn = addGeometry(scene, compiled);
+  copyAlbedoImages(scene, drawn, compiled);
   if (compiled.droppedTriangles > 0) {
     warnings.push_back(fmt::format("scene: {} triangles of no area are left out", compiled.droppedTriangles));
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "scene/compile/compile_parts.h"
+#include "scene/compile/flatten.h"
 #include "scene/lobes.h"
 #include "support/gltf_files.h"
 
@@ -54,6 +55,24 @@ TEST(CompileScene, FarFromTheOrigin_KeepsShapeExactly) {
   EXPECT_EQ(scene.positions[1], glm::vec3(0.5f, -0.5f, 0.0f));
   EXPECT_EQ(scene.boundsMin, glm::vec3(-0.5f, -0.5f, 0.0f));
   EXPECT_EQ(scene.boundsMax, glm::vec3(0.5f, 0.5f, 0.0f));
+}
+
+TEST(FlattenAnew, OfAnotherPose_IsItsCompiledScene_AndBackAgain) {
+  const Scene rest = triangleScene(scaling(1, 2, 1));
+  const CompiledScene first = compile(rest);
+  CompiledScene scene = first;
+  for (const glm::dmat4& transform : {scaling(-3, 1, 2), scaling(0, 1, 1), scaling(1, 2, 1)}) {
+    const Scene posed = triangleScene(transform);
+    const CompiledScene expected = compile(posed);
+    flattenAnew(posed, scene);
+    EXPECT_EQ(scene.origin, expected.origin);
+    EXPECT_EQ(scene.positions, expected.positions);
+    EXPECT_EQ(scene.normals, expected.normals);
+    EXPECT_EQ(scene.triangles, expected.triangles);
+    EXPECT_EQ(scene.boundsMax, expected.boundsMax);
+    EXPECT_EQ(scene.primitives.size(), 1u);
+  }
+  EXPECT_EQ(scene.positions, first.positions);
 }
 
 TEST(CompileScene, MirroringTransform_FlipsWindingNotNormals) {

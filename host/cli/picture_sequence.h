@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace prelight::cli {
+
+class Session;
+struct PictureOptions;
+
+/// Names of numbered files: those of a path whose name has %d, or %0Nd for N digits and more.
+class FrameNames {
+ public:
+  /// Throws UsageError for a name without exactly one such place.
+  explicit FrameNames(const std::filesystem::path& pattern);
+
+  std::filesystem::path of(std::size_t frame) const;
+
+ private:
+  std::filesystem::path folder_;
+  std::string before_, after_;
+  std::size_t digits_ = 1;
+};
+
+/// Draws an animation as numbered pictures, from its start or the moment that is asked for to its end.
+/// Throws UsageError where there is none to draw.
+void renderSequence(Session& session, const PictureOptions& options, double framesASecond,
+                    const std::filesystem::path& output);
+
+}  // namespace prelight::cli

@@ -1,0 +1,27 @@
+#include "scene/move_node.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace prelight {
+
+namespace {
+
+/// What a node turns about: with a skin, where its first joint takes the origin of the mesh.
+glm::dvec3 originOf(const Scene& scene, const MeshNode& node, const glm::dmat4& transform) {
+  if (node.skin < 0) return glm::dvec3(transform[3]);
+  const Skin& skin = scene.skins[static_cast<std::size_t>(node.skin)];
+  return glm::dvec3(transform * skin.toWorld[0][3]);
+}
+
+}  // namespace
+
+void moveNode(const Scene& scene, MeshNode& node, const glm::dvec3& by, double turn) {
+  const glm::dmat4 turned = glm::rotate(glm::dmat4(1.0), turn, glm::dvec3(0.0, 1.0, 0.0));
+  for (glm::dmat4& transform : node.transforms) {
+    const glm::dvec3 origin = originOf(scene, node, transform);
+    transform = glm::translate(glm::dmat4(1.0), origin + by) * turned *
+                glm::translate(glm::dmat4(1.0), -origin) * transform;
+  }
+}
+
+}  // namespace prelight

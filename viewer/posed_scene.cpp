@@ -1,0 +1,236 @@
+#include "viewer/posed_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "scene/compile/compile_parts.h"
+#include "scene/compile/flatten.h"
+#include "scene/move_node.h"
+#include "scene/pose.h"
+#include "transfer/animated_transfer.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+struct Bounds {
+  std::string name;
+  glm::dvec3 lower{infinite};
+  glm::dvec3 upper{-infinite};
+};
+
+/// Of nodes with triangles, by their number in the file.
+std::map<int, Bounds> boundsOfNodes(const CompiledScene& compiled) {
+  std::map<int, Bounds> bounds;
+  for (const PrimitiveRange& range : compiled.primitives) {
+    if (range.triangleCount == 0) continue;
+    Bounds& node = bounds[range.node];
+    node.name = range.name.empty() ? "node " + std::to_string(range.node) : range.name;
+    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+      node.lower = glm::min(node.lower, glm::dvec3(compiled.positions[v]));
+      node.upper = glm::max(node.upper, glm::dvec3(compiled.positions[v]));
+    }
+  }
+  return bounds;
+}
+
+/// Parents come before what hangs on them.
+std::vector<PosedScene::Node> draggedNodes(const Scene& scene, const CompiledScene& compiled) {
+  const std::map<int, Bounds> bounds = boundsOfNodes(compiled);
+  std::vector<PosedScene::Node> nodes;
+  std::vector<int> indexOf(scene.nodes.size(), -1);  // of scene nodes, into `nodes`
+  for (const MeshNode& mesh : scene.meshNodes) {
+    const auto found = bounds.find(mesh.node);
+    if (found == bounds.end()) continue;
+    const auto& [number, box] = *found;
+    PosedScene::Node node{number, box.name, compiled.origin + 0.5 * (box.lower + box.upper)};
+    if (mesh.sceneNode < scene.nodes.size()) {
+      for (int up = scene.nodes[mesh.sceneNode].parent; up >= 0 && node.above < 0;
+           up = scene.nodes[static_cast<std::size_t>(up)].parent)
+        node.above = indexOf[static_cast<std::size_t>(up)];
+      indexOf[mesh.sceneNode] = static_cast<int>(nodes.size());
+    }
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+/// Whether an animation of a scene changes what its surfaces are made of.
+bool animatesMaterials(const Scene& scene) {
+  return std::any_of(scene.animations.begin(), scene.animations.end(), [](const Animation& animation) {
+    return std::any_of(animation.properties.begin(), animation.properties.end(), [](const auto& channel) {
+      return channel.property < AnimatedProperty::LightIntensity;
+    });
+  });
+}
+
+/// What poses are made of; the rest of a scene is large.
+Scene posable(const Scene& scene, bool withMeshes, bool withImages) {
+  Scene copy;
+  if (withMeshes) copy.meshes = scene.meshes;
+  if (withImages) copy.images = scene.images;
+  copy.nodes = scene.nodes;
+  copy.meshNodes = scene.meshNodes;
+  copy.skins = scene.skins;
+  copy.materials = scene.materials;
+  copy.lights = scene.lights;
+  copy.cameras = scene.cameras;
+  copy.animations = scene.animations;
+  copy.moment = scene.moment;
+  return copy;
+}
+
+/// Gives a scene what a pose changes of another.
+void takePose(const Scene& from, Scene& to) {
+  to.meshNodes = from.meshNodes;
+  to.skins = from.skins;
+  to.materials = from.materials;
+  to.lights = from.lights;
+  to.cameras = from.cameras;
+  to.moment = from.moment;
+}
+
+bool keepsCoordinates(const RenderInputs& inputs) {
+  return inputs.globalIllumination != nullptr || inputs.caustics != nullptr;
+}
+
+}  // namespace
+
+PosedScene::PosedScene(const RenderInputs& inputs, PoseSources sources)
+    : inputs_(inputs),
+      sources_(std::move(sources)),
+      live_(keepsCoordinates(inputs) ? std::make_unique<LiveScene>(inputs.scene, inputs.compiled) : nullptr),
+      nodes_(draggedNodes(inputs.scene, inputs.compiled)) {
+  if (!live_) compiled_ = inputs.compiled;
+  changesMaterials_ = !live_ && animatesMaterials(inputs.scene);
+  if (changesMaterials_) posed_ = posable(inputs.scene, true, true);
+  for (const Node& node : nodes_) shifts_.push_back({node.node, glm::dvec3(0.0)});
+  if (sources_.keys == nullptr && inputs.bake != nullptr && inputs.bake->animation)
+    sources_.keys = &*inputs.bake->animation;
+}
+
+RenderInputs PosedScene::shown() const {
+  RenderInputs shown =
+      inputs_.movedTo(changesMaterials_ ? *posed_ : inputs_.scene, live_ ? live_->compiled() : compiled_);
+  shown.posed = &bake_;
+  return shown;
+}
+
+bool PosedScene::isAtRest() const {
+  return !place_.moment && std::all_of(shifts_.begin(), shifts_.end(),
+                                       [](const NodeShift& shift) { return shift.by == glm::dvec3(0.0); });
+}
+
+/// What hangs on a node that is dragged goes along.
+std::vector<glm::dvec3> PosedScene::totalWays() const {
+  std::vector<glm::dvec3> ways;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    ways.push_back(i < place_.ways.size() ? place_.ways[i] : glm::dvec3(0.0));
+    if (nodes_[i].above >= 0) ways.back() += ways[static_cast<std::size_t>(nodes_[i].above)];
+  }
+  return ways;
+}
+
+void PosedScene::dragLive() {
+  const std::vector<glm::dvec3> ways = totalWays();
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (ways[i] == shifts_[i].by) continue;
+    live_->moveNode(shifts_[i].node, {glm::dmat3(1.0), ways[i]});
+  }
+  live_->growBounds();
+  live_->takeChanges();  // who follows is told of shifts
+}
+
+/// Nodes of the scene, from where the inputs or the moment have them.
+void PosedScene::placeNodes() {
+  if (!posed_) posed_ = posable(inputs_.scene, !live_, false);
+  takePose(inputs_.scene, *posed_);
+  if (place_.moment) {
+    setPose(*posed_, place_.moment->animation, place_.moment->seconds);
+    if (sources_.moves) sources_.moves(*posed_);
+  }
+  const std::vector<glm::dvec3> ways = totalWays();
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    shifts_[i].by = ways[i];
+    if (ways[i] == glm::dvec3(0.0)) continue;
+    for (MeshNode& node : posed_->meshNodes)
+      if (node.node == nodes_[i].node) moveNode(*posed_, node, ways[i], 0.0);
+  }
+}
+
+PoseChange PosedScene::pose(const ScenePlace& asked, Shading shading) {
+  ScenePlace place = asked;
+  // The inputs are posed so already, with light that they have of no other pose.
+  if (live_ || place.moment == inputs_.scene.moment) place.moment.reset();
+  PoseChange change;
+  if (place != place_) {
+    change.places = true;
+    change.shapes = place.moment != place_.moment;
+    place_ = std::move(place);
+    if (live_) dragLive();
+    placeNodes();
+    change.materials = changesMaterials_ && change.shapes;
+    if (change.materials) compiled_.materials = compileMaterials(*posed_);
+    if (!live_) flattenAnew(*posed_, compiled_);
+  }
+  change.bake = followBake(shading);
+  return change;
+}
+
+/// True when it is other than it was for this shading.
+bool PosedScene::followBake(Shading shading) {
+  if (shading == Shading::Sh && mixedFor_ != place_.moment) {
+    mixTransfer();
+    mixedFor_ = place_.moment;
+    return true;
+  }
+  if (shading == Shading::Vo && movedFor_ != place_) {
+    moveOccluders();
+    movedFor_ = place_;
+    return true;
+  }
+  const bool follows = shading == Shading::Phong || shading == Shading::Sh || shading == Shading::Vo;
+  if (!follows && place_.moment)
+    note(std::string(shadingName(shading)) +
+         " shading stays as it was baked: SH transfer and vector occluders alone follow an animation");
+  return false;
+}
+
+void PosedScene::mixTransfer() {
+  bake_.sh.reset();
+  if (!place_.moment) return;
+  if (sources_.keys != nullptr && sources_.keys->animation == place_.moment->animation)
+    bake_.sh = transferAt(*sources_.keys, *posed_, shown().compiled, place_.moment->seconds);
+  else
+    note("the bake has no keys of the animation: its transfer stays as it was baked (bake with --animation)");
+}
+
+const PosedOccluders* PosedScene::occluders() {
+  if (sources_.occluders != nullptr) return sources_.occluders;
+  if (ownOccluders_ == nullptr && inputs_.bake != nullptr && inputs_.bake->occluders) {
+    const std::shared_ptr<const OccluderTransfer> rest(std::shared_ptr<void>(), &*inputs_.bake->occluders);
+    ownOccluders_ = std::make_unique<const PosedOccluders>(rest, inputs_.scene, inputs_.compiled);
+  }
+  return ownOccluders_.get();
+}
+
+void PosedScene::moveOccluders() {
+  bake_.occluders.reset();
+  if (isAtRest()) return;
+  try {
+    if (const PosedOccluders* rest = occluders()) bake_.occluders = rest->at(*posed_, shown().compiled);
+  } catch (const InputError& error) {
+    note(std::string(error.what()) + "; they stay as they were baked");
+  }
+}
+
+void PosedScene::note(const std::string& text) {
+  if (said_.insert(text).second) notes_.push_back(text);
+}
+
+Warnings PosedScene::takeNotes() { return std::exchange(notes_, {}); }
+
+}  // namespace prelight::viewer
