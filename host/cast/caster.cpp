@@ -25,6 +25,18 @@ std::vector<std::uint8_t> twoSidedTriangles(const CompiledScene& scene) {
   return twoSided;
 }
 
+namespace {
+
+/// [triangle], 1 where its back hides what lies behind.
+std::vector<std::uint8_t> hidingTriangles(const CompiledScene& scene, const CastOptions& options) {
+  if (!options.solids.empty()) return {options.solids.begin(), options.solids.end()};
+  std::vector<std::uint8_t> hides = twoSidedTriangles(scene);
+  for (std::uint8_t& mark : hides) mark = mark != 0 ? 0 : 1;
+  return hides;
+}
+
+}  // namespace
+
 std::vector<float> orientedNormals(const CompiledScene& scene) {
   std::vector<float> normals(3 * std::size_t{scene.triangleCount()});
   parallelRanges(scene.triangleCount(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -51,7 +63,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       blockSize_(receiversPerBlock(device_.info(), options.raysPerReceiver)),
       shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))) {
   // Lights and occluders have rays of their own, in buffers of one block.
-  const bool alone = options_.lights != nullptr || options_.occluders != nullptr || options_.marksInside;
+  const bool alone = options_.lights != nullptr || options_.occluders != nullptr;
   const std::size_t places = options_.overlaps && !alone ? DeviceLane::count : 1;
   for (std::size_t i = 0; i < places; ++i) blocks_.push_back(makeBlock({i}));
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
@@ -59,8 +71,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, tracer_, blockSize_, options_.incidentOrder);
-  if (options_.shells.count() > 0)
-    shells_.emplace(device_, options_.shells, blockSize_, blocks_.size());
+  if (options_.shells.count() > 0) shells_.emplace(device_, options_.shells, blockSize_, blocks_.size());
   if (options_.texelFaceSize > 0) texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
   if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
     geometricNormals_ = Buffer<float>(device_, std::span<const float>(orientedNormals(scene)));
@@ -69,8 +80,8 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
                        options_.raysPerReceiver);
   if (options_.marksInside) {
     insideMarks_ = {device_, "cast/inside_kernels.cl", {}, "markInside"};
-    twoSided_ = Buffer<std::uint8_t>(device_, std::span<const std::uint8_t>(twoSidedTriangles(scene)));
-    inside_ = Buffer<std::uint8_t>(device_, blockSize_);
+    findsSolids_ = !options_.solids.empty();
+    hides_ = Buffer<std::uint8_t>(device_, std::span<const std::uint8_t>(hidingTriangles(scene, options_)));
   }
   if (options_.storedReceivers == 0) return;
   const BuildOptions transport = transportOptions(options_.bounceColumns);
@@ -92,6 +103,7 @@ Caster::Block Caster::makeBlock(DeviceLane lane) const {
   block.hits = {device_, rays, lane};
   block.values = {device_, std::size_t{blockSize_} * std::max(valueCount_, options_.partValues), lane};
   if (options_.texelFaceSize > 0) block.texels = {device_, rays, lane};
+  if (options_.marksInside) block.inside = {device_, blockSize_, lane};
   return block;
 }
 
@@ -134,20 +146,26 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
       block.storedRow ? senders_.value().roomFor(*block.storedRow, block.count, block.lane).firstRow : 0);
   generate(block, receivers);
   const std::size_t rayCount = std::size_t{block.count} * options_.raysPerReceiver;
-  const bool closest = block.storedRow || purpose.occluders || block.shells || options_.marksInside ||
-                       options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
-  closest ? tracer.traceClosest(block.rays, block.hits, rayCount, 0, block.lane)
-          : tracer.traceAny(block.rays, block.hits, rayCount, 0, block.lane);
+  const bool marks = options_.marksInside && purpose.inside;
+  block.closest = (marks && !findsSolids_) || block.storedRow || purpose.occluders || block.shells ||
+                  options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
+  block.closest ? tracer.traceClosest(block.rays, block.hits, rayCount, 0, block.lane)
+                : tracer.traceAny(block.rays, block.hits, rayCount, 0, block.lane);
   if (block.storedRow) store(block);
   project_.launch({block.count, block.lane}, block.parameters, shTable_, block.rays, block.hits,
                   block.values);
   if (options_.texelFaceSize > 0) codeTexels(block);
+  block.placed.clear();
+  if (marks) {
+    block.placed.assign(receivers.begin(), receivers.end());
+    markInside(block);
+  }
   if (block.shells)
     shells_->start({block.parameters, block.receivers, block.rays, block.hits}, block.count, block.lane);
 }
 
 void Caster::finish(std::size_t place, CastValues& values) {
-  const Block& block = blocks_[place];
+  Block& block = blocks_[place];
   values.values.resize(std::size_t{block.count} * valueCount_);
   block.values.read(std::span(values.values));
   if (block.storedRow) senders_.value().keep(*block.storedRow, block.count, block.lane);
@@ -155,19 +173,44 @@ void Caster::finish(std::size_t place, CastValues& values) {
     values.texels.resize(std::size_t{block.count} * options_.raysPerReceiver);
     block.texels.read(std::span(values.texels));
   }
-  if (options_.marksInside) markInside(block, values.inside);
   const CastBlockBuffers buffers{block.parameters, block.receivers, block.rays, block.hits};
   Tracer& tracer = tracerOf(block.set);
   if (lights_) lights_->cast(buffers, block.count, tracer, block.set, values.lights);
   if (block.shells) shells_->finish(block.count, block.lane, values.shells);
   if (block.occluders) occluders_.value().cast(buffers, block.count, tracer, values.occluders);
+  values.inside.clear();
+  if (!block.placed.empty()) readInside(block, values.inside);
 }
 
-void Caster::markInside(const Block& block, std::vector<std::uint8_t>& inside) {
-  insideMarks_.launch(block.count, block.parameters, block.receivers, block.rays, block.hits,
-                      geometricNormals_, twoSided_, inside_);
+void Caster::markInside(Block& block) {
+  insideMarks_.launch({block.count, block.lane}, block.parameters, block.closest ? 1u : 0u,
+                      findsSolids_ ? 1u : 4u, block.receivers, block.rays, block.hits, geometricNormals_,
+                      hides_, block.inside);
+}
+
+// Where any hit was enough, those that may lie inside look once more for the closest.
+void Caster::readInside(Block& block, std::vector<std::uint8_t>& inside) {
   inside.resize(block.count);
-  inside_.read(std::span(inside));
+  block.inside.read(std::span(inside));
+  if (block.closest) return;
+  std::vector<std::uint32_t> places;
+  std::vector<Receiver> suspects;
+  for (std::uint32_t i = 0; i < block.count; ++i) {
+    if (inside[i] == 0) continue;
+    places.push_back(i);
+    suspects.push_back(block.placed[i]);
+  }
+  if (suspects.empty()) return;
+  block.count = static_cast<std::uint32_t>(suspects.size());
+  block.closest = true;
+  setParameters(block, block.count, 0);
+  generate(block, suspects);
+  tracerOf(block.set).traceClosest(block.rays, block.hits,
+                                   std::size_t{block.count} * options_.raysPerReceiver, 0, block.lane);
+  markInside(block);
+  std::vector<std::uint8_t> sure(suspects.size());
+  block.inside.read(std::span(sure));
+  for (std::size_t i = 0; i < places.size(); ++i) inside[places[i]] = sure[i];
 }
 
 void Caster::codeTexels(Block& block) {

@@ -44,11 +44,15 @@ struct CastOptions {
   int texelFaceSize = 0;                  ///< of the cube map that rays are coded on; 0: they are not
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   int incidentOrder = 0;                  ///< of the lights: incident radiance in SH of this order as well
-  ShellShape shells;      ///< of distance that blocks' hits are told apart by
+  ShellShape shells;                      ///< of distance that blocks' hits are told apart by
   OcclusionLimits limits;
   const OccluderGroups* occluders =
-      nullptr;                        ///< read by the constructor alone; nullptr: they are not told apart
-  bool marksInside = false;           ///< tell which receivers lie inside objects
+      nullptr;               ///< read by the constructor alone; nullptr: they are not told apart
+  bool marksInside = false;  ///< tell which receivers lie inside objects
+  std::span<const std::uint8_t> solids =
+      {};                             ///< [triangle], read by the constructor alone: 1 where it is one
+                                      ///< of the solids that receivers are told to lie inside; empty:
+                                      ///< where rays meet nothing but backs of one-sided surfaces
   bool overlaps = false;              ///< two blocks may be under way, where these options allow it
   const ShadowSets* sets = nullptr;   ///< read by the constructor alone; nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]; must outlive the caster
@@ -61,8 +65,7 @@ struct CastValues {
       texels;                 ///< [receiver][raysPerReceiver], texel x 256 + blocked part of 255; or empty
   std::vector<float> lights;  ///< [receiver][3][group], with an
                               ///< incidentOrder [..][value], see LightCaster; or empty
-  std::vector<std::uint8_t> inside;  ///< [receiver], 1: rays met nothing but backs of one-sided surfaces; or
-                                     ///< empty
+  std::vector<std::uint8_t> inside;  ///< [receiver], 1: inside an object; or empty
   std::vector<float> shells;         ///< [receiver][shell][1 + order^2], see ShellCaster; or empty
   OccluderValues occluders;          ///< where they were asked for
 };
@@ -74,6 +77,7 @@ struct CastPurpose {
   std::uint32_t set = 0;   ///< of occluders, that all receivers are of
   bool occluders = false;  ///< tell occluders apart; after setAccessibility()
   bool shells = false;     ///< tell hits apart by distance, where the options have shells
+  bool inside = true;      ///< mark receivers inside objects, where the options do
 };
 
 /// Of the values of a vertex's transfer, [3][columns], the partValues from firstValue on. They stand
@@ -167,6 +171,9 @@ class Caster {
     std::uint32_t set = 0;
     bool occluders = false;
     bool shells = false;
+    bool closest = false;  ///< hits are
+    Buffer<std::uint8_t> inside;
+    std::vector<device::Receiver> placed;    ///< where they are marked inside objects
     std::optional<std::uint32_t> storedRow;  ///< the first, where rows of senders are stored
   };
 
@@ -175,7 +182,8 @@ class Caster {
   void setParameters(Block& block, std::uint32_t receivers, std::uint32_t firstStored);
   BuildOptions transportOptions(std::size_t columns) const;
   void generate(Block& block, std::span<const device::Receiver> receivers);
-  void markInside(const Block& block, std::vector<std::uint8_t>& inside);
+  void markInside(Block& block);
+  void readInside(Block& block, std::vector<std::uint8_t>& inside);
   void codeTexels(Block& block);
   void store(const Block& block);
 
@@ -191,8 +199,8 @@ class Caster {
   Buffer<float> geometricNormals_;
   std::optional<SenderRows> senders_;  ///< where rows may be kept
   Buffer<std::uint8_t> marks_;
-  Buffer<std::uint8_t> twoSided_;
-  Buffer<std::uint8_t> inside_;
+  bool findsSolids_ = false;  ///< receivers inside are marked by a part of their rays
+  Buffer<std::uint8_t> hides_;
   Buffer<float> transfer_;
   std::optional<LightCaster> lights_;
   std::optional<OccluderCaster> occluders_;
@@ -209,7 +217,9 @@ class Caster {
       store_;
   Kernel<Parameters, std::uint32_t, std::uint32_t, Buffer<device::Sender>, Floats, Floats> gather_;
   Kernel<Parameters, std::uint32_t, Rays, Hits, Buffer<std::uint32_t>> texelCodes_;
-  Kernel<Parameters, Receivers, Rays, Hits, Floats, Buffer<std::uint8_t>, Buffer<std::uint8_t>> insideMarks_;
+  Kernel<Parameters, std::uint32_t, std::uint32_t, Receivers, Rays, Hits, Floats, Buffer<std::uint8_t>,
+         Buffer<std::uint8_t>>
+      insideMarks_;
   Kernel<Parameters, Floats, Rays, Buffer<device::Sender>, Floats, Floats> glossy_;
   Buffer<float> glossyTable_;
   Buffer<float> glossyValues_;

@@ -95,8 +95,8 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   Bake none;
   poseScene(session, options.pose, loaded, none);
   requireTriangles(loaded);
-  auto [sky, studio] =
-      choosePictureSky(session, options.environment, options.lights.has_value(), false, loaded);
+  auto [sky, studio] = choosePictureSky(session, options.environment, options.lights.has_value(), false,
+                                        loaded, options.camera);
   checkOutputFile("-o", output, {".exr", ".png"});
   if (studio && !options.camera) setUpStudio(session, loaded, options.size.width, options.size.height);
   const Camera camera = viewer::chooseCamera(loaded.scene, loaded.compiled, options.camera);

@@ -300,7 +300,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   shaded.bake = carriedBake(session, shaded.loaded);
   shaded.motion = poseScene(session, options.pose, shaded.loaded, shaded.bake);
   PictureSky sky = choosePictureSky(session, options.environment, options.lights.has_value(),
-                                    carriesStaticLight(shaded.bake), shaded.loaded);
+                                    carriesStaticLight(shaded.bake), shaded.loaded, options.camera);
   shaded.environment = std::move(sky.map);
   shaded.studio = sky.studio;
   if (sky.studio && !options.camera)

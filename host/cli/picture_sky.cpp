@@ -8,9 +8,11 @@
 #include "cli/values.h"
 #include "images/pixels.h"
 #include "io/baked_file.h"
+#include "scene/faint_glow.h"
 #include "scene/framing.h"
 #include "scene/inside_out.h"
 #include "scene/light_sources.h"
+#include "viewer/camera.h"
 
 namespace prelight::cli {
 namespace {
@@ -26,6 +28,13 @@ bool hasCameraWithin(const LoadedScene& loaded) {
     const glm::dvec3 at(camera.world[3]);
     return glm::all(glm::lessThanEqual(least, at)) && glm::all(glm::lessThanEqual(at, most));
   });
+}
+
+/// The camera that is asked for, or the one that the studio would have.
+Camera eyeOf(const LoadedScene& loaded, std::optional<int> camera) {
+  return loaded.scene.cameras.empty() && !camera
+             ? frameModel(loaded.compiled, widestAspect)
+             : viewer::chooseCamera(loaded.scene, loaded.compiled, camera);
 }
 
 /// Lamps in physical units may be thousands of times as bright as what a picture shows.
@@ -74,18 +83,18 @@ Environment readNamedSky(const std::filesystem::path& nameOrFile) {
 }
 
 PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked, bool lightsAsked,
-                            bool lightBaked, const LoadedScene& loaded) {
+                            bool lightBaked, const LoadedScene& loaded, std::optional<int> camera) {
   if (!asked.empty())
     return {session.times().measure("sky", [&] { return readNamedSky(asked); }), asked == studioName};
   if (loaded.sky) return {*loaded.sky, false};
   if (lightsAsked || lightBaked) return {};
   const bool shines = hasLights(loaded.compiled);
-  const bool glows = shines && !hasCameraWithin(loaded) && onlyGlows(loaded.compiled);
+  const bool glows = shines && !hasCameraWithin(loaded) && onlyGlows(loaded.compiled, eyeOf(loaded, camera));
   if (shines && !glows) return {};
   session.console().note(
       fmt::format("the scene has no light, {} and no sky: lit by the built-in studio (--env {} or a map is "
                   "another sky, --light none leaves the studio out)",
-                  glows ? "only a faint glow" : "nothing emissive", neutralName));
+                  glows ? "only a glow that leaves it dark" : "nothing emissive", neutralName));
   return {session.times().measure("sky", [] { return studioEnvironment(); }), true};
 }
 

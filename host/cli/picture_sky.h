@@ -38,9 +38,9 @@ struct PictureSky {
 
 /// The sky that is asked for, the file's own, the studio where nothing at all gives light (which is said), or
 /// none. `lightsAsked`: the options say what lights there are. `lightBaked`: the file carries light as it was
-/// when baked.
+/// when baked. `camera`: the one that is asked for.
 PictureSky choosePictureSky(Session& session, const std::filesystem::path& asked, bool lightsAsked,
-                            bool lightBaked, const LoadedScene& loaded);
+                            bool lightBaked, const LoadedScene& loaded, std::optional<int> camera);
 
 /// Prepares a scene without cameras for the studio: what is inside out and carries no bake is turned, which
 /// is said, and a camera added that shows the scene large in a picture of this size.

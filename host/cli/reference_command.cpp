@@ -178,8 +178,8 @@ void runReference(const ReferenceCommand& command, Context& context) {
   checkMoment(command.load);
   LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
-  const auto [sky, studio] =
-      choosePictureSky(session, command.environment, command.lights.has_value(), false, loaded);
+  const auto [sky, studio] = choosePictureSky(session, command.environment, command.lights.has_value(), false,
+                                              loaded, command.camera);
   if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
   checkOutputFile("-o", command.output, {".exr"});
 
@@ -211,7 +211,9 @@ void runReference(const ReferenceCommand& command, Context& context) {
   }
   for (const std::string& note : run.report.notes) session.console().note(note);
   printReference(command, run, session);
-  session.console().json(referenceReport(command, run, session));
+  nlohmann::ordered_json report = referenceReport(command, run, session);
+  addLook(report, studio, std::nullopt);
+  session.console().json(report);
 }
 
 void addPathOptions(CLI::App& app, ReferenceCommand& command) {

@@ -17,14 +17,21 @@ constexpr double floor = 1e-9;  // of the mean diagonal: what next to no sample 
 constexpr std::size_t largestBlock =
     256;  // unknowns of a dense solve; a vertex with more around it stands alone
 
+double surfaceWeight(std::span<const TriangleMass> mass, std::span<const float> unseen,
+                     std::size_t triangle) {
+  const double seen = totalWeight(mass[triangle]);
+  return unseen.empty() ? seen : seen + double(unseen[triangle]);
+}
+
 /// [slot], what the diagonal would be with samples spread evenly: a sixth of the weight in the triangles
 /// around, the mean of w b^2 over a triangle. 0 where no sample is.
-std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const TriangleMass> mass) {
+std::vector<double> evenDiagonal(const FitMesh& mesh, std::span<const TriangleMass> mass,
+                                 std::span<const float> unseen) {
   std::vector<double> scale(mesh.slotCount());
   parallelRanges(mesh.slotCount(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s)
       for (std::uint32_t i = mesh.cornerStart[s]; i < mesh.cornerStart[s + 1]; ++i)
-        scale[s] += totalWeight(mass[mesh.corners[i] / 3]) / 6.0;
+        scale[s] += surfaceWeight(mass, unseen, mesh.corners[i] / 3) / 6.0;
   });
   return scale;
 }
@@ -36,12 +43,12 @@ double totalWeight(const TriangleMass& m) {
 }
 
 NormalEquations::NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass, double lambda,
-                                 std::span<const double> stiffness)
+                                 std::span<const double> stiffness, std::span<const float> unseen)
     : mesh_(mesh) {
-  const std::vector<double> scale = evenDiagonal(mesh, mass);
+  const std::vector<double> scale = evenDiagonal(mesh, mass, unseen);
   numberRows(scale);
   evenOutComponents(scale);
-  assemble(mass);
+  assemble(mass, unseen);
   smooth(lambda, scale, stiffness);
 }
 
@@ -67,7 +74,7 @@ void NormalEquations::evenOutComponents(const std::vector<double>& scale) {
     factors_.push_back(counts[mesh_.components[slot]] / sums[mesh_.components[slot]]);
 }
 
-void NormalEquations::assemble(std::span<const TriangleMass> mass) {
+void NormalEquations::assemble(std::span<const TriangleMass> mass, std::span<const float> unseen) {
   start_.assign(rows() + 1, 0);
   for (std::size_t row = 0; row < rows(); ++row) {
     start_[row + 1] = start_[row];
@@ -78,14 +85,14 @@ void NormalEquations::assemble(std::span<const TriangleMass> mass) {
   entries_.resize(rows());
   parallelRanges(rows(), rowsAtOnce, [&](std::size_t begin, std::size_t end) {
     std::vector<EdgeSums> sums;
-    for (std::size_t row = begin; row < end; ++row) assembleRow(mass, row, sums);
+    for (std::size_t row = begin; row < end; ++row) assembleRow(mass, unseen, row, sums);
   });
 }
 
 // The Laplacian weighs neighbours by the surface they share: a tiny triangle beside a large one must not be
 // bent to make the large one smooth.
-void NormalEquations::assembleRow(std::span<const TriangleMass> mass, std::size_t row,
-                                  std::vector<EdgeSums>& sums) {
+void NormalEquations::assembleRow(std::span<const TriangleMass> mass, std::span<const float> unseen,
+                                  std::size_t row, std::vector<EdgeSums>& sums) {
   const std::uint32_t slot = slots_[row], firstEdge = mesh_.rowStart[slot];
   sums.assign(mesh_.rowStart[slot + 1] - firstEdge, {});
   double diagonal = 0.0;
@@ -101,7 +108,7 @@ void NormalEquations::assembleRow(std::span<const TriangleMass> mass, std::size_
   };
   for (std::uint32_t i = mesh_.cornerStart[slot]; i < mesh_.cornerStart[slot + 1]; ++i) {
     const std::size_t t = mesh_.corners[i] / 3, k = mesh_.corners[i] % 3, before = (k + 2) % 3;
-    const double weight = totalWeight(mass[t]);
+    const double weight = surfaceWeight(mass, unseen, t);
     diagonal += mass[t][k];
     add(mesh_.triangles[t][(k + 1) % 3], mass[t][3 + k], weight);
     add(mesh_.triangles[t][before], mass[t][3 + before], weight);

@@ -31,9 +31,10 @@ class NormalEquations {
   static constexpr std::uint32_t noRow = ~0u;
 
   /// `mass` of the samples in every triangle; `lambda` is the strength of the smoothing, times `stiffness`,
-  /// [slot], > 0; empty: 1.
+  /// [slot], > 0; empty: 1. `unseen`, [triangle], is the weight of samples that the mass leaves out: surface
+  /// that is smoothed like any other and has no say. Empty: 0.
   NormalEquations(const FitMesh& mesh, std::span<const TriangleMass> mass, double lambda,
-                  std::span<const double> stiffness = {});
+                  std::span<const double> stiffness = {}, std::span<const float> unseen = {});
 
   std::size_t rows() const { return slots_.size(); }
 
@@ -86,8 +87,9 @@ class NormalEquations {
 
   void numberRows(const std::vector<double>& scale);
   void evenOutComponents(const std::vector<double>& scale);
-  void assemble(std::span<const TriangleMass> mass);
-  void assembleRow(std::span<const TriangleMass> mass, std::size_t row, std::vector<EdgeSums>& sums);
+  void assemble(std::span<const TriangleMass> mass, std::span<const float> unseen);
+  void assembleRow(std::span<const TriangleMass> mass, std::span<const float> unseen, std::size_t row,
+                   std::vector<EdgeSums>& sums);
   void smooth(double lambda, const std::vector<double>& scale, std::span<const double> stiffness);
   std::vector<SlotWeight> sampledRow(std::uint32_t row) const;
   std::vector<SlotWeight> meanOfNeighbours(std::uint32_t slot) const;

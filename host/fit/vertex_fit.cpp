@@ -160,7 +160,7 @@ void VertexFit::load(StateReader& state) {
 
 double VertexFit::scaleOf(std::size_t triangle) const {
   if (triangleWeights_.empty()) return 1.0;
-  const double weight = totalWeight(mass_[triangle]);
+  const double weight = totalWeight(mass_[triangle]) + (unseen_ ? double((*unseen_)[triangle]) : 0.0);
   return weight > 0.0 ? triangleWeights_[triangle] / weight : 0.0;
 }
 
@@ -210,14 +210,16 @@ std::vector<float> VertexFit::solve(const NormalEquations& equations, std::vecto
 }
 
 NormalEquations VertexFit::equations(double lambda) const {
-  if (parked_) return {*mesh_, parkedMass(), lambda, stiffness_};
-  if (triangleWeights_.empty()) return {*mesh_, mass_, lambda, stiffness_};
+  if (parked_) return {*mesh_, parkedMass(), lambda, stiffness_, unseen()};
+  if (triangleWeights_.empty()) return {*mesh_, mass_, lambda, stiffness_, unseen()};
   std::vector<TriangleMass> mass = mass_;
+  std::vector<float> unseenWeights(unseen().begin(), unseen().end());
   for (std::size_t t = 0; t < mass.size(); ++t) {
     const double scale = scaleOf(t);
     for (float& m : mass[t]) m = static_cast<float>(scale * m);
+    if (!unseenWeights.empty()) unseenWeights[t] = static_cast<float>(scale * unseenWeights[t]);
   }
-  return {*mesh_, mass, lambda, stiffness_};
+  return {*mesh_, mass, lambda, stiffness_, unseenWeights};
 }
 
 }  // namespace prelight

@@ -76,6 +76,10 @@ class VertexFit {
   void stiffen(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
   const std::vector<double>& stiffness() const { return stiffness_; }
 
+  /// Weight of samples that were added with less, [triangle]: their surface is smoothed like any other. It
+  /// may grow afterwards; nullptr: none.
+  void leaveOut(std::shared_ptr<const std::vector<float>> unseen) { unseen_ = std::move(unseen); }
+
   /// Of the slots without a sample near, only those of `extent`, [slot], get values; empty: all.
   void extendTo(std::vector<std::uint8_t> extent) { extent_ = std::move(extent); }
   const std::vector<std::uint8_t>& extent() const { return extent_; }
@@ -86,12 +90,14 @@ class VertexFit {
   std::vector<float> parkedRight() const;
   std::size_t rowOf(std::size_t triangle, std::size_t corner) const;
   double scaleOf(std::size_t triangle) const;
+  std::span<const float> unseen() const { return unseen_ ? *unseen_ : std::span<const float>(); }
   std::vector<float> rightSide(std::size_t firstColumn, std::size_t count) const;
 
   const FitMesh* mesh_;  ///< not null
   std::size_t columns_;
-  std::vector<double> stiffness_;        ///< [slot], or empty: 1
-  std::vector<std::uint8_t> extent_;     ///< [slot], or empty: all
+  std::vector<double> stiffness_;     ///< [slot], or empty: 1
+  std::vector<std::uint8_t> extent_;  ///< [slot], or empty: all
+  std::shared_ptr<const std::vector<float>> unseen_;
   std::vector<double> triangleWeights_;  ///< [triangle], or empty: samples weigh what they say
   std::vector<TriangleMass> mass_;       ///< [triangle]
   std::vector<float> right_;             ///< [slot][column], or [triangle][corner][column]: sum w b f

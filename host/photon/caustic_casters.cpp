@@ -18,7 +18,7 @@ bool makesCaustics(const CompiledMaterial& m) {
                                                     : m.roughness <= narrowRoughness) ||
                       m.surfaceTexture.image >= 0;
   const bool narrowCoat = m.clearcoat.factor > 0.0f && m.clearcoat.roughness <= narrowRoughness;
-  return narrowCoat || (narrow && (isGlass(m) || reflectsSpecularly(m)));
+  return narrowCoat || (m.solid && isGlass(m)) || (narrow && (isGlass(m) || reflectsSpecularly(m)));
 }
 
 std::vector<std::uint32_t> causticCasters(const CompiledScene& scene) {

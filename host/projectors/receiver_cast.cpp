@@ -7,6 +7,7 @@
 #include "basis/cube_map.h"
 #include "plan/cast_orders.h"
 #include "plan/tree_use.h"
+#include "scene/opaque_solids.h"
 
 namespace prelight {
 
@@ -29,7 +30,7 @@ std::size_t groupCount(const CastNeeds& needs) {
 }
 
 CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, const Schedule& schedule,
-                        std::uint32_t capacity) {
+                        std::uint32_t capacity, std::span<const std::uint8_t> solids) {
   const int order = transferOrder(context.request);
   CastOptions options;
   options.shOrder = castOrder(context.request);
@@ -45,6 +46,8 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.setTracers = context.setTracers;
   options.limits = context.request.limits;
   options.occluders = needs.occluders;
+  options.marksInside = !solids.empty();
+  options.solids = solids;
   options.overlaps = true;
   return options;
 }
@@ -111,7 +114,8 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
       keepsReflected_(needs.reflected),
       schedule_(makeSchedule(context.request, context.mesh.slotCount(), context.start)),
       capacity_(storedCapacity(context)),
-      caster_(context.scene, context.tracer, castOptions(context, needs, schedule_, capacity_)),
+      caster_(context.scene, context.tracer,
+              castOptions(context, needs, schedule_, capacity_, trianglesOfEnteredSolids(context.scene))),
       cast_(context.scene, context.mesh, caster_, schedule_, projectionsOf(context, needs, schedule_),
             capacity_) {}
 

@@ -178,7 +178,8 @@ void SideCast::castBlock(CastBlock& block, std::uint32_t set) {
   // A block that is alone takes the first place: the memory of others is not touched in vain.
   const std::size_t place = started_ ? (startedPlace_ + 1) % caster_.places() : 0;
   caster_.start(place, block.receivers,
-                {stores ? &row : nullptr, set, block.occluders, projections_.shells > 0});
+                {stores ? &row : nullptr, set, block.occluders, projections_.shells > 0,
+                 sampler_.side() == Side::Front});
   finishStarted();
   startedPlace_ = place;
   started_ = [this, &block, place] {

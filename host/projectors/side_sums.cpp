@@ -12,7 +12,8 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, before fewer are cast there
+constexpr std::uint32_t plainRays = 512;  // around a slot, all alike, before fewer are cast there
+constexpr float unseenShare = 0.01f;  // of its weight that a receiver inside a solid keeps
 constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
 
 /// Of a shell.
@@ -57,7 +58,8 @@ void SideSums::unpark() {
   if (shellFit_) shellFit_->fetch();
 }
 
-void SideSums::add(const CastBlock& block) {
+void SideSums::add(CastBlock& block) {
+  weighUnseen(block);
   rows_.clear();
   bentSamples_.clear();
   bentRows_.clear();
@@ -73,6 +75,28 @@ void SideSums::add(const CastBlock& block) {
   }
   if (shellFit_) addShells(block);
   receivers_ += block.samples.size();
+}
+
+// Nobody sees them, and what they see, which is nothing, would darken what is around. Their surface goes on
+// to be smoothed: the vertices there take after those beside them.
+void SideSums::weighUnseen(CastBlock& block) {
+  for (std::size_t i = 0; i < block.values.inside.size(); ++i) {
+    if (block.values.inside[i] == 0) continue;
+    if (!unseen_) {
+      unseen_ = std::make_shared<std::vector<float>>(mesh_.triangles.size(), 0.0f);
+      shareUnseen();
+    }
+    SurfaceSample& sample = block.samples[i];
+    (*unseen_)[sample.triangle] += (1.0f - unseenShare) * sample.weight;
+    sample.weight *= unseenShare;
+  }
+}
+
+void SideSums::shareUnseen() {
+  fit_.leaveOut(unseen_);
+  if (bentFit_) bentFit_->leaveOut(unseen_);
+  if (lightFit_) lightFit_->leaveOut(unseen_);
+  if (shellFit_) shellFit_->leaveOut(unseen_);
 }
 
 void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
@@ -198,6 +222,7 @@ VertexFit SideSums::fitOf(std::size_t count) const {
   VertexFit fit = plainFit(1);
   fit.stiffen(fit_.stiffness());
   fit.extendTo(fit_.extent());
+  fit.leaveOut(unseen_);
   std::size_t left = count;
   records_.forAll([&](const SampleRecord& record) {
     if (left == 0) return;
@@ -254,6 +279,7 @@ void SideSums::save(StateWriter& state) const {
   state.values(seen_);
   state.values(slotRays_);
   state.value(receivers_);
+  state.values(unseen_ ? *unseen_ : std::vector<float>());
 }
 
 void SideSums::load(StateReader& state) {
@@ -267,6 +293,12 @@ void SideSums::load(StateReader& state) {
   state.sameSize(seen_);
   state.sameSize(slotRays_);
   state.value(receivers_);
+  std::vector<float> unseen;
+  state.values(unseen);
+  state.require(unseen.empty() || unseen.size() == mesh_.triangles.size());
+  state.requireFinite(unseen);
+  unseen_ = unseen.empty() ? nullptr : std::make_shared<std::vector<float>>(std::move(unseen));
+  shareUnseen();
   check(state);
 }
 

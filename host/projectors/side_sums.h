@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,7 +45,8 @@ class SideSums {
            const Projections& projections, Baseline baseline, const std::vector<double>& areas);
 
   /// Adds a block of receivers; the result depends on the order of blocks.
-  void add(const CastBlock& block);
+  /// Receivers inside objects lose their weight in the block.
+  void add(CastBlock& block);
 
   /// Fitted values are wanted at the corners of these triangles alone, [triangle]; of all unless it is
   /// called.
@@ -95,6 +97,8 @@ class SideSums {
   void addShells(const CastBlock& block);
   void markSlots(const SurfaceSample& sample, double open);
   void check(const StateReader& state) const;
+  void weighUnseen(CastBlock& block);
+  void shareUnseen();
 
   const CompiledScene& scene_;
   const FitMesh& mesh_;
@@ -109,6 +113,7 @@ class SideSums {
   std::optional<OccluderMeans> occluders_;
   SampleRecords records_;
   TexelRows texelRows_;
+  std::shared_ptr<std::vector<float>> unseen_;  ///< [triangle], weight that receivers inside objects lost
   std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
   std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
   std::uint64_t receivers_ = 0;

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "scene/union_find.h"
+
 namespace prelight {
 namespace {
 
@@ -57,11 +59,6 @@ struct DirectedEdge {
 
   auto key() const { return std::tuple(low, high, falling); }
 };
-
-std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t triangle) {
-  while (parents[triangle] != triangle) triangle = parents[triangle] = parents[parents[triangle]];
-  return triangle;
-}
 
 std::vector<DirectedEdge> edgesOf(const CompiledScene& scene, const PrimitiveRange& range) {
   const std::vector<std::uint32_t> welded = weldedVertices(scene, range);

@@ -16,11 +16,6 @@ const Environment* shiningSky(const Environment* sky);
 /// Whether anything in the scene gives light: a punctual light or an emissive triangle.
 bool hasLights(const CompiledScene& scene);
 
-/// Whether what gives light in a scene is a glow alone, as of lamps and displays on a model: small areas of
-/// emissive textures of radiance 1 at most, which light nothing that one would see. Panels that shine into a
-/// room are none: most light of a glow leaves the scene.
-bool onlyGlows(const CompiledScene& scene);
-
 /// Whether light that arrives at some surface leaves it again diffusely, on either side.
 bool scattersDiffusely(const CompiledScene& scene);
 

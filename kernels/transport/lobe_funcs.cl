@@ -280,11 +280,11 @@ PRELIGHT_INLINE bool isNarrow(Bsdf b) {
 // A direction that points as far above the surface as the given one above or below.
 PRELIGHT_INLINE float3 upwards(float3 wi) { return (float3)(wi.x, wi.y, fabs(wi.z)); }
 
-// The lobes that make caustics.
+// The lobes that make caustics. Bodies of rough glass do, too: rays that look for a lamp behind them find it by rare chance.
 PRELIGHT_INLINE uint narrowLobes(Bsdf b) {
   uint lobes = PRELIGHT_LOBES_SPECULAR | (isNarrow(b) ? PRELIGHT_LOBE_GLOSSY : 0u);
 #ifdef PRELIGHT_ROUGH_GLASS
-  if (!isNarrow(b)) lobes &= ~PRELIGHT_LOBES_GLASS;
+  if (!isNarrow(b) && !b.solid) lobes &= ~PRELIGHT_LOBES_GLASS;
 #endif
 #ifdef PRELIGHT_LAYERS
   if (b.coatRoughness * b.coatRoughness <= PRELIGHT_NARROW_ALPHA) lobes |= PRELIGHT_LOBE_COAT;

@@ -1,6 +1,8 @@
 // Models that bring no light, no camera or no metres along.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "cli/cli_test.h"
 #include "cli/glb_scene.h"
 
@@ -73,7 +75,9 @@ TEST_F(CliStudio, SceneWithLight_IsShownAsItIs) {
   EXPECT_EQ(readFile("a.png"), readFile("b.png"));
   prelightDone({"render", "lit.glb", "-o", "c.png", "--size", "48x32", "--exposure", "auto"});
   prelightDone({"render", "lit.glb", "-o", "d.png", "--size", "48x32", "--exposure", "4"});
+  EXPECT_NE(readFile("a.png"), readFile("c.png"));
   EXPECT_NE(readFile("a.png"), readFile("d.png"));
+  EXPECT_NE(readFile("c.png"), readFile("d.png"));
 }
 
 /// A sun in lux, as authoring programs write it, and one that suits the screen.
@@ -84,6 +88,15 @@ TEST_F(CliStudio, FarTooBrightPicture_NamesTheExposure) {
   EXPECT_THAT(errorsWith("directional:0,-1,-0.2:2000,2000,2000"),
               HasSubstr("far too bright: --exposure 0.0"));
   EXPECT_THAT(errorsWith("directional:0,-1,-0.2:2,2,2"), Not(HasSubstr("--exposure")));
+}
+
+TEST_F(CliStudio, ReportOfReference_TellsTheStudio) {
+  for (const bool plain : {true, false}) {
+    const nlohmann::json report = reportOf(
+        {"reference", plain ? "plain.glb" : "lit.glb", "-o", "r.exr", "--size", "8x6", "--spp", "1"});
+    EXPECT_EQ(report["studio"], plain);
+    EXPECT_TRUE(report.contains("exposure") && report["exposure"].is_null());
+  }
 }
 
 /// A roof of which a picture makes a small part glow: a camera within the scene shows it as it is, one
@@ -100,7 +113,9 @@ TEST_F(CliStudio, GlowSeenFromOutside_GetsTheStudio) {
       nlohmann::json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.01}}])");
   for (const bool outside : {true, false}) {
     GlbScene placed = scene;
-    placed.json["nodes"].push_back({{"camera", 0}, {"translation", {0.0, outside ? 50.0 : 0.1, 0.0}}});
+    placed.json["nodes"].push_back({{"camera", 0},
+                                    {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
+                                    {"translation", {0.0, outside ? 5.0 : 0.1, 0.0}}});
     placed.json["scenes"][0]["nodes"].push_back(placed.json["nodes"].size() - 1);
     writeFile("glow.glb", placed.bytes());
     EXPECT_EQ(reportOf({"render", "glow.glb", "-o", "g.png", "--size", "48x32"})["studio"], outside);

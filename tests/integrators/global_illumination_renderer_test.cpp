@@ -163,6 +163,42 @@ TEST(GlobalIlluminationRenderer, LeafInTheSun_LightsTheFloorAndTheEye) {
   EXPECT_LT(meanFrom({0, 2, 0}, {0, 1, 0}), 0.8 * 0.5 * leaf);
 }
 
+/// The floor beside a ball of glass as rough as any, lit by a small lamp: photons bring what comes through
+/// the ball. Rays of the texels would find the lamp behind it by rare chance.
+TEST(GlobalIlluminationRenderer, FloorBesideARoughBallOfGlass_IsSmooth) {
+  IlluminatedShot shot;
+  shot.scene = ground(2, 3.0f);
+  append(shot.scene, sphere(16, 0.5f, {0.0f, 0.51f, 0.0f}));
+  append(shot.scene,
+         sceneOf({{0.8f, 2.0f, -0.2f}, {1.2f, 2.0f, -0.2f}, {1.2f, 2.0f, 0.2f}, {0.8f, 2.0f, 0.2f}},
+                 {{0, 1, 2}, {0, 2, 3}}));
+  shot.scene.materials[0] = lambert(0.7f);
+  shot.scene.materials[1] = glass(1.5f, true);
+  shot.scene.materials[1].roughness = 1.0f;
+  shot.scene.materials[2] = lambert(0.0f);
+  shot.scene.materials[2].emissionFactor = shot.scene.materials[2].emission = glm::vec3(40.0f);
+  shot.camera = cameraAt({-0.6, 1.4, 1.6}, {-0.55, 0.0, 0.1}, 0.25);
+  shot.request.width = shot.request.height = 16;
+  shot.request.samples = 16;
+  const Picture picture = shot.render(), truth = truthOf(shot, 8192);
+  EXPECT_TRUE(runs(shot.report, Pass::CausticPhotons));
+  double error = 0.0;
+  constexpr std::size_t side = 4;  // pixels of a block
+  for (std::size_t block = 0; block < 16; ++block) {
+    double found = 0.0, expected = 0.0;
+    for (std::size_t i = 0; i < side * side; ++i) {
+      const std::size_t pixel = (block / 4 * side + i / side) * 16 + block % 4 * side + i % side;
+      found += double(picture.pixels[pixel].y);
+      expected += double(truth.pixels[pixel].y);
+    }
+    error += std::pow(found / expected - 1.0, 2.0) / 16.0;
+  }
+  EXPECT_LT(error, 0.1);                  // without these photons it is 0.5
+  shot.scene.materials[1].solid = false;  // a sheet blurs what lies behind it: rays do for that
+  shot.render();
+  EXPECT_FALSE(runs(shot.report, Pass::CausticPhotons));
+}
+
 /// A white floor of albedo 1/2 under an even sky of 1 and a lamp of 3 W/sr 1 m above what is seen: 0.5 of the
 /// sky and 0.5 / pi * 3 of the lamp. One sample of the sky alone would differ by 1.29 of its mean,
 /// independent ones by 0.46 with eight a pixel and by 0.23 with four times as many.

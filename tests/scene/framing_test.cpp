@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/light_sources.h"
 #include "scene/unit_guess.h"
 #include "support/scenes.h"
 
@@ -94,58 +93,12 @@ TEST(UnitGuess, FarBeyondAnyUnit_IsScaledToMetres) {
   }
 }
 
-TEST(OnlyGlows, SmallDimTextures_AreNoLight) {
-  CompiledScene scene = test::box(10, glm::vec3(-1), glm::vec3(1), false);
-  EXPECT_FALSE(onlyGlows(scene));  // nothing glows
-  CompiledMaterial glow = scene.materials.front();
-  glow.emissionTexture.image = 0;
-  glow.emissionFactor = glm::vec3(1.0f);
-  glow.emission = glm::vec3(0.3f);
-  scene.materials.push_back(glow);
-  scene.triangleMaterials[0] = static_cast<std::uint32_t>(scene.materials.size() - 1);
-  EXPECT_TRUE(onlyGlows(scene));
-  scene.materials.back().emissionFactor = glm::vec3(5.0f);  // a lamp
-  EXPECT_FALSE(onlyGlows(scene));
-  scene.materials.back().emissionFactor = glm::vec3(1.0f);
-  scene.materials.back().emissionTexture.image = -1;  // all of the surface
-  EXPECT_FALSE(onlyGlows(scene));
-  scene.materials.back().emissionTexture.image = 0;
-  std::fill(scene.triangleMaterials.begin(), scene.triangleMaterials.end(), scene.triangleMaterials[0]);
-  EXPECT_FALSE(onlyGlows(scene));  // everywhere
-  scene.triangleMaterials.assign(scene.triangleMaterials.size(), 0);
-  scene.triangleMaterials[0] = static_cast<std::uint32_t>(scene.materials.size() - 1);
-  Light lamp;
-  lamp.intensity = glm::vec3(1.0f);
-  scene.lights = {lamp};
-  EXPECT_FALSE(onlyGlows(scene));
-}
-
 TEST(UnitGuess, NoLikelyScale_IsNotSuggested) {
   // A thousand times as large, the first is still a speck; the second would need --scale 1e-10.
   for (const float half : {1e-7f, 2e9f}) {
     const auto guess = guessUnit(boxScene(glm::vec3(half)), false);
     ASSERT_TRUE(guess) << half;
     EXPECT_FALSE(guess->scale.has_value()) << half;
-  }
-}
-
-/// A closed room that a panel below the ceiling lights, and a body that glows on its outside.
-TEST(Glow, PanelInARoom_IsALampAndOneOnTheOutsideIsNot) {
-  for (const bool outside : {false, true}) {
-    CompiledScene scene = test::box(4, glm::vec3(-2.0f), glm::vec3(2.0f), !outside);
-    const std::uint32_t walls = scene.triangleCount();
-    const float y = outside ? 2.01f : 1.9f, x = outside ? 0.5f : -0.5f;
-    test::append(scene, test::sceneOf({{-x, y, -0.5f}, {-x, y, 0.5f}, {x, y, 0.5f}, {x, y, -0.5f}},
-                                      {{0, 1, 2}, {0, 2, 3}}));
-    CompiledMaterial panel = scene.materials.front();
-    panel.emissionTexture.image = 0;
-    panel.emissionFactor = panel.emission = glm::vec3(1.0f);
-    scene.materials.push_back(panel);
-    for (std::uint32_t t = walls; t < scene.triangleCount(); ++t) {
-      scene.triangleMaterials[t] = static_cast<std::uint32_t>(scene.materials.size() - 1);
-      EXPECT_EQ(geometricNormal(scene, t).y > 0.0, outside);
-    }
-    EXPECT_EQ(onlyGlows(scene), outside);
   }
 }
 
