@@ -23,6 +23,7 @@ enum class Command {
   NextGroup,
   BrightenGroup,
   DimGroup,
+  ToggleProbes,
   ResetView,
 };
 
@@ -30,6 +31,12 @@ enum class Command {
 struct DragNode {
   std::string name;
   glm::dvec3 center{0.0};  ///< at rest, world
+};
+
+/// What a window has beside its scene.
+struct Extras {
+  bool objects = false;  ///< that are lit anew wherever they are dragged
+  bool probes = false;
 };
 
 /// What the user's hands do to a view, free of any window system. Every change counts up `changes`.
@@ -47,6 +54,13 @@ class Controls {
   const std::vector<DragNode>& nodes() const { return nodes_; }
   int selectedNode() const { return selectedNode_; }  ///< into nodes(); -1 without any
   bool canShade(Shading shading) const { return canShade_(shading); }
+  void offer(const Extras& extras) { extras_ = extras; }
+  const Extras& extras() const { return extras_; }
+  /// Whether nodes that are dragged show in some shading, and in the view's.
+  bool nodesMove() const { return !nodes_.empty() && (extras_.objects || canShade_(Shading::GlobalIllumination)); }
+  bool nodesMoveNow() const {
+    return nodesMove() && (extras_.objects || view_.shading == Shading::GlobalIllumination);
+  }
 
   /// `delta` is in window heights, +x right and +y up. Light moves the selected light on its sphere around
   /// the scene's centre (a directional one: turns it). Node moves the selected node across the picture.
@@ -92,6 +106,7 @@ class Controls {
   int selectedGroup_ = -1;
   std::vector<DragNode> nodes_;
   int selectedNode_ = -1;
+  Extras extras_;
   std::size_t changes_ = 0;
 };
 

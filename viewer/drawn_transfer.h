@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "prelight/error.h"
@@ -73,6 +74,14 @@ class VertexStream {
     buffer_.fill(GL_ARRAY_BUFFER, values, GL_DYNAMIC_DRAW);
   }
 
+  /// Of vertices from `first` on.
+  template <typename T>
+  void replace(std::size_t first, std::span<const T> values) const {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * sizeof(T)),
+                    static_cast<GLsizeiptr>(values.size_bytes()), values.data());
+  }
+
   const gl::Buffer& buffer() const { return buffer_; }
 
   /// Ties it to the vertex array in use.
@@ -98,6 +107,10 @@ class DrawnTransfer {
 
   /// The scene's vertices are at other places. True where light() has to be called for it.
   virtual bool verticesMoved() { return false; }
+
+  /// What the bake has of some vertices, in rows one behind the other, is another now. True where it is drawn;
+  /// light() has to be called for it.
+  virtual bool replaceRows(std::size_t /*firstVertex*/, std::span<const float> /*rows*/) { return false; }
 
   /// True where what light() makes ready is for one place of the eye.
   virtual bool dependsOnEye(const Illumination&) const { return false; }

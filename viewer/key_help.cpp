@@ -42,9 +42,11 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
   if (controls.view().lights.size() > 1) lines.push_back(line("Tab", "next light"));
   lines.push_back(line("L", "add a light"));
   if (hasSky) lines.push_back(line("Shift + left drag", "turn the sky (also Q and E)"));
-  if (controls.canShade(Shading::GlobalIllumination) && !controls.nodes().empty()) {
+  if (controls.nodesMove()) {
     if (controls.nodes().size() > 1) lines.push_back(line("N", "next node"));
-    lines.push_back(line("Shift + right drag", "move the selected node (full shading)"));
+    lines.push_back(line("Shift + right drag", controls.extras().objects
+                                                   ? "move the selected node; objects are lit where they are"
+                                                   : "move the selected node (full shading)"));
   }
   lines.push_back(line("number keys", shadingKeys(controls)));
   if (controls.canShade(Shading::GlobalIllumination)) lines.push_back(line("F", "full shading"));
@@ -52,6 +54,7 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
     if (controls.groups().size() > 1) lines.push_back(line("G", "next light group"));
     lines.push_back(line("PgUp, PgDn", "selected light group brighter, dimmer"));
   }
+  if (controls.extras().probes) lines.push_back(line("P", "show or hide probes"));
   lines.push_back(line("R", "first view"));
   lines.push_back(line("H", "this help"));
   lines.push_back(line("Esc", "quit"));

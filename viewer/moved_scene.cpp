@@ -17,10 +17,10 @@ struct Bounds {
 
 }  // namespace
 
-MovedScene::MovedScene(const Scene& scene, const CompiledScene& compiled) : scene_(scene, compiled) {
+MovedScene::MovedScene(const Scene& scene, const CompiledScene& compiled, int fixed) : scene_(scene, compiled) {
   std::map<int, Bounds> bounds;
   for (const PrimitiveRange& range : compiled.primitives) {
-    if (range.triangleCount == 0) continue;
+    if (range.triangleCount == 0 || range.node == fixed) continue;
     Bounds& node = bounds[range.node];
     node.name = range.name.empty() ? "node " + std::to_string(range.node) : range.name;
     for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {

@@ -21,7 +21,8 @@ class MovedScene {
     glm::dvec3 center{0.0};  ///< middle of its bounds at rest, world space
   };
 
-  MovedScene(const Scene& scene, const CompiledScene& compiled);
+  /// `fixed`: a node that is not dragged, -1: none.
+  MovedScene(const Scene& scene, const CompiledScene& compiled, int fixed = -1);
 
   const CompiledScene& scene() const { return scene_.compiled(); }
   const std::vector<Node>& nodes() const { return nodes_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,12 @@ struct GlobalIllumination;
 
 namespace prelight::viewer {
 
+/// Balls that show what a volume holds (host/relight/object_light.h).
+struct DrawnProbes {
+  int node = 0;               ///< that they are
+  std::uint32_t surface = 0;  ///< material that is theirs alone
+};
+
 /// What is drawn. The referents outlive the call (or the window).
 struct RenderInputs {
   const Scene& scene;
@@ -39,10 +46,12 @@ struct RenderInputs {
   bool normalTextures = true;
   const Encoding* encoding =
       nullptr;  ///< lightmap and radiosity shading draw light in it, where the bake holds some; nullptr: none
+  std::optional<DrawnProbes> probes = {};  ///< none: the scene has no such balls
 
   /// All of them for a scene whose vertices are elsewhere.
   RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalTextures, encoding};
+    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalTextures, encoding,
+            probes};
   }
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "relight/vertex_lights.h"
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/drawn_sky.h"
@@ -50,6 +51,9 @@ class Renderer {
   /// Vertices of the scene are at other places, with normals as they were: draws them there from now on.
   /// Baked light stays as it is.
   void sceneMoved();
+
+  /// The bake's transfer of some vertices is another now.
+  void transferChanged(std::span<const VertexRange> ranges);
 
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
   void paceUpdates(bool pace) { paced_ = pace; }

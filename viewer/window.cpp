@@ -86,6 +86,8 @@ std::optional<Command> commandOf(int key) {
       return Command::BrightenGroup;
     case GLFW_KEY_PAGE_DOWN:
       return Command::DimGroup;
+    case GLFW_KEY_P:
+      return Command::ToggleProbes;
     case GLFW_KEY_R:
       return Command::ResetView;
     default:
@@ -234,14 +236,17 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   View view = makeView(inputs, options.render);
   const GlfwSession session;
   const WindowHandle window = openWindow(options, view.width, view.height);
-  MovedScene moved(inputs.scene, inputs.compiled);
+  MovedScene moved(inputs.scene, inputs.compiled, inputs.probes ? inputs.probes->node : -1);
   const ViewerInputs shown = inputs.movedTo(moved.scene());
   Renderer renderer(shown, options.render.lobe);
-  SceneFollower follower(renderer, moved, options.follower);
+  SceneFollower follower(renderer, moved, options.follower, options.objects);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),
       dragNodes(moved));
+  controls.offer({options.objects != nullptr, inputs.probes.has_value()});
+  for (std::size_t i = 0; i < moved.nodes().size(); ++i)
+    if (moved.nodes()[i].node == options.selectedNode) controls.selectNode(static_cast<int>(i));
   EventRouter router(window.get(), controls);
   Overlay overlay(window.get(), inputs.environment != nullptr);
   router.attach(overlay);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "viewer/light_follower.h"
+#include "viewer/object_follower.h"
 #include "viewer/render.h"
 
 namespace prelight::viewer {
@@ -17,6 +18,8 @@ struct ViewerOptions {
   RenderOptions render;  ///< first view; width and height are the window's, in pixels
   std::string title = "prelight";
   LightFollower* follower = nullptr;  ///< of global illumination; nullptr: its light stays as it is
+  ObjectFollower* objects = nullptr;  ///< that were not baked with the scene; nullptr: there are none
+  int selectedNode = -1;              ///< that is dragged at first, its number in the glTF file; -1: any
   int frames = 0;                     ///< closes after this many frames; 0: when the user closes the window
   /// Factor of radiance in the window and in .png screenshots; none: metered from the first view.
   std::optional<double> exposure = 1.0;

@@ -38,7 +38,7 @@ void runView(const ViewCommand& command, Context& context) {
     throw UsageError("--screenshot", "it is taken after the last frame, and --frames says which that is",
                      "add --frames 1");
   Session session(context);
-  const ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
+  ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
     if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
   });
   session.progress().check();
@@ -60,6 +60,11 @@ void runView(const ViewCommand& command, Context& context) {
   std::optional<viewer::LiveFollower> follower;
   if (shaded.following)
     options.follower = &follower.emplace(*shaded.following->light, *shaded.globalIllumination);
+  std::optional<FollowingObjects> objects;
+  if (shaded.objects && shaded.objects->firstNode() >= 0) {
+    options.objects = &objects.emplace(*shaded.objects, shaded.bake);
+    options.selectedNode = shaded.objects->firstNode();
+  }
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   nlohmann::ordered_json report = {{"command", "view"},
@@ -89,6 +94,7 @@ void addViewCommand(CLI::App& program, Context& context) {
       "Press H in the window for its keys.\n\n"
       "Examples:\n"
       "  prelight view baked.glb --env sky.hdr\n"
+      "  prelight view baked.glb --object ball.glb:0,1,0 --probes\n"
       "  prelight view occluders.glb --shading vo --shadow-formula thesis --shadow-strength 1.5 --waves 0.2 "
       "--fire 0.5\n"
       "  prelight view baked.glb --screenshot shot.png --frames 2 --size 640x360");
