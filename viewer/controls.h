@@ -57,7 +57,9 @@ class Controls {
   void offer(const Extras& extras) { extras_ = extras; }
   const Extras& extras() const { return extras_; }
   /// Whether nodes that are dragged show in some shading, and in the view's.
-  bool nodesMove() const { return !nodes_.empty() && (extras_.objects || canShade_(Shading::GlobalIllumination)); }
+  bool nodesMove() const {
+    return !nodes_.empty() && (extras_.objects || canShade_(Shading::GlobalIllumination));
+  }
   bool nodesMoveNow() const {
     return nodesMove() && (extras_.objects || view_.shading == Shading::GlobalIllumination);
   }

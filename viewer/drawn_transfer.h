@@ -108,8 +108,8 @@ class DrawnTransfer {
   /// The scene's vertices are at other places. True where light() has to be called for it.
   virtual bool verticesMoved() { return false; }
 
-  /// What the bake has of some vertices, in rows one behind the other, is another now. True where it is drawn;
-  /// light() has to be called for it.
+  /// What the bake has of some vertices, in rows one behind the other, is another now. True where it is
+  /// drawn; light() has to be called for it.
   virtual bool replaceRows(std::size_t /*firstVertex*/, std::span<const float> /*rows*/) { return false; }
 
   /// True where what light() makes ready is for one place of the eye.

@@ -17,7 +17,8 @@ struct Bounds {
 
 }  // namespace
 
-MovedScene::MovedScene(const Scene& scene, const CompiledScene& compiled, int fixed) : scene_(scene, compiled) {
+MovedScene::MovedScene(const Scene& scene, const CompiledScene& compiled, int fixed)
+    : scene_(scene, compiled) {
   std::map<int, Bounds> bounds;
   for (const PrimitiveRange& range : compiled.primitives) {
     if (range.triangleCount == 0 || range.node == fixed) continue;

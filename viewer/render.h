@@ -50,8 +50,8 @@ struct RenderInputs {
 
   /// All of them for a scene whose vertices are elsewhere.
   RenderInputs movedTo(const CompiledScene& moved) const {
-    return {scene, moved, bake, environment, device, caustics, globalIllumination, normalTextures, encoding,
-            probes};
+    return {scene,          moved,    bake,  environment, device, caustics, globalIllumination,
+            normalTextures, encoding, probes};
   }
 };
 

@@ -99,7 +99,8 @@ TransferRows TransferRows::upload(std::span<const T> values, int count, int chan
 
 void TransferRows::replace(std::size_t firstVertex, std::span<const float> values) const {
   const std::vector<float> padded = paddedRows(values, static_cast<std::size_t>(count));
-  const std::size_t vertexLength = static_cast<std::size_t>(channels) * paddedLength(static_cast<std::size_t>(count));
+  const std::size_t vertexLength =
+      static_cast<std::size_t>(channels) * paddedLength(static_cast<std::size_t>(count));
   glBindBuffer(GL_TEXTURE_BUFFER, texels.buffer.name());
   glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(firstVertex * vertexLength * sizeof(float)),
                   static_cast<GLsizeiptr>(padded.size() * sizeof(float)), padded.data());

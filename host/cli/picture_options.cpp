@@ -162,9 +162,8 @@ void placeInVolume(Session& session, const PictureOptions& options, ShadedScene&
                      "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh");
   DeviceOptions device = session.deviceOptions();
   options.bake.addTo(device);
-  shaded.objects = std::make_unique<VolumeObjects>(session, options.inVolume,
-                                                   options.bake.request.lightGroups.named, device,
-                                                   shaded.loaded, shaded.bake);
+  shaded.objects = std::make_unique<VolumeObjects>(
+      session, options.inVolume, options.bake.request.lightGroups.named, device, shaded.loaded, shaded.bake);
 }
 
 /// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
@@ -286,8 +285,9 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       "add the light that mirrors and glass focus, by this many photons towards them");
   addObjectOption(app, options.inVolume.objects,
                   "put another glTF file into the scene, lit by its volume in sh and lights shading");
-  app.add_flag("--probes", options.inVolume.probes,
-               "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");
+  app.add_flag(
+      "--probes", options.inVolume.probes,
+      "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");
   addGlobalIlluminationOptions(app, options.globalIllumination);
   addOccluderOptions(app, options.occluders);
   addTechniqueOptions(app, options.bake);
@@ -330,9 +330,10 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 
   viewer::RenderOptions& render = shaded.render;
-  render.shading = options.shading.value_or(
-      options.inVolume.any()  ? shadingInVolume(shaded.bake)
-      : options.encoding != nullptr ? viewer::Shading::LightMap : viewer::carriedShading(shaded.bake));
+  render.shading =
+      options.shading.value_or(options.inVolume.any()        ? shadingInVolume(shaded.bake)
+                               : options.encoding != nullptr ? viewer::Shading::LightMap
+                                                             : viewer::carriedShading(shaded.bake));
   shaded.encoding = options.encoding;
   checkEncoding(options.scene, shaded.bake, render.shading, shaded.encoding);
   render.height = options.size.height;

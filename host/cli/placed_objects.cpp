@@ -36,8 +36,7 @@ PlacedObject parsePlacedObject(const std::string& text) {
   for (std::size_t end = text.size();;) {
     const std::size_t colon = end == 0 ? std::string::npos : text.rfind(':', end - 1);
     if (colon == std::string::npos || colon == 0) throw fail("no file or no place is given");
-    const auto numbers =
-        numbersIn(std::string_view(text).substr(colon + 1, end - colon - 1), farthestObject);
+    const auto numbers = numbersIn(std::string_view(text).substr(colon + 1, end - colon - 1), farthestObject);
     if (!numbers || (numbers->size() != 3 && (numbers->size() != 1 || after.size() == 2)))
       throw fail("its coordinates are not three numbers");
     end = colon;

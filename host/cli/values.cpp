@@ -119,8 +119,7 @@ std::optional<std::vector<double>> numbersIn(std::string_view text, double most)
     const std::size_t end = std::min(text.find(','), text.size());
     double number = 0.0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + end, number);
-    if (error != std::errc{} || stop != text.data() + end || !(std::abs(number) <= most))
-      return std::nullopt;
+    if (error != std::errc{} || stop != text.data() + end || !(std::abs(number) <= most)) return std::nullopt;
     numbers.push_back(number);
     if (end == text.size()) return numbers;
     text.remove_prefix(end + 1);

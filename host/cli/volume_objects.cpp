@@ -13,8 +13,8 @@ namespace prelight::cli {
 namespace {
 
 constexpr std::uint64_t ownRays = 512;
-constexpr int ownBounces = 2;              ///< within an object, where the scene has some
-constexpr double probeRadius = 0.2;        ///< of a cell's side
+constexpr int ownBounces = 2;        ///< within an object, where the scene has some
+constexpr double probeRadius = 0.2;  ///< of a cell's side
 constexpr float probeAlbedo = 0.8f;
 constexpr int probeSegments = 8, probeRings = 5;
 
@@ -109,20 +109,24 @@ VolumeObjects::VolumeObjects(Session& session, const VolumeObjectOptions& option
                              const std::vector<LightGroupRequest>& named, const DeviceOptions& device,
                              LoadedScene& loaded, Bake& bake)
     : volume_(takeVolume(loaded, bake)), device_(Device::open(device)) {
-  SceneParts parts{loaded.compiled.triangleCount(), 0};
-  const std::size_t baked = loaded.compiled.vertexCount(), ownMaterials = loaded.scene.materials.size();
+  baked_ = {0, loaded.compiled.vertexCount(), 0, loaded.compiled.triangleCount()};
+  const std::size_t ownMaterials = loaded.scene.materials.size();
   const std::vector<AddedObject> added = addObjects(session, options.objects, loaded.scene);
   if (options.probes) addProbes(loaded.scene);
   Warnings said;  // by the scene without them already
   loaded.compiled = compileScene(loaded.scene, said);
   if (probes_) probeRange_ = rangeOf(loaded.compiled, probes_->node);
-  parts.traced = loaded.compiled.triangleCount() - probeRange_.triangleCount;
+  const SceneParts parts{baked_.triangleCount, loaded.compiled.triangleCount() - probeRange_.triangleCount};
   bakeOwn(session, added, loaded.compiled, device);
   if (volume_.groups() > 0 && bake.lightGroups) groupLamps(loaded.compiled, ownMaterials, named, bake);
-  bake = keptOf(session, std::move(bake), baked, loaded.compiled.vertexCount());
+  bake = keptOf(session, std::move(bake), baked_.vertexCount, loaded.compiled.vertexCount());
   if (bake.lightGroups && !lamps_) bake.lightGroups.reset();
-  light_ = std::make_unique<ObjectLight>(loaded.compiled, parts, volume_, lamps_ ? &*lamps_ : nullptr, device_);
-  lightAll(loaded.compiled, bake);
+  light_ =
+      std::make_unique<ObjectLight>(loaded.compiled, parts, volume_, lamps_ ? &*lamps_ : nullptr, device_);
+  if (!objects_.empty())
+    shadowed_ = std::make_unique<ShadowedTransfer>(loaded.compiled, baked_, bake, *light_);
+  lightObjects(loaded.compiled, bake);
+  if (probes_) store(probeRange_, light_->transferOfProbes(loaded.compiled, probeRange_, probeVoxels_), bake);
 }
 
 void VolumeObjects::addProbes(Scene& scene) {
@@ -157,7 +161,8 @@ void VolumeObjects::bakeOwn(Session& session, const std::vector<AddedObject>& ad
 void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMaterials,
                                const std::vector<LightGroupRequest>& named, const Bake& bake) {
   CompiledScene lit = scene;
-  for (std::size_t m = ownMaterials; m + 1 < lit.materials.size(); ++m) lit.materials[m].emission = glm::vec3(0.0f);
+  for (std::size_t m = ownMaterials; m + 1 < lit.materials.size(); ++m)
+    lit.materials[m].emission = glm::vec3(0.0f);
   GroupedLights lamps = groupLights(lit, named);
   const std::vector<LightGroup>& groups = bake.lightGroups->groups;
   const bool same = groups.size() == volume_.groups() &&
@@ -171,7 +176,8 @@ void VolumeObjects::groupLamps(const CompiledScene& scene, std::size_t ownMateri
 
 void VolumeObjects::store(const VertexRange& range, const ObjectTransfer& transfer, Bake& bake) const {
   if (bake.sh) {
-    const std::size_t to = static_cast<std::size_t>(bake.sh->order * bake.sh->order), from = volume_.columns();
+    const std::size_t to = static_cast<std::size_t>(bake.sh->order * bake.sh->order),
+                      from = volume_.columns();
     for (std::size_t row = 0; row < std::size_t{range.vertexCount} * 3; ++row)
       std::copy_n(transfer.sh.begin() + static_cast<std::ptrdiff_t>(row * from), std::min(from, to),
                   bake.sh->coefficients.begin() +
@@ -183,19 +189,21 @@ void VolumeObjects::store(const VertexRange& range, const ObjectTransfer& transf
                   static_cast<std::ptrdiff_t>(std::size_t{range.firstVertex} * 3 * volume_.groups()));
 }
 
-void VolumeObjects::lightAll(const CompiledScene& scene, Bake& bake) {
-  for (const VolumeObject& object : objects_) store(object.range, light_->transferOf(scene, object), bake);
-  if (probes_)
-    store(probeRange_, light_->transferOfProbes(scene, probeRange_, probeVoxels_), bake);
+/// And the scene in their shadows.
+void VolumeObjects::lightObjects(const CompiledScene& scene, Bake& bake) {
+  std::vector<VertexRange> ranges;
+  for (const VolumeObject& object : objects_) {
+    store(object.range, light_->transferOf(scene, object), bake);
+    ranges.push_back(object.range);
+  }
+  if (shadowed_) shadowed_->writeTo(scene, ranges, bake);
 }
 
 std::vector<VertexRange> VolumeObjects::update(const CompiledScene& scene, Bake& bake) {
   light_->follow(scene);
-  std::vector<VertexRange> changed;
-  for (const VolumeObject& object : objects_) {
-    store(object.range, light_->transferOf(scene, object), bake);
-    changed.push_back(object.range);
-  }
+  lightObjects(scene, bake);
+  std::vector<VertexRange> changed{baked_};
+  for (const VolumeObject& object : objects_) changed.push_back(object.range);
   return changed;
 }
 

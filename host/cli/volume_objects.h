@@ -8,6 +8,7 @@
 #include "prelight/bake.h"
 #include "prelight/device.h"
 #include "relight/object_light.h"
+#include "relight/shadowed_transfer.h"
 #include "viewer/object_follower.h"
 #include "viewer/render.h"
 
@@ -25,7 +26,8 @@ struct VolumeObjectOptions {
 class VolumeObjects {
  public:
   /// Adds them to the scene, and transfer of their vertices to the bake, of which only what they have as well
-  /// is kept. `named` are the groups that lights were baked in. Throws InputError for a bake without a volume.
+  /// is kept. `named` are the groups that lights were baked in. Throws InputError for a bake without a
+  /// volume.
   VolumeObjects(Session& session, const VolumeObjectOptions& options,
                 const std::vector<LightGroupRequest>& named, const DeviceOptions& device, LoadedScene& loaded,
                 Bake& bake);
@@ -45,7 +47,7 @@ class VolumeObjects {
                const DeviceOptions& device);
   void groupLamps(const CompiledScene& scene, std::size_t ownMaterials,
                   const std::vector<LightGroupRequest>& named, const Bake& bake);
-  void lightAll(const CompiledScene& scene, Bake& bake);
+  void lightObjects(const CompiledScene& scene, Bake& bake);
   void store(const VertexRange& range, const ObjectTransfer& transfer, Bake& bake) const;
 
   VolumeTransfer volume_;
@@ -57,6 +59,8 @@ class VolumeObjects {
   std::optional<viewer::DrawnProbes> probes_;
   int firstNode_ = -1;
   std::unique_ptr<ObjectLight> light_;
+  VertexRange baked_;
+  std::unique_ptr<ShadowedTransfer> shadowed_;
 };
 
 /// The same for a window, whose bake this is.

@@ -180,8 +180,7 @@ std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface
   const auto add = [&](const std::vector<float>& slots) {
     for (const std::uint32_t slot : mesh.slotOfVertex)
       for (std::size_t c = 0; c < 3; ++c) {
-        const auto row =
-            slots.begin() + static_cast<std::ptrdiff_t>((slot * 3 + c) * surface.columns());
+        const auto row = slots.begin() + static_cast<std::ptrdiff_t>((slot * 3 + c) * surface.columns());
         const auto lights = row + static_cast<std::ptrdiff_t>(surface.shColumns());
         sent.insert(sent.end(), row, row + static_cast<std::ptrdiff_t>(bands));
         sent.insert(sent.end(), lights, lights + static_cast<std::ptrdiff_t>(groups));

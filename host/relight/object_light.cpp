@@ -80,7 +80,8 @@ ObjectTransfer emptyTransfer(const VolumeTransfer& volume, const VertexRange& ra
           std::vector<float>(range.vertexCount * 3 * groups)};
 }
 
-ReceivedTransfer rowOf(ObjectTransfer& transfer, std::size_t vertex, std::size_t columns, std::size_t groups) {
+ReceivedTransfer rowOf(ObjectTransfer& transfer, std::size_t vertex, std::size_t columns,
+                       std::size_t groups) {
   return {std::span(transfer.sh).subspan(vertex * 3 * columns, 3 * columns),
           std::span(transfer.lights).subspan(vertex * 3 * groups, 3 * groups)};
 }
@@ -106,7 +107,8 @@ void ObjectLight::leaveOutHidden(const std::vector<glm::vec3>& origins, std::vec
   for (std::size_t v = 0; v < corners.size(); ++v)
     for (const VolumeCorner& corner : corners[v]) {
       const glm::vec3 way(voxelCentre(volume_.grid, corner.voxel) - origin_ - glm::dvec3(origins[v]));
-      rays.push_back({{origins[v].x, origins[v].y, origins[v].z}, PRELIGHT_NO_TRIANGLE, {way.x, way.y, way.z}, 1.0f});
+      rays.push_back(
+          {{origins[v].x, origins[v].y, origins[v].z}, PRELIGHT_NO_TRIANGLE, {way.x, way.y, way.z}, 1.0f});
     }
   const std::vector<Hit> hits = walls_.traceAny(rays);
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -129,6 +131,12 @@ std::vector<ObjectLight::Corners> ObjectLight::seenCorners(const CompiledScene& 
   for (Corners& around : corners) known.push_back(normalise(around) ? 1 : 0);
   fillFromNeighbours(scene, range, std::move(known), corners);
   return corners;
+}
+
+std::vector<float> ObjectLight::lampsOn(const CompiledScene& scene, const VertexRange& baked,
+                                        bool withObjects) {
+  std::optional<VertexLights>& lamps = withObjects ? lamps_ : unhidden_;
+  return lamps ? lamps->at(scene, baked) : std::vector<float>();
 }
 
 void ObjectLight::addLamps(std::optional<VertexLights>& lamps, const CompiledScene& scene,

@@ -12,6 +12,7 @@
 #include "prelight/compiled_scene.h"
 #include "prelight/device.h"
 #include "prelight/transfer.h"
+#include "relight/object_shadow.h"
 #include "relight/vertex_lights.h"
 #include "transfer/volume_receiver.h"
 
@@ -36,8 +37,8 @@ struct SceneParts {
 };
 
 /// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.
-/// Cells that a vertex does not see are left out of what is interpolated there, so that no light comes through
-/// walls.
+/// Cells that a vertex does not see are left out of what is interpolated there, so that no light comes
+/// through walls.
 class ObjectLight {
  public:
   /// `lights`: groups of those of the baked scene; nullptr: none. All but `scene` outlive it.
@@ -55,6 +56,15 @@ class ObjectLight {
   ObjectTransfer transferOfProbes(const CompiledScene& scene, const VertexRange& range,
                                   std::span<const std::size_t> voxels);
 
+  /// What objects hide from the baked scene's vertices, with bands of the sky.
+  ObjectShadow shadowOf(const CompiledScene& scene, const VertexRange& baked,
+                        std::span<const VertexRange> objects, int order) {
+    return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
+  }
+
+  /// Direct light of lamps on the baked scene's vertices, as VertexLights gives it; empty: there are none.
+  std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& baked, bool withObjects);
+
  private:
   /// Cells around a vertex.
   using Corners = std::array<VolumeCorner, 8>;
@@ -67,9 +77,9 @@ class ObjectLight {
   const VolumeTransfer& volume_;
   VolumeReceiver receiver_;
   glm::dvec3 origin_;
-  Tracer whole_;                         ///< without probes
-  Tracer walls_;                         ///< the baked scene alone
-  std::optional<VertexLights> lamps_;    ///< in `whole_`
+  Tracer whole_;                          ///< without probes
+  Tracer walls_;                          ///< the baked scene alone
+  std::optional<VertexLights> lamps_;     ///< in `whole_`
   std::optional<VertexLights> unhidden_;  ///< by objects
 };
 

@@ -13,12 +13,12 @@ namespace {
 
 using namespace device;
 
-constexpr std::uint32_t blockSize = 4096, raysEach = 8;
+constexpr std::uint32_t lampBlock = 4096, hemisphereRays = 8;
 constexpr std::uint32_t emitterPasses = 4;  ///< each with all samples of a light caster
 constexpr float cornerInset = 0.1f;         ///< weight of each of the other two corners
 
 /// A corner's vertex, and what its receiver counts there.
-struct Corner {
+struct LitCorner {
   std::uint32_t vertex = 0;
   double weight = 0.0;
 };
@@ -33,7 +33,8 @@ double angleAt(const CompiledScene& scene, const glm::uvec3& t, int corner) {
 /// Near a corner, with the normal that shades its vertex.
 Receiver receiverNear(const CompiledScene& scene, std::uint32_t triangle, int corner) {
   constexpr float own = 1.0f - 2.0f * cornerInset;
-  const SurfaceSample sample{triangle, corner == 1 ? own : cornerInset, corner == 2 ? own : cornerInset, 1.0f};
+  const SurfaceSample sample{triangle, corner == 1 ? own : cornerInset, corner == 2 ? own : cornerInset,
+                             1.0f};
   Receiver receiver = receiverAt(scene, sample, Side::Front);
   receiver.seed = sampling::hashInteger(3 * triangle + static_cast<std::uint32_t>(corner));
   if (scene.triangleFlat[triangle] != 0) return receiver;
@@ -46,19 +47,20 @@ Receiver receiverNear(const CompiledScene& scene, std::uint32_t triangle, int co
 
 VertexLights::VertexLights(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer)
     : tracer_(tracer),
-      caster_(scene, lights, nullptr, tracer, blockSize, 0),
+      caster_(scene, lights, nullptr, tracer, lampBlock, 0),
       parameters_(tracer.context(), 1),
-      receivers_(tracer.context(), blockSize),
-      rays_(tracer.context(), std::size_t{blockSize} * raysEach),
-      hits_(tracer.context(), std::size_t{blockSize} * raysEach) {}
+      receivers_(tracer.context(), lampBlock),
+      rays_(tracer.context(), std::size_t{lampBlock} * hemisphereRays),
+      hits_(tracer.context(), std::size_t{lampBlock} * hemisphereRays) {}
 
 /// The hemisphere's rays, which share emitters with the samples of them.
 void VertexLights::aimRays(const std::vector<Receiver>& receivers, std::uint32_t pass) {
   std::vector<Ray> rays;
   for (const Receiver& r : receivers)
-    for (std::uint32_t k = 0; k < raysEach; ++k) {
+    for (std::uint32_t k = 0; k < hemisphereRays; ++k) {
       const glm::dvec3 normal(r.normal[0], r.normal[1], r.normal[2]);
-      const glm::vec3 w(sampling::cosineHemisphere(sampling::sobol(pass * raysEach + k, r.seed), normal));
+      const glm::vec3 w(
+          sampling::cosineHemisphere(sampling::sobol(pass * hemisphereRays + k, r.seed), normal));
       rays.push_back({{r.position[0], r.position[1], r.position[2]},
                       r.triangle,
                       {w.x, w.y, w.z},
@@ -71,13 +73,13 @@ void VertexLights::aimRays(const std::vector<Receiver>& receivers, std::uint32_t
 /// Appends [receiver][3][group].
 void VertexLights::castBlock(const std::vector<Receiver>& receivers, std::vector<float>& values) {
   const auto count = static_cast<std::uint32_t>(receivers.size());
-  const CastParameters parameters{count, raysEach, 0, 0, 0, 0.0f, 0.0f, 0.0f};
+  const CastParameters parameters{count, hemisphereRays, 0, 0, 0, 0.0f, 0.0f, 0.0f};
   parameters_.write(std::span(&parameters, 1));
   const std::uint32_t passes = caster_.hasEmitters() ? emitterPasses : 1;
   std::vector<float> sum, block;
   for (std::uint32_t pass = 0; pass < passes; ++pass) {
     std::vector<Receiver> aimed = receivers;
-    for (Receiver& r : aimed) r.firstSample = pass * raysEach;
+    for (Receiver& r : aimed) r.firstSample = pass * hemisphereRays;
     receivers_.write(std::span<const Receiver>(aimed));
     if (caster_.hasEmitters()) aimRays(aimed, pass);
     caster_.cast({parameters_, receivers_, rays_, hits_}, count, tracer_, 0, block);
@@ -88,14 +90,14 @@ void VertexLights::castBlock(const std::vector<Receiver>& receivers, std::vector
 }
 
 std::vector<float> VertexLights::at(const CompiledScene& scene, const VertexRange& range) {
-  std::vector<Corner> corners;
+  std::vector<LitCorner> corners;
   std::vector<Receiver> receivers;
   std::vector<float> values;
   for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t)
     for (int k = 0; k < 3; ++k) {
       corners.push_back({scene.triangles[t][k] - range.firstVertex, angleAt(scene, scene.triangles[t], k)});
       receivers.push_back(receiverNear(scene, t, k));
-      if (receivers.size() < blockSize) continue;
+      if (receivers.size() < lampBlock) continue;
       castBlock(receivers, values);
       receivers.clear();
     }

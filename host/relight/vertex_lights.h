@@ -17,9 +17,9 @@ struct VertexRange {
   std::uint32_t triangleCount = 0;
 };
 
-/// Direct light of groups of lights at vertices, by shadow rays to every lamp: exact but for what lies between
-/// vertices, and noise of lamps that have an extent. Receivers lie within the triangles, close to each vertex,
-/// so that none sees past the wall that meets it there.
+/// Direct light of groups of lights at vertices, by shadow rays to every lamp: exact but for what lies
+/// between vertices, and noise of lamps that have an extent. Receivers lie within the triangles, close to
+/// each vertex, so that none sees past the wall that meets it there.
 class VertexLights {
  public:
   /// Everything outlives it. `scene` is what the tracer was made of.

@@ -34,7 +34,8 @@ void addByDirection(std::span<const VolumeCorner> corners, const std::vector<flo
 }
 
 void store(std::span<const double> from, std::span<float> to) {
-  std::transform(from.begin(), from.end(), to.begin(), [](double value) { return static_cast<float>(value); });
+  std::transform(from.begin(), from.end(), to.begin(),
+                 [](double value) { return static_cast<float>(value); });
 }
 
 }  // namespace
@@ -53,7 +54,8 @@ void VolumeReceiver::addSent(std::span<const VolumeCorner> corners, std::size_t 
   const std::size_t n = volume_.columns();
   const std::vector<double> all = mix(corners, volume_.coefficients, 3 * n, channel * n, n);
   const std::vector<double> direct = mix(corners, volume_.direct, n, 0, n);
-  for (std::size_t i = 0; i < n; ++i) sum[i] += std::sqrt(wholeSphere) * double(own[0]) * (all[i] - direct[i]);
+  for (std::size_t i = 0; i < n; ++i)
+    sum[i] += std::sqrt(wholeSphere) * double(own[0]) * (all[i] - direct[i]);
 }
 
 void VolumeReceiver::receive(std::span<const VolumeCorner> corners, std::span<const float> own,

@@ -15,7 +15,8 @@ void leaveOutInside(const VolumeTransfer& volume, std::array<VolumeCorner, 8>& c
   double inAir = 0.0;
   for (const VolumeCorner& corner : corners) inAir += volume.air[corner.voxel] != 0 ? corner.weight : 0.0;
   if (inAir < 1e-6) return;
-  for (VolumeCorner& corner : corners) corner.weight = volume.air[corner.voxel] != 0 ? corner.weight / inAir : 0.0;
+  for (VolumeCorner& corner : corners)
+    corner.weight = volume.air[corner.voxel] != 0 ? corner.weight / inAir : 0.0;
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ class VolumeCaster {
     if (options.bounces == 0) return;
     gather_ = {device_, file, build, "gatherVolume"};
     backs_ = surface.backReflected.empty() ? 0 : 1;
-    transfer_ = Buffer<float>(device_, std::span<const float>(sentTransfer(
-                                                 mesh, surface, columns_, sentColumns_ - columns_)));
+    transfer_ = Buffer<float>(
+        device_, std::span<const float>(sentTransfer(mesh, surface, columns_, sentColumns_ - columns_)));
     reflected_ = Buffer<float>(device_, blockSize_ * gatheredValues());
   }
 
@@ -100,8 +100,8 @@ class VolumeCaster {
   /// What is gathered from a voxel in a channel by the function Y_j of directions.
   std::span<const float> gathered(const std::vector<float>& reflected, std::size_t voxel, std::size_t channel,
                                   std::size_t j) const {
-    return std::span(reflected)
-        .subspan(voxel * gatheredValues() + (channel * gatheredBands + j) * sentColumns_, sentColumns_);
+    return std::span(reflected).subspan(
+        voxel * gatheredValues() + (channel * gatheredBands + j) * sentColumns_, sentColumns_);
   }
 
   void append(const std::vector<float>& values, const std::vector<float>& reflected, VolumeTransfer& volume) {

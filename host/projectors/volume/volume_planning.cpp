@@ -23,12 +23,12 @@ std::vector<PlannedPass> volumePasses(const PlanInput& input) {
   if (request.volume.size == 0) return {{Pass::Volume, false, "not asked for"}};
   if (request.sh.order == 0)
     return {{Pass::Volume, false, "no SH transfer is asked for, whose order it has"}};
-  return {{Pass::Volume, true,
-           fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel{}; moving objects "
-                       "are not in it, and everything in the scene shadows it",
-                       request.volume.size, request.sh.order, plannedChannels(input.bounces),
-                       input.bounces ? " and one without bounces" : "", 4 * valuesOf(input),
-                       lightsText(input))}};
+  return {
+      {Pass::Volume, true,
+       fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel{}; moving objects "
+                   "are not in it, and everything in the scene shadows it",
+                   request.volume.size, request.sh.order, plannedChannels(input.bounces),
+                   input.bounces ? " and one without bounces" : "", 4 * valuesOf(input), lightsText(input))}};
 }
 
 void addVolumeMemory(const PlanInput& input, Plan& plan) {

@@ -35,16 +35,17 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
   if (!bake.volume) return;
   const VolumeTransfer& transfer = *bake.volume;
   const VolumeGrid& grid = transfer.grid;
-  const std::size_t bytes = bytesOf(transfer.coefficients) + bytesOf(transfer.direct) + bytesOf(transfer.air) +
-                            bytesOf(transfer.sent) + bytesOf(transfer.lights);
+  const std::size_t bytes = bytesOf(transfer.coefficients) + bytesOf(transfer.direct) +
+                            bytesOf(transfer.air) + bytesOf(transfer.sent) + bytesOf(transfer.lights);
   const auto inside = static_cast<std::size_t>(
       std::count(transfer.air.begin(), transfer.air.end(), static_cast<std::uint8_t>(0)));
   found.push_back(
       {"volume",
-       fmt::format("volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}{}",
-                   grid.size.x, grid.size.y, grid.size.z, grid.cell(), inside, transfer.order,
-                   channelsText(transfer.channels, transfer.bounces),
-                   transfer.groups() == 0 ? "" : ", with " + counted(transfer.groups(), "light group")),
+       fmt::format(
+           "volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}{}",
+           grid.size.x, grid.size.y, grid.size.z, grid.cell(), inside, transfer.order,
+           channelsText(transfer.channels, transfer.bounces),
+           transfer.groups() == 0 ? "" : ", with " + counted(transfer.groups(), "light group")),
        bytes,
        false,
        {{"size", {grid.size.x, grid.size.y, grid.size.z}},
