@@ -13,16 +13,18 @@ namespace prelight::cli {
 namespace {
 
 constexpr std::uint64_t ownRays = 512;
-constexpr int ownBounces = 2;        ///< within an object, where the scene has some
-constexpr double probeRadius = 0.2;  ///< of a cell's side
+constexpr int ownBounces = 2;         ///< within an object, where the scene has some
+constexpr double probeRadius = 0.15;  ///< of a cell's side
 constexpr float probeAlbedo = 0.8f;
-constexpr int probeSegments = 8, probeRings = 5;
+constexpr int probeSegments = 10, probeRings = 6;
 
 VolumeTransfer takeVolume(const LoadedScene& loaded, Bake& bake) {
   if (!bake.volume)
     throw InputError(loaded.path.string(), "it carries no volume to light objects or to show probes of",
                      "bake it with --volume 32 --sh 4 --bounces 4, and --light-groups for its own lights");
-  return std::move(*bake.volume);
+  VolumeTransfer volume = std::move(*bake.volume);
+  bake.volume.reset();
+  return volume;
 }
 
 /// Vertices and triangles of a node.
@@ -74,6 +76,15 @@ Bake keptOf(Session& session, Bake&& bake, std::size_t baked, std::size_t vertic
   if (kept.sh) grow(*kept.sh, static_cast<std::size_t>(kept.sh->order * kept.sh->order), vertices);
   if (kept.lightGroups) grow(*kept.lightGroups, kept.lightGroups->groups.size(), vertices);
   return kept;
+}
+
+/// What of transfer in three channels is not direct, in one.
+std::vector<float> bouncesOf(const HarmonicTransfer& all, const HarmonicTransfer& direct) {
+  std::vector<float> bounced = all.coefficients;
+  const auto columns = static_cast<std::size_t>(all.order * all.order);
+  for (std::size_t i = 0; i < bounced.size(); ++i)
+    bounced[i] -= direct.coefficients[i / (3 * columns) * columns + i % columns];
+  return bounced;
 }
 
 Primitive ballsIn(const VolumeGrid& grid, const std::vector<std::size_t>& voxels) {
@@ -153,7 +164,11 @@ void VolumeObjects::bakeOwn(Session& session, const std::vector<AddedObject>& ad
     request.bounces = volume_.bounces > 0 ? ownBounces : 0;
     request.effort.rays = ownRays;
     BakeRun run = session.bake(object.alone, request, device);
-    objects_.push_back({rangeOf(scene, object.node), std::move(*run.bake.sh)});
+    VolumeObject& one =
+        objects_.emplace_back(VolumeObject{rangeOf(scene, object.node), std::move(*run.bake.sh)});
+    if (request.bounces == 0) continue;
+    request.bounces = 0;
+    one.bounced = bouncesOf(one.own, *session.bake(object.alone, request, device).bake.sh);
   }
 }
 

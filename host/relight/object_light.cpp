@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "basis/sh_zonal.h"
+#include "fit/symmetric_solve.h"
 
 namespace prelight {
 
@@ -14,6 +15,9 @@ namespace {
 using namespace device;
 
 constexpr std::size_t vertexGrain = 256;
+constexpr int lampOrder = 3;  ///< of lamps' light, as objects reflect it onto themselves
+constexpr std::size_t lampBands = lampOrder * lampOrder;
+constexpr double leastPivot = 1e-4;  ///< of directions that an object's normals tell of
 /// Rays to cells begin this share of the way from the vertex to the object's middle, so that what the object
 /// touches does not hide them.
 constexpr float towardsMiddle = 0.02f;
@@ -75,6 +79,23 @@ void fillFromNeighbours(const CompiledScene& scene, const VertexRange& range, st
   }
 }
 
+/// SH of the radiance that would give vertices what they receive, [i][light]: least squares over their
+/// normals. `received`: [vertex][light], exit radiance over albedo.
+std::vector<double> arrivingLight(const CompiledScene& scene, const VertexRange& range,
+                                  const std::vector<float>& received, std::size_t lights) {
+  std::vector<double> matrix(lampBands * lampBands, 0.0), right(lampBands * lights, 0.0), open(lampBands);
+  for (std::size_t v = 0; v < range.vertexCount; ++v) {
+    sh::openTransfer(glm::dvec3(scene.normals[range.firstVertex + v]), lampOrder, open);
+    for (std::size_t i = 0; i < lampBands; ++i) {
+      for (std::size_t j = 0; j < lampBands; ++j) matrix[i * lampBands + j] += open[i] * open[j];
+      for (std::size_t k = 0; k < lights; ++k)
+        right[i * lights + k] += open[i] * double(received[v * lights + k]);
+    }
+  }
+  SymmetricFactors(std::move(matrix), leastPivot).solve(right, lights);
+  return right;
+}
+
 ObjectTransfer emptyTransfer(const VolumeTransfer& volume, const VertexRange& range, std::size_t groups) {
   return {std::vector<float>(range.vertexCount * 3 * volume.columns()),
           std::vector<float>(range.vertexCount * 3 * groups)};
@@ -133,6 +154,23 @@ std::vector<ObjectLight::Corners> ObjectLight::seenCorners(const CompiledScene& 
   return corners;
 }
 
+/// What the object reflects onto itself of lamps, whose light is taken to arrive alike all over it.
+void ObjectLight::addOwnBounces(const CompiledScene& scene, const VolumeObject& object,
+                                ObjectTransfer& transfer) {
+  if (!unhidden_ || object.bounced.empty()) return;
+  const std::size_t groups = unhidden_->groupCount();
+  const std::vector<double> arriving =
+      arrivingLight(scene, object.range, unhidden_->at(scene, object.range), 3 * groups);
+  const std::size_t columns = object.bounced.size() / (std::size_t{3} * object.range.vertexCount);
+  for (std::size_t row = 0; row < transfer.lights.size(); ++row) {
+    const std::size_t at = row / groups, light = row % (3 * groups);  // [vertex][channel]; [channel][group]
+    double sum = 0.0;
+    for (std::size_t i = 0; i < lampBands; ++i)
+      sum += double(object.bounced[at * columns + i]) * arriving[i * 3 * groups + light];
+    transfer.lights[row] += static_cast<float>(std::max(0.0, sum));
+  }
+}
+
 std::vector<float> ObjectLight::lampsOn(const CompiledScene& scene, const VertexRange& baked,
                                         bool withObjects) {
   std::optional<VertexLights>& lamps = withObjects ? lamps_ : unhidden_;
@@ -158,6 +196,7 @@ ObjectTransfer ObjectLight::transferOf(const CompiledScene& scene, const VolumeO
                         object.own.channels, rowOf(transfer, v, volume_.columns(), groups));
   });
   addLamps(lamps_, scene, range, transfer);
+  addOwnBounces(scene, object, transfer);
   return transfer;
 }
 

@@ -22,6 +22,8 @@ namespace prelight {
 struct VolumeObject {
   VertexRange range;
   HarmonicTransfer own;  ///< of its vertices without the scene, as it is turned; VolumeReceiver::ownOrder()
+  /// Of it, what the object reflects onto itself, [vertex][channel 3][i]; empty: nothing.
+  std::vector<float> bounced = {};
 };
 
 /// Transfer of an object's vertices.
@@ -71,6 +73,7 @@ class ObjectLight {
 
   std::vector<Corners> seenCorners(const CompiledScene& scene, const VertexRange& range);
   void leaveOutHidden(const std::vector<glm::vec3>& origins, std::vector<Corners>& corners);
+  void addOwnBounces(const CompiledScene& scene, const VolumeObject& object, ObjectTransfer& transfer);
   void addLamps(std::optional<VertexLights>& lamps, const CompiledScene& scene, const VertexRange& range,
                 ObjectTransfer& transfer);
 
