@@ -7,6 +7,8 @@
 #include "base/parallel.h"
 #include "basis/sh_zonal.h"
 #include "fit/symmetric_solve.h"
+#include "relight/ground_shadow.h"
+#include "relight/object_middle.h"
 
 namespace prelight {
 
@@ -18,9 +20,6 @@ constexpr std::size_t vertexGrain = 256;
 constexpr int lampOrder = 3;  ///< of lamps' light, as objects reflect it onto themselves
 constexpr std::size_t lampBands = lampOrder * lampOrder;
 constexpr double leastPivot = 1e-4;  ///< of directions that an object's normals tell of
-/// Rays to cells begin this share of the way from the vertex to the object's middle, so that what the object
-/// touches does not hide them.
-constexpr float towardsMiddle = 0.02f;
 
 CompiledScene withoutProbes(const CompiledScene& scene, std::uint32_t triangles) {
   CompiledScene traced = scene;
@@ -34,15 +33,6 @@ std::vector<std::uint32_t> numbersFrom(std::uint32_t first, std::uint32_t end) {
   std::vector<std::uint32_t> numbers(end - first);
   std::iota(numbers.begin(), numbers.end(), first);
   return numbers;
-}
-
-glm::vec3 middleOf(const CompiledScene& scene, const VertexRange& range) {
-  glm::vec3 lower(std::numeric_limits<float>::max()), upper(std::numeric_limits<float>::lowest());
-  for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
-    lower = glm::min(lower, scene.positions[v]);
-    upper = glm::max(upper, scene.positions[v]);
-  }
-  return 0.5f * (lower + upper);
 }
 
 /// What is left shares the whole weight. False: nothing is.
@@ -189,11 +179,12 @@ ObjectTransfer ObjectLight::transferOf(const CompiledScene& scene, const VolumeO
   const std::size_t groups = lamps_ ? lamps_->groupCount() : 0;
   ObjectTransfer transfer = emptyTransfer(volume_, range, groups);
   const std::vector<Corners> corners = seenCorners(scene, range);
+  const std::vector<double> shares = shareBesideOwnShadow(scene, range, walls_);
   const std::size_t ownLength = object.own.coefficients.size() / range.vertexCount;
   parallelRanges(range.vertexCount, vertexGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       receiver_.receive(corners[v], std::span(object.own.coefficients).subspan(v * ownLength, ownLength),
-                        object.own.channels, rowOf(transfer, v, volume_.columns(), groups));
+                        object.own.channels, shares[v], rowOf(transfer, v, volume_.columns(), groups));
   });
   addLamps(lamps_, scene, range, transfer);
   addOwnBounces(scene, object, transfer);
@@ -212,7 +203,7 @@ ObjectTransfer ObjectLight::transferOfProbes(const CompiledScene& scene, const V
       sh::openTransfer(glm::dvec3(scene.normals[range.firstVertex + v]), order, open);
       const std::vector<float> own(open.begin(), open.end());
       const VolumeCorner cell{voxels[v / each], 1.0};
-      receiver_.receive(std::span(&cell, 1), own, 1, rowOf(transfer, v, volume_.columns(), groups));
+      receiver_.receive(std::span(&cell, 1), own, 1, 1.0, rowOf(transfer, v, volume_.columns(), groups));
     }
   });
   addLamps(unhidden_, scene, range, transfer);

@@ -59,7 +59,7 @@ void VolumeReceiver::addSent(std::span<const VolumeCorner> corners, std::size_t 
 }
 
 void VolumeReceiver::receive(std::span<const VolumeCorner> corners, std::span<const float> own,
-                             int ownChannels, const ReceivedTransfer& into) const {
+                             int ownChannels, double sentShare, const ReceivedTransfer& into) const {
   const std::size_t n = volume_.columns(), groups = volume_.groups();
   const auto ownColumns = static_cast<std::size_t>(product_.order() * product_.order());
   const std::vector<float>& direct = volume_.direct.empty() ? volume_.coefficients : volume_.direct;
@@ -71,9 +71,12 @@ void VolumeReceiver::receive(std::span<const VolumeCorner> corners, std::span<co
     std::vector<double> sum(n, 0.0), lights(into.lights.empty() ? 0 : groups, 0.0);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = 0; k < ownColumns; ++k) sum[i] += matrix[i * ownColumns + k] * double(mine[k]);
-    addSent(corners, c, mine, sum);
+    std::vector<double> sent(n, 0.0);
+    addSent(corners, c, mine, sent);
+    for (std::size_t i = 0; i < n; ++i) sum[i] += sentShare * sent[i];
     store(sum, into.sh.subspan(c * n, n));
     if (!lights.empty()) addByDirection(corners, volume_.lights, c, volume_.lightBands(), mine, lights);
+    for (double& light : lights) light *= sentShare;
     if (!lights.empty()) store(lights, into.lights.subspan(c * groups, groups));
   }
 }

@@ -21,8 +21,7 @@ struct ReceivedTransfer {
 ///   T[c][i] = sum_k (V Y_i)_k own[c][k] + sum_j sent[c][j][i] own[c][j]
 ///   lights[c][g] = sum_j lights[c][j][g] own[c][j]
 ///
-/// V is the cells' visibility, cut to the volume's order, as is the product. That the object hides light from
-/// what is around it is not in it.
+/// V is the cells' visibility, cut to the volume's order, as is the product.
 class VolumeReceiver {
  public:
   /// The volume outlives it.
@@ -32,8 +31,9 @@ class VolumeReceiver {
   static int ownOrder(const VolumeTransfer& volume);
 
   /// `own`: SH transfer of the vertex without the scene, [channel][k], of ownOrder() in `ownChannels`.
+  /// `sentShare`: of what surfaces send, the part that arrives.
   void receive(std::span<const VolumeCorner> corners, std::span<const float> own, int ownChannels,
-               const ReceivedTransfer& into) const;
+               double sentShare, const ReceivedTransfer& into) const;
 
  private:
   void addSent(std::span<const VolumeCorner> corners, std::size_t channel, std::span<const float> own,

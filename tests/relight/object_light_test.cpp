@@ -76,7 +76,7 @@ double receivedBy(const VolumeTransfer& volume, const glm::dvec3& normal) {
   const std::vector<float> own(open.begin(), open.end());
   std::vector<float> sh(3 * volume.columns());
   const VolumeCorner cell{0, 1.0};
-  VolumeReceiver(volume).receive(std::span(&cell, 1), own, 1, {sh, {}});
+  VolumeReceiver(volume).receive(std::span(&cell, 1), own, 1, 1.0, {sh, {}});
   return double(sh[0]);
 }
 
@@ -87,7 +87,7 @@ TEST(VolumeReceiver, WhereEverythingIsOpen_KeepsItsOwnTransfer) {
   std::vector<float> own, sh(48);
   for (int i = 0; i < 48; ++i) own.push_back(std::sin(1.0f + static_cast<float>(i)));
   const VolumeCorner cell{0, 1.0};
-  VolumeReceiver(volume).receive(std::span(&cell, 1), own, 3, {sh, {}});
+  VolumeReceiver(volume).receive(std::span(&cell, 1), own, 3, 1.0, {sh, {}});
   for (std::size_t i = 0; i < 48; ++i) EXPECT_NEAR(sh[i], own[i], 1e-6) << i;
 }
 
