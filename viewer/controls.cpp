@@ -185,6 +185,10 @@ void Controls::run(Command command) {
         setGroupFactor(view_.groupFactors[selectedGroup_] *
                        (command == Command::DimGroup ? 1.0f / groupStep : groupStep));
       return;
+    case Command::ToggleProbes:
+      view_.hidesProbes = extras_.probes && !view_.hidesProbes;
+      ++changes_;
+      return;
     case Command::ResetView:
       view_.camera = firstCamera_;
       hasOwnCamera_ = false;

@@ -32,6 +32,7 @@ enum class Command {
   NextGroup,
   BrightenGroup,
   DimGroup,
+  ToggleProbes,
   ResetView,
 };
 
@@ -58,6 +59,12 @@ struct Following {
   std::optional<std::size_t> camera;  ///< that the first view is of
 };
 
+/// What a window has beside its scene.
+struct Extras {
+  bool objects = false;  ///< that are lit anew wherever they are dragged
+  bool probes = false;
+};
+
 /// What the user's hands do to a view, free of any window system. Every change counts up `changes`.
 class Controls {
  public:
@@ -73,6 +80,10 @@ class Controls {
   const std::vector<DragNode>& nodes() const { return nodes_; }
   int selectedNode() const { return selectedNode_; }  ///< into nodes(); -1 without any
   bool canShade(Shading shading) const { return canShade_(shading); }
+  void offer(const Extras& extras) { extras_ = extras; }
+  const Extras& extras() const { return extras_; }
+  /// Whether the view's light follows nodes that are dragged.
+  bool nodesMoveNow() const { return !nodes_.empty() && (extras_.objects || followsNodes(view_.shading)); }
 
   /// `delta` is in window heights, +x right and +y up. Light moves the selected light on its sphere around
   /// the scene's centre (a directional one: turns it). Node moves the selected node across the picture.
@@ -142,6 +153,7 @@ class Controls {
   std::vector<Light> followedLights_;
   Camera followedCamera_;
   bool hasOwnCamera_ = false;  ///< that does not follow the scene's
+  Extras extras_;
   std::size_t changes_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "prelight/bake.h"
@@ -75,6 +76,15 @@ class VertexStream {
   }
 
   Attribute attribute() const { return attribute_; }
+
+  /// Of vertices from `first` on.
+  template <typename T>
+  void replace(std::size_t first, std::span<const T> values) const {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * sizeof(T)),
+                    static_cast<GLsizeiptr>(values.size_bytes()), values.data());
+  }
+
   const gl::Buffer& buffer() const { return buffer_; }
 
   /// Ties it to the vertex array in use.
@@ -109,6 +119,10 @@ class DrawnTransfer {
 
   /// Takes the numbers of another bake in place of those that it has, where it can: then light() is called.
   virtual bool takeBake(const Bake&) { return false; }
+
+  /// What the bake has of some vertices, in rows one behind the other, is another now. True where it is
+  /// drawn; light() has to be called for it.
+  virtual bool replaceRows(std::size_t /*firstVertex*/, std::span<const float> /*rows*/) { return false; }
 
   /// True where what light() makes ready is for one place of the eye.
   virtual bool dependsOnEye(const Illumination&) const { return false; }

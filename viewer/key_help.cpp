@@ -30,8 +30,13 @@ std::string shadingKeys(const Controls& controls) {
 
 void addNodeKeys(const Controls& controls, std::vector<std::string>& lines) {
   const bool full = controls.canShade(Shading::GlobalIllumination), vo = controls.canShade(Shading::Vo);
-  if (!full && !vo) return;
+  const bool objects = controls.extras().objects;
+  if (!full && !vo && !objects) return;
   if (controls.nodes().size() > 1) lines.push_back(line("N", "next node"));
+  if (objects) {
+    lines.push_back(line("Shift + right drag", "move the selected node; objects are lit where they are"));
+    return;
+  }
   const char* shadings = full && vo ? "full and vo" : full ? "full" : "vo";
   lines.push_back(
       line("Shift + right drag", std::string("move the selected node (") + shadings + " shading)"));
@@ -64,6 +69,7 @@ std::vector<std::string> keyHelp(const Controls& controls, bool hasSky) {
     if (controls.groups().size() > 1) lines.push_back(line("G", "next light group"));
     lines.push_back(line("PgUp, PgDn", "selected light group brighter, dimmer"));
   }
+  if (controls.extras().probes) lines.push_back(line("P", "show or hide probes"));
   lines.push_back(line("R", "first view"));
   lines.push_back(line("H", "this help"));
   lines.push_back(line("Esc", "quit"));

@@ -49,7 +49,7 @@ void drawLights(Controls& controls) {
 }
 
 void drawNodes(Controls& controls) {
-  if (!followsNodes(controls.view().shading) || controls.selectedNode() < 0) return;
+  if (!controls.nodesMoveNow() || controls.selectedNode() < 0) return;
   if (!ImGui::BeginCombo("node", controls.nodes()[controls.selectedNode()].name.c_str())) return;
   for (int i = 0; i < static_cast<int>(controls.nodes().size()); ++i) {
     ImGui::PushID(i);

@@ -37,14 +37,14 @@ std::map<int, Bounds> boundsOfNodes(const CompiledScene& compiled) {
   return bounds;
 }
 
-/// Parents come before what hangs on them.
-std::vector<PosedScene::Node> draggedNodes(const Scene& scene, const CompiledScene& compiled) {
+/// All but one. Parents come before what hangs on them.
+std::vector<PosedScene::Node> draggedNodes(const Scene& scene, const CompiledScene& compiled, int butNot) {
   const std::map<int, Bounds> bounds = boundsOfNodes(compiled);
   std::vector<PosedScene::Node> nodes;
   std::vector<int> indexOf(scene.nodes.size(), -1);  // of scene nodes, into `nodes`
   for (const MeshNode& mesh : scene.meshNodes) {
     const auto found = bounds.find(mesh.node);
-    if (found == bounds.end()) continue;
+    if (found == bounds.end() || mesh.node == butNot) continue;
     const auto& [number, box] = *found;
     PosedScene::Node node{number, box.name, compiled.origin + 0.5 * (box.lower + box.upper)};
     if (mesh.sceneNode < scene.nodes.size()) {
@@ -102,8 +102,10 @@ bool keepsCoordinates(const RenderInputs& inputs) {
 PosedScene::PosedScene(const RenderInputs& inputs, PoseSources sources)
     : inputs_(inputs),
       sources_(std::move(sources)),
-      live_(keepsCoordinates(inputs) ? std::make_unique<LiveScene>(inputs.scene, inputs.compiled) : nullptr),
-      nodes_(draggedNodes(inputs.scene, inputs.compiled)) {
+      live_(sources_.keepsCoordinates || keepsCoordinates(inputs)
+                ? std::make_unique<LiveScene>(inputs.scene, inputs.compiled)
+                : nullptr),
+      nodes_(draggedNodes(inputs.scene, inputs.compiled, inputs.probes ? inputs.probes->node : -1)) {
   if (!live_) compiled_ = inputs.compiled;
   changesMaterials_ = !live_ && animatesMaterials(inputs.scene);
   if (changesMaterials_) posed_ = posable(inputs.scene, true, true);

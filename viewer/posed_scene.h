@@ -39,6 +39,7 @@ struct PoseSources {
   const AnimatedTransfer* keys = nullptr;     ///< nullptr: those of the inputs' bake
   const PosedOccluders* occluders = nullptr;  ///< nullptr: made of the inputs' bake
   std::function<void(Scene&)> moves;          ///< of nodes, once an animation has placed them; empty: none
+  bool keepsCoordinates = false;              ///< light is computed in those of the inputs' scene by others
 };
 
 /// A scene as a window shows it. Vertices, materials, lights, cameras and what its bake carries of them all

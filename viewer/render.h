@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,12 @@ struct GlobalIllumination;
 
 namespace prelight::viewer {
 
+/// Balls that show what a volume holds (host/relight/object_light.h).
+struct DrawnProbes {
+  int node = 0;               ///< that they are
+  std::uint32_t surface = 0;  ///< material that is theirs alone
+};
+
 /// What is drawn. The referents outlive the call (or the window).
 struct RenderInputs {
   const Scene& scene;
@@ -42,6 +49,8 @@ struct RenderInputs {
   /// What it carries is drawn in place of the bake's, which is of another pose; nullptr: there is none.
   const Bake* posed = nullptr;
 
+  std::optional<DrawnProbes> probes = {};  ///< none: the scene has no such balls
+
   /// All of them with another bake, which is the pose's.
   RenderInputs with(const Bake* chosen) const {
     RenderInputs chosenInputs = *this;
@@ -52,7 +61,7 @@ struct RenderInputs {
   /// All of them for a scene that stands otherwise.
   RenderInputs movedTo(const Scene& movedScene, const CompiledScene& moved) const {
     return {movedScene,         moved,          bake,     environment, device, caustics,
-            globalIllumination, normalTextures, encoding, posed};
+            globalIllumination, normalTextures, encoding, posed,       probes};
   }
 };
 

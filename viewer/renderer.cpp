@@ -193,6 +193,22 @@ void Renderer::bakeChanged(Shading shading) {
   }
 }
 
+void Renderer::transferChanged(std::span<const VertexRange> ranges) {
+  const auto replace = [&](Shading shading, const auto& transfer, std::size_t width) {
+    Drawn& drawn = drawn_[static_cast<std::size_t>(shading)];
+    if (drawn.transfer == nullptr || !transfer) return;
+    const std::size_t length = width * static_cast<std::size_t>(transfer->channels);
+    for (const VertexRange& range : ranges)
+      if (drawn.transfer->replaceRows(range.firstVertex,
+                                      std::span<const float>(transfer->coefficients)
+                                          .subspan(range.firstVertex * length, range.vertexCount * length)))
+        drawn.isStale = true;
+  };
+  const Bake& bake = *inputs_.bake;
+  if (bake.sh) replace(Shading::Sh, bake.sh, static_cast<std::size_t>(bake.sh->order * bake.sh->order));
+  if (bake.lightGroups) replace(Shading::Lights, bake.lightGroups, bake.lightGroups->groups.size());
+}
+
 void Renderer::updateSurroundings(const View& view, const Illumination& light) {
   if (surroundings_->empty()) return;
   const bool coarse = globalIllumination_->shadows().areCoarse();
@@ -392,7 +408,9 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
   const std::vector<ShadedLight> lights = shownLights(view, light);
   Look look{isFull ? "global_illumination.frag" : "surface.frag", variantOf(view, lights), transfer, isFull};
   const glm::dvec3 eye(glm::dvec3(view.camera.world[3]) - compiled_.origin);
-  const DrawOrder order = drawOrderOf(scene_, eye, isFull, leftOutNode);
+  DrawOrder order = drawOrderOf(scene_, eye, isFull, leftOutNode);
+  if (view.hidesProbes && inputs_.probes)
+    std::erase_if(order.opaque, [&](const Batch* b) { return b->surface == inputs_.probes->surface; });
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);

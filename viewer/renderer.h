@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "relight/vertex_lights.h"
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
 #include "viewer/drawn_sky.h"
@@ -60,6 +61,9 @@ class Renderer {
 
   /// The posed bake of the inputs carries something else for a shading.
   void bakeChanged(Shading shading);
+
+  /// The bake's transfer of some vertices is another now.
+  void transferChanged(std::span<const VertexRange> ranges);
 
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
   void paceUpdates(bool pace) { paced_ = pace; }

@@ -28,6 +28,8 @@ bool SceneFollower::update(Controls& controls) {
   const View& view = controls.view();
   const PoseChange change = showPose(scene_, renderer_, {view.moment, view.nodeShifts}, view.shading);
   if (change.places) controls.follow({scene_.lights(), scene_.cameras()});
+  if (change.places && objects_ != nullptr)
+    renderer_.transferChanged(objects_->update(scene_.shown().compiled));
   LightFollower* light = followerOf(view.shading);
   if (light == nullptr) return change.any();
   const bool lit = light->update({view.lights, scene_.shifts(), view.skyRotation});

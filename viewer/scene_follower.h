@@ -5,6 +5,7 @@
 
 #include "viewer/controls.h"
 #include "viewer/light_follower.h"
+#include "viewer/object_follower.h"
 #include "viewer/posed_scene.h"
 #include "viewer/renderer.h"
 
@@ -20,9 +21,11 @@ PoseChange showPose(PosedScene& scene, Renderer& renderer, const ScenePlace& pla
 /// that is computed all the while.
 class SceneFollower {
  public:
-  /// Everything outlives it. Light of shadings without a follower stays as it is.
-  SceneFollower(Renderer& renderer, PosedScene& scene, std::vector<LightFollower*> lights)
-      : renderer_(renderer), scene_(scene), lights_(std::move(lights)) {}
+  /// Everything outlives it. Light of shadings without a follower stays as it is; `objects` nullptr: there
+  /// are none.
+  SceneFollower(Renderer& renderer, PosedScene& scene, std::vector<LightFollower*> lights,
+                ObjectFollower* objects = nullptr)
+      : renderer_(renderer), scene_(scene), lights_(std::move(lights)), objects_(objects) {}
 
   /// Poses the scene as the view has it, and has the view's lights and camera follow. True when the picture
   /// is out of date for it.
@@ -37,6 +40,7 @@ class SceneFollower {
   Renderer& renderer_;
   PosedScene& scene_;
   std::vector<LightFollower*> lights_;
+  ObjectFollower* objects_;
 };
 
 }  // namespace prelight::viewer

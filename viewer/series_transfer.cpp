@@ -71,6 +71,20 @@ std::vector<glm::vec4> rangeTexels(const CompressedTransfer& transfer) {
   return texels;
 }
 
+/// Numbers of a row in whole texels.
+constexpr std::size_t paddedLength(std::size_t length) { return (length + 3) / 4 * 4; }
+
+template <typename T>
+std::vector<T> paddedRows(std::span<const T> values, std::size_t length) {
+  const std::size_t padded = paddedLength(length), rows = values.size() / length;
+  std::vector<T> texels(rows * padded, T(0));
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto from = values.subspan(row * length, length);
+    std::copy(from.begin(), from.end(), texels.begin() + static_cast<std::ptrdiff_t>(row * padded));
+  }
+  return texels;
+}
+
 void bindBuffer(TransferUnit unit, const gl::BufferTexture& buffer) {
   gl::bind(unit, GL_TEXTURE_BUFFER, buffer.texture);
 }
@@ -79,15 +93,17 @@ void bindBuffer(TransferUnit unit, const gl::BufferTexture& buffer) {
 
 template <typename T>
 TransferRows TransferRows::upload(std::span<const T> values, int count, int channels, const char* what) {
-  const std::size_t length = static_cast<std::size_t>(count);
-  const std::size_t padded = (length + 3) / 4 * 4;
-  const std::size_t rows = values.size() / length;
-  std::vector<T> texels(rows * padded, T(0));
-  for (std::size_t row = 0; row < rows; ++row) {
-    const auto from = values.subspan(row * length, length);
-    std::copy(from.begin(), from.end(), texels.begin() + static_cast<std::ptrdiff_t>(row * padded));
-  }
+  const std::vector<T> texels = paddedRows(values, static_cast<std::size_t>(count));
   return {gl::makeBufferTexture(std::span<const T>(texels), 4, texelFormat<T>(), what), count, channels};
+}
+
+void TransferRows::replace(std::size_t firstVertex, std::span<const float> values) const {
+  const std::vector<float> padded = paddedRows(values, static_cast<std::size_t>(count));
+  const std::size_t vertexLength =
+      static_cast<std::size_t>(channels) * paddedLength(static_cast<std::size_t>(count));
+  glBindBuffer(GL_TEXTURE_BUFFER, texels.buffer.name());
+  glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(firstVertex * vertexLength * sizeof(float)),
+                  static_cast<GLsizeiptr>(padded.size() * sizeof(float)), padded.data());
 }
 
 HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene)
@@ -167,6 +183,16 @@ void HarmonicSeries::light(const Illumination& light) {
     if (ranges_) bindBuffer(rangesUnit, *ranges_);
     if (chBasis_) bindBuffer(chBasisUnit, *chBasis_);
   });
+}
+
+bool HarmonicSeries::replaceRows(std::size_t firstVertex, std::span<const float> rows) {
+  rows_.replace(firstVertex, rows);
+  const std::size_t length = static_cast<std::size_t>(rows_.count * rows_.channels);
+  const auto accessibility =
+      seriesAccessibility(rows.size() / length, rows_.channels, evenSky(order_, ch_ ? &*ch_ : nullptr),
+                          [&](std::size_t at, std::size_t, std::size_t) { return double(rows[at]); });
+  accessibility_->replace(firstVertex, std::span<const float>(accessibility));
+  return true;
 }
 
 void HarmonicSeries::bind(const gl::Program&) const {

@@ -23,6 +23,9 @@ struct TransferRows {
   /// Floats (RGBA32F), halves (RGBA16F) or bytes (RGBA8).
   template <typename T>
   static TransferRows upload(std::span<const T> values, int count, int channels, const char* what);
+
+  /// Of vertices from `firstVertex` on, where they are floats.
+  void replace(std::size_t firstVertex, std::span<const float> values) const;
 };
 
 /// Transfer in SH or CH, of any order, in floats, halves or bytes with a range a band; a vertex shader sums
@@ -43,6 +46,7 @@ class HarmonicSeries : public DrawnTransfer {
   void light(const Illumination& light) override;
   bool verticesMoved() override { return pass_.verticesMoved(); }
   bool takeBake(const Bake& bake) override;
+  bool replaceRows(std::size_t firstVertex, std::span<const float> rows) override;
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 
@@ -68,6 +72,10 @@ class GroupSeries : public DrawnTransfer {
   GroupSeries(const LightGroupTransfer& transfer, std::vector<int> glow, const CompiledScene& scene);
 
   void light(const Illumination& light) override;
+  bool replaceRows(std::size_t firstVertex, std::span<const float> rows) override {
+    rows_.replace(firstVertex, rows);
+    return true;
+  }
   void bind(const gl::Program& program) const override;
   void describe(const Illumination& light, Warnings& notes) const override;
 

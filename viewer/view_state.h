@@ -31,6 +31,7 @@ struct View {
   OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
+  bool hidesProbes = false;             ///< where there are some
   bool draft = false;                   ///< while something moves: fewer samples of large lights
   /// Of PosedScene, m; the renderer knows them, and the moment, by sceneMoved().
   std::vector<glm::dvec3> nodeShifts;

@@ -99,6 +99,8 @@ std::optional<Command> commandOf(int key) {
       return Command::BrightenGroup;
     case GLFW_KEY_PAGE_DOWN:
       return Command::DimGroup;
+    case GLFW_KEY_P:
+      return Command::ToggleProbes;
     case GLFW_KEY_R:
       return Command::ResetView;
     default:
@@ -270,12 +272,15 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
   const WindowHandle window = openWindow(options, view.width, view.height);
   PosedScene scene(inputs, options.pose);
   Renderer renderer(scene.shown(), options.render.lobe);
-  SceneFollower follower(renderer, scene, options.followers);
+  SceneFollower follower(renderer, scene, options.followers, options.objects);
   if (!renderer.canShade(view.shading)) view.shading = Shading::Phong;
   Controls controls(
       view, inputs.compiled, [&](Shading shading) { return renderer.canShade(shading); }, groupNames(inputs),
       dragNodes(scene));
   setUpPlayback(inputs, options, scene, controls);
+  controls.offer({options.objects != nullptr, inputs.probes.has_value()});
+  for (std::size_t i = 0; i < scene.nodes().size(); ++i)
+    if (scene.nodes()[i].node == options.selectedNode) controls.selectNode(static_cast<int>(i));
   EventRouter router(window.get(), controls);
   Overlay overlay(window.get(), inputs.environment != nullptr);
   router.attach(overlay);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viewer/light_follower.h"
+#include "viewer/object_follower.h"
 #include "viewer/posed_scene.h"
 #include "viewer/render.h"
 
@@ -28,6 +29,8 @@ struct ViewerOptions {
   RenderOptions render;  ///< first view; width and height are the window's, in pixels
   std::string title = "prelight";
   std::vector<LightFollower*> followers;  ///< of shadings whose light does not stay as it is
+  ObjectFollower* objects = nullptr;      ///< that were not baked with the scene; nullptr: there are none
+  int selectedNode = -1;                  ///< dragged at first, its number in the glTF file; -1: any
   PoseSources pose;                       ///< of inputs that are posed already
   PlayOptions play;
   int frames = 0;  ///< closes after this many frames; 0: when the user closes the window

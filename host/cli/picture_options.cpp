@@ -143,6 +143,29 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   }
 }
 
+/// The shading of objects among a bake: its own lights where the volume holds them.
+viewer::Shading shadingInVolume(const Bake& bake) {
+  const bool lights = bake.lightGroups && bake.volume && bake.volume->groups() > 0;
+  return lights ? viewer::Shading::Lights : viewer::Shading::Sh;
+}
+
+void placeInVolume(Session& session, const PictureOptions& options, ShadedScene& shaded) {
+  if (!options.inVolume.any()) return;
+  const viewer::Shading shading = shaded.render.shading;
+  if (shading != viewer::Shading::Sh && shading != viewer::Shading::Lights &&
+      shading != viewer::Shading::Phong)
+    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
+                     "objects and probes are lit by a volume in sh and lights shading alone",
+                     "leave --object and --probes out, or add --shading sh");
+  if (shading == viewer::Shading::Lights && shaded.bake.volume && shaded.bake.volume->groups() == 0)
+    throw InputError(options.scene.string(), "its volume holds no light of light groups",
+                     "bake it with --light-groups --bounces 4 --volume 32, or add --shading sh");
+  DeviceOptions device = session.deviceOptions();
+  options.bake.addTo(device);
+  shaded.objects = std::make_unique<VolumeObjects>(
+      session, options.inVolume, options.bake.request.lightGroups.named, device, shaded.loaded, shaded.bake);
+}
+
 /// Wavelets and matrices are relit on the device; where there is none, or none that works, the host does it.
 void openRelightingDevice(Session& session, const PictureOptions& options, bool everyShading,
                           ShadedScene& shaded) {
@@ -260,6 +283,11 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
   addWholeNumber(
       app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
       "add the light that mirrors and glass focus, by this many photons towards them");
+  addObjectOption(app, options.inVolume.objects,
+                  "put another glTF file into the scene, lit by its volume in sh and lights shading");
+  app.add_flag(
+      "--probes", options.inVolume.probes,
+      "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");
   addGlobalIlluminationOptions(app, options.globalIllumination);
   addOccluderOptions(app, options.occluders);
   addTechniqueOptions(app, options.bake);
@@ -276,7 +304,9 @@ viewer::RenderInputs ShadedScene::inputs() const {
           caustics ? &caustics->caustics : nullptr,
           globalIllumination ? &*globalIllumination : nullptr,
           true,
-          encoding};
+          encoding,
+          nullptr,
+          objects ? objects->probes() : std::nullopt};
 }
 
 viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
@@ -309,8 +339,10 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   if (!options.bake.dumpKernels.empty()) checkOutputFolder("--dump-kernels", options.bake.dumpKernels);
 
   viewer::RenderOptions& render = shaded.render;
-  render.shading = options.shading.value_or(
-      options.encoding != nullptr ? viewer::Shading::LightMap : viewer::carriedShading(shaded.bake));
+  render.shading =
+      options.shading.value_or(options.inVolume.any()        ? shadingInVolume(shaded.bake)
+                               : options.encoding != nullptr ? viewer::Shading::LightMap
+                                                             : viewer::carriedShading(shaded.bake));
   shaded.encoding = options.encoding;
   checkEncoding(options.scene, shaded.bake, render.shading, shaded.encoding);
   render.height = options.size.height;
@@ -326,6 +358,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);
   checkShadingOptions(session, options, shaded);
+  placeInVolume(session, options, shaded);
   openRelightingDevice(session, options, everyShading, shaded);
   if (render.shading == viewer::Shading::GlobalIllumination && everyShading) {
     shaded.following = followingLight(session, options, shaded);

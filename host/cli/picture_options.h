@@ -13,6 +13,7 @@
 #include "cli/pose_options.h"
 #include "cli/session.h"
 #include "cli/values.h"
+#include "cli/volume_objects.h"
 #include "encodings/encoding.h"
 #include "gi/global_illumination.h"
 #include "integrators/global_illumination_renderer.h"
@@ -44,6 +45,7 @@ struct PictureOptions {
   std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics
   LoadOptions load;                  ///< scene and variant
   PoseOptions pose;
+  VolumeObjectOptions inVolume;
   BakeOptions bake;
 };
 
@@ -63,6 +65,7 @@ struct ShadedScene {
   std::unique_ptr<DrawnCaustics> caustics;
   std::optional<GlobalIllumination> globalIllumination;
   const Encoding* encoding = nullptr;         ///< that is drawn
+  std::unique_ptr<VolumeObjects> objects;     ///< and probes, in `loaded` and `bake`
   std::unique_ptr<FollowingLight> following;  ///< of a window that shows global illumination
 
   viewer::RenderInputs inputs() const;

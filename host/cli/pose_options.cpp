@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <utility>
@@ -20,21 +19,6 @@ namespace prelight::cli {
 namespace {
 
 constexpr double farthestMove = 1e6;  // m, degrees
-
-/// Numbers between commas; none where one is not a usable number.
-std::optional<std::vector<double>> numbersOf(std::string_view text) {
-  std::vector<double> numbers;
-  for (;;) {
-    const std::size_t end = std::min(text.find(','), text.size());
-    double number = 0.0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + end, number);
-    if (error != std::errc{} || stop != text.data() + end || !(std::abs(number) <= farthestMove))
-      return std::nullopt;
-    numbers.push_back(number);
-    if (end == text.size()) return numbers;
-    text.remove_prefix(end + 1);
-  }
-}
 
 void moveMatching(Scene& scene, const NodeMove& move) {
   bool found = false;
@@ -81,13 +65,13 @@ NodeMove parseNodeMove(const std::string& text) {
   };
   std::size_t end = text.rfind(':');
   if (end == std::string::npos || end == 0) throw fail("no node or no way is given");
-  auto numbers = numbersOf(std::string_view(text).substr(end + 1));
+  auto numbers = numbersIn(std::string_view(text).substr(end + 1), farthestMove);
   NodeMove move;
   if (numbers && numbers->size() == 1) {
     move.yawDegrees = numbers->front();
     const std::size_t before = text.rfind(':', end - 1);
     if (before == std::string::npos || before == 0) throw fail("three coordinates are needed");
-    numbers = numbersOf(std::string_view(text).substr(before + 1, end - before - 1));
+    numbers = numbersIn(std::string_view(text).substr(before + 1, end - before - 1), farthestMove);
     end = before;
   }
   if (!numbers || numbers->size() != 3) throw fail("its coordinates are not three numbers");

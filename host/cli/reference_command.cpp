@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/output_file.h"
 #include "cli/picture_sky.h"
+#include "cli/placed_objects.h"
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/session.h"
@@ -42,6 +43,7 @@ struct ReferenceCommand {
   ReferenceRequest request;
   bool resume = false;
   LoadOptions load;
+  std::vector<PlacedObject> objects;
 };
 
 /// A finished picture with all that is known of how it was made.
@@ -178,6 +180,11 @@ void runReference(const ReferenceCommand& command, Context& context) {
   checkMoment(command.load);
   LoadedScene loaded = session.load(command.scene, command.load);
   requireTriangles(loaded);
+  if (!command.objects.empty()) {
+    addObjects(session, command.objects, loaded.scene);
+    Warnings said;  // by the scene without them already
+    loaded.compiled = compileScene(loaded.scene, said);
+  }
   const auto [sky, studio] = choosePictureSky(session, command.environment, command.lights.has_value(), false,
                                               loaded, command.camera);
   if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
@@ -289,11 +296,13 @@ void addReferenceCommand(CLI::App& program, Context& context) {
   app->add_flag("--resume", command->resume, "go on with an interrupted picture (IMG.exr.state)");
   addSceneOptions(*app, command->load);
   addMomentOptions(*app, command->load);
+  addObjectOption(*app, command->objects, "put another glTF file into the scene");
   addViewOptions(*app, *command);
   app->footer(
       "Examples:\n"
       "  prelight reference cornell.glb -o truth.exr --spp 1024 --size 256\n"
-      "  prelight reference level.glb -o truth.exr --error 0.01 --env sky.hdr --depth 8");
+      "  prelight reference level.glb -o truth.exr --error 0.01 --env sky.hdr --depth 8\n"
+      "  prelight reference rooms.glb -o truth.exr --object ball.glb:-1,0.5,1");
   app->callback([command, &context] { runReference(*command, context); });
 }
 

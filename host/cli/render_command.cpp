@@ -127,6 +127,7 @@ void addRenderCommand(CLI::App& program, Context& context) {
       "What a shading needs and the file does not carry is baked first.\n\n"
       "Examples:\n"
       "  prelight render baked.glb -o picture.png --env sky.hdr --rotate-env 90\n"
+      "  prelight render baked.glb -o picture.png --object car.glb:2,0,-1:45 --object ball.glb:0,1,0\n"
       "  prelight render level.glb -o before.exr --shading phong --size 640x360 --light "
       "point:0,2,0:10,10,10\n"
       "  prelight render room.glb -o room.exr --shading full --spp 32 --size 512\n"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -110,6 +111,19 @@ CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uin
     store(*value);
   };
   return app.add_option_function<std::string>(name, read, help)->type_name("BYTES");
+}
+
+std::optional<std::vector<double>> numbersIn(std::string_view text, double most) {
+  std::vector<double> numbers;
+  for (;;) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    double number = 0.0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + end, number);
+    if (error != std::errc{} || stop != text.data() + end || !(std::abs(number) <= most)) return std::nullopt;
+    numbers.push_back(number);
+    if (end == text.size()) return numbers;
+    text.remove_prefix(end + 1);
+  }
 }
 
 CLI::Option* addPictureSize(CLI::App& app, const std::string& name,

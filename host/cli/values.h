@@ -6,7 +6,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "prelight/error.h"
 
@@ -34,6 +36,9 @@ CLI::Option* addRealNumber(CLI::App& app, const std::string& name, Range<double>
 /// A number of bytes with an optional suffix K, M or G (powers of 1024).
 CLI::Option* addByteCount(CLI::App& app, const std::string& name, Range<std::uint64_t> range,
                           const std::function<void(std::uint64_t)>& store, const std::string& help);
+
+/// Numbers between commas, none beyond `most`; none where one is not a usable number.
+std::optional<std::vector<double>> numbersIn(std::string_view text, double most);
 
 /// Size of a picture; without a width it follows from the camera's aspect.
 struct PictureSize {

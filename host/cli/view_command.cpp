@@ -60,7 +60,7 @@ void runView(const ViewCommand& command, Context& context) {
                      "add --frames 1");
   checkPlay(command);
   Session session(context);
-  const ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
+  ShadedScene shaded = prepareScene(session, command.picture, true, [&] {
     if (!command.screenshot.empty()) checkOutputFile("--screenshot", command.screenshot, {".exr", ".png"});
   });
   session.progress().check();
@@ -87,6 +87,12 @@ void runView(const ViewCommand& command, Context& context) {
     options.followers.push_back(&follower.emplace(*shaded.following->light, *shaded.globalIllumination));
   const auto radiosity = followingRadiosity(session, command.picture, shaded);
   if (radiosity != nullptr) options.followers.push_back(&radiosity->follower);
+  std::optional<FollowingObjects> objects;
+  if (shaded.objects && shaded.objects->firstNode() >= 0) {
+    options.objects = &objects.emplace(*shaded.objects, shaded.bake);
+    options.pose.keepsCoordinates = true;
+    options.selectedNode = shaded.objects->firstNode();
+  }
   session.times().measure("view", [&] { return viewer::runViewer(shaded.inputs(), options); });
   if (!command.screenshot.empty()) session.console().line("wrote", command.screenshot.string());
   nlohmann::ordered_json report = {{"command", "view"},
@@ -125,6 +131,7 @@ void addViewCommand(CLI::App& program, Context& context) {
       "Press H in the window for its keys.\n\n"
       "Examples:\n"
       "  prelight view baked.glb --env sky.hdr\n"
+      "  prelight view baked.glb --object ball.glb:0,1,0 --probes\n"
       "  prelight view occluders.glb --shading vo --shadow-formula thesis --shadow-strength 1.5 --waves 0.2 "
       "--fire 0.5\n"
       "  prelight view moving.glb --play --animation swing --speed 0.5\n"

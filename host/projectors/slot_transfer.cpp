@@ -174,13 +174,17 @@ SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& 
   return transfer;
 }
 
-std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns) {
+std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t bands,
+                                std::size_t groups) {
   std::vector<float> sent;
   const auto add = [&](const std::vector<float>& slots) {
     for (const std::uint32_t slot : mesh.slotOfVertex)
-      for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t i = 0; i < columns; ++i)
-          sent.push_back(slots[(slot * 3 + c) * surface.columns() + i]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto row = slots.begin() + static_cast<std::ptrdiff_t>((slot * 3 + c) * surface.columns());
+        const auto lights = row + static_cast<std::ptrdiff_t>(surface.shColumns());
+        sent.insert(sent.end(), row, row + static_cast<std::ptrdiff_t>(bands));
+        sent.insert(sent.end(), lights, lights + static_cast<std::ptrdiff_t>(groups));
+      }
   };
   add(surface.reflected);
   if (!surface.backReflected.empty()) add(surface.backReflected);

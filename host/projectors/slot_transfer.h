@@ -49,7 +49,9 @@ SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& 
                           Progress& progress, std::vector<std::string>& notes);
 
 /// What surfaces reflect, which has been kept, in the layout of the kernels: [vertex][3][columns], then,
-/// where any is seen, the vertices' backs alike. `columns` is at most shColumns().
-std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t columns);
+/// where any is seen, the vertices' backs alike. Columns are the first `bands` of SH, at most shColumns(),
+/// and the first `groups` of lights.
+std::vector<float> sentTransfer(const FitMesh& mesh, const SlotTransfer& surface, std::size_t bands,
+                                std::size_t groups = 0);
 
 }  // namespace prelight

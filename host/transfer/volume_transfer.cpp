@@ -5,47 +5,18 @@
 #include <numbers>
 
 #include "basis/sh_zonal.h"
+#include "transfer/volume_cells.h"
 
 namespace prelight {
 
 namespace {
 
-struct Corner {
-  std::size_t voxel = 0;
-  double weight = 0.0;
-};
-
-/// The eight cells around a point; a cell may be there more than once at the volume's faces.
-std::array<Corner, 8> cornersAt(const VolumeTransfer& volume, const glm::dvec3& position) {
-  const VolumeGrid& grid = volume.grid;
-  const glm::dvec3 at = (position - grid.min) / grid.cell() - 0.5;
-  glm::ivec3 low(0), high(0);
-  glm::dvec3 share(0.0);
-  for (int a = 0; a < 3; ++a) {
-    const double inside = std::clamp(at[a], 0.0, grid.size[a] - 1.0);
-    low[a] = static_cast<int>(inside);
-    high[a] = std::min(low[a] + 1, grid.size[a] - 1);
-    share[a] = inside - low[a];
-  }
-  std::array<Corner, 8> corners{};
-  for (unsigned k = 0; k < 8; ++k) {
-    double weight = 1.0;
-    glm::ivec3 cell(0);
-    for (int a = 0; a < 3; ++a) {
-      const bool upper = (k >> a & 1u) != 0;
-      cell[a] = upper ? high[a] : low[a];
-      weight *= upper ? share[a] : 1.0 - share[a];
-    }
-    corners[k] = {static_cast<std::size_t>((cell.z * grid.size.y + cell.y) * grid.size.x + cell.x), weight};
-  }
-  return corners;
-}
-
-void leaveOutInside(const VolumeTransfer& volume, std::array<Corner, 8>& corners) {
+void leaveOutInside(const VolumeTransfer& volume, std::array<VolumeCorner, 8>& corners) {
   double inAir = 0.0;
-  for (const Corner& corner : corners) inAir += volume.air[corner.voxel] != 0 ? corner.weight : 0.0;
+  for (const VolumeCorner& corner : corners) inAir += volume.air[corner.voxel] != 0 ? corner.weight : 0.0;
   if (inAir < 1e-6) return;
-  for (Corner& corner : corners) corner.weight = volume.air[corner.voxel] != 0 ? corner.weight / inAir : 0.0;
+  for (VolumeCorner& corner : corners)
+    corner.weight = volume.air[corner.voxel] != 0 ? corner.weight / inAir : 0.0;
 }
 
 }  // namespace
@@ -65,14 +36,14 @@ VolumeGrid makeVolumeGrid(const CompiledScene& scene, int longest) {
 }
 
 VolumeSample sampleVolume(const VolumeTransfer& volume, const glm::dvec3& position) {
-  std::array<Corner, 8> corners = cornersAt(volume, position);
+  std::array<VolumeCorner, 8> corners = cornersAt(volume.grid, position);
   leaveOutInside(volume, corners);
   const std::size_t n = volume.columns(), channels = static_cast<std::size_t>(volume.channels);
   VolumeSample sample;
   sample.order = volume.order;
   const auto mix = [&](const std::vector<float>& values, std::size_t width, std::size_t first) {
     std::vector<double> mixed(n, 0.0);
-    for (const Corner& corner : corners)
+    for (const VolumeCorner& corner : corners)
       for (std::size_t i = 0; i < n; ++i)
         mixed[i] += corner.weight * double(values[corner.voxel * width + first + i]);
     return mixed;

@@ -1,5 +1,6 @@
 // Points in the air that look all around: a grid of voxels.
-// Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send.
+// Options: PRELIGHT_SH_ORDER; PRELIGHT_COLUMNS, values a channel of the transfer that surfaces send; PRELIGHT_SENT_ORDER,
+// bands by direction of what they send.
 #include "bvh/alpha_funcs.cl"
 #include "core/lanes_funcs.cl"
 #include "core/sampling_block_funcs.cl"
@@ -11,6 +12,10 @@
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
 #endif
+#ifndef PRELIGHT_SENT_ORDER
+#define PRELIGHT_SENT_ORDER 1
+#endif
+#define PRELIGHT_SENT_BANDS (PRELIGHT_SENT_ORDER * PRELIGHT_SENT_ORDER)
 
 // Eight rays of a voxel a work-item, an aligned run of which fills a compact patch of the sphere.
 // lowerAndCell: the grid's lower corner, the side of a cell; sizeAndFirst: cells along x, y, z, first voxel of the block
@@ -98,9 +103,42 @@ void addSide(__constant const CastParameters* parameters, __global const float* 
   }
 }
 
+// sent [3][PRELIGHT_COLUMNS] of what is seen along a ray: albedo x transfer at the hit, and what comes through it.
+void gatherHit(__constant const CastParameters* parameters, Surface surface, __global const float* geometricNormals,
+               __global const float* transfer, uint backs, float3 direction, Hit hit, float* sent) {
+  const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
+  const float3 color = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
+  const float3 albedo = (1.0f - visibilityOf(parameters, hit)) * color;
+  const DeviceTriangle triangle = triangleAt(surface, hit.triangle);
+  if (!back || backs != 0) addSide(parameters, transfer, triangle, back, hit, albedo, sent);
+  // A translucent surface also lets through what arrives on its other side.
+  const uint bits = surface.materials[triangle.material].transmission;
+  if (bits == 0u || (!back && backs == 0)) return;
+  const float3 through = (float3)((float)(bits & 1023u), (float)(bits >> 10 & 1023u), (float)(bits >> 20 & 1023u));
+  addSide(parameters, transfer, triangle, !back, hit,
+          (1.0f - visibilityOf(parameters, hit)) * (1.0f / 1023.0f) * through, sent);
+}
+
+// Y_j of the first three bands, index l(l+1)+m.
+void lowBands(float3 w, float* values) {
+  values[0] = 0.28209479177387814f;
+#if PRELIGHT_SENT_ORDER > 1
+  values[1] = 0.48860251190291992f * w.y;
+  values[2] = 0.48860251190291992f * w.z;
+  values[3] = 0.48860251190291992f * w.x;
+#endif
+#if PRELIGHT_SENT_ORDER > 2
+  values[4] = 1.0925484305920792f * w.x * w.y;
+  values[5] = 1.0925484305920792f * w.y * w.z;
+  values[6] = 0.31539156525252005f * (3.0f * w.z * w.z - 1.0f);
+  values[7] = 1.0925484305920792f * w.z * w.x;
+  values[8] = 0.54627421529603959f * (w.x * w.x - w.y * w.y);
+#endif
+}
+
 // A voxel a work-item. rays, hits as above; transfer [vertex][3][PRELIGHT_COLUMNS] of what surfaces reflect, vertices and
-// then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_COLUMNS], the mean over rays of albedo x transfer
-// at the hit, and what comes through it.
+// then, when `backs` is not 0, their backs -> values [voxel][3][PRELIGHT_SENT_ORDER^2][PRELIGHT_COLUMNS], the mean over rays
+// of what is sent along them times Y_j of the ray.
 __kernel void gatherVolume(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                            __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
                            __global const Ray* rays, __global const Hit* hits, __global const float* transfer,
@@ -109,23 +147,21 @@ __kernel void gatherVolume(__constant const CastParameters* parameters, __consta
   if (voxel >= parameters->receiverCount) return;
   const uint count = parameters->raysPerReceiver, width = 3 * PRELIGHT_COLUMNS;
   const Surface surface = surfaceOf(layout, surfaceLines);
-  float sum[3 * PRELIGHT_COLUMNS];
-  for (uint i = 0; i < width; ++i) sum[i] = 0.0f;
-  for (uint j = 0; j < count; ++j) {
-    const Hit hit = hits[voxel * count + j];
+  float sum[3 * PRELIGHT_SENT_BANDS * PRELIGHT_COLUMNS];
+  for (uint i = 0; i < width * PRELIGHT_SENT_BANDS; ++i) sum[i] = 0.0f;
+  for (uint r = 0; r < count; ++r) {
+    const Hit hit = hits[voxel * count + r];
     if (hit.triangle == PRELIGHT_NO_TRIANGLE) continue;
-    const float3 direction = vload3(0, rays[voxel * count + j].direction);
-    const bool back = dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f;
-    const float3 color = clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
-    const float3 albedo = (1.0f - visibilityOf(parameters, hit)) * color;
-    const DeviceTriangle triangle = triangleAt(surface, hit.triangle);
-    if (!back || backs != 0) addSide(parameters, transfer, triangle, back, hit, albedo, sum);
-    // A translucent surface also lets through what arrives on its other side.
-    const uint bits = surface.materials[triangle.material].transmission;
-    if (bits == 0u || (!back && backs == 0)) continue;
-    const float3 through = (float3)((float)(bits & 1023u), (float)(bits >> 10 & 1023u), (float)(bits >> 20 & 1023u));
-    addSide(parameters, transfer, triangle, !back, hit,
-            (1.0f - visibilityOf(parameters, hit)) * (1.0f / 1023.0f) * through, sum);
+    const float3 direction = vload3(0, rays[voxel * count + r].direction);
+    float sent[3 * PRELIGHT_COLUMNS], bands[PRELIGHT_SENT_BANDS];
+    for (uint i = 0; i < width; ++i) sent[i] = 0.0f;
+    gatherHit(parameters, surface, geometricNormals, transfer, backs, direction, hit, sent);
+    lowBands(direction, bands);
+    for (uint c = 0; c < 3; ++c)
+      for (uint j = 0; j < PRELIGHT_SENT_BANDS; ++j)
+        for (uint i = 0; i < PRELIGHT_COLUMNS; ++i)
+          sum[(c * PRELIGHT_SENT_BANDS + j) * PRELIGHT_COLUMNS + i] += bands[j] * sent[c * PRELIGHT_COLUMNS + i];
   }
-  for (uint i = 0; i < width; ++i) values[voxel * width + i] = sum[i] / (float)count;
+  for (uint i = 0; i < width * PRELIGHT_SENT_BANDS; ++i)
+    values[voxel * width * PRELIGHT_SENT_BANDS + i] = sum[i] / (float)count;
 }

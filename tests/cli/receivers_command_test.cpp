@@ -77,7 +77,7 @@ TEST_F(CliVolume, WithBounces_AddsWhatSurfacesReflectToWhatIsDirect) {
   const nlohmann::json shown = info();
   EXPECT_EQ(shown.at("channels"), 3);
   EXPECT_EQ(shown.at("bounces"), 2);
-  EXPECT_EQ(shown.at("bytes"), 27 * (4 * 9 * 4 + 1));
+  EXPECT_EQ(shown.at("bytes"), 27 * ((4 + 12) * 9 * 4 + 1));
 }
 
 TEST_F(CliVolume, OfAnAnimatedScene_StandsBesideTheKeys) {

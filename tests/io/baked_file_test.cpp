@@ -248,6 +248,10 @@ VolumeTransfer makeVolume() {
   VolumeTransfer volume{{{3, 2, 1}, {-1, 0, 5}, {0.5, 1, 5.5}}, 2, 3, 1, {}, {}, {1, 1, 0, 1, 1, 1}};
   for (int i = 0; i < 6 * 12; ++i) volume.coefficients.push_back(0.5f * static_cast<float>(i));
   for (int i = 0; i < 6 * 4; ++i) volume.direct.push_back(-0.25f * static_cast<float>(i));
+  volume.sentOrder = 2;
+  for (int i = 0; i < 6 * 3 * 4 * 4; ++i) volume.sent.push_back(0.125f * static_cast<float>(i));
+  volume.lightOrder = 3;
+  for (int i = 0; i < 6 * 3 * 9 * 2; ++i) volume.lights.push_back(1.0f + 0.5f * static_cast<float>(i));
   return volume;
 }
 
@@ -271,6 +275,11 @@ TEST(BakedFile, Volume_IsReadBackAndReplaced) {
   EXPECT_EQ(copy->volume->coefficients, bake.volume->coefficients);
   EXPECT_EQ(copy->volume->direct, bake.volume->direct);
   EXPECT_EQ(copy->volume->air, bake.volume->air);
+  EXPECT_EQ(copy->volume->sentOrder, 2);
+  EXPECT_EQ(copy->volume->sent, bake.volume->sent);
+  EXPECT_EQ(copy->volume->lightOrder, 3);
+  EXPECT_EQ(copy->volume->lights, bake.volume->lights);
+  EXPECT_EQ(copy->volume->groups(), 2u);
   embedBake(document, scene, bake);
   EXPECT_EQ(document.bin.size(), bytes) << "the old volume is gone";
 }

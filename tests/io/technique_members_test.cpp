@@ -60,7 +60,8 @@ Bake everything(const Scene& source, const CompiledScene& scene) {
       {"wall"}, {OccluderVector::Occlusion}, {0, 1, 1, 1}, {0}, {glm::vec4(0, 0.5f, 0, 0.5f)}};
   bake.chartTransfer = ChartTransfer{1, 1, 0, {{0, 1, 1, {{0, 0}, {1, 0}, {0, 1}}, {0.5f}}}};
   bake.irradiance.emplace(vertices, glm::vec3(1.0f));
-  bake.volume = VolumeTransfer{{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}}, 1, 1, 0, {0.5f}, {}, {1}};
+  bake.volume = VolumeTransfer{
+      {{1, 1, 1}, {0, 0, 0}, {1, 1, 1}}, 1, 3, 1, numbers(3), numbers(1), {1}, 1, numbers(3), 1, numbers(3)};
   bake.lightMap.emplace();
   bake.lightMap->layout = makeLightMapLayout(source, scene, {.texels = 64});
   bake.lightMap->values = numbers(3 * bake.lightMap->layout.texelCount());

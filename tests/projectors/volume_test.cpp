@@ -135,7 +135,7 @@ TEST(Volume, BounceOffPlane_IsHalfItsExitance) {
   for (std::uint32_t s = 0; s < mesh.slotCount() * 3; ++s)
     surface.reflected.insert(surface.reflected.end(), open.begin(), open.end());
   Tracer tracer(scene, test::sharedDevice());
-  VolumeOptions options{volumeOrder, 1, 4096, 3, {}};
+  VolumeOptions options{volumeOrder, 1, false, 4096, 3, {}};
   const VolumeTransfer volume =
       makeVolume(scene, mesh, tracer, surface, {{1, 1, 1}, {-1, 0.1, -1}, {1, 2.1, 1}}, options, progress);
   ASSERT_EQ(volume.channels, 3);

@@ -54,6 +54,19 @@ TEST_F(ControlsTest, Zoom_ManySteps_ComesNearWithoutPassing) {
   EXPECT_LT(eyeOf(c).z, 0.01);
 }
 
+TEST_F(ControlsTest, Probes_WhereThereAreSome_AreHiddenAndShownAgain) {
+  Controls c = controls();
+  c.run(Command::ToggleProbes);
+  EXPECT_FALSE(c.view().hidesProbes) << "there are none";
+  c.offer({false, true});
+  const std::size_t before = c.changes();
+  c.run(Command::ToggleProbes);
+  EXPECT_TRUE(c.view().hidesProbes);
+  EXPECT_GT(c.changes(), before);
+  c.run(Command::ToggleProbes);
+  EXPECT_FALSE(c.view().hidesProbes);
+}
+
 TEST_F(ControlsTest, Node_Dragged_FollowsTheMouseAtItsDepth) {
   Controls c(view_, scene_, [](Shading) { return true; }, {}, {{"first", {5, 0, 0}}, {"second", {5, 0, 2}}});
   c.run(Command::NextNode);

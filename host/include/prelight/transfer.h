@@ -23,9 +23,9 @@ struct HarmonicTransfer {
 };
 
 /// What blocks light before some distance, of every vertex: shell k has, in SH, the part (1/pi) integral
-/// max(n.w,0) Y_i dw of the directions whose first surface lies in it. Shells share the distances from `nearest`
-/// to `farthest` evenly by their logarithm; the first has what is nearer, too, and the last what is farther.
-/// Without bounces, so that colours do not matter.
+/// max(n.w,0) Y_i dw of the directions whose first surface lies in it. Shells share the distances from
+/// `nearest` to `farthest` evenly by their logarithm; the first has what is nearer, too, and the last what is
+/// farther. Without bounces, so that colours do not matter.
 struct NearLampTransfer {
   int order = 0;
   int shells = 0;
@@ -157,7 +157,22 @@ struct VolumeTransfer {
   std::vector<float> direct;        ///< [z][y][x][i], without bounces; empty: `coefficients` are
   std::vector<std::uint8_t> air;    ///< [z][y][x], 0: inside a closed object, where every ray meets a back
 
+  /// What surfaces in view send, by the direction that it comes from: SH of their radiance, integral L Y_j
+  /// dw, for objects that move through the volume. Empty: not kept.
+  int sentOrder = 0;
+  std::vector<float> sent = {};  ///< [z][y][x][channel 3][j][i], a light's coefficient i
+
+  /// The same of the scene's own lights, after one reflection or more, per unit of a group's colour. Groups
+  /// are those of Bake::lightGroups. Empty: not kept.
+  int lightOrder = 0;
+  std::vector<float> lights = {};  ///< [z][y][x][channel 3][j][group]
+
   std::size_t columns() const { return static_cast<std::size_t>(order * order); }
+  std::size_t sentBands() const { return static_cast<std::size_t>(sentOrder * sentOrder); }
+  std::size_t lightBands() const { return static_cast<std::size_t>(lightOrder * lightOrder); }
+  std::size_t groups() const {
+    return lights.empty() ? 0 : lights.size() / (grid.count() * 3 * lightBands());
+  }
 };
 
 /// A volume's transfer at a point.

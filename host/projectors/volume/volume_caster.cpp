@@ -1,6 +1,8 @@
 #include "projectors/volume/volume_caster.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "basis/sh_table.h"
 #include "receivers/surface_sampler.h"
@@ -11,6 +13,10 @@ namespace {
 
 using namespace device;
 
+/// Bands by direction that are gathered, and those that are kept of transfer, which has many values a band.
+constexpr int gatheredOrder = 3, transferSentOrder = 2;
+constexpr std::size_t gatheredBands = gatheredOrder * gatheredOrder;
+
 class VolumeCaster {
  public:
   VolumeCaster(const CompiledScene& scene, const FitMesh& mesh, Tracer& tracer, const SlotTransfer& surface,
@@ -20,6 +26,7 @@ class VolumeCaster {
         grid_(grid),
         options_(options),
         columns_(static_cast<std::size_t>(options.order * options.order)),
+        sentColumns_(columns_ + (options.lights ? surface.groups : 0)),
         blockSize_(receiversPerBlock(device_.info(), options.rays)),
         vertexCount_(scene.vertexCount()),
         lower_(grid.min - scene.origin),
@@ -33,18 +40,22 @@ class VolumeCaster {
     const char* file = "cast/volume_kernels.cl";
     const BuildOptions build = tracer.surfaceOptions()
                                    .define("PRELIGHT_SH_ORDER", options.order)
-                                   .define("PRELIGHT_COLUMNS", static_cast<int>(columns_));
+                                   .define("PRELIGHT_COLUMNS", static_cast<int>(sentColumns_))
+                                   .define("PRELIGHT_SENT_ORDER", gatheredOrder);
     generate_ = {device_, file, build, "generateVolumeRays"};
     project_ = {device_, file, build, "projectVolume"};
     if (options.bounces == 0) return;
     gather_ = {device_, file, build, "gatherVolume"};
     backs_ = surface.backReflected.empty() ? 0 : 1;
-    transfer_ = Buffer<float>(device_, std::span<const float>(sentTransfer(mesh, surface, columns_)));
-    reflected_ = Buffer<float>(device_, blockSize_ * 3 * columns_);
+    transfer_ = Buffer<float>(
+        device_, std::span<const float>(sentTransfer(mesh, surface, columns_, sentColumns_ - columns_)));
+    reflected_ = Buffer<float>(device_, blockSize_ * gatheredValues());
   }
 
   VolumeTransfer run(Progress& progress) {
     VolumeTransfer volume{grid_, options_.order, options_.bounces > 0 ? 3 : 1, options_.bounces, {}, {}, {}};
+    if (options_.bounces > 0) volume.sentOrder = transferSentOrder;
+    if (sentColumns_ > columns_ && options_.bounces > 0) volume.lightOrder = gatheredOrder;
     const auto count = static_cast<std::uint32_t>(grid_.count());
     for (std::uint32_t first = 0; first < count; first += blockSize_) {
       progress.check();
@@ -80,8 +91,17 @@ class VolumeCaster {
   void gather(std::uint32_t count, std::vector<float>& reflected) {
     gather_.launch(count, parameters_, tracer_.scene().layoutBuffer(), tracer_.scene().surface(),
                    geometricNormals_, rays_, hits_, transfer_, backs_, reflected_);
-    reflected.resize(count * 3 * columns_);
+    reflected.resize(count * gatheredValues());
     reflected_.read(std::span(reflected));
+  }
+
+  std::size_t gatheredValues() const { return 3 * gatheredBands * sentColumns_; }
+
+  /// What is gathered from a voxel in a channel by the function Y_j of directions.
+  std::span<const float> gathered(const std::vector<float>& reflected, std::size_t voxel, std::size_t channel,
+                                  std::size_t j) const {
+    return std::span(reflected).subspan(
+        voxel * gatheredValues() + (channel * gatheredBands + j) * sentColumns_, sentColumns_);
   }
 
   void append(const std::vector<float>& values, const std::vector<float>& reflected, VolumeTransfer& volume) {
@@ -91,8 +111,24 @@ class VolumeCaster {
       volume.air.push_back(values[v * (1 + columns_)] == 0.0f ? 1 : 0);
       auto& kept = bounces ? volume.direct : volume.coefficients;
       kept.insert(kept.end(), direct, direct + columns_);
-      for (std::size_t i = 0; bounces && i < 3 * columns_; ++i)
-        volume.coefficients.push_back(direct[i % columns_] + reflected[v * 3 * columns_ + i]);
+      if (bounces) appendReflected(direct, reflected, v, volume);
+    }
+  }
+
+  void appendReflected(const float* direct, const std::vector<float>& reflected, std::size_t voxel,
+                       VolumeTransfer& volume) const {
+    constexpr float wholeSphere = 4.0f * std::numbers::pi_v<float>;
+    const float meanOfFirst = std::sqrt(wholeSphere);  // 1 / Y_00
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::span<const float> mean = gathered(reflected, voxel, c, 0);
+      for (std::size_t i = 0; i < columns_; ++i)
+        volume.coefficients.push_back(direct[i] + meanOfFirst * mean[i]);
+      for (std::size_t j = 0; j < volume.sentBands(); ++j)
+        for (const float value : gathered(reflected, voxel, c, j).first(columns_))
+          volume.sent.push_back(wholeSphere * value);
+      for (std::size_t j = 0; j < volume.lightBands(); ++j)
+        for (const float value : gathered(reflected, voxel, c, j).subspan(columns_))
+          volume.lights.push_back(wholeSphere * value);
     }
   }
 
@@ -101,6 +137,7 @@ class VolumeCaster {
   VolumeGrid grid_;
   VolumeOptions options_;
   std::size_t columns_;
+  std::size_t sentColumns_;  ///< of what surfaces send: SH, then groups of lights
   std::uint32_t blockSize_;
   std::uint32_t vertexCount_;
   glm::dvec3 lower_;

@@ -13,6 +13,7 @@ namespace prelight {
 struct VolumeOptions {
   int order = 3;             ///< bands; at most that of the surface's transfer when there are bounces
   int bounces = 0;           ///< 0: what surfaces reflect is left out
+  bool lights = false;       ///< keep what surfaces reflect of the groups of lights, too
   std::uint32_t rays = 256;  ///< a voxel, a power of two, 8 and more
   std::uint64_t seed = 0;
   OcclusionLimits limits;

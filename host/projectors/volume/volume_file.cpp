@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int volumeFloat = 5126, volumeByte = 5121;
 constexpr std::uint64_t maxVolumeOrder = 32, maxVolumeSide = 1024;
+constexpr std::uint64_t maxSentOrder = 3, mostLightGroups = 1u << 16;
 
 glm::dvec3 readPoint(const JsonCursor& json) {
   json.expectNumbers(3);
@@ -42,6 +43,20 @@ VolumeGrid readGrid(const JsonCursor& json) {
   return grid;
 }
 
+/// What surfaces send, where it is kept.
+void readSent(const JsonCursor& json, const ValueReader& values, VolumeTransfer& volume) {
+  const std::size_t channelsOfAll = 3 * volume.grid.count();
+  if (const auto sent = json.find("sent")) {
+    volume.sentOrder = readNumber(json.at("sentOrder"), 1, maxSentOrder);
+    volume.sent = values.floats(*sent, "SCALAR", channelsOfAll * volume.sentBands() * volume.columns());
+  }
+  if (const auto lights = json.find("lights")) {
+    volume.lightOrder = readNumber(json.at("lightOrder"), 1, maxSentOrder);
+    const auto groups = static_cast<std::size_t>(readNumber(json.at("groupCount"), 1, mostLightGroups));
+    volume.lights = values.floats(*lights, "SCALAR", channelsOfAll * volume.lightBands() * groups);
+  }
+}
+
 Json numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
@@ -60,6 +75,15 @@ Json volumeToJson(GltfDocument& document, const VolumeTransfer& volume) {
   json["coefficients"] = append(volume.coefficients, volumeFloat);
   if (!volume.direct.empty()) json["direct"] = append(volume.direct, volumeFloat);
   json["air"] = append(volume.air, volumeByte);
+  if (!volume.sent.empty()) {
+    json["sentOrder"] = volume.sentOrder;
+    json["sent"] = append(volume.sent, volumeFloat);
+  }
+  if (!volume.lights.empty()) {
+    json["lightOrder"] = volume.lightOrder;
+    json["groupCount"] = volume.groups();
+    json["lights"] = append(volume.lights, volumeFloat);
+  }
   return json;
 }
 
@@ -78,6 +102,7 @@ VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, 
   if (volume.channels == 3 && volume.direct.empty())
     json.fail("three channels without the transfer before bounces, 'direct'", rebake);
   volume.air = values.integers<std::uint8_t>(json.at("air"), volume.grid.count());
+  readSent(json, values, volume);
   return volume;
 }
 

@@ -6,10 +6,16 @@ namespace prelight {
 
 namespace {
 
-/// Values a voxel.
+/// Values a voxel, without those of light groups: with bounces, three channels, what is direct, and what
+/// surfaces send in three channels by four functions of direction.
 std::uint64_t valuesOf(const PlanInput& input) {
   const int order = input.request.sh.order;
-  return static_cast<std::uint64_t>(order * order) * (input.bounces ? 4 : 1);
+  return static_cast<std::uint64_t>(order * order) * (input.bounces ? 3 + 1 + 3 * 4 : 1);
+}
+
+/// What a light group adds to a voxel.
+std::string lightsText(const PlanInput& input) {
+  return input.bounces && input.request.lightGroups ? ", 108 more a light group" : "";
 }
 
 std::vector<PlannedPass> volumePasses(const PlanInput& input) {
@@ -17,11 +23,12 @@ std::vector<PlannedPass> volumePasses(const PlanInput& input) {
   if (request.volume.size == 0) return {{Pass::Volume, false, "not asked for"}};
   if (request.sh.order == 0)
     return {{Pass::Volume, false, "no SH transfer is asked for, whose order it has"}};
-  return {{Pass::Volume, true,
-           fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel; moving objects "
-                       "are not in it, and everything in the scene shadows it",
-                       request.volume.size, request.sh.order, plannedChannels(input.bounces),
-                       input.bounces ? " and one without bounces" : "", 4 * valuesOf(input))}};
+  return {
+      {Pass::Volume, true,
+       fmt::format("{} voxels along the longest side, order {}, {}{}, {} bytes a voxel{}; moving objects "
+                   "are not in it, and everything in the scene shadows it",
+                   request.volume.size, request.sh.order, plannedChannels(input.bounces),
+                   input.bounces ? " and one without bounces" : "", 4 * valuesOf(input), lightsText(input))}};
 }
 
 void addVolumeMemory(const PlanInput& input, Plan& plan) {

@@ -27,8 +27,8 @@ class VolumeProjector final : public Projector {
     const BakeRequest& request = context_.request;
     const SlotTransfer& transfer = cast->transfer(progress);
     const VolumeGrid grid = makeVolumeGrid(context_.scene, request.volume.size);
-    const VolumeOptions options{request.sh.order, cast->bounces(), raysEach(request), request.seed,
-                                request.limits};
+    const VolumeOptions options{request.sh.order,  cast->bounces(), request.lightGroups.wanted,
+                                raysEach(request), request.seed,    request.limits};
     bake.volume =
         makeVolume(context_.scene, context_.mesh, context_.tracer, transfer, grid, options, progress);
     context_.report.rays += std::uint64_t{options.rays} * grid.count();

@@ -35,14 +35,17 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
   if (!bake.volume) return;
   const VolumeTransfer& transfer = *bake.volume;
   const VolumeGrid& grid = transfer.grid;
-  const std::size_t bytes = bytesOf(transfer.coefficients) + bytesOf(transfer.direct) + bytesOf(transfer.air);
+  const std::size_t bytes = bytesOf(transfer.coefficients) + bytesOf(transfer.direct) +
+                            bytesOf(transfer.air) + bytesOf(transfer.sent) + bytesOf(transfer.lights);
   const auto inside = static_cast<std::size_t>(
       std::count(transfer.air.begin(), transfer.air.end(), static_cast<std::uint8_t>(0)));
   found.push_back(
       {"volume",
-       fmt::format("volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}",
-                   grid.size.x, grid.size.y, grid.size.z, grid.cell(), inside, transfer.order,
-                   channelsText(transfer.channels, transfer.bounces)),
+       fmt::format(
+           "volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}{}",
+           grid.size.x, grid.size.y, grid.size.z, grid.cell(), inside, transfer.order,
+           channelsText(transfer.channels, transfer.bounces),
+           transfer.groups() == 0 ? "" : ", with " + counted(transfer.groups(), "light group")),
        bytes,
        false,
        {{"size", {grid.size.x, grid.size.y, grid.size.z}},
@@ -52,6 +55,7 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
         {"order", transfer.order},
         {"channels", transfer.channels},
         {"bounces", transfer.bounces},
+        {"lightGroups", transfer.groups()},
         {"bytes", bytes}}});
 }
 
@@ -59,7 +63,7 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
 
 Technique volumeTechnique() {
   return {.name = "volume",
-          .accessors = {"coefficients", "direct", "air"},
+          .accessors = {"coefficients", "direct", "air", "sent", "lights"},
           .writeRoot = writeVolumeRoot,
           .makeReader = makeTechniqueReader<VolumeReader>,
           .summarize = summarizeVolume};

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cast/light_groups.h"
+#include "gpu/tracer.h"
+#include "prelight/compiled_scene.h"
+#include "prelight/device.h"
+#include "prelight/transfer.h"
+#include "relight/object_shadow.h"
+#include "relight/vertex_lights.h"
+#include "transfer/volume_receiver.h"
+
+namespace prelight {
+
+/// An object that stands in a baked scene without having been baked with it.
+struct VolumeObject {
+  VertexRange range;
+  HarmonicTransfer own;  ///< of its vertices without the scene, as it is turned; VolumeReceiver::ownOrder()
+  /// Of it, what the object reflects onto itself, [vertex][channel 3][i]; empty: nothing.
+  std::vector<float> bounced = {};
+};
+
+/// Transfer of an object's vertices.
+struct ObjectTransfer {
+  std::vector<float> sh;      ///< [vertex][channel 3][i]
+  std::vector<float> lights;  ///< [vertex][channel 3][group]; empty: the volume has no groups of lights
+};
+
+/// What the triangles of a scene are: those that it was baked with, then those of objects, then probes.
+struct SceneParts {
+  std::uint32_t baked = 0;   ///< triangles
+  std::uint32_t traced = 0;  ///< and those of objects
+};
+
+/// How a baked scene lights objects among it, wherever they stand: by its volume, and lamps by shadow rays.
+/// Cells that a vertex does not see are left out of what is interpolated there, so that no light comes
+/// through walls.
+class ObjectLight {
+ public:
+  /// `lights`: groups of those of the baked scene; nullptr: none. All but `scene` outlive it.
+  ObjectLight(const CompiledScene& scene, const SceneParts& parts, const VolumeTransfer& volume,
+              const GroupedLights* lights, const Device& device);
+
+  /// Objects are at other places.
+  void follow(const CompiledScene& scene) { whole_.follow(scene); }
+
+  /// Of an object where the scene has it.
+  ObjectTransfer transferOf(const CompiledScene& scene, const VolumeObject& object);
+
+  /// Of white convex bodies, one behind the other and of as many vertices each, that stand in the cells
+  /// `voxels`: what these hold.
+  ObjectTransfer transferOfProbes(const CompiledScene& scene, const VertexRange& range,
+                                  std::span<const std::size_t> voxels);
+
+  /// What objects hide from the baked scene's vertices, with bands of the sky.
+  ObjectShadow shadowOf(const CompiledScene& scene, const VertexRange& baked,
+                        std::span<const VertexRange> objects, int order) {
+    return ObjectShadowCaster(whole_, walls_, order).cast(scene, baked, objects);
+  }
+
+  /// Direct light of lamps on the baked scene's vertices, as VertexLights gives it; empty: there are none.
+  std::vector<float> lampsOn(const CompiledScene& scene, const VertexRange& baked, bool withObjects);
+
+ private:
+  /// Cells around a vertex.
+  using Corners = std::array<VolumeCorner, 8>;
+
+  std::vector<Corners> seenCorners(const CompiledScene& scene, const VertexRange& range);
+  void leaveOutHidden(const std::vector<glm::vec3>& origins, std::vector<Corners>& corners);
+  void addOwnBounces(const CompiledScene& scene, const VolumeObject& object, ObjectTransfer& transfer);
+  void addLamps(std::optional<VertexLights>& lamps, const CompiledScene& scene, const VertexRange& range,
+                ObjectTransfer& transfer);
+
+  const VolumeTransfer& volume_;
+  VolumeReceiver receiver_;
+  glm::dvec3 origin_;
+  Tracer whole_;                          ///< without probes
+  Tracer walls_;                          ///< the baked scene alone
+  std::optional<VertexLights> lamps_;     ///< in `whole_`
+  std::optional<VertexLights> unhidden_;  ///< by objects
+};
+
+}  // namespace prelight

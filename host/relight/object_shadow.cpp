@@ -1,0 +1,137 @@
+#include "relight/object_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "basis/sh_evaluate.h"
+#include "receivers/sampling.h"
+
+namespace prelight {
+
+namespace {
+
+using namespace device;
+
+constexpr std::uint32_t raysToObject = 64;  ///< of a vertex to an object
+constexpr std::size_t aimsAtOnce = 1u << 14;
+constexpr double leastHidden =
+    1e-3;                         ///< share of the hemisphere that an object may hide at most to be left out
+constexpr double rayLift = 1e-4;  ///< of rays' origins, of the ball's radius
+
+struct ObjectBall {
+  glm::dvec3 centre{0.0};
+  double radius = 0.0;
+};
+
+ObjectBall ballAroundObject(const CompiledScene& scene, const VertexRange& range) {
+  glm::dvec3 lower(std::numeric_limits<double>::max()), upper(std::numeric_limits<double>::lowest());
+  const auto forVertices = [&](const auto& use) {
+    for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
+      use(glm::dvec3(scene.positions[v]));
+  };
+  forVertices([&](const glm::dvec3& p) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  });
+  ObjectBall ball{0.5 * (lower + upper), 0.0};
+  forVertices(
+      [&](const glm::dvec3& p) { ball.radius = std::max(ball.radius, glm::distance(p, ball.centre)); });
+  return ball;
+}
+
+/// The cone around a ball as a vertex sees it.
+struct ObjectCone {
+  glm::dvec3 axis{0.0};
+  double cosine = -1.0;  ///< of its half angle; -1: all around, where the vertex lies within the ball
+
+  double solidAngle() const { return 2.0 * std::numbers::pi * (1.0 - cosine); }
+};
+
+ObjectCone coneTowards(const ObjectBall& ball, const glm::dvec3& from) {
+  const glm::dvec3 way = ball.centre - from;
+  const double distance = glm::length(way);
+  if (distance <= ball.radius * 1.0001) return {glm::dvec3(0.0, 1.0, 0.0), -1.0};
+  const double sine = ball.radius / distance;
+  return {way / distance, std::sqrt(1.0 - sine * sine)};
+}
+
+/// Uniform within the cone.
+glm::dvec3 directionInCone(const ObjectCone& cone, const glm::dvec2& point) {
+  const double z = 1.0 - point.x * (1.0 - cone.cosine), turn = 2.0 * std::numbers::pi * point.y;
+  const double radius = std::sqrt(std::max(0.0, 1.0 - z * z));
+  const glm::dvec3 other = std::abs(cone.axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(other, cone.axis)), up = glm::cross(cone.axis, right);
+  return radius * (std::cos(turn) * right + std::sin(turn) * up) + z * cone.axis;
+}
+
+/// At most so much of the hemisphere lies in the cone.
+double mostHidden(const ObjectCone& cone, const glm::dvec3& normal) {
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cone.cosine * cone.cosine));
+  if (cone.cosine > 0.0 && glm::dot(cone.axis, normal) < -sine) return 0.0;
+  return std::min(1.0, cone.solidAngle() / std::numbers::pi);
+}
+
+Ray rayAlong(const glm::dvec3& from, const glm::dvec3& way) {
+  const glm::vec3 p(from), w(way);
+  return {{p.x, p.y, p.z}, PRELIGHT_NO_TRIANGLE, {w.x, w.y, w.z}, std::numeric_limits<float>::max()};
+}
+
+}  // namespace
+
+void ObjectShadowCaster::castAims(const CompiledScene& scene, std::span<const Aim> aims,
+                                  const std::vector<Ray>& rays, std::uint32_t bakedTriangles,
+                                  ObjectShadow& shadow) {
+  if (rays.empty()) return;
+  const std::vector<Hit> first = whole_.traceClosest(std::span<const Ray>(rays));
+  const std::vector<Hit> behind = walls_.traceAny(std::span<const Ray>(rays));
+  const auto bands = static_cast<std::size_t>(order_ * order_);
+  std::vector<double> values(bands);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (first[i].triangle == PRELIGHT_NO_TRIANGLE || first[i].triangle < bakedTriangles) continue;
+    const Aim& aim = aims[i / raysToObject];
+    const glm::dvec3 way(rays[i].direction[0], rays[i].direction[1], rays[i].direction[2]);
+    const double weight = aim.weight * std::max(0.0, glm::dot(way, glm::dvec3(scene.normals[aim.vertex])));
+    shadow.hidden[aim.vertex] += static_cast<float>(weight);
+    if (behind[i].triangle != PRELIGHT_NO_TRIANGLE) {
+      shadow.surfaces[aim.vertex] += static_cast<float>(weight);
+      continue;
+    }
+    sh::evaluate(glm::normalize(way), order_, values);
+    for (std::size_t k = 0; k < bands; ++k)
+      shadow.sky[aim.vertex * bands + k] += static_cast<float>(weight * values[k]);
+  }
+}
+
+ObjectShadow ObjectShadowCaster::cast(const CompiledScene& scene, const VertexRange& baked,
+                                      std::span<const VertexRange> objects) {
+  const std::size_t vertices = baked.vertexCount;
+  ObjectShadow shadow{std::vector<float>(vertices),
+                      std::vector<float>(vertices * static_cast<std::size_t>(order_ * order_)),
+                      std::vector<float>(vertices)};
+  std::vector<Aim> aims;
+  std::vector<Ray> rays;
+  const auto flush = [&] {
+    castAims(scene, aims, rays, baked.triangleCount, shadow);
+    aims.clear();
+    rays.clear();
+  };
+  for (const VertexRange& object : objects) {
+    const ObjectBall ball = ballAroundObject(scene, object);
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+      const glm::dvec3 normal(scene.normals[v]);
+      const glm::dvec3 from = glm::dvec3(scene.positions[v]) + rayLift * ball.radius * normal;
+      const ObjectCone cone = coneTowards(ball, from);
+      if (mostHidden(cone, normal) < leastHidden) continue;
+      aims.push_back({v, cone.solidAngle() / (std::numbers::pi * raysToObject)});
+      for (std::uint32_t k = 0; k < raysToObject; ++k)
+        rays.push_back(rayAlong(from, directionInCone(cone, sampling::sobol(k, sampling::hashInteger(v)))));
+      if (aims.size() == aimsAtOnce) flush();
+    }
+  }
+  flush();
+  return shadow;
+}
+
+}  // namespace prelight

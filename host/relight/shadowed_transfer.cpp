@@ -1,0 +1,54 @@
+#include "relight/shadowed_transfer.h"
+
+#include <algorithm>
+
+namespace prelight {
+
+namespace {
+
+/// The first vertices' rows.
+std::vector<float> firstRows(const std::vector<float>& values, std::size_t count) {
+  return {values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+}  // namespace
+
+ShadowedTransfer::ShadowedTransfer(const CompiledScene& scene, const VertexRange& baked, const Bake& bake,
+                                   ObjectLight& light)
+    : baked_(baked), light_(light) {
+  const std::size_t channels = std::size_t{3} * baked.vertexCount;
+  if (bake.sh) {
+    order_ = bake.sh->order;
+    sh_ = firstRows(bake.sh->coefficients, channels * static_cast<std::size_t>(order_ * order_));
+  }
+  if (!bake.lightGroups) return;
+  lights_ = firstRows(bake.lightGroups->coefficients, channels * bake.lightGroups->groups.size());
+  lamps_ = light.lampsOn(scene, baked, false);
+}
+
+void ShadowedTransfer::writeSh(const ObjectShadow& shadow, HarmonicTransfer& sh) const {
+  const auto columns = static_cast<std::size_t>(order_ * order_);
+  for (std::size_t at = 0; at < sh_.size(); ++at) {
+    const std::size_t vertex = at / (3 * columns);
+    sh.coefficients[at] =
+        sh_[at] * (1.0f - shadow.surfaces[vertex]) - shadow.sky[vertex * columns + at % columns];
+  }
+}
+
+void ShadowedTransfer::writeLights(const ObjectShadow& shadow, const std::vector<float>& lamps,
+                                   LightGroupTransfer& lights) const {
+  const std::size_t width = 3 * lights.groups.size();
+  for (std::size_t at = 0; at < lights_.size(); ++at) {
+    const float indirect = std::max(0.0f, lights_[at] - lamps_[at]);
+    const float lost = lamps_[at] - lamps[at] + shadow.hidden[at / width] * indirect;
+    lights.coefficients[at] = std::max(0.0f, lights_[at] - lost);
+  }
+}
+
+void ShadowedTransfer::writeTo(const CompiledScene& scene, std::span<const VertexRange> objects, Bake& bake) {
+  const ObjectShadow shadow = light_.shadowOf(scene, baked_, objects, order_);
+  if (bake.sh) writeSh(shadow, *bake.sh);
+  if (bake.lightGroups) writeLights(shadow, light_.lampsOn(scene, baked_, true), *bake.lightGroups);
+}
+
+}  // namespace prelight

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cast/light_caster.h"
+#include "gpu/tracer.h"
+#include "prelight/compiled_scene.h"
+
+namespace prelight {
+
+/// Consecutive vertices of a scene, with the consecutive triangles that have them.
+struct VertexRange {
+  std::uint32_t firstVertex = 0;
+  std::uint32_t vertexCount = 0;
+  std::uint32_t firstTriangle = 0;
+  std::uint32_t triangleCount = 0;
+};
+
+/// Direct light of groups of lights at vertices, by shadow rays to every lamp: exact but for what lies
+/// between vertices, and noise of lamps that have an extent. Receivers lie within the triangles, close to
+/// each vertex, so that none sees past the wall that meets it there.
+class VertexLights {
+ public:
+  /// Everything outlives it. `scene` is what the tracer was made of.
+  VertexLights(const CompiledScene& scene, const GroupedLights& lights, Tracer& tracer);
+
+  std::uint32_t groupCount() const { return caster_.groupCount(); }
+
+  /// [vertex of the range][channel 3][group], exit radiance over albedo and the group's colour. `scene` has
+  /// its vertices where the tracer's triangles are.
+  std::vector<float> at(const CompiledScene& scene, const VertexRange& range);
+
+ private:
+  void castBlock(const std::vector<device::Receiver>& receivers, std::vector<float>& values);
+  void aimRays(const std::vector<device::Receiver>& receivers, std::uint32_t pass);
+
+  Tracer& tracer_;
+  LightCaster caster_;
+  Buffer<device::CastParameters> parameters_;
+  Buffer<device::Receiver> receivers_;
+  Buffer<device::Ray> rays_;
+  Buffer<device::Hit> hits_;
+};
+
+}  // namespace prelight

@@ -1,0 +1,89 @@
+#include <gmock/gmock.h>
+
+#include "cli/cli_test.h"
+#include "cli/glb_scene.h"
+
+namespace prelight::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Objects dropped into scenes with a volume.
+class CliObjects : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    prelightDone({"scene", "cornell", "-o", "cornell.glb"});
+    writeFile("object.glb", floorAndRoof().bytes());
+  }
+
+  void bake(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"bake", "cornell.glb", "-o",   "baked.glb", "--sh",
+                                          "2",    "--rays",      "1024", "--volume",  "8"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    prelightDone(arguments);
+  }
+
+  ProcessResult render(const std::string& picture, const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {"render", "baked.glb", "-o", picture, "--size", "48x48"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return prelightDone(arguments);
+  }
+
+  nlohmann::json compare(const std::string& a, const std::string& b) const {
+    return nlohmann::json::parse(prelightDone({"compare", a, b, "--json"}).output)["picture"];
+  }
+};
+
+// The picture is the box's own where there is no object, and the object is lit and shadows as in a traced
+// one.
+TEST_F(CliObjects, InCornell_LooksAsIfTracedThere) {
+  bake({"--light-groups", "--bounces", "6"});
+  const std::vector<std::string> object = {"--object", "object.glb:0,0.55,0.3:30:0.12"};
+  const ProcessResult drawn = render("drawn.exr", object);
+  EXPECT_THAT(drawn.output, HasSubstr("lights shading"));
+  render("empty.exr", {"--shading", "lights"});
+  prelightDone({"reference", "cornell.glb", "-o", "truth.exr", "--size", "48x48", "--spp", "512", object[0],
+                object[1]});
+  prelightDone({"reference", "cornell.glb", "-o", "empty_truth.exr", "--size", "48x48", "--spp", "512"});
+  EXPECT_GT(compare("drawn.exr", "empty.exr")["max"], 0.1);
+  // What the box itself is off by is the vertices' error; the object may add little to it.
+  const double own = compare("empty.exr", "empty_truth.exr")["rmse"];
+  EXPECT_LT(double(compare("drawn.exr", "truth.exr")["rmse"]), own + 0.03);
+}
+
+TEST_F(CliObjects, ProbesAndSeveralObjects_AreDrawnUnderTheSky) {
+  bake({"--bounces", "1"});
+  const ProcessResult result = render(
+      "both.exr", {"--probes", "--object", "object.glb:0,0.5,0", "--object", "object.glb:0,0.2,0:0:0.2"});
+  EXPECT_THAT(result.output, HasSubstr("sh shading"));
+  render("none.exr", {"--shading", "sh"});
+  EXPECT_GT(compare("both.exr", "none.exr")["max"], 0.01);
+}
+
+TEST_F(CliObjects, BadPlaces_AreUsageErrors) {
+  for (const char* object : {"object.glb", "object.glb:1,2", ":1,2,3", "object.glb:1,2,3:x",
+                             "object.glb:1,2,3:0:0", "object.glb:1,2,3:0:1:2", "object.glb:1,2,nan"})
+    expectFailure(badUsage, {"render", "cornell.glb", "-o", "x.png", "--object", object},
+                  {"--object", "FILE:x,y,z"});
+}
+
+TEST_F(CliObjects, WithoutAVolumeOrInOtherShadings_AreRefused) {
+  const std::vector<std::string> object = {"--object", "object.glb:0,0,0"};
+  expectFailure(badInput, {"render", "cornell.glb", "-o", "x.png", "--rays", "16", object[0], object[1]},
+                {"no volume", "--volume"});
+  expectFailure(
+      badUsage,
+      {"render", "cornell.glb", "-o", "x.png", "--shading", "ao", "--rays", "16", object[0], object[1]},
+      {"--shading ao", "sh and lights"});
+  bake({"--bounces", "1"});
+  expectFailure(
+      badInput,
+      {"render", "baked.glb", "-o", "x.png", "--shading", "lights", "--rays", "16", object[0], object[1]},
+      {"no light of light groups", "--light-groups"});
+  expectFailure(badInput, {"render", "baked.glb", "-o", "x.png", "--object", "missing.glb:0,0,0"},
+                {"missing.glb"});
+}
+
+}  // namespace
+}  // namespace prelight::test
