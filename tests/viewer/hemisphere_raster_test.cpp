@@ -1,0 +1,155 @@
+#include "viewer/hemisphere_raster.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "basis/sh_evaluate.h"
+#include "basis/sh_zonal.h"
+#include "prelight/error.h"
+#include "support/scenes.h"
+#include "viewer/gl/egl_context.h"
+
+namespace prelight::viewer {
+namespace {
+
+using std::numbers::pi;
+
+class HemisphereMaps : public ::testing::TestWithParam<HemisphereMap> {
+ protected:
+  bool coversAll() const { return GetParam() != HemisphereMap::HemiPlane; }
+};
+
+/// Cosine-weighted share of the half space that a square plate of half width `a` at height 1 above takes.
+double plateShare(double a) {
+  const double b = a / std::sqrt(1.0 + a * a);
+  return 4.0 / pi * b * std::atan(b);
+}
+
+/// Of order 4: the clamped cosine's, and for the hemi-plane that of what it sees, in the mean of which it
+/// takes the rest.
+std::vector<double> openTransferOf(HemisphereMap map, const glm::dvec3& normal) {
+  std::vector<double> open(16);
+  sh::openTransfer(normal, 4, open);
+  if (map != HemisphereMap::HemiPlane) return open;
+  std::fill(open.begin(), open.end(), 0.0);
+  const glm::dvec3 across = glm::normalize(glm::cross(normal, glm::dvec3(0, 0, 1)));
+  // The plane's place about the normal does not matter to the bands below the fourth.
+  const glm::dvec3 along = glm::cross(normal, across);
+  std::vector<double> values(16);
+  constexpr int cells = 400;
+  constexpr double step = 4.5 / cells;
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x) {
+      const glm::dvec2 p = glm::dvec2(x + 0.5, y + 0.5) * step - 2.25;
+      const double r2 = 1.0 + glm::dot(p, p);
+      sh::evaluate((normal + p.x * across + p.y * along) / std::sqrt(r2), 4, values);
+      for (std::size_t c = 0; c < 16; ++c)
+        open[c] += values[c] * step * step / (pi * r2 * r2) / plateShare(2.25);
+    }
+  return open;
+}
+
+/// A plate of half width `a` at height 1, far below it something that makes the scene's bounds.
+CompiledScene plateAbove(float a) {
+  CompiledScene scene = test::ground(8, a, 1.0f);
+  test::append(scene, test::ground(1, 4.0f, -4.0f));
+  scene.boundsMin = {-4, -4, -4};
+  scene.boundsMax = {4, 1, 4};
+  return scene;
+}
+
+CompiledScene room() {
+  CompiledScene scene = test::box(4, {-2, -1, -2}, {2, 1, 2}, true);
+  scene.boundsMin = {-2, -1, -2};
+  scene.boundsMax = {2, 1, 2};
+  return scene;
+}
+
+double openShare(const std::vector<double>& transfer) { return transfer[0] * std::sqrt(4.0 * pi); }
+
+TEST_P(HemisphereMaps, Texels_CoverTheHemisphereOnce) {
+  double angle = 0.0;
+  const std::vector<HemisphereTexel> texels = texelsOf(GetParam(), 128);
+  for (const HemisphereTexel& texel : texels) {
+    angle += texel.solidAngle;
+    EXPECT_NEAR(glm::length(texel.direction), 1.0, 1e-12);
+  }
+  if (!coversAll()) {
+    EXPECT_NEAR(coverageOf(texels), plateShare(2.25), 1e-4);
+    return;
+  }
+  EXPECT_NEAR(angle, 2.0 * pi, 0.02 * 2.0 * pi);
+  EXPECT_NEAR(coverageOf(texels), 1.0, 2e-3);
+}
+
+TEST_P(HemisphereMaps, OpenReceiver_HasTheTransferOfAClampedCosine) {
+  const gl::EglContext context;
+  const CompiledScene scene = plateAbove(0.5f);
+  HemisphereRaster raster(scene, GetParam(), 64);
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
+  const HemisphereReceiver above{{0, 3, 0}, normal};
+  const std::vector<double> found = raster.transfer(std::span(&above, 1), 4);
+  const std::vector<double> open = openTransferOf(GetParam(), normal);
+  for (std::size_t c = 0; c < 16; ++c) EXPECT_NEAR(found[c], open[c], 2e-3) << c;
+}
+
+TEST_P(HemisphereMaps, PlateAbove_HidesItsFormFactor) {
+  const gl::EglContext context;
+  const CompiledScene scene = plateAbove(1.0f);
+  const HemisphereReceiver below{{0, 0, 0}, {0, 1, 0}};
+  const double expected = 1.0 - plateShare(1.0) / (coversAll() ? 1.0 : plateShare(2.25));
+  for (const int side : {32, 128}) {
+    HemisphereRaster raster(scene, GetParam(), side);
+    EXPECT_NEAR(openShare(raster.transfer(std::span(&below, 1), 1)), expected,
+                side == 32    ? 0.03
+                : coversAll() ? 0.008
+                              : 0.018);
+  }
+}
+
+TEST_P(HemisphereMaps, WallsThatGlowEvenly_GivePiTimesTheirRadiance) {
+  const gl::EglContext context;
+  const CompiledScene scene = room();
+  const std::vector<glm::vec3> radiance(scene.vertexCount(), glm::vec3(2.0f, 1.0f, 0.5f));
+  std::vector<HemisphereReceiver> receivers;
+  for (int i = 0; i < 300; ++i)  // more than an atlas holds
+    receivers.push_back({{-1.5 + 0.01 * i, 0.3, 0.2},
+                         glm::normalize(glm::dvec3(std::cos(i), std::sin(0.7 * i), std::sin(i)))});
+  HemisphereRaster raster(scene, GetParam(), 32);
+  // Edges are arcs in a disc and drawn straight: where large triangles are cut unevenly there are cracks.
+  const double most = GetParam() == HemisphereMap::Stereographic ? 5e-3 : 2e-3;
+  for (const glm::vec3& value : raster.irradiance(receivers, radiance))
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c] / (pi * radiance[0][c]), 1.0, most);
+}
+
+TEST_P(HemisphereMaps, OneOfManyReceivers_SeesWhatItSeesAlone) {
+  const gl::EglContext context;
+  const CompiledScene scene = plateAbove(1.0f);
+  std::vector<HemisphereReceiver> receivers;
+  for (int i = 0; i < 20; ++i) receivers.push_back({{0.1 * i, 0.0, 0.05 * i}, {0, 1, 0}});
+  HemisphereRaster raster(scene, GetParam(), 32);
+  const std::vector<double> all = raster.transfer(receivers, 2);
+  const std::vector<double> alone = raster.transfer(std::span(&receivers[13], 1), 2);
+  for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(all[13 * 4 + c], alone[c]);
+}
+
+INSTANTIATE_TEST_SUITE_P(, HemisphereMaps,
+                         ::testing::Values(HemisphereMap::Stereographic, HemisphereMap::HemiPlane,
+                                           HemisphereMap::Hemicube, HemisphereMap::Tetrahedron),
+                         [](const auto& info) {
+                           std::string name = hemisphereMapNames[static_cast<std::size_t>(info.param)];
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(HemisphereRaster, OddSide_IsRefused) {
+  const gl::EglContext context;
+  const CompiledScene scene = room();
+  EXPECT_THROW(HemisphereRaster(scene, HemisphereMap::Hemicube, 33), Error);
+  EXPECT_THROW(HemisphereRaster(scene, HemisphereMap::Hemicube, 4), Error);
+}
+
+}  // namespace
+}  // namespace prelight::viewer

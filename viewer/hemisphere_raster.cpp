@@ -1,0 +1,206 @@
+#include "viewer/hemisphere_raster.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "basis/sh.h"
+#include "basis/sh_rotation.h"
+#include "prelight/error.h"
+#include "radiosity/elements.h"
+#include "scene/tangent_space.h"
+
+namespace prelight::viewer {
+namespace {
+
+constexpr int leastSide = 8, mostSide = 256;
+constexpr int atlasSide = 512;
+/// Edges over the diagonal of the scene's bounds, where straight edges become arcs that are drawn straight.
+constexpr double longestEdge = 1.0 / 24.0;
+constexpr float nearestOfDiagonal = 1e-4f;
+constexpr GLuint seenUnit = 0, weightsUnit = 1;
+
+int checkedSide(int side) {
+  if (side >= leastSide && side <= mostSide && std::has_single_bit(static_cast<unsigned>(side))) return side;
+  throw Error(ExitCode::RuntimeFailure, "side of a hemisphere's picture",
+              std::to_string(side) + " texels; a power of two from " + std::to_string(leastSide) + " to " +
+                  std::to_string(mostSide) + " is needed");
+}
+
+/// Columns: a receiver's axes.
+glm::dmat3 frameOf(const glm::dvec3& normal) {
+  const glm::dvec3 across = anyPerpendicular(normal);
+  return {across, glm::cross(normal, across), normal};
+}
+
+std::size_t divideUp(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
+
+}  // namespace
+
+HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side)
+    : scene_(scene),
+      map_(map),
+      side_(checkedSide(side)),
+      levels_(std::countr_zero(static_cast<unsigned>(side))),
+      tilesASide_(atlasSide / side),
+      faces_(facesOf(map)),
+      texels_(texelsOf(map, side)),
+      drawProgram_("hemisphere.vert", "hemisphere.frag"),
+      weighProgram_("fullscreen.vert", "hemisphere_weights.frag"),
+      positions_(Attribute::Position, std::span<const glm::vec3>()),
+      radiance_(Attribute::Radiance, std::span<const glm::vec3>()),
+      atlas_(atlasSide, atlasSide),
+      products_(atlasSide, atlasSide) {
+  farthest_ = glm::length(scene.boundsMax - scene.boundsMin);
+  nearest_ = nearestOfDiagonal * farthest_;
+  makeCorners();
+  glBindVertexArray(vertices_.name());
+  positions_.attach();
+  radiance_.attach();
+  glBindVertexArray(0);
+  glBindTexture(GL_TEXTURE_2D, products_.color().name());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels_);
+  glGenerateMipmap(GL_TEXTURE_2D);  // Mesa draws to the levels of before until a framebuffer is bound again
+  weighProgram_.use();
+  weighProgram_.set("seen", static_cast<int>(seenUnit));
+  weighProgram_.set("weights", static_cast<int>(weightsUnit));
+  gl::check("preparing pictures of hemispheres");
+}
+
+void HemisphereRaster::makeCorners() {
+  const double longest =
+      map_ == HemisphereMap::Stereographic ? longestEdge * farthest_ : std::numeric_limits<double>::max();
+  const RadiosityElements pieces = makeElements(scene_, longest);
+  std::vector<glm::vec3> positions;
+  for (std::uint32_t t = 0; t < scene_.triangleCount(); ++t)
+    for (std::uint32_t piece = 0; piece < pieces.splits[t] * pieces.splits[t]; ++piece)
+      for (const glm::dvec2& corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+        const glm::dvec2 w = pointOfPiece(pieces.splits[t], piece, corner);
+        corners_.push_back({t, glm::vec2(w)});
+        const glm::uvec3& v = scene_.triangles[t];
+        const glm::dvec3 a(scene_.positions[v.x]);
+        positions.emplace_back(a + w.x * (glm::dvec3(scene_.positions[v.y]) - a) +
+                               w.y * (glm::dvec3(scene_.positions[v.z]) - a));
+      }
+  positions_.fill(std::span<const glm::vec3>(positions));
+  radiance_.fill(std::span<const glm::vec3>(std::vector<glm::vec3>(positions.size(), glm::vec3(0.0f))));
+}
+
+/// Each receiver's picture of a face into the atlas.
+void HemisphereRaster::draw(const HemisphereFace& face, std::span<const HemisphereReceiver> receivers) {
+  atlas_.bind();
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CLIP_DISTANCE0);
+  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  drawProgram_.use();
+  drawProgram_.set("window", glm::vec4(face.window));
+  drawProgram_.set("depths",
+                   glm::vec4(nearest_, farthest_, map_ == HemisphereMap::Stereographic ? 1.0f : 0.0f, 0.0f));
+  glBindVertexArray(vertices_.name());
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const int tile = static_cast<int>(i);
+    glViewport(tile % tilesASide_ * side_, tile / tilesASide_ * side_, side_, side_);
+    drawProgram_.set("receiver", glm::vec3(receivers[i].position));
+    drawProgram_.set("toFace",
+                     glm::mat4(glm::mat3(glm::transpose(frameOf(receivers[i].normal) * face.frame))));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners_.size()));
+  }
+  glBindVertexArray(0);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+/// The means of the atlas' pictures by mip levels, times their texels.
+void HemisphereRaster::addSums(const gl::BufferTexture& weights, std::size_t face, Counts counts,
+                               std::span<glm::vec4> sums) {
+  products_.bind();
+  glDisable(GL_DEPTH_TEST);
+  weighProgram_.use();
+  weighProgram_.set("tile", glm::ivec4(side_, static_cast<int>(face) * side_ * side_,
+                                       counts == Counts::Radiance ? 1 : 0, 0));
+  gl::bind(seenUnit, GL_TEXTURE_2D, atlas_.color());
+  gl::bind(weightsUnit, GL_TEXTURE_BUFFER, weights.texture);
+  glBindVertexArray(noVertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+  glEnable(GL_DEPTH_TEST);
+  glActiveTexture(GL_TEXTURE0 + seenUnit);
+  glBindTexture(GL_TEXTURE_2D, products_.color().name());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  std::vector<glm::vec4> means(static_cast<std::size_t>(tilesASide_ * tilesASide_));
+  glGetTexImage(GL_TEXTURE_2D, levels_, GL_RGBA, GL_FLOAT, means.data());
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<float>(side_ * side_) * means[i];
+  gl::check("summing up pictures of hemispheres");
+}
+
+/// [receiver][of weights].
+std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver> receivers,
+                                              std::span<const Weights> weights, Counts counts) {
+  std::vector<gl::BufferTexture> uploaded;
+  for (const Weights& four : weights)
+    uploaded.push_back(gl::makeBufferTexture(std::span<const glm::vec4>(four), "weights of hemispheres"));
+  std::vector<glm::vec4> result(receivers.size() * weights.size(), glm::vec4(0.0f));
+  const auto batch = static_cast<std::size_t>(tilesASide_ * tilesASide_);
+  for (std::size_t first = 0; first < receivers.size(); first += batch) {
+    const auto some = receivers.subspan(first, std::min(batch, receivers.size() - first));
+    std::vector<std::vector<glm::vec4>> found(weights.size(), std::vector<glm::vec4>(some.size()));
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      draw(faces_[f], some);
+      for (std::size_t w = 0; w < weights.size(); ++w) addSums(uploaded[w], f, counts, found[w]);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i)
+      for (std::size_t w = 0; w < weights.size(); ++w) result[(first + i) * weights.size() + w] = found[w][i];
+  }
+  return result;
+}
+
+std::vector<double> HemisphereRaster::transfer(std::span<const HemisphereReceiver> receivers, int order) {
+  sh::checkOrder(order, "order of rasterised transfer");
+  const auto count = static_cast<std::size_t>(sh::coefficientCount(order));
+  std::vector<Weights> weights(divideUp(count, 4), Weights(texels_.size(), glm::vec4(0.0f)));
+  const double scale = std::numbers::inv_pi / coverageOf(texels_);
+  std::vector<double> values(count);
+  for (std::size_t t = 0; t < texels_.size(); ++t) {
+    const HemisphereTexel& texel = texels_[t];
+    if (texel.solidAngle <= 0.0) continue;
+    sh::evaluate(texel.direction, order, values);
+    for (std::size_t c = 0; c < count; ++c)
+      weights[c / 4][t][static_cast<int>(c % 4)] =
+          static_cast<float>(scale * values[c] * texel.direction.z * texel.solidAngle);
+  }
+  const std::vector<glm::vec4> local = sums(receivers, weights, Counts::WhatIsOpen);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    for (std::size_t c = 0; c < count; ++c)
+      values[c] = local[i * weights.size() + c / 4][static_cast<int>(c % 4)];
+    const std::vector<double> world = sh::rotate(values, order, frameOf(receivers[i].normal));
+    result.insert(result.end(), world.begin(), world.end());
+  }
+  return result;
+}
+
+std::vector<glm::vec3> HemisphereRaster::irradiance(std::span<const HemisphereReceiver> receivers,
+                                                    std::span<const glm::vec3> radiance) {
+  std::vector<glm::vec3> ofCorners;
+  for (const Corner& corner : corners_) {
+    const glm::uvec3& v = scene_.triangles[corner.triangle];
+    ofCorners.push_back((1.0f - corner.weights.x - corner.weights.y) * radiance[v.x] +
+                        corner.weights.x * radiance[v.y] + corner.weights.y * radiance[v.z]);
+  }
+  radiance_.fill(std::span<const glm::vec3>(ofCorners));
+  std::vector<Weights> weights(1, Weights(texels_.size(), glm::vec4(0.0f)));
+  const double scale = 1.0 / coverageOf(texels_);
+  for (std::size_t t = 0; t < texels_.size(); ++t)
+    weights[0][t].x =
+        static_cast<float>(scale * std::max(texels_[t].direction.z, 0.0) * texels_[t].solidAngle);
+  std::vector<glm::vec3> result;
+  for (const glm::vec4& sum : sums(receivers, weights, Counts::Radiance)) result.emplace_back(sum);
+  return result;
+}
+
+}  // namespace prelight::viewer

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "prelight/compiled_scene.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/gl/framebuffer.h"
+#include "viewer/gl/program.h"
+#include "viewer/gl/texture.h"
+#include "viewer/hemisphere_map.h"
+
+namespace prelight::viewer {
+
+/// A place that looks into the scene.
+struct HemisphereReceiver {
+  glm::dvec3 position{0.0};  ///< scene coordinates
+  glm::dvec3 normal{0.0};    ///< unit
+};
+
+/// What receivers see, drawn by OpenGL in the place of rays: many receivers' pictures side by side in one,
+/// multiplied by what each texel counts, and summed up by mip levels (Staniszewski 2005, chapter 2; Larsen
+/// 2004, chapter 11). Both sides of all triangles are seen, without holes of textures. Every texel counts
+/// with its solid angle, which the former leaves out, and sums are over what the map covers.
+class HemisphereRaster {
+ public:
+  /// `side`: texels of a map's picture, a power of two, 8 to 256. Throws Error for others.
+  HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side);
+
+  /// Transfer of the visibility of a sky, cosine / pi, in SH of `order` about the world's axes, without
+  /// bounces: [receiver][order^2].
+  std::vector<double> transfer(std::span<const HemisphereReceiver> receivers, int order);
+
+  /// Irradiance by surfaces of a radiance, W/(m2 sr), [vertex], the same on both sides: [receiver], W/m2.
+  std::vector<glm::vec3> irradiance(std::span<const HemisphereReceiver> receivers,
+                                    std::span<const glm::vec3> radiance);
+
+ private:
+  /// A corner of what is drawn.
+  struct Corner {
+    std::uint32_t triangle;
+    glm::vec2 weights;  ///< of the triangle's vertices 1 and 2
+  };
+  using Weights = std::vector<glm::vec4>;  ///< [face][texel]
+  enum class Counts { WhatIsOpen, Radiance };
+
+  void makeCorners();
+  void draw(const HemisphereFace& face, std::span<const HemisphereReceiver> receivers);
+  void addSums(const gl::BufferTexture& weights, std::size_t face, Counts counts, std::span<glm::vec4> sums);
+  std::vector<glm::vec4> sums(std::span<const HemisphereReceiver> receivers, std::span<const Weights> weights,
+                              Counts counts);
+
+  const CompiledScene& scene_;
+  HemisphereMap map_;
+  int side_;
+  int levels_ = 0;      ///< log2 of the side
+  int tilesASide_ = 0;  ///< pictures along a side of the atlas
+  float nearest_ = 0.0f, farthest_ = 0.0f;
+  std::vector<HemisphereFace> faces_;
+  std::vector<HemisphereTexel> texels_;
+  std::vector<Corner> corners_;
+  gl::Program drawProgram_, weighProgram_;
+  gl::VertexArray vertices_, noVertices_;
+  VertexStream positions_, radiance_;
+  gl::Framebuffer atlas_, products_;
+};
+
+}  // namespace prelight::viewer
