@@ -64,6 +64,9 @@ const std::vector<Entry>& entries() {
 #ifdef PRELIGHT_WITH_VIEWER
       {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
        runTechniquesSuite},
+      {{"rasterised",
+        "errors and time of SH and gathers that OpenGL draws, by map and resolution, beside rays"},
+       runRasterisedSuite},
       {{"window", "milliseconds of a window's frames while the camera or a light moves"},
        runWindowSuite,
        hasWindowCase},
@@ -124,6 +127,10 @@ void quickenLight(BenchmarkOptions& options) {
   options.encodingPlaces = 2;
   options.encodingSide = 4;
   options.encodingSamples = 4;
+  options.rasterisedScenes = {"shapes"};
+  options.rasterisedReceivers = 16;
+  options.rasterisedTruthRays = 256;
+  options.rasterisedSides = {16};
   options.radiosityScenes = {"cornell"};
   options.radiosityRays = 64;
   options.radiosityTolerance = 0.03;
@@ -238,35 +245,24 @@ nlohmann::ordered_json transferJson(const BenchmarkOptions& options) {
 
 /// Of radiosity, light maps, encodings and photons.
 nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
-  return {{"radiosityScenes", options.radiosityScenes},
-          {"radiosityRays", options.radiosityRays},
-          {"radiosityTolerance", options.radiosityTolerance},
-          {"radiositySeeds", options.radiositySeeds},
-          {"encodingScenes", options.encodingScenes},
-          {"encodingPlaces", options.encodingPlaces},
-          {"encodingSide", options.encodingSide},
-          {"encodingSamples", options.encodingSamples},
-          {"lightMapScenes", options.lightMapScenes},
-          {"lightMapRays", options.lightMapRays},
-          {"lightMapPhotons", options.lightMapPhotons},
-          {"lightMapTexels", options.lightMapTexels},
-          {"lightMapErrors", options.lightMapErrors},
-          {"lightMapPlaces", options.lightMapPlaces},
-          {"lightMapTruthRays", options.lightMapTruthRays},
-          {"photonCounts", options.photonCounts},
-          {"photonCount", options.photonCount},
-          {"photonLookups", options.photonLookups},
-          {"causticSide", options.causticSide},
-          {"causticPhotons", options.causticPhotons},
-          {"causticNearest", options.causticNearest},
-          {"causticRadii", options.causticRadii},
-          {"photonPasses", options.photonPasses},
-          {"photonsPerPass", options.photonsPerPass},
-          {"updateCells", options.updateCells},
-          {"updateFrames", options.updateFrames},
-          {"updateSide", options.updateSide},
-          {"updatePhotons", options.updatePhotons},
-          {"updateScenes", options.updateScenes}};
+  return {
+      {"rasterisedScenes", options.rasterisedScenes}, {"rasterisedReceivers", options.rasterisedReceivers},
+      {"rasterisedOrder", options.rasterisedOrder},   {"rasterisedTruthRays", options.rasterisedTruthRays},
+      {"rasterisedSides", options.rasterisedSides},   {"radiosityScenes", options.radiosityScenes},
+      {"radiosityRays", options.radiosityRays},       {"radiosityTolerance", options.radiosityTolerance},
+      {"radiositySeeds", options.radiositySeeds},     {"encodingScenes", options.encodingScenes},
+      {"encodingPlaces", options.encodingPlaces},     {"encodingSide", options.encodingSide},
+      {"encodingSamples", options.encodingSamples},   {"lightMapScenes", options.lightMapScenes},
+      {"lightMapRays", options.lightMapRays},         {"lightMapPhotons", options.lightMapPhotons},
+      {"lightMapTexels", options.lightMapTexels},     {"lightMapErrors", options.lightMapErrors},
+      {"lightMapPlaces", options.lightMapPlaces},     {"lightMapTruthRays", options.lightMapTruthRays},
+      {"photonCounts", options.photonCounts},         {"photonCount", options.photonCount},
+      {"photonLookups", options.photonLookups},       {"causticSide", options.causticSide},
+      {"causticPhotons", options.causticPhotons},     {"causticNearest", options.causticNearest},
+      {"causticRadii", options.causticRadii},         {"photonPasses", options.photonPasses},
+      {"photonsPerPass", options.photonsPerPass},     {"updateCells", options.updateCells},
+      {"updateFrames", options.updateFrames},         {"updateSide", options.updateSide},
+      {"updatePhotons", options.updatePhotons},       {"updateScenes", options.updateScenes}};
 }
 
 /// Of whole techniques, the window and stability.

@@ -67,6 +67,11 @@ struct BenchmarkOptions {
   int voShadingRounds = 7;
   std::uint64_t voShadingVertices = 100000;
   std::vector<std::size_t> voLightCounts = {1, 2, 4, 8, 16, 32};  ///< that vertices are shaded by
+  std::vector<std::string> rasterisedScenes = {"shapes", "cornell"};
+  std::size_t rasterisedReceivers = 400;
+  int rasterisedOrder = 3;
+  std::uint32_t rasterisedTruthRays = 1u << 14;
+  std::vector<int> rasterisedSides = {16, 32, 64};  ///< texels of a picture
   std::vector<std::string> radiosityScenes = {"cornell", "rooms"};
   std::uint32_t radiosityRays = 512;  ///< an element, a power of two
   double radiosityTolerance = 1e-5;   ///< that each solver is timed to; its curve goes on to a tenth of it

@@ -121,4 +121,8 @@ std::vector<BenchmarkResult> runWindowSuite(const Device& device, const Benchmar
                                             Progress& progress);
 bool hasWindowCase(const BenchmarkOptions& options);
 
+/// Errors and processor time of SH of visibility and of gathers by each rasterised map, beside rays.
+std::vector<BenchmarkResult> runRasterisedSuite(const Device& device, const BenchmarkOptions& options,
+                                                Progress& progress);
+
 }  // namespace prelight::benchmarks

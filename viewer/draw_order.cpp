@@ -14,7 +14,8 @@ DrawOrder drawOrderOf(const RenderScene& scene, const glm::dvec3& eye, bool isFu
   for (const Batch& batch : scene.batches()) {
     if (leftOutNode >= 0 && batch.node == leftOutNode) continue;
     const Surface& surface = scene.surfaces()[batch.surface];
-    const bool body = isFull && surface.isBody();
+    // Glass with an inside shows by itself what lies behind it, but for the share that it does not cover.
+    const bool body = isFull && surface.isBody() && surface.material.alphaMode != AlphaMode::Blend;
     (surface.isBlended() && !body ? order.blended : order.opaque).push_back(&batch);
   }
   std::stable_sort(order.blended.begin(), order.blended.end(), [&](const Batch* a, const Batch* b) {

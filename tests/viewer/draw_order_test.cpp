@@ -74,5 +74,22 @@ TEST(DrawOrder, Blended_FarthestFirst) {
                              [](const Batch* a, const Batch* b) { return a->center.z < b->center.z; }));
 }
 
+TEST(DrawOrder, BodyOfGlass_IsOpaque_ButWhereItCoversInPart) {
+  const gl::EglContext context;
+  Material glass = lambertian(glm::vec3(0.9f));
+  glass.transmission = 1.0f;
+  glass.thickness = 0.1f;
+  for (const AlphaMode mode : {AlphaMode::Opaque, AlphaMode::Blend}) {
+    glass.alphaMode = mode;
+    QuadScene quad;
+    quad.add(glass);
+    quad.compile();
+    const RenderScene scene(quad.inputs());
+    const DrawOrder order = drawOrderOf(scene, {0, 0, 3}, true, -1);
+    EXPECT_EQ(order.blended.size(), mode == AlphaMode::Blend ? 1u : 0u);
+    EXPECT_EQ(order.opaque.size(), mode == AlphaMode::Blend ? 0u : 1u);
+  }
+}
+
 }  // namespace
 }  // namespace prelight::viewer

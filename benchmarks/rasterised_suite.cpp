@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <span>
+
+#include "basis/sh_evaluate.h"
+#include "benchmarks/measure.h"
+#include "benchmarks/processor_time.h"
+#include "benchmarks/suites.h"
+#include "gpu/tracer.h"
+#include "receivers/sampling.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/hemisphere_raster.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+using viewer::HemisphereMap;
+using viewer::HemisphereReceiver;
+
+/// What receivers find: SH of the open sky and irradiance, one row a receiver.
+struct Gathered {
+  std::vector<double> transfer;
+  std::vector<glm::vec3> irradiance;
+};
+
+/// Places on a scene's surface, and what its vertices send.
+struct RasterisedScene {
+  BenchmarkScene scene;
+  std::vector<HemisphereReceiver> receivers;
+  std::vector<std::uint32_t> triangles;  ///< [receiver], that it lies in
+  std::vector<glm::vec3> radiance;       ///< [vertex], of a pattern
+};
+
+/// Middles of triangles, every n-th of them.
+RasterisedScene makeScene(const std::string& name, std::size_t most) {
+  RasterisedScene made{loadBuiltinScene(name), {}, {}, {}};
+  const CompiledScene& scene = made.scene.compiled;
+  const std::size_t step = std::max<std::size_t>(1, scene.triangleCount() / most);
+  for (std::size_t t = 0; t < scene.triangleCount() && made.receivers.size() < most; t += step) {
+    const glm::uvec3& v = scene.triangles[t];
+    const glm::dvec3 normal = geometricNormal(scene, static_cast<std::uint32_t>(t));
+    if (glm::length(normal) <= 0.0) continue;
+    const glm::vec3 middle = (scene.positions[v.x] + scene.positions[v.y] + scene.positions[v.z]) / 3.0f;
+    made.receivers.push_back({middle, glm::normalize(normal)});
+    made.triangles.push_back(static_cast<std::uint32_t>(t));
+  }
+  for (const glm::vec3& p : scene.positions)
+    made.radiance.push_back(0.5f + 0.4f * glm::sin(3.0f * glm::vec3(p.x, p.y, p.z)));
+  return made;
+}
+
+glm::vec3 radianceAt(const RasterisedScene& scene, const device::Hit& hit) {
+  const glm::uvec3& v = scene.scene.compiled.triangles[hit.triangle];
+  return (1.0f - hit.u - hit.v) * scene.radiance[v.x] + hit.u * scene.radiance[v.y] +
+         hit.v * scene.radiance[v.z];
+}
+
+Gathered byRays(const RasterisedScene& scene, Tracer& tracer, std::uint32_t rays, int order,
+                std::uint32_t seed) {
+  const auto count = static_cast<std::size_t>(sh::coefficientCount(order));
+  Gathered found{std::vector<double>(scene.receivers.size() * count, 0.0), {}};
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
+    const HemisphereReceiver& receiver = scene.receivers[i];
+    std::vector<device::Ray> cast;
+    for (std::uint32_t r = 0; r < rays; ++r) {
+      const glm::vec3 d = sampling::cosineHemisphere(
+          sampling::sobol(r, sampling::hashInteger(seed + static_cast<std::uint32_t>(i))), receiver.normal);
+      const glm::vec3 p(receiver.position);
+      cast.push_back({{p.x, p.y, p.z}, scene.triangles[i], {d.x, d.y, d.z}, 1e30f});
+    }
+    const std::vector<device::Hit> hits = tracer.traceClosest(cast);
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t r = 0; r < rays; ++r) {
+      if (hits[r].triangle != PRELIGHT_NO_TRIANGLE) {
+        sum += glm::dvec3(radianceAt(scene, hits[r]));
+        continue;
+      }
+      sh::evaluate(
+          glm::normalize(glm::dvec3(cast[r].direction[0], cast[r].direction[1], cast[r].direction[2])), order,
+          values);
+      for (std::size_t c = 0; c < count; ++c) found.transfer[i * count + c] += values[c] / rays;
+    }
+    found.irradiance.emplace_back(std::numbers::pi * sum / double(rays));
+  }
+  return found;
+}
+
+/// RMS of the difference over RMS of the truth.
+double errorOf(std::span<const double> values, std::span<const double> truth) {
+  double difference = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    difference += (values[i] - truth[i]) * (values[i] - truth[i]);
+    size += truth[i] * truth[i];
+  }
+  return std::sqrt(difference / size);
+}
+
+std::vector<double> numbersOf(const std::vector<glm::vec3>& colors) {
+  std::vector<double> numbers;
+  for (const glm::vec3& c : colors) numbers.insert(numbers.end(), {c.x, c.y, c.z});
+  return numbers;
+}
+
+/// Finds both by one way, and reports errors and processor time a receiver.
+void measure(const std::string& name, const std::function<Gathered()>& find, std::size_t receivers,
+             const Gathered& truth, std::vector<BenchmarkResult>& results) {
+  const double before = processorSeconds();
+  const Gathered found = find();
+  const double seconds = processorSeconds() - before;
+  const auto add = [&](const char* metric, double value, const char* unit) {
+    results.push_back({"rasterised", name, metric, value, unit, {}, {}});
+  };
+  if (!truth.transfer.empty()) add("error of transfer", errorOf(found.transfer, truth.transfer), "of it");
+  add("error of irradiance", errorOf(numbersOf(found.irradiance), numbersOf(truth.irradiance)), "of it");
+  add("processor time", 1e6 * seconds / double(receivers), "us a receiver");
+}
+
+void measureScene(const std::string& name, const Device& device, const BenchmarkOptions& options,
+                  std::vector<BenchmarkResult>& results) {
+  const RasterisedScene scene = makeScene(name, options.rasterisedReceivers);
+  const int order = options.rasterisedOrder;
+  Tracer tracer(scene.scene.compiled, device);
+  Gathered truth = byRays(scene, tracer, options.rasterisedTruthRays, order, 1);
+  double size = 0.0;
+  for (const double value : truth.transfer) size += value * value;
+  if (size <= 0.0) truth.transfer.clear();  // closed rooms have no sky
+  for (const int side : options.rasterisedSides) {
+    const auto texels = static_cast<std::uint32_t>(side * side);
+    measure(
+        fmt::format("{}/rays/{}", name, texels), [&] { return byRays(scene, tracer, texels, order, 77); },
+        scene.receivers.size(), truth, results);
+    for (std::size_t m = 0; m < viewer::hemisphereMapNames.size(); ++m) {
+      viewer::HemisphereRaster raster(scene.scene.compiled, static_cast<HemisphereMap>(m), side);
+      measure(
+          fmt::format("{}/{}/{}x{}", name, viewer::hemisphereMapNames[m], side, side),
+          [&] {
+            Gathered found;
+            found.irradiance = raster.irradiance(scene.receivers, scene.radiance);
+            found.transfer = raster.transfer(scene.receivers, order);
+            return found;
+          },
+          scene.receivers.size(), truth, results);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<BenchmarkResult> runRasterisedSuite(const Device& device, const BenchmarkOptions& options,
+                                                Progress& progress) {
+  std::vector<BenchmarkResult> results;
+  const viewer::gl::EglContext context;
+  StepCounter steps(progress, "rasterised", options.rasterisedScenes.size());
+  for (const std::string& name : options.rasterisedScenes) {
+    measureScene(name, device, options, results);
+    steps.advance();
+  }
+  return results;
+}
+
+}  // namespace prelight::benchmarks
