@@ -64,6 +64,8 @@ const std::vector<Entry>& entries() {
 #ifdef PRELIGHT_WITH_VIEWER
       {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
        runTechniquesSuite},
+      {{"screen", "error of screen-space occlusion against traced accessibility, and time of its frames"},
+       runScreenSuite},
       {{"window", "milliseconds of a window's frames while the camera or a light moves"},
        runWindowSuite,
        hasWindowCase},
@@ -164,6 +166,11 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.techniqueObjects = 2;
   options.techniqueLights = 2;
   options.techniqueSkyRows = 16;
+  options.screenScenes = {"shapes"};
+  options.screenWidth = 32;
+  options.screenHeight = 18;
+  options.screenRays = 16;
+  options.screenFrames = 1;
   options.windowWidth = 64;
   options.windowHeight = 36;
   options.windowFrames = 3;
@@ -283,6 +290,11 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"techniqueObjects", options.techniqueObjects},
           {"techniqueLights", options.techniqueLights},
           {"techniqueSkyRows", options.techniqueSkyRows},
+          {"screenScenes", options.screenScenes},
+          {"screenWidth", options.screenWidth},
+          {"screenHeight", options.screenHeight},
+          {"screenRays", options.screenRays},
+          {"screenFrames", options.screenFrames},
           {"windowWidth", options.windowWidth},
           {"windowHeight", options.windowHeight},
           {"windowFrames", options.windowFrames},

@@ -8,6 +8,7 @@
 
 #include "occluders/wave_table.h"
 #include "viewer/occluder_parameters.h"
+#include "viewer/screen/occlusion_parameters.h"
 
 namespace prelight::viewer {
 namespace {
@@ -220,6 +221,13 @@ void Controls::setOccluders(const OccluderOptions& options) {
   const OccluderOptions wanted = withinRanges(options);
   if (wanted == view_.occluders) return;
   view_.occluders = wanted;
+  ++changes_;
+}
+
+void Controls::setScreenOcclusion(const ScreenOcclusionOptions& options) {
+  const ScreenOcclusionOptions wanted = withinRanges(options, screenOcclusionParameters());
+  if (wanted == view_.screenOcclusion) return;
+  view_.screenOcclusion = wanted;
   ++changes_;
 }
 

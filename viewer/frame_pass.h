@@ -10,6 +10,7 @@ enum class FramePass : int {
   ShadowMaps,       ///< of full shading
   EnvironmentMaps,  ///< of full shading
   Caustics,
+  ScreenOcclusion,  ///< of screen shading
   Opaque,  ///< and the sky behind
   Blended,
 };

@@ -29,6 +29,7 @@ struct View {
   std::size_t haarTerms = 0;
   OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
+  ScreenOcclusionOptions screenOcclusion;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool draft = false;                   ///< while something moves: fewer samples of large lights
   std::vector<glm::dvec3> nodeShifts;   ///< m, of MovedScene; the renderer knows them by sceneMoved()
