@@ -11,7 +11,7 @@ enum class FramePass : int {
   EnvironmentMaps,  ///< of full shading
   Caustics,
   ScreenOcclusion,  ///< of screen shading
-  Opaque,  ///< and the sky behind
+  Opaque,           ///< and the sky behind
   Blended,
 };
 
