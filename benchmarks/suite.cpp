@@ -67,6 +67,8 @@ const std::vector<Entry>& entries() {
       {{"rasterised",
         "errors and time of SH and gathers that OpenGL draws, by map and resolution, beside rays"},
        runRasterisedSuite},
+      {{"screen", "error of screen-space occlusion against traced accessibility, and time of its frames"},
+       runScreenSuite},
       {{"window", "milliseconds of a window's frames while the camera or a light moves"},
        runWindowSuite,
        hasWindowCase},
@@ -171,6 +173,11 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.techniqueObjects = 2;
   options.techniqueLights = 2;
   options.techniqueSkyRows = 16;
+  options.screenScenes = {"shapes"};
+  options.screenWidth = 32;
+  options.screenHeight = 18;
+  options.screenRays = 16;
+  options.screenFrames = 1;
   options.windowWidth = 64;
   options.windowHeight = 36;
   options.windowFrames = 3;
@@ -279,6 +286,11 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"techniqueObjects", options.techniqueObjects},
           {"techniqueLights", options.techniqueLights},
           {"techniqueSkyRows", options.techniqueSkyRows},
+          {"screenScenes", options.screenScenes},
+          {"screenWidth", options.screenWidth},
+          {"screenHeight", options.screenHeight},
+          {"screenRays", options.screenRays},
+          {"screenFrames", options.screenFrames},
           {"windowWidth", options.windowWidth},
           {"windowHeight", options.windowHeight},
           {"windowFrames", options.windowFrames},

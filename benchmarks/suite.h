@@ -114,6 +114,11 @@ struct BenchmarkOptions {
   int techniqueFrames = 9;               ///< of each technique, whose times' median counts
   int techniqueObjects = 25;             ///< of the crowd
   int techniqueLights = 20;
+  std::vector<std::string> screenScenes = {"shapes", "rooms", "cornell"};  ///< built in, or files
+  int screenWidth = 320;                                                   ///< pixels
+  int screenHeight = 180;
+  int screenRays = 512;    ///< a pixel of the truth
+  int screenFrames = 5;    ///< of each technique, of whose times the least counts
   int windowWidth = 1280;  ///< pixels
   int windowHeight = 720;
   int windowFrames = 60;                                                  ///< of each movement

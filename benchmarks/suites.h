@@ -115,6 +115,11 @@ bool hasSkipCase(const BenchmarkOptions& options);
 std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const BenchmarkOptions& options,
                                                 Progress& progress);
 
+/// Error of screen-space occlusion against traced accessibility, and what its frames take, by technique.
+/// Writes its pictures into options.folder. Needs OpenGL.
+std::vector<BenchmarkResult> runScreenSuite(const Device& device, const BenchmarkOptions& options,
+                                            Progress& progress);
+
 /// Milliseconds of the frames of a window, drawn without a display, while the camera or a light moves and
 /// when nothing does. Needs OpenGL.
 std::vector<BenchmarkResult> runWindowSuite(const Device& device, const BenchmarkOptions& options,

@@ -135,6 +135,7 @@ void TechniqueTrial::add(const Technique& technique) {
   viewer::RenderOptions render;
   render.shading = technique.shading;
   render.occluders = technique.occluders;
+  render.screenOcclusion = technique.screenOcclusion;
   render.width = options_.techniqueWidth;
   render.height = options_.techniqueHeight;
   entry->view = viewer::makeView(entry->inputs, render);

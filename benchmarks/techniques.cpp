@@ -63,6 +63,13 @@ void addStaticLight(const char* name, Shading shading, std::vector<Technique>& l
   list.push_back(technique);
 }
 
+/// What needs no bake, as it finds occlusion in the picture.
+void addScreenOcclusion(const char* name, viewer::OcclusionMethod method, std::vector<Technique>& list) {
+  Technique technique{name, {}, Shading::Screen, {}, false, std::nullopt};
+  technique.screenOcclusion.method = method;
+  list.push_back(technique);
+}
+
 }  // namespace
 
 std::vector<Technique> comparedTechniques(int order, int haarSize) {
@@ -76,6 +83,9 @@ std::vector<Technique> comparedTechniques(int order, int haarSize) {
       {"AO", ao, Shading::Ao, {}, false, ThesisRow{58, 0, 5500, 0.019}},
       vectorOccluders("VO/DD", OccluderKind::Node, false, ThesisRow{58, 60, 4700, 1.03}),
       vectorOccluders("VO/DD auto:12", OccluderKind::Auto, false, std::nullopt)};
+  addScreenOcclusion("SSAO", viewer::OcclusionMethod::Ssao, list);
+  addScreenOcclusion("HBAO", viewer::OcclusionMethod::Hbao, list);
+  addScreenOcclusion("GTAO", viewer::OcclusionMethod::Gtao, list);
   if (order >= 3) addHarmonics(3, false, {60, 63, 5100, 2.07}, {56, 61, 5100, 2.07}, list);
   if (order >= 6) addHarmonics(6, false, {62, 68, 2500, 8.26}, {60, 66, 2500, 8.26}, list);
   list.push_back({"Haar/DD", haar, Shading::Haar, {}, false, std::nullopt});

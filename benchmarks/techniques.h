@@ -7,6 +7,7 @@
 #include "prelight/bake.h"
 #include "prelight/plan.h"
 #include "viewer/illumination.h"
+#include "viewer/screen/occlusion_options.h"
 #include "viewer/shading.h"
 
 // [1] Sherif, "Vector occluders: an empirical approximation for rendering global illumination effects in
@@ -32,6 +33,7 @@ struct Technique {
   bool specular = false;  ///< shows light that surfaces mirror to one another, so that only shiny scenes tell
                           ///< it from others
   std::optional<ThesisRow> thesis;
+  viewer::ScreenOcclusionOptions screenOcclusion = {};
 };
 
 /// Techniques of diffuse interreflection (DD), cheapest first, then those with specular terms (DS: diffuse

@@ -69,7 +69,7 @@ void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& resu
 
 std::vector<std::string> notesOn(const TechniqueReport& report) {
   std::vector<std::string> notes = {
-      "AO occludes light of the sky alone: under point lights it is Phong.",
+      "AO, SSAO, HBAO and GTAO occlude light of the sky alone: under point lights they are Phong.",
       "Wavelets and glossy matrices (SS of SH and CH) take a point light outside the scene for one at "
       "infinity, as seen from "
       "the scene's middle; SH and CH of diffuse surfaces see it from every vertex."};

@@ -33,6 +33,10 @@ Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::opti
       count == 0 ? "leave the option out to frame the whole scene" : "");
 }
 
+double halfHeightOf(const Camera& camera) {
+  return camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
+}
+
 CameraMatrices cameraMatrices(const Camera& camera, const CompiledScene& scene, double aspect) {
   const glm::dmat4 world = withoutScale(camera.world);
   CameraMatrices result;
@@ -54,7 +58,7 @@ CameraMatrices cameraMatrices(const Camera& camera, const CompiledScene& scene, 
   if (camera.perspective) {
     result.projection = glm::perspectiveRH_NO(camera.yFov, aspect, zNear, zFar);
   } else {
-    const double halfHeight = std::abs(camera.yMag);
+    const double halfHeight = halfHeightOf(camera);
     result.projection =
         glm::orthoRH_NO(-halfHeight * aspect, halfHeight * aspect, -halfHeight, halfHeight, zNear, zFar);
   }

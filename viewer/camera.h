@@ -13,6 +13,10 @@ namespace prelight::viewer {
 /// Throws UsageError when the index is out of range.
 Camera chooseCamera(const Scene& scene, const CompiledScene& compiled, std::optional<int> index);
 
+/// Half of what a camera shows from bottom to top: metres on the plane at unit depth; of an orthographic one,
+/// anywhere.
+double halfHeightOf(const Camera& camera);
+
 /// Camera matrices in the coordinates of a CompiledScene (world minus origin).
 struct CameraMatrices {
   glm::dmat4 view{1.0};        ///< scene to camera

@@ -8,6 +8,7 @@
 
 #include "occluders/wave_table.h"
 #include "viewer/occluder_parameters.h"
+#include "viewer/screen/occlusion_parameters.h"
 
 namespace prelight::viewer {
 namespace {
@@ -292,6 +293,13 @@ void Controls::follow(const SceneLook& look) {
 void Controls::playOn(double seconds) {
   playback_.advance(seconds);
   showMoment();
+}
+
+void Controls::setScreenOcclusion(const ScreenOcclusionOptions& options) {
+  const ScreenOcclusionOptions wanted = withinRanges(options, screenOcclusionParameters());
+  if (wanted == view_.screenOcclusion) return;
+  view_.screenOcclusion = wanted;
+  ++changes_;
 }
 
 void Controls::passTime(double seconds) {

@@ -61,6 +61,7 @@ enum Unit : GLuint {
   filmUnit = 29,            ///< shaders/scattering.glsl
   filmThicknessUnit = 30,   ///< the same
   profilesUnit = 31,        ///< shaders/lights.glsl
+  screenInputUnit = 32,     ///< shaders/surface.frag, shaders/screen_surface.frag
 };
 
 /// A value a vertex.

@@ -34,7 +34,7 @@ void setCamera(const View& view, const Tile& tile, const CompiledScene& compiled
   frame.forward = glm::vec4(glm::vec3(camera.forward), 0.0f);
   frame.tile = pictureFromTile;
   const glm::dmat3 axes(glm::transpose(glm::dmat3(camera.view)));
-  const double halfHeight = std::tan(0.5 * view.camera.yFov);
+  const double halfHeight = halfHeightOf(view.camera);
   frame.pixelRight = glm::vec4(glm::vec3(axes[0] * halfHeight * aspect), 0.0f);
   frame.pixelUp = glm::vec4(glm::vec3(axes[1] * halfHeight), 0.0f);
 }

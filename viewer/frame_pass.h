@@ -10,7 +10,8 @@ enum class FramePass : int {
   ShadowMaps,       ///< of full shading
   EnvironmentMaps,  ///< of full shading
   Caustics,
-  Opaque,  ///< and the sky behind
+  ScreenOcclusion,  ///< of screen shading
+  Opaque,           ///< and the sky behind
   Blended,
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "occluders/wave_table.h"
 
@@ -77,12 +76,7 @@ constexpr std::array<OccluderParameter, 10> parameterTable = {{
 std::span<const OccluderParameter> occluderParameters() { return parameterTable; }
 
 OccluderOptions withinRanges(OccluderOptions options) {
-  const OccluderOptions defaults;
-  for (const OccluderParameter& parameter : parameterTable) {
-    const double value = parameter.get(options);
-    parameter.set(options, std::isnan(value) ? parameter.get(defaults)
-                                             : std::clamp(value, parameter.least, parameter.most));
-  }
+  options = withinRanges(options, occluderParameters());
   options.skyLights = std::clamp(options.skyLights, 1, mostSkyLights);
   return options;
 }

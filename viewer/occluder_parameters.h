@@ -3,19 +3,11 @@
 #include <span>
 
 #include "viewer/illumination.h"
+#include "viewer/option_parameter.h"
 
 namespace prelight::viewer {
 
-/// A number of OccluderOptions, as the command line and the window offer it.
-struct OccluderParameter {
-  const char* option;            ///< of render and view
-  const char* label;             ///< in the window
-  double least, most;            ///< what is taken at all
-  double usualLeast, usualMost;  ///< what is of use: the slider's ends
-  const char* help;
-  double (*get)(const OccluderOptions&);
-  void (*set)(OccluderOptions&, double);
-};
+using OccluderParameter = OptionParameter<OccluderOptions>;
 
 /// All of them, in the order in which they are shown.
 std::span<const OccluderParameter> occluderParameters();

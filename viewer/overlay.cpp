@@ -10,6 +10,7 @@
 
 #include "viewer/key_help.h"
 #include "viewer/occluder_parameters.h"
+#include "viewer/screen/occlusion_parameters.h"
 
 namespace prelight::viewer {
 namespace {
@@ -112,20 +113,35 @@ void drawChoice(const std::array<const char*, count>& names, T& value) {
   }
 }
 
+/// A slider for each number of options.
+template <typename Options>
+void drawParameters(std::span<const OptionParameter<Options>> parameters, Options& options) {
+  for (const OptionParameter<Options>& parameter : parameters) {
+    auto value = static_cast<float>(parameter.get(options));
+    if (ImGui::SliderFloat(parameter.label, &value, static_cast<float>(parameter.usualLeast),
+                           static_cast<float>(parameter.usualMost), parameter.isWhole ? "%.0f" : "%.2f"))
+      parameter.set(options, value);
+  }
+}
+
 void drawOccluders(Controls& controls) {
   if (controls.view().shading != Shading::Vo) return;
   OccluderOptions options = controls.view().occluders;
   drawChoice(std::array{"soft", "thesis"}, options.shading.formula);
   drawChoice(std::array{"lambert", "oren-nayar"}, options.shading.receiver);
   ImGui::Checkbox("all highlights", &options.allHighlights);
-  for (const OccluderParameter& parameter : occluderParameters()) {
-    auto value = static_cast<float>(parameter.get(options));
-    if (ImGui::SliderFloat(parameter.label, &value, static_cast<float>(parameter.usualLeast),
-                           static_cast<float>(parameter.usualMost), "%.2f"))
-      parameter.set(options, value);
-  }
+  drawParameters(occluderParameters(), options);
   ImGui::SliderInt("sky lights", &options.skyLights, 1, 256);
   controls.setOccluders(options);
+}
+
+void drawScreenOcclusion(Controls& controls) {
+  if (controls.view().shading != Shading::Screen) return;
+  ScreenOcclusionOptions options = controls.view().screenOcclusion;
+  drawChoice(std::array{"ssao", "hbao", "gtao"}, options.method);
+  ImGui::Checkbox("filtered", &options.filtered);
+  drawParameters(screenOcclusionParameters(), options);
+  controls.setScreenOcclusion(options);
 }
 
 }  // namespace
@@ -159,6 +175,7 @@ void Overlay::draw(Controls& controls, double frameSeconds) {
   drawNodes(controls);
   drawGroups(controls);
   drawOccluders(controls);
+  drawScreenOcclusion(controls);
   drawTimeline(controls);
   if (showHelp_) {
     ImGui::Separator();

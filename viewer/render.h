@@ -13,6 +13,7 @@
 #include "viewer/caustic_pass.h"
 #include "viewer/group_option.h"
 #include "viewer/illumination.h"
+#include "viewer/screen/occlusion_options.h"
 #include "viewer/shading.h"
 #include "viewer/specular_lobes.h"
 
@@ -65,7 +66,8 @@ struct RenderInputs {
   }
 };
 
-/// Light that creases reflect into themselves, in AO shading (Real-Time Rendering, 4th edition, 11.3).
+/// Light that creases reflect into themselves, in ao and screen shading (Real-Time Rendering, 4th
+/// edition, 11.3).
 enum class AoCorrection {
   None,
   Interreflection,  ///< accessibility k becomes k / (1 - albedo (1 - k)), a channel (Eq. 11.13)
@@ -83,9 +85,10 @@ struct RenderOptions {
   std::size_t haarTerms = 0;  ///< coefficients that a light keeps in wavelet shading; 0: all
   Lobe lobe = Lobe::Ggx;      ///< of glossy shading
   AoCorrection aoCorrection = AoCorrection::None;
-  OccluderOptions occluders;        ///< of vo shading
-  std::vector<GroupFactor> groups;  ///< of lights shading; those not named shine as in the file
-  int samplesPerAxis = 2;           ///< supersampling: this squared per pixel, box filtered; 1..8
+  ScreenOcclusionOptions screenOcclusion;  ///< of screen shading
+  OccluderOptions occluders;               ///< of vo shading
+  std::vector<GroupFactor> groups;         ///< of lights shading; those not named shine as in the file
+  int samplesPerAxis = 2;                  ///< supersampling: this squared per pixel, box filtered; 1..8
 };
 
 /// Draws a picture of linear radiance, without a display or a window.

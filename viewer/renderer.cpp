@@ -8,6 +8,7 @@
 #include "viewer/draw_order.h"
 #include "viewer/frame_block.h"
 #include "viewer/light_block.h"
+#include "viewer/screen/occlusion_band.h"
 #include "viewer/surface_uniforms.h"
 
 namespace prelight::viewer {
@@ -231,7 +232,8 @@ bool Renderer::showsCaustics(const View& view) const {
 
 bool Renderer::canShade(Shading shading) const {
   if (shading == Shading::GlobalIllumination) return inputs_.globalIllumination != nullptr;
-  return shading == Shading::Phong || (inputs_.bake != nullptr && infoOf(shading).carriedBy(*inputs_.bake));
+  const ShadingInfo& info = infoOf(shading);
+  return info.bakeOption.empty() || (inputs_.bake != nullptr && info.carriedBy(*inputs_.bake));
 }
 
 Illumination Renderer::illuminationOf(const View& view) {
@@ -336,11 +338,13 @@ void Renderer::drawBatches(const std::vector<const Batch*>& batches, const Look&
     if (used != &program) {
       program.use();
       program.set("causticCorner", look.causticCorner);
+      program.set("layer", look.layer);
       if (look.transfer != nullptr) look.transfer->bind(program);
       if (nearLamps_ != nullptr) nearLamps_->attach();
       used = &program;
     }
     setSurface(scene_.surfaces()[batch->surface], variant.features, scene_.white(), program);
+    if (look.layer > 0) glDisable(GL_CULL_FACE);
     if (look.showsSurroundings) surroundings_->set(program, *batch);
     program.set("firstTriangle", static_cast<int>(batch->firstTriangle));
     drawTriangles(*batch);
@@ -382,11 +386,34 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
   Look look;
   look.shader = "surface_places.frag";
   drawBatches(opaque, look);
-  const Camera& camera = view.camera;
-  const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yFov) : std::abs(camera.yMag);
-  caustics_->draw(2.0 * halfHeight / view.height, scene_.triangleNormals());
+  caustics_->draw(2.0 * halfHeightOf(view.camera) / view.height, scene_.triangleNormals());
   gl::bind(causticsUnit, GL_TEXTURE_2D, caustics_->irradiance());
   return {around, around, 0, samples};
+}
+
+/// Leaves the openness of every sample of the target bound.
+void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                                   const std::vector<const Batch*>& opaque) {
+  if (occlusion_ == nullptr) occlusion_ = std::make_unique<OcclusionPass>();
+  const int samples = target.width() / tile.width;
+  const double radius = occlusionRadius(view.screenOcclusion, compiled_);
+  const int around = occlusionMargin(view, samples, radius, compiled_);
+  const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
+  const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
+  const OcclusionPicture picture{target.width(), target.height(), around * samples, origin, radius};
+  uploadFrame(view, whole, {}, samples);
+  Look look;
+  look.shader = "screen_surface.frag";
+  for (look.layer = 0; look.layer < layersOf(view.screenOcclusion); ++look.layer) {
+    if (look.layer > 0)
+      gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
+    occlusion_->layer(look.layer, picture).bind();
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawBatches(opaque, look);
+  }
+  occlusion_->draw(picture, view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion);
+  gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->openness());
 }
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
@@ -422,6 +449,11 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
     look.causticCorner = drawCaustics(view, tile, target, order.opaque);
     if (leftOutNode < 0) passed(FramePass::Caustics);
   }
+  const bool findsOcclusion = look.variant.rules.ambient == Ambient::Screen;
+  if (findsOcclusion) {
+    drawScreenOcclusion(view, tile, target, order.opaque);
+    if (leftOutNode < 0) passed(FramePass::ScreenOcclusion);
+  }
   const int samples = target.width() / tile.width;
   const int turns =
       leftOutNode >= 0 ? turnsInSurroundings : std::max(samples, view.draft ? turnsInDrafts : 1);
@@ -439,7 +471,8 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
 
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC1_COLOR, GL_ZERO, GL_ONE);
-  look.causticCorner = glm::ivec4(0);  // those filtered lie on what is opaque
+  look.causticCorner = glm::ivec4(0);                              // those filtered lie on what is opaque
+  if (findsOcclusion) look.variant.rules.ambient = Ambient::Open;  // so does the occlusion found
   drawBatches(order.blended, look);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);

@@ -17,6 +17,7 @@
 #include "viewer/illumination.h"
 #include "viewer/near_lamp_pass.h"
 #include "viewer/render_scene.h"
+#include "viewer/screen/occlusion_pass.h"
 #include "viewer/surface_programs.h"
 #include "viewer/surroundings.h"
 #include "viewer/techniques.h"
@@ -140,12 +141,15 @@ class Renderer {
     const DrawnTransfer* transfer = nullptr;
     bool showsSurroundings = false;
     glm::ivec4 causticCorner{0};  ///< of surface.frag
+    int layer = 0;                ///< of screen_surface.frag; those behind the first have backs, too
   };
 
   void drawDepths(const std::vector<const Batch*>& batches);
   void drawBatches(const std::vector<const Batch*>& batches, const Look& look);
   void clearToSky(const View& view) const;
   void drawBackground(const ShaderVariant& variant);
+  void drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
+                           const std::vector<const Batch*>& opaque);
   glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
                           const std::vector<const Batch*>& opaque);
   void makeCaustics(const Caustics& caustics);
@@ -170,6 +174,7 @@ class Renderer {
   FramePassObserver observer_;
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
+  std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;
   gl::VertexArray noVertices_;

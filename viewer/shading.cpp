@@ -82,13 +82,25 @@ constexpr std::array<ShadingInfo, shadingCount> shadingTable = {{
     {Shading::GlobalIllumination, "full", "all light, with caustics, mirrors and glass", "",
      [](const Bake&) { return false; }, [](const BakeRequest&) { return false; },
      [](BakeRequest&, const BakeRequest&) {}},
+    {Shading::Screen, "screen", "as ao, the occlusion found in the picture itself", "",
+     [](const Bake&) { return true; }, [](const BakeRequest&) { return false; },
+     [](BakeRequest&, const BakeRequest&) {}},
 }};
 
 /// Shadings in the order in which they are preferred: those that show most come first.
-constexpr std::array<Shading, shadingCount> byPreference = {
-    Shading::Sh,     Shading::Ch,       Shading::Glossy,    Shading::Haar,
-    Shading::Lights, Shading::LightMap, Shading::Radiosity, Shading::Vo,
-    Shading::Cones,  Shading::Ao,       Shading::Phong,     Shading::GlobalIllumination};
+constexpr std::array<Shading, shadingCount> byPreference = {Shading::Sh,
+                                                            Shading::Ch,
+                                                            Shading::Glossy,
+                                                            Shading::Haar,
+                                                            Shading::Lights,
+                                                            Shading::LightMap,
+                                                            Shading::Radiosity,
+                                                            Shading::Vo,
+                                                            Shading::Cones,
+                                                            Shading::Ao,
+                                                            Shading::Phong,
+                                                            Shading::Screen,
+                                                            Shading::GlobalIllumination};
 
 }  // namespace
 

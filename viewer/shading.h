@@ -25,16 +25,17 @@ enum class Shading : std::uint8_t {
   Cones,               ///< sky, lights and reflections through the baked cone about the bent normal
   GlobalIllumination,  ///< all light: direct with shadow maps, indirect from a map, caustics, mirrors and
                        ///< glass
+  Screen,              ///< Ao with an accessibility that is found in the picture itself, without a bake
 };
 
-constexpr int shadingCount = 12;
+constexpr int shadingCount = 13;
 
 /// What a shading is called and what it needs of a bake.
 struct ShadingInfo {
   Shading shading;
   std::string_view name;
   std::string_view summary;     ///< for lists of names
-  std::string_view bakeOption;  ///< of `bake`, for what it needs; empty for Phong
+  std::string_view bakeOption;  ///< of `bake`, for what it needs; empty where it needs none
   bool (*carriedBy)(
       const Bake&);  ///< the bake has all that it needs; no bake has what GlobalIllumination does
   bool (*askedBy)(const BakeRequest&);  ///< the request names what it needs

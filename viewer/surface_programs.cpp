@@ -14,7 +14,7 @@ void prepare(const gl::Program& program) {
   program.bindBlock("Lights", lightBinding);
   program.bindBlock("ShadowLights", shadowBinding);
   program.use();
-  constexpr std::array<std::pair<const char*, Unit>, 32> samplers = {
+  constexpr std::array<std::pair<const char*, Unit>, 33> samplers = {
       {{"baseColorTexture", baseColorUnit},
        {"metallicRoughnessTexture", metallicRoughnessUnit},
        {"emissiveTexture", emissiveUnit},
@@ -46,7 +46,8 @@ void prepare(const gl::Program& program) {
        {"anisotropyTexture", anisotropyUnit},
        {"filmTexture", filmUnit},
        {"filmThicknessTexture", filmThicknessUnit},
-       {"profiles", profilesUnit}}};
+       {"profiles", profilesUnit},
+       {"screenInput", screenInputUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }
 

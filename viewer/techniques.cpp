@@ -98,6 +98,8 @@ std::unique_ptr<DrawnTransfer> makeEncoded(Shading shading, const RenderInputs& 
   return std::make_unique<LightMapLighting>(layersOf(map, *findEncoded(map.encoded, name)), inputs.compiled);
 }
 
+std::unique_ptr<DrawnTransfer> nothingBaked(const RenderInputs&, Lobe) { return nullptr; }
+
 struct Technique {
   DrawingRules rules;
   Maker make = nullptr;
@@ -107,7 +109,7 @@ constexpr DrawingRules throughTransfer = {Ambient::Transferred, Reflection::Meta
 
 /// How each shading is drawn, in the order of Shading.
 constexpr std::array<Technique, shadingCount> techniqueTable = {{
-    {{}, [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
+    {{}, nothingBaked},
     {{Ambient::Accessible, Reflection::Everywhere, Through::None},
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<AoAttributes>(*inputs.bake);
@@ -146,8 +148,8 @@ constexpr std::array<Technique, shadingCount> techniqueTable = {{
      [](const RenderInputs& inputs, Lobe) -> std::unique_ptr<DrawnTransfer> {
        return std::make_unique<AoAttributes>(*inputs.bake);
      }},
-    {{Ambient::LightMap, Reflection::Everywhere, Through::None},
-     [](const RenderInputs&, Lobe) { return std::unique_ptr<DrawnTransfer>(); }},
+    {{Ambient::LightMap, Reflection::Everywhere, Through::None}, nothingBaked},
+    {{Ambient::Screen, Reflection::Everywhere, Through::None}, nothingBaked},
 }};
 
 void expectSize(const char* what, std::size_t got, std::size_t expected) {

@@ -18,6 +18,7 @@ enum class Ambient : int {
   LightMap = 3,         ///< the irradiance of a light map
   EncodedMap = 5,       ///< its light in an encoding
   EncodedVertices = 6,  ///< that of vertices
+  Screen = 7,           ///< as Accessible, from OcclusionPass
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.
@@ -50,8 +51,7 @@ void checkBake(const Bake& bake, const CompiledScene& scene);
 /// Throws Error when the light of global illumination does not fit the scene.
 void checkGlobalIllumination(const GlobalIllumination& globalIllumination, const CompiledScene& scene);
 
-/// Uploads what the shading needs of a bake that carries it; nullptr for Phong and for GlobalIllumination,
-/// whose light is in no bake.
+/// Uploads what the shading needs of a bake that carries it; nullptr where nothing of it is in a bake.
 std::unique_ptr<DrawnTransfer> makeDrawnTransfer(Shading shading, const RenderInputs& inputs, Lobe lobe);
 
 }  // namespace prelight::viewer

@@ -30,6 +30,7 @@ struct View {
   std::size_t haarTerms = 0;
   OccluderOptions occluders;
   AoCorrection aoCorrection = AoCorrection::None;
+  ScreenOcclusionOptions screenOcclusion;
   std::vector<glm::vec3> groupFactors;  ///< [light group]
   bool hidesProbes = false;             ///< where there are some
   bool draft = false;                   ///< while something moves: fewer samples of large lights

@@ -32,6 +32,7 @@ struct BenchCommand {
   std::filesystem::path json;
   std::filesystem::path plots;
   std::vector<std::filesystem::path> skies;
+  std::vector<std::string> models;
   std::string onlyCase;
   std::optional<std::uint64_t> rays;
   std::optional<std::uint64_t> samples;
@@ -140,6 +141,7 @@ void runBench(const BenchCommand& command, Context& context) {
     options.techniqueHeight = command.size->height;
     options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
   }
+  options.screenScenes.insert(options.screenScenes.end(), command.models.begin(), command.models.end());
   if (command.suite.empty()) suites = suitesWithCases(suites, options);
   const Device device = Device::open(session.deviceOptions());
   session.console().line("device", device.info().name);
@@ -188,6 +190,8 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
       ->type_name("MAP");
+  app->add_option("--model", command->models, "glTF files that `screen` measures besides its scenes")
+      ->type_name("FILE");
   app->add_option("--case", command->onlyCase,
                   "only cases of `bake-scaling`, `skip` and `window` whose names contain this; of "
                   "`bake-scaling` the one that is named in full, however long it takes")

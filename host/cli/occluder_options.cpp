@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/parameters.h"
 #include "cli/values.h"
 #include "viewer/occluder_parameters.h"
 
@@ -30,13 +31,7 @@ void addOccluderOptions(CLI::App& app, viewer::OccluderOptions& options) {
       [&](bool all) { options.allHighlights = all; },
       "what mirrors lights, with shadows: metals and glass (default), or all surfaces")
       ->group(group);
-  for (const viewer::OccluderParameter& parameter : viewer::occluderParameters()) {
-    addRealNumber(
-        app, parameter.option, {parameter.least, parameter.most},
-        [&options, &parameter](double value) { parameter.set(options, value); },
-        fmt::format("{} (default {:g})", parameter.help, parameter.get({})))
-        ->group(group);
-  }
+  addParameters(app, group, viewer::occluderParameters(), options);
   addWholeNumber(
       app, "--sky-lights", {1, viewer::mostSkyLights},
       [&](std::uint64_t n) { options.skyLights = static_cast<int>(n); },

@@ -12,6 +12,7 @@
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "cli/scene_options.h"
+#include "cli/screen_occlusion_options.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
@@ -117,7 +118,7 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   const BakeRequest& asked = options.bake.request;
   if (shading == viewer::Shading::GlobalIllumination) return;
   if (viewer::infoOf(shading).carriedBy(shaded.bake)) {
-    if (options.bake.techniqueGiven() && shading != viewer::Shading::Phong)
+    if (options.bake.techniqueGiven() && !viewer::infoOf(shading).bakeOption.empty())
       session.warn(fmt::format(
           "{}: the file carries what the shading needs, which is used as it is (bake it anew with "
           "prelight bake)",
@@ -192,7 +193,10 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
   };
   unused(!options.groups.empty(), "--group", viewer::Shading::Lights);
   unused(options.haarTerms > 0, "--haar-terms", viewer::Shading::Haar);
-  unused(options.aoCorrection != viewer::AoCorrection::None, "--ao-correction", viewer::Shading::Ao);
+  unused(options.aoCorrection != viewer::AoCorrection::None && shading != viewer::Shading::Screen,
+         "--ao-correction", viewer::Shading::Ao);
+  unused(options.screenOcclusion != viewer::ScreenOcclusionOptions{}, "an option of screen-space occlusion",
+         viewer::Shading::Screen);
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          viewer::Shading::Vo);
   unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
@@ -236,7 +240,7 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
                {{{"none", viewer::AoCorrection::None},
                  {"interreflection", viewer::AoCorrection::Interreflection}}});
          },
-         "ao shading: none, or interreflection, the light that creases reflect into themselves")
+         "ao and screen shading: none, or interreflection, the light that creases reflect into themselves")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--lobe",
@@ -290,6 +294,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       "draw a ball in every cell of the volume that is not inside an object, lit by what the cell holds");
   addGlobalIlluminationOptions(app, options.globalIllumination);
   addOccluderOptions(app, options.occluders);
+  addScreenOcclusionOptions(app, options.screenOcclusion);
   addTechniqueOptions(app, options.bake);
   addEffortOptions(app, options.bake);
   addKernelOptions(app, options.bake);
@@ -355,6 +360,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.haarTerms = options.haarTerms;
   render.occluders = options.occluders;
   render.aoCorrection = options.aoCorrection;
+  render.screenOcclusion = options.screenOcclusion;
   render.lobe = options.lobe;
   bakeMissing(session, options, everyShading, shaded);
   checkShadingOptions(session, options, shaded);

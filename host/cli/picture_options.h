@@ -40,6 +40,7 @@ struct PictureOptions {
   std::vector<viewer::GroupFactor> groups;
   std::size_t haarTerms = 0;
   viewer::OccluderOptions occluders;
+  viewer::ScreenOcclusionOptions screenOcclusion;
   viewer::AoCorrection aoCorrection = viewer::AoCorrection::None;
   viewer::Lobe lobe = viewer::Lobe::Ggx;
   std::uint64_t causticPhotons = 0;  ///< of what OpenGL draws; 0: no caustics

@@ -49,6 +49,26 @@ TEST_F(CliPicture, Render_InEveryShading_BakesWhatItNeeds) {
   }
 }
 
+TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
+  const auto render = [&](const std::string& picture, std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "scene.glb", "-o", picture, "--size", "48x32", "--shading",
+                                     "screen", "--env", "neutral", "--light", "none"});
+    return options;
+  };
+  const ProcessResult wide = prelightDone(render("a.exr", {"--occlusion-radius", "2"}));
+  EXPECT_THAT(wide.errors, Not(HasSubstr("baking")));
+  prelightDone(render("b.exr", {"--occlusion-radius", "0.001"}));
+  prelightDone(render("c.exr", {"--occlusion", "hbao", "--occlusion-radius", "2"}));
+  EXPECT_LT(compare("a.exr", "b.exr")["picture"]["meanA"], compare("a.exr", "b.exr")["picture"]["meanB"]);
+  EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 1e-3);
+  expectFailure(2, render("d.exr", {"--occlusion", "ao"}), {"--occlusion ao", "ssao or hbao or gtao"});
+  expectFailure(2, render("d.exr", {"--occlusion-slices", "0"}), {"--occlusion-slices", "1", "64"});
+  expectFailure(2, render("d.exr", {"--occlusion-radius", "-1"}), {"--occlusion-radius"});
+  const ProcessResult other = prelightDone(
+      {"render", "scene.glb", "-o", "e.exr", "--size", "24x16", "--shading", "phong", "--occlusion", "ssao"});
+  EXPECT_THAT(other.errors, HasSubstr("in screen shading only"));
+}
+
 /// Baked on the way or before: the same picture. A file that lacks the encoding is not baked anew behind
 /// one's back.
 TEST_F(CliPicture, Encoding_IsBakedOrReadOrMissed) {

@@ -54,7 +54,7 @@ void expectSamePictures(const QuadScene& quad, Shading shading, bool draft = fal
 
 TEST(ShaderVariants, OfWhatASceneNeeds_ShowTheSameAsThoseOfEverything) {
   for (const bool sky : {true, false})
-    for (const Shading shading : {Shading::Phong, Shading::Ao, Shading::Sh})
+    for (const Shading shading : {Shading::Phong, Shading::Ao, Shading::Sh, Shading::Screen})
       expectSamePictures(manyMaterials(sky), shading);
 }
 

@@ -4,7 +4,7 @@ layout(std140) uniform Frame {
   mat4 skyFromWorld;      // turns a world direction into the sky map's frame
   vec4 eye;               // xyz: position, scene coordinates; w: 1 perspective, 0 orthographic
   vec4 forward;           // xyz: unit view direction
-  vec4 pixelRight;        // xyz: from the picture's centre to its right edge on the plane at unit depth
+  vec4 pixelRight;        // xyz: from the picture's centre to its right edge on the plane at unit depth; of an orthographic one, anywhere
   vec4 pixelUp;
   vec4 tile;              // picture position -1..1 of this tile: scale xy, offset zw
   vec4 ambient[9];        // sky radiance convolved with the clamped cosine over pi, SH order 3, RGB
@@ -19,6 +19,7 @@ const int ambientLightMap = 3;
 const int ambientCone = 4;
 const int ambientEncodedMap = 5;
 const int ambientEncodedVertices = 6;
+const int ambientScreen = 7;
 
 const int reflectionEverywhere = 0;
 const int reflectionOffMetals = 1;

@@ -20,6 +20,7 @@
 #include "light_map.glsl"
 #include "encoded_light.glsl"
 #include "normal_map.glsl"
+#include "shading_normal.glsl"
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -36,16 +37,10 @@ in vec4 vLampVisibility;
 
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
+uniform sampler2D screenInput;  // openness of every sample, as shaders of screen-space occlusion write it
 
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
-
-vec3 shadingNormal() {
-  vec4 triangle = texelFetch(triangleNormals, firstTriangle + gl_PrimitiveID);
-  bool usable = triangle.w < 0.5 && dot(vNormal, vNormal) > 1e-12;
-  vec3 n = usable ? normalize(vNormal) : triangle.xyz;
-  return gl_FrontFacing ? n : -n;
-}
 
 // How far a layer's reflectance along the normal makes a mirror of a dielectric: diamond's, 0.17, not at all.
 float mirrorShare(vec3 f0) { return clamp((max(f0.r, max(f0.g, f0.b)) - 0.2) / 0.3, 0.0, 1.0); }
@@ -126,8 +121,22 @@ vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
   return mappedLightMapIrradiance(triangle, front, vPosition, n, m);
 }
 
+// How much of the sky a surface sees, and around which direction; a vector of no length: its own normal.
+struct Openness {
+  float accessibility;
+  vec3 direction;
+};
+
+Openness opennessHere() {
+  if (ambientRule == ambientScreen) {
+    vec4 seen = texelFetch(screenInput, ivec2(gl_FragCoord.xy), 0);
+    return Openness(seen.w, seen.xyz);
+  }
+  return Openness(vAccessibility, ambientRule == ambientAccessible && gl_FrontFacing ? vBentNormal.xyz : vec3(0.0));
+}
+
 // n: without bumps.
-vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, OpenCone cone) {
+vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCone cone) {
   if (ambientRule == ambientLightMap || ambientRule == ambientEncodedMap || ambientRule == ambientEncodedVertices) {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 mapped = mappedNormal(side * n, vPosition, firstTriangle + gl_PrimitiveID, vTexCoords);
@@ -144,14 +153,11 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, OpenCone cone) {
     if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
     return m.albedo * vTransferred;
   }
-  vec3 around = bumped;
-  if (ambientRule == ambientAccessible && gl_FrontFacing && dot(vBentNormal.xyz, vBentNormal.xyz) > 1e-12) {
-    around = normalize(vBentNormal.xyz);
-  }
-  vec3 open = interreflection ? brightenedAccessibility(vAccessibility, m.albedo) : vec3(vAccessibility);
-  vec3 radiance = m.albedo * open * (cone.there ? skyInCone(cone) : ambientAround(around));
+  vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
+  vec3 share = interreflection ? brightenedAccessibility(open.accessibility, m.albedo) : vec3(open.accessibility);
+  vec3 radiance = m.albedo * share * (cone.there ? skyInCone(cone) : ambientAround(around));
   // How open the other side is is not known: as open as this one.
-  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * vAccessibility * ambientAround(-around);
+  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-around);
   return radiance;
 }
 
@@ -164,7 +170,7 @@ void main() {
     outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
     return;
   }
-  vec3 even = shadingNormal();
+  vec3 even = shadingNormal(vNormal);
   vec3 toEye = eye.w > 0.5 ? normalize(eye.xyz - vPosition) : -forward.xyz;
   int triangle = firstTriangle + gl_PrimitiveID;
   vec3 geometric = (gl_FrontFacing ? 1.0 : -1.0) * texelFetch(triangleNormals, triangle).xyz;
@@ -178,7 +184,9 @@ void main() {
   float specularWeight = reflectionRule == reflectionOffMetals ? glossy : 1.0;
 
   OpenCone cone = openCone();
-  vec3 radiance = m.emission * vGlow + shadeAmbient(m, even, n, cone) + shadeLights(m, n, toEye, specularWeight, cone);
+  Openness open = opennessHere();
+  vec3 radiance =
+    m.emission * vGlow + shadeAmbient(m, even, n, open, cone) + shadeLights(m, n, toEye, specularWeight, cone);
   if (throughRule == throughAllLights) radiance += vReflected;
   if (hasCaustics && causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;
@@ -188,8 +196,8 @@ void main() {
     radiance += reflectThroughTransfer(m, triangle, vPosition, n, toEye);
   } else if (hasGloss) {
     vec3 reflected = reflect(-toEye, n);
-    float open = cone.there ? lobeInCone(cone, m.roughness, reflected) : vAccessibility;
-    radiance += reflectance * open * skyRadiance(reflected, levelOfRoughness(m.roughness));
+    float share = cone.there ? lobeInCone(cone, m.roughness, reflected) : open.accessibility;
+    radiance += reflectance * share * skyRadiance(reflected, levelOfRoughness(m.roughness));
   }
 
   vec3 through = m.transmission * m.base * (vec3(1.0) - clamp(reflectance, 0.0, 1.0));

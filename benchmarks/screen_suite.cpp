@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "benchmarks/flip.h"
+#include "benchmarks/measure.h"
+#include "benchmarks/suites.h"
+#include "benchmarks/take_turns.h"
+#include "benchmarks/traced_accessibility.h"
+#include "prelight/load.h"
+#include "prelight/picture.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/screen/occlusion_band.h"
+#include "viewer/view.h"
+
+namespace prelight::benchmarks {
+
+namespace {
+
+using viewer::OcclusionMethod;
+using viewer::ScreenOcclusionOptions;
+
+struct Variant {
+  const char* name;
+  ScreenOcclusionOptions options;
+};
+
+std::vector<Variant> variants() {
+  ScreenOcclusionOptions ssao, hbao, gtao;
+  ssao.method = OcclusionMethod::Ssao;
+  hbao.method = OcclusionMethod::Hbao;
+  std::vector<Variant> list = {{"ssao", ssao}, {"hbao", hbao}, {"gtao", gtao}};
+  ScreenOcclusionOptions one = gtao, few = gtao, many = gtao, raw = gtao;
+  one.layers = 1;
+  few.slices = 2;
+  few.steps = 4;
+  many.slices = 16;
+  many.steps = 16;
+  raw.filtered = false;
+  list.push_back({"gtao, 1 layer", one});
+  list.push_back({"gtao, 2 slices of 4 steps", few});
+  list.push_back({"gtao, 16 slices of 16 steps", many});
+  list.push_back({"gtao, not filtered", raw});
+  return list;
+}
+
+/// White, under a sky of radiance 1.
+struct WhiteScene {
+  std::string name;
+  Scene scene;
+  CompiledScene compiled;
+  Environment sky = constantEnvironment(glm::vec3(1.0f));
+
+  explicit WhiteScene(const std::string& nameOrFile) : name(nameOrFile) {
+    const bool isFile = nameOrFile.ends_with(".glb") || nameOrFile.ends_with(".gltf");
+    if (isFile) name = std::filesystem::path(nameOrFile).stem().string();
+    scene = whitened((isFile ? load(nameOrFile) : loadBuiltin(nameOrFile)).scene);
+    Warnings warnings;
+    compiled = compileScene(scene, warnings);
+  }
+
+  viewer::RenderInputs inputs() const { return {scene, compiled, nullptr, &sky}; }
+};
+
+std::vector<glm::vec3> displayed(const std::vector<float>& accessibility) {
+  std::vector<glm::vec3> result;
+  for (const float value : accessibility) result.push_back(toneMap(glm::vec3(value < 0.0f ? 1.0f : value)));
+  return result;
+}
+
+std::vector<float> channelOf(const Picture& picture) {
+  std::vector<float> result;
+  for (const glm::vec3& pixel : picture.pixels) result.push_back(pixel.g);
+  return result;
+}
+
+void writeGrey(const std::filesystem::path& folder, const std::string& name, const viewer::View& view,
+               const std::vector<float>& values) {
+  if (folder.empty()) return;
+  Picture picture{view.width, view.height, {}};
+  for (const float value : values) picture.pixels.emplace_back(value < 0.0f ? 1.0f : value);
+  writePicture(folder / ("screen-" + name + ".png"), picture);
+}
+
+void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
+             const Progress& progress, std::vector<BenchmarkResult>& results) {
+  viewer::RenderOptions render;
+  render.shading = viewer::Shading::Screen;
+  render.width = options.screenWidth;
+  render.height = options.screenHeight;
+  const viewer::RenderInputs inputs = scene.inputs();
+  viewer::View view = viewer::makeView(inputs, render);
+  viewer::Renderer renderer(inputs);
+  Tracer tracer(scene.compiled, device);
+  const double radius = viewer::occlusionRadius({}, scene.compiled);
+  const std::vector<float> truth = tracedAccessibility(
+      scene.compiled, tracer, {view.camera, view.width, view.height, radius, options.screenRays});
+  writeGrey(options.folder, scene.name + "-traced", view, truth);
+  const viewer::gl::Framebuffer target(view.width, view.height);
+  const std::vector<Variant> list = variants();
+  std::vector<Contender> contenders;
+  const auto add = [&](const std::string& name, const char* metric, double value, const char* unit) {
+    results.push_back({"screen", scene.name + "/" + name, metric, value, unit, {}, {}});
+  };
+  for (const Variant& variant : list) {
+    view.screenOcclusion = variant.options;
+    const std::vector<float> drawn = channelOf(viewer::renderView(renderer, view, 1));
+    writeGrey(options.folder, scene.name + "-" + variant.name, view, drawn);
+    add(variant.name, "rms error", accessibilityError(drawn, truth), "accessibility");
+    add(variant.name, "FLIP", flip(displayed(drawn), displayed(truth), view.width, view.height), "1");
+    contenders.push_back({variant.name, [&, view](std::size_t) {
+                            renderer.draw(view, {0, 0, view.width, view.height}, target);
+                            viewer::gl::Framebuffer::finish();
+                          }});
+  }
+  takeTurns(contenders, 1, options.screenFrames, progress);
+  for (const Contender& contender : contenders) {
+    add(contender.name, "frame", leastSeconds(contender.seconds, 1), "s");
+    add(contender.name, "processor time of a frame", leastSeconds(contender.cpuSeconds, 1), "s");
+  }
+}
+
+}  // namespace
+
+std::vector<BenchmarkResult> runScreenSuite(const Device& device, const BenchmarkOptions& options,
+                                            Progress& progress) {
+  const viewer::gl::EglContext context;
+  StepCounter steps(progress, "bench screen", options.screenScenes.size());
+  std::vector<BenchmarkResult> results;
+  for (const std::string& name : options.screenScenes) {
+    measure(WhiteScene(name), device, options, progress, results);
+    steps.advance();
+  }
+  return results;
+}
+
+}  // namespace prelight::benchmarks

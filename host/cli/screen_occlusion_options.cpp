@@ -1,0 +1,31 @@
+#include "cli/screen_occlusion_options.h"
+
+#include "cli/parameters.h"
+#include "cli/values.h"
+#include "viewer/screen/occlusion_parameters.h"
+
+namespace prelight::cli {
+
+namespace {
+
+constexpr const char* heading = "Screen-space occlusion (--shading screen)";
+
+}  // namespace
+
+void addScreenOcclusionOptions(CLI::App& app, viewer::ScreenOcclusionOptions& options) {
+  using viewer::OcclusionMethod;
+  addNamed<OcclusionMethod, 3>(
+      app, "--occlusion",
+      {{{"ssao", OcclusionMethod::Ssao}, {"hbao", OcclusionMethod::Hbao}, {"gtao", OcclusionMethod::Gtao}}},
+      [&](OcclusionMethod method) { options.method = method; },
+      "how it is found: ssao, from points; hbao, from horizons; gtao (default), from slices")
+      ->group(heading);
+  addNamed<bool, 2>(
+      app, "--occlusion-filter", {{{"bilateral", true}, {"none", false}}},
+      [&](bool filtered) { options.filtered = filtered; },
+      "bilateral (default) averages pixels of one surface; none")
+      ->group(heading);
+  addParameters(app, heading, viewer::screenOcclusionParameters(), options);
+}
+
+}  // namespace prelight::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "viewer/screen/occlusion_options.h"
+
+namespace prelight::cli {
+
+/// The options of screen shading.
+void addScreenOcclusionOptions(CLI::App& app, viewer::ScreenOcclusionOptions& options);
+
+}  // namespace prelight::cli

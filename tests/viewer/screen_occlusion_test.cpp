@@ -1,0 +1,349 @@
+// Screen-space occlusion against closed forms and against traced accessibility.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmarks/traced_accessibility.h"
+#include "prelight/load.h"
+#include "support/devices.h"
+#include "viewer/camera.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/picture_checks.h"
+#include "viewer/quad_scene.h"
+#include "viewer/screen/occlusion_band.h"
+#include "viewer/screen/occlusion_parameters.h"
+#include "viewer/view.h"
+
+namespace prelight {
+namespace {
+
+using namespace test;
+using viewer::OcclusionMethod;
+using viewer::ScreenOcclusionOptions;
+using viewer::Shading;
+
+using std::numbers::pi;
+
+constexpr std::array<OcclusionMethod, 3> methods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
+                                                    OcclusionMethod::Gtao};
+
+viewer::RenderOptions screenOptions(int size, const ScreenOcclusionOptions& occlusion) {
+  viewer::RenderOptions options = square(Shading::Screen, size);
+  options.screenOcclusion = occlusion;
+  options.samplesPerAxis = 1;
+  return options;
+}
+
+ScreenOcclusionOptions within(double radius, OcclusionMethod method = OcclusionMethod::Gtao) {
+  ScreenOcclusionOptions options;
+  options.method = method;
+  options.radius = radius;
+  return options;
+}
+
+/// A floor z = 0 and a wall x = 0 that it ends at, both wide, white and under a sky of radiance 1, `scale`
+/// times as large and seen from as far.
+QuadScene cornerScene(const Material& wall = lambertian(glm::vec3(1)), double scale = 1.0) {
+  QuadScene corner;
+  corner.add(lambertian(glm::vec3(1)), static_cast<float>(20.0 * scale));
+  corner.add(wall, static_cast<float>(20.0 * scale),
+             glm::rotate(glm::dmat4(1.0), -0.5 * pi, glm::dvec3(0, 1, 0)));
+  corner.setSky(constantEnvironment(glm::vec3(1)));
+  corner.lookFrom(scale * glm::dvec3(-1.2, -2.5, 1.8), scale * glm::dvec3(-0.3, 0, 0));
+  corner.compile();
+  return corner;
+}
+
+/// What of the sky a point of the floor sees past a wall without end at a distance, within a radius: its
+/// directions in the unit disc that lie beyond distance / radius are blocked.
+double openBeforeWall(double distance, double radius) {
+  const double c = std::min(distance / radius, 1.0);
+  return 1.0 - (std::acos(c) - c * std::sqrt(1.0 - c * c)) / pi;
+}
+
+glm::vec3 pixelOf(const Picture& picture, const QuadScene& quad, const glm::dvec3& point) {
+  const viewer::CameraMatrices camera = viewer::cameraMatrices(
+      quad.scene.cameras.front(), quad.compiled, static_cast<double>(picture.width) / picture.height);
+  const glm::dvec4 clip = camera.projection * camera.view * glm::dvec4(point - quad.compiled.origin, 1.0);
+  return pixelAt(picture, 0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
+}
+
+void expectCorner(const QuadScene& corner, int size, double scale, double tolerance) {
+  const double radius = 0.5 * scale;
+  const Picture picture = corner.render(screenOptions(size, within(radius)));
+  for (const double distance : {0.05, 0.1, 0.2, 0.3, 0.4, 0.6})
+    for (const double y : {-0.3, 0.0, 0.2}) {
+      const glm::dvec3 point = scale * glm::dvec3(-distance, y, 0.0);
+      EXPECT_NEAR(pixelOf(picture, corner, point).r, openBeforeWall(scale * distance, radius), tolerance)
+          << distance << " " << y;
+    }
+}
+
+/// The least and the greatest value of a picture of a wide floor within a radius of a metre.
+std::pair<float, float> rangeOfPlane(OcclusionMethod method, const glm::dvec3& eye) {
+  QuadScene plane;
+  plane.add(lambertian(glm::vec3(1)), 30.0f);
+  plane.setSky(constantEnvironment(glm::vec3(1)));
+  plane.lookFrom(eye, {0, 0, 0});
+  plane.compile();
+  std::pair<float, float> range(2.0f, 0.0f);
+  for (const glm::vec3& pixel : plane.render(screenOptions(48, within(1.0, method))).pixels)
+    range = {std::min(range.first, pixel.r), std::max(range.second, pixel.r)};
+  return range;
+}
+
+TEST(ScreenOcclusion, Plane_IsOpen) {
+  for (const OcclusionMethod method : methods) {
+    const auto [least, most] = rangeOfPlane(method, {0.4, -1.4, 1.6});
+    EXPECT_NEAR(least, 1.0f, 1e-4f) << static_cast<int>(method);
+    EXPECT_NEAR(most, 1.0f, 1e-4f) << static_cast<int>(method);
+    EXPECT_NEAR(rangeOfPlane(method, {0.4, -2.0, 0.3}).first, 1.0f, 0.05f) << "up to the horizon";
+  }
+}
+
+TEST(ScreenOcclusion, Gtao_CornerOfTwoPlanes_IsTheClosedForm) { expectCorner(cornerScene(), 160, 1.0, 0.03); }
+
+TEST(ScreenOcclusion, Gtao_OrthographicCamera_ShowsTheClosedForm) {
+  QuadScene corner = cornerScene();
+  Camera& camera = corner.scene.cameras.front();
+  camera.perspective = false;
+  camera.xMag = camera.yMag = 1.2;
+  expectCorner(corner, 160, 1.0, 0.03);
+}
+
+TEST(ScreenOcclusion, Radius_IsInMetresAtEverySizeOfPicture) {
+  for (const int size : {80, 240}) expectCorner(cornerScene(), size, 1.0, 0.05);
+  expectCorner(cornerScene(lambertian(glm::vec3(1)), 100.0), 160, 100.0, 0.03);
+}
+
+TEST(ScreenOcclusion, OneLayer_CornerIsTheClosedForm) {
+  ScreenOcclusionOptions options = within(0.5);
+  options.layers = 1;
+  const QuadScene corner = cornerScene();
+  const Picture picture = corner.render(screenOptions(160, options));
+  for (const double distance : {0.05, 0.2, 0.6})
+    EXPECT_NEAR(pixelOf(picture, corner, {-distance, 0, 0}).r, openBeforeWall(distance, 0.5), 0.1)
+        << distance;
+}
+
+TEST(ScreenOcclusion, SsaoAndHbao_DarkenTheCornerAndNothingFar) {
+  const QuadScene corner = cornerScene();
+  for (const OcclusionMethod method : {OcclusionMethod::Ssao, OcclusionMethod::Hbao}) {
+    const Picture picture = corner.render(screenOptions(120, within(0.5, method)));
+    const float close = pixelOf(picture, corner, {-0.05, 0, 0}).r;
+    EXPECT_GT(close, 0.4f);
+    EXPECT_LT(close, 0.75f);
+    EXPECT_LT(close, pixelOf(picture, corner, {-0.3, 0, 0}).r);
+    EXPECT_NEAR(pixelOf(picture, corner, {-0.7, 0, 0}).r, 1.0f, 0.02f);
+  }
+}
+
+TEST(ScreenOcclusion, HolesOfAnAlphaMask_DoNotOcclude) {
+  Material holes = lambertian(glm::vec3(1));
+  holes.alphaMode = AlphaMode::Mask;
+  holes.baseColor.a = 0.2f;
+  const QuadScene corner = cornerScene(holes);
+  for (const OcclusionMethod method : methods) {
+    const Picture picture = corner.render(screenOptions(64, within(0.5, method)));
+    EXPECT_NEAR(pixelOf(picture, corner, {-0.1, 0, 0}).r, 1.0f, 1e-3f);
+  }
+}
+
+TEST(ScreenOcclusion, BlendedSurface_NeitherOccludesNorIsOccluded) {
+  Material pane = lambertian(glm::vec3(1));
+  pane.alphaMode = AlphaMode::Blend;
+  const QuadScene corner = cornerScene(pane);
+  const Picture picture = corner.render(screenOptions(64, within(0.5)));
+  EXPECT_NEAR(pixelOf(picture, corner, {-0.1, 0, 0}).r, 1.0f, 1e-3f);
+  EXPECT_NEAR(pixelOf(picture, corner, {0, 0, 0.1}).r, 1.0f, 1e-3f);
+}
+
+/// A card over a floor, both two-sided, seen from above.
+QuadScene cardOverFloor() {
+  QuadScene scene;
+  Material white = lambertian(glm::vec3(1));
+  white.doubleSided = true;
+  scene.add(white, 5.0f);
+  scene.add(white, 0.3f, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 0.25)));
+  scene.setSky(constantEnvironment(glm::vec3(1)));
+  scene.lookFrom({0.2, -2.0, 2.0}, {0, 0, 0});
+  scene.compile();
+  return scene;
+}
+
+double meanOf(const Picture& picture) {
+  double sum = 0.0;
+  for (const glm::vec3& pixel : picture.pixels) sum += pixel.r;
+  return sum / static_cast<double>(picture.pixels.size());
+}
+
+TEST(ScreenOcclusion, Thickness_OfWhatHasNoBack_DarkensWhatLiesBesideIt) {
+  const QuadScene card = cardOverFloor();
+  ScreenOcclusionOptions options = within(0.5);
+  const double thin = meanOf(card.render(screenOptions(64, options)));
+  options.thickness = 0.3;
+  EXPECT_LT(meanOf(card.render(screenOptions(64, options))), thin - 1e-3);
+}
+
+TEST(ScreenOcclusion, BentNormal_TurnsToTheOpenSideOfTheSky) {
+  QuadScene corner = cornerScene();
+  corner.setSky(halvedSky());  // +X red, -X green; the wall is at +X
+  const Picture gtao = corner.render(screenOptions(96, within(0.5)));
+  const glm::vec3 beside = pixelOf(gtao, corner, {-0.05, 0, 0}), away = pixelOf(gtao, corner, {-1.0, 0, 0});
+  EXPECT_NEAR(away.r / away.g, 1.0f, 0.1f);
+  EXPECT_LT(beside.r, 0.6f * beside.g);
+}
+
+TEST(ScreenOcclusion, Interreflection_BrightensTheCornerByItsAlbedo) {
+  QuadScene corner = cornerScene();
+  for (Material& material : corner.scene.materials) material.baseColor = {0.5f, 0.5f, 0.5f, 1.0f};
+  corner.compile();
+  viewer::RenderOptions options = screenOptions(96, within(0.5));
+  const double dark = pixelOf(corner.render(options), corner, {-0.1, 0, 0}).r / 0.5;
+  options.aoCorrection = viewer::AoCorrection::Interreflection;
+  EXPECT_NEAR(pixelOf(corner.render(options), corner, {-0.1, 0, 0}).r,
+              0.5 * dark / (1.0 - 0.5 * (1.0 - dark)), 1e-3);
+}
+
+TEST(ScreenOcclusion, EmptyAndGrazingViews_AreFiniteAndWithinBounds) {
+  QuadScene corner = cornerScene();
+  const std::vector<std::pair<glm::dvec3, glm::dvec3>> views = {
+      {{-1, 0, 1e-4}, {-0.5, 0, 0}},    // along the floor
+      {{-1e-4, -1, 0.5}, {0, 0, 0.4}},  // along the wall
+      {{-1, 0, 1}, {-2, 0, 3}},         // at the sky
+      {{-1e-3, 0, 1e-3}, {-0.5, 0.2, 0}}};
+  for (const auto& [eye, target] : views) {
+    corner.scene.cameras.clear();
+    corner.lookFrom(eye, target);
+    for (const OcclusionMethod method : methods) {
+      const Picture picture = corner.render(screenOptions(33, within(0.7, method)));
+      for (const glm::vec3& pixel : picture.pixels) {
+        ASSERT_TRUE(pixel.r >= 0.0f && pixel.r <= 1.0001f) << pixel.r;
+      }
+    }
+  }
+}
+
+TEST(ScreenOcclusion, Background_IsTheSky) {
+  QuadScene corner = cornerScene();
+  corner.setSky(constantEnvironment(glm::vec3(3)));
+  corner.scene.cameras.clear();
+  corner.lookFrom({-1, 0, 1}, {-2, 0, 3});
+  const Picture picture = corner.render(screenOptions(16, within(0.5)));
+  for (const glm::vec3& pixel : picture.pixels) EXPECT_EQ(pixel, glm::vec3(3));
+}
+
+TEST(ScreenOcclusion, Tiles_ShowWhatTheWholePictureShows) {
+  const QuadScene corner = cornerScene();
+  const viewer::gl::EglContext context;
+  const viewer::RenderInputs inputs = corner.inputs();
+  viewer::Renderer renderer(inputs);
+  const int size = 60, part = 30;
+  for (const OcclusionMethod method : methods) {
+    const viewer::View view = viewer::makeView(inputs, screenOptions(size, within(0.5, method)));
+    const viewer::gl::Framebuffer whole(size, size), tile(part, part);
+    renderer.draw(view, {0, 0, size, size}, whole);
+    const std::vector<glm::vec4> all = whole.read();
+    for (const int x : {0, part})
+      for (const int y : {0, part}) {
+        renderer.draw(view, {x, y, part, part}, tile);
+        const std::vector<glm::vec4> some = tile.read();
+        double worst = 0.0;
+        for (int row = 0; row < part; ++row)  // from the bottom
+          for (int column = 0; column < part; ++column) {
+            const int below = (size - y - part + row) * size + x + column;
+            worst = std::max(worst, std::abs(double{some[row * part + column].r} - all[below].r));
+          }
+        EXPECT_LT(worst, 0.05) << x << " " << y;
+      }
+  }
+}
+
+TEST(ScreenOcclusion, MoreSamplesAPixel_ShowTheSamePicture) {
+  const QuadScene corner = cornerScene();
+  viewer::RenderOptions options = screenOptions(64, within(0.5));
+  const Picture one = corner.render(options);
+  options.samplesPerAxis = 3;
+  const Picture nine = corner.render(options);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < one.pixels.size(); ++i)
+    sum += std::pow(one.pixels[i].r - nine.pixels[i].r, 2.0);
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(one.pixels.size())), 0.03);
+}
+
+/// Rms error of the accessibility of a built-in scene, at the radius that is used by default.
+double errorOf(const std::string& name, const ScreenOcclusionOptions& occlusion) {
+  const Scene scene = benchmarks::whitened(loadBuiltin(name).scene);
+  Warnings warnings;
+  const CompiledScene compiled = compileScene(scene, warnings);
+  const Environment sky = constantEnvironment(glm::vec3(1));
+  const viewer::RenderInputs inputs{scene, compiled, nullptr, &sky};
+  viewer::RenderOptions options = screenOptions(90, occlusion);
+  options.width = 160;
+  const viewer::View view = viewer::makeView(inputs, options);
+  const Picture picture = viewer::renderPicture(inputs, options, warnings);
+  std::vector<float> drawn;
+  for (const glm::vec3& pixel : picture.pixels) drawn.push_back(pixel.r);
+  Tracer tracer(compiled, sharedDevice());
+  const double radius = viewer::occlusionRadius(occlusion, compiled);
+  return benchmarks::accessibilityError(
+      drawn,
+      benchmarks::tracedAccessibility(compiled, tracer, {view.camera, view.width, view.height, radius, 128}));
+}
+
+TEST(ScreenOcclusion, Gtao_IsNearTracedAccessibility) {
+  for (const char* name : {"shapes", "rooms", "cornell"}) EXPECT_LT(errorOf(name, {}), 0.08) << name;
+}
+
+TEST(ScreenOcclusion, GtaoOfOneLayer_IsNearTracedAccessibility) {
+  ScreenOcclusionOptions options;
+  options.layers = 1;
+  for (const char* name : {"shapes", "rooms", "cornell"}) EXPECT_LT(errorOf(name, options), 0.1) << name;
+}
+
+TEST(ScreenOcclusion, SsaoAndHbao_AreFartherFromTracedAccessibility) {
+  const double gtao = errorOf("shapes", {});
+  for (const auto& [method, bound] :
+       {std::pair(OcclusionMethod::Hbao, 0.12), std::pair(OcclusionMethod::Ssao, 0.14)}) {
+    ScreenOcclusionOptions options;
+    options.method = method;
+    const double error = errorOf("shapes", options);
+    EXPECT_LT(error, bound);
+    EXPECT_GT(error, gtao);
+  }
+}
+
+/// The reference, where it is known in closed form.
+TEST(TracedAccessibility, CornerOfTwoPlanes_IsTheClosedForm) {
+  const QuadScene corner = cornerScene();
+  Tracer tracer(corner.compiled, sharedDevice());
+  const int size = 96;
+  const std::vector<float> traced = benchmarks::tracedAccessibility(
+      corner.compiled, tracer, {corner.scene.cameras.front(), size, size, 0.5, 1024});
+  Picture picture{size, size, {}};
+  for (const float value : traced) picture.pixels.emplace_back(value);
+  for (const double distance : {0.1, 0.2, 0.3, 0.6})
+    EXPECT_NEAR(pixelOf(picture, corner, {-distance, 0, 0}).r, openBeforeWall(distance, 0.5), 0.03)
+        << distance;
+}
+
+TEST(ScreenOcclusionParameters, NumbersBeyondTheirRanges_AreCutAndNaNBecomesTheDefault) {
+  ScreenOcclusionOptions options;
+  options.radius = std::nan("");
+  options.slices = 1000;
+  options.layers = 0;
+  const ScreenOcclusionOptions cut = viewer::withinRanges(options, viewer::screenOcclusionParameters());
+  EXPECT_EQ(cut.radius, ScreenOcclusionOptions{}.radius);
+  EXPECT_EQ(cut.slices, 64);
+  EXPECT_EQ(cut.layers, 1);
+}
+
+}  // namespace
+}  // namespace prelight

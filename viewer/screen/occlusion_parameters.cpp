@@ -1,0 +1,48 @@
+#include "viewer/screen/occlusion_parameters.h"
+
+#include <array>
+#include <cmath>
+
+namespace prelight::viewer {
+namespace {
+
+using O = ScreenOcclusionOptions;
+
+template <auto member>
+double get(const O& o) {
+  return o.*member;
+}
+template <double O::*member>
+void setReal(O& o, double value) {
+  o.*member = value;
+}
+template <int O::*member>
+void setWhole(O& o, double value) {
+  o.*member = static_cast<int>(std::lround(value));
+}
+
+constexpr std::array<ScreenOcclusionParameter, 6> parameterTable = {{
+    {"--occlusion-radius", "radius, m", 0.0, 1e6, 0.0, 5.0,
+     "metres beyond which nothing occludes; 0: a tenth of the diagonal of the scene's bounds",
+     get<&O::radius>, setReal<&O::radius>},
+    {"--occlusion-slices", "slices", 1, 64, 1, 16,
+     "gtao: slices through the direction to the eye; hbao: pairs of opposite directions", get<&O::slices>,
+     setWhole<&O::slices>, true},
+    {"--occlusion-steps", "steps", 1, 64, 1, 16,
+     "gtao, hbao: pixels that are looked at on each side of a slice", get<&O::steps>, setWhole<&O::steps>,
+     true},
+    {"--occlusion-samples", "samples", 1, 1024, 1, 128, "ssao: points around a pixel", get<&O::samples>,
+     setWhole<&O::samples>, true},
+    {"--occlusion-layers", "layers", 1, 2, 1, 2,
+     "gtao: 1, what is seen, as if it had no back, or 2, what lies behind it as well", get<&O::layers>,
+     setWhole<&O::layers>, true},
+    {"--occlusion-thickness", "thickness, m", 0.0, 1e6, 0.0, 1.0,
+     "gtao: metres that what has no back in the second layer is thick", get<&O::thickness>,
+     setReal<&O::thickness>},
+}};
+
+}  // namespace
+
+std::span<const ScreenOcclusionParameter> screenOcclusionParameters() { return parameterTable; }
+
+}  // namespace prelight::viewer
