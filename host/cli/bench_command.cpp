@@ -183,9 +183,9 @@ void addBenchCommand(CLI::App& program, Context& context) {
   CLI::Option* json = app->add_option("--json", command->json, "write the results; without FILE, to stdout")
                           ->type_name("[FILE]")
                           ->expected(0, 1);
-  app->add_option(
-         "--plot", command->plots,
-         "write a chart of each suite (.svg), and the tables and pictures of `techniques` and `stability`")
+  app->add_option("--plot", command->plots,
+                  "write a chart of each suite (.svg), and the tables and pictures of `techniques`, `screen` "
+                  "and `stability`")
       ->type_name("DIR");
   app->add_option("--env", command->skies,
                   "skies that `wavelets` uses beside its own lights; the first is the one of `techniques`")
