@@ -124,6 +124,15 @@ TEST_P(HemisphereMaps, WallsThatGlowEvenly_GivePiTimesTheirRadiance) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c] / (pi * radiance[0][c]), 1.0, most);
 }
 
+TEST_P(HemisphereMaps, ReceiverOnAFloor_IsNotHiddenByIt) {
+  const gl::EglContext context;
+  const CompiledScene scene = plateAbove(1.0f);
+  const glm::dvec3 up = glm::normalize(glm::dvec3(1e-4, 1.0, 2e-4));  // as rounding leaves it
+  const HemisphereReceiver on{{0.31, 1.0, 0.17}, up};
+  HemisphereRaster raster(scene, GetParam(), 64);
+  EXPECT_NEAR(openShare(raster.transfer(std::span(&on, 1), 1)), 1.0, 2e-3);
+}
+
 TEST_P(HemisphereMaps, OneOfManyReceivers_SeesWhatItSeesAlone) {
   const gl::EglContext context;
   const CompiledScene scene = plateAbove(1.0f);

@@ -16,7 +16,9 @@ void main() {
   if (depths.z > 0.5) {
     float distance = max(length(d), 1e-30);
     vec3 w = d / distance;
-    gl_ClipDistance[0] = w.z + 0.25;  // triangles across the horizon are cut below it, where nothing counts
+    // Edges are drawn straight: what lies along the horizon, as the receiver's own triangle, would cover the disc. A degree
+    // above it counts 4e-4 of all.
+    gl_ClipDistance[0] = w.z - 0.02;
     gl_Position = vec4(w.xy / max(1.0 + w.z, 1e-3), 2.0 * distance / depths.y - 1.0, 1.0);
     return;
   }
