@@ -45,6 +45,18 @@ std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const st
   return drawBarChart(chart);
 }
 
+std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{
+      "Error of occlusion found in pictures, against traced accessibility", subtitle, "rms error", {}, {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "rms error") continue;
+    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    bar.parts = {{result.value, blue}};
+    bar.note = fmt::format("{:.3f}", result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of transfer between an animation's keys", subtitle, "relative RMS error, %", {}, {}};
   for (const BenchmarkResult& result : results) {
