@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 32> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 33> kinds = {{{"cast", "cast", castPlot},
                                            {"window", "window", windowPlot},
                                            {"window", "window-parts", windowPartsPlot},
                                            {"rays", "rays", raysPlot},
@@ -50,7 +50,8 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"stability", "stability-count", stabilityCountPlot},
                                            {"stability", "stability-size", stabilitySizePlot},
                                            {"techniques", "techniques", techniquesPlot},
-                                           {"screen", "screen", screenPlot}}};
+                                           {"screen", "screen", screenPlot},
+                                           {"rasterised", "rasterised", rasterisedPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {
     Results own;

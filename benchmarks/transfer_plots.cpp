@@ -57,6 +57,21 @@ std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::s
   return drawBarChart(chart);
 }
 
+std::string rasterisedPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Error of SH of visibility that OpenGL draws, and of as many rays",
+                 subtitle,
+                 "relative RMS error, %",
+                 {},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "error of transfer") continue;
+    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    bar.parts = {{100.0 * result.value, blue}};
+    bar.note = fmt::format("{:.2f}", 100.0 * result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of transfer between an animation's keys", subtitle, "relative RMS error, %", {}, {}};
   for (const BenchmarkResult& result : results) {

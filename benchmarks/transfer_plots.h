@@ -14,6 +14,9 @@ std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const st
 /// Errors of screen-space occlusion, by scene and technique.
 std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Errors of rasterised SH, by scene and map.
+std::string rasterisedPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Error between keys, by scene and choice of keys.
 std::string animationPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

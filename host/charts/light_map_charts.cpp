@@ -88,6 +88,11 @@ class ChartsMaker {
   }
 
  private:
+  bool isWanted(const CompiledMaterial& material, bool back) const {
+    if (hasLight(material, back)) return true;
+    return request_.wideMetals && isWideMetal(material) && (!back || material.doubleSided);
+  }
+
   /// Groups are primitives, apart for triangles with and without a back.
   void measure() {
     groups_.assign(compiled_.triangleCount(), noGroup);
@@ -97,9 +102,9 @@ class ChartsMaker {
         const std::uint32_t t = range.firstTriangle + i;
         const CompiledMaterial& material = compiled_.materials[compiled_.triangleMaterials[t]];
         areas_.push_back(0.5 * glm::length(geometricNormal(compiled_, t)));
-        if (!hasLight(material, false)) continue;
+        if (!isWanted(material, false)) continue;
         groups_[t] = static_cast<std::uint32_t>(p);
-        result_.area += areas_[t] * (hasLight(material, true) ? 2.0 : 1.0);
+        result_.area += areas_[t] * (isWanted(material, true) ? 2.0 : 1.0);
       }
     }
   }
@@ -285,7 +290,7 @@ class ChartsMaker {
     const std::size_t fronts = result_.charts.size();
     for (std::size_t c = 0; c < fronts; ++c) {
       const std::uint32_t triangle = result_.charts[c].triangles[0];
-      if (!hasLight(compiled_.materials[compiled_.triangleMaterials[triangle]], true)) continue;
+      if (!isWanted(compiled_.materials[compiled_.triangleMaterials[triangle]], true)) continue;
       LightMapChart back = result_.charts[c];
       back.back = true;
       result_.charts.push_back(std::move(back));
@@ -301,6 +306,9 @@ class ChartsMaker {
   TriangleNeighbours neighbours_;
   std::map<std::pair<int, int>, bool> usable_;  ///< by mesh and primitive: TEXCOORD_1 makes a chart
 };
+
+/// Roughness from which on viewer/shaders/global_illumination.frag mixes the mean in.
+constexpr float narrowestWideMetal = 0.3f;
 
 bool isBlack(const glm::vec3& color) { return color == glm::vec3(0.0f); }
 
@@ -319,6 +327,11 @@ bool hasLight(const CompiledMaterial& material, bool back) {
   const bool translucent = !isBlack(material.diffuseTransmission);
   if (material.unlit || (isBlack(material.albedo) && !translucent)) return false;
   return !back || material.doubleSided || translucent;
+}
+
+bool isWideMetal(const CompiledMaterial& material) {
+  return !material.unlit && isBlack(material.albedo) && material.metallic > 0.0f &&
+         material.roughness > narrowestWideMetal;
 }
 
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,

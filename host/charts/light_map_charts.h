@@ -34,20 +34,24 @@ struct LightMapLayoutRequest {
   /// gets texels of 2.3 cm.
   std::uint32_t texels = 1u << 16;
   double creaseAngle = usualCreaseAngle;
+  bool wideMetals = false;  ///< charts of metals, too, whose lobes are wide: isWideMetal()
 };
 
-/// Charts of all surfaces that reflect diffusely: the islands of TEXCOORD_1 where a primitive has one without
-/// overlaps and with little stretch, or else its regions (scene/surface_regions.h), cut where they do not lie
-/// flat. A chart belongs to one primitive of one node and instance. Backs of double-sided and of translucent
-/// materials have charts of their own, of the shapes of the fronts. Pieces of less than a texel join what is
-/// next to them where a plane serves both.
+/// Charts of all surfaces that reflect diffusely, and of others that are asked for: the islands of TEXCOORD_1
+/// where a primitive has one without overlaps and with little stretch, or else its regions
+/// (scene/surface_regions.h), cut where they do not lie flat. A chart belongs to one primitive of one node
+/// and instance. Backs of double-sided and of translucent materials have charts of their own, of the shapes
+/// of the fronts. Pieces of less than a texel join what is next to them where a plane serves both.
 LightMapCharts makeLightMapCharts(const Scene& scene, const CompiledScene& compiled,
                                   const LightMapLayoutRequest& request);
 
 /// The area of a chart laid flat, m2.
 double flatArea(const LightMapChart& chart);
 
-/// Whether light on a side of a triangle is ever asked for.
+/// Whether a surface reflects light diffusely, or lets it through, that arrives at a side of a triangle.
 bool hasLight(const CompiledMaterial& material, bool back);
+
+/// Reflects by nothing but lobes that are so wide that rasterised pictures show the mean of what arrives.
+bool isWideMetal(const CompiledMaterial& material);
 
 }  // namespace prelight

@@ -34,6 +34,7 @@ bool runs(std::span<const PlannedPass> plan, Pass pass) {
 LitSurface layOutSurface(const Scene& source, const CompiledScene& compiled, std::uint32_t texels) {
   LightMapLayoutRequest map;
   map.texels = texels;
+  map.wideMetals = true;
   LitSurface surface;
   surface.density = makeDensitySurface(compiled, makeSurfaceRegions(compiled, map.creaseAngle));
   surface.charts = makeLightMapCharts(source, compiled, map);

@@ -76,6 +76,24 @@ TEST(LightMapLayout, BuiltinScenes_HoldEveryProperty) {
   }
 }
 
+TEST(LightMapLayout, WideMetals_HaveChartsWhereTheyAreAskedFor) {
+  for (const float roughness : {0.2f, 0.9f}) {
+    CompiledScene metal = test::box(2, {-1, -1, -1}, {1, 1, 1}, true);
+    metal.materials[0].albedo = glm::vec3(0.0f);
+    metal.materials[0].metallic = 1.0f;
+    metal.materials[0].roughness = roughness;
+    LightMapLayoutRequest request;
+    const auto charted = [&] {
+      const LightMapLayout layout = make(metal, request).layout;
+      return std::count_if(layout.chartOf.begin(), layout.chartOf.begin() + metal.triangleCount(),
+                           [](std::uint32_t chart) { return chart != LightMapLayout::noChart; });
+    };
+    EXPECT_EQ(charted(), 0);
+    request.wideMetals = true;
+    EXPECT_EQ(charted(), roughness > 0.3f ? static_cast<std::ptrdiff_t>(metal.triangleCount()) : 0);
+  }
+}
+
 /// PRELIGHT_MODELS names a folder of glTF files.
 TEST(LightMapLayout, Models_HoldEveryProperty) {
   const char* folder = std::getenv("PRELIGHT_MODELS");

@@ -107,7 +107,7 @@ vec3 seenThroughBody(vec3 n, vec3 toEye) {
 // does not see. Bodies have narrower lobes from samples than metals, of which they are all.
 vec2 shownBySurroundings(Scattering s, TopLayers top, float metallic) {
   if (!hasSurroundings || showsSurroundings == 0 || hiddenFromCube(vPosition)) return vec2(0.0);
-  float wide = mix(smoothstep(0.2, 0.3, s.roughness), smoothstep(0.5, 0.8, s.roughness), metallic);
+  float wide = mix(smoothstep(0.2, 0.3, s.roughness), smoothstep(0.3, 0.5, s.roughness), metallic);
   return vec2(1.0 - wide, hasTopLayers ? 1.0 - smoothstep(0.2, 0.3, top.coatRoughness) : 0.0);
 }
 

@@ -12,6 +12,7 @@ namespace {
 LightMapLayout layoutOf(const Scene& scene, const CompiledScene& compiled, std::uint32_t texels) {
   LightMapLayoutRequest request;
   request.texels = texels;
+  request.wideMetals = true;
   return makeLightMapLayout(scene, compiled, request);
 }
 
