@@ -131,12 +131,31 @@ struct Senders {
   }
 };
 
+/// By directions.
+constexpr int sentOrder = 3;
+constexpr std::size_t sentBands = sentOrder * sentOrder;
+
+/// What the surface that a ray meets sends back along it, of a number of transfer in a channel.
+double sentAlong(const Senders& senders, const Ray& ray, const Hit& hit, double albedo, std::size_t number) {
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) return 0.0;
+  const bool back = ray.direction[1] > 0.0f;
+  const std::array<double, 3> weights{1.0 - double(hit.u) - double(hit.v), double(hit.u), double(hit.v)};
+  double sum = 0.0;
+  for (int corner = 0; corner < 3; ++corner) {
+    const std::size_t slot =
+        senders.scene.triangles[hit.triangle][corner] + (back ? senders.scene.vertexCount() : 0u);
+    sum += weights[static_cast<std::size_t>(corner)] * double(static_cast<float>(albedo)) *
+           double(senders.transfer[slot * 3 * Senders::columns + number]);
+  }
+  return sum;
+}
+
 void gatherVoxels(const char* stress, double albedo, double magnitude, Trials& trials) {
   DeviceContext& device = trials.context();
   const Senders senders(albedo, magnitude, trials);
   const std::vector<Ray> rays = generate({-1, -1, -1, 0.01f}, 0, trials);
   const std::vector<Hit> hits = someHits(rays.size());
-  constexpr std::size_t width = 3 * Senders::columns;
+  constexpr std::size_t width = 3 * Senders::columns * sentBands;
   const CastParameters parameters{voxels, rayCount, 0, senders.scene.vertexCount(), 0, 0.0f, 0.0f, 0.0f};
   const Buffer<CastParameters> parameterBuffer(device, std::span(&parameters, 1));
   const Buffer<Ray> rayBuffer(device, std::span<const Ray>(rays));
@@ -147,7 +166,8 @@ void gatherVoxels(const char* stress, double albedo, double magnitude, Trials& t
   launchOnce(device, "cast/volume_kernels.cl",
              senders.tracer.surfaceOptions()
                  .define("PRELIGHT_SH_ORDER", 2)
-                 .define("PRELIGHT_COLUMNS", Senders::columns),
+                 .define("PRELIGHT_COLUMNS", Senders::columns)
+                 .define("PRELIGHT_SENT_ORDER", sentOrder),
              "gatherVolume", {voxels, 8}, parameterBuffer, senders.tracer.scene().layoutBuffer(),
              senders.tracer.scene().surface(), normals, rayBuffer, hitBuffer, transfer, std::uint32_t{1},
              values);
@@ -155,25 +175,24 @@ void gatherVoxels(const char* stress, double albedo, double magnitude, Trials& t
   Differences differences;
   for (std::size_t v = 0; v < voxels; ++v)
     for (std::size_t k = 0; k < width; ++k) {
+      const std::size_t column = k % Senders::columns, function = k / Senders::columns % sentBands,
+                        channel = k / Senders::columns / sentBands;
+      const double greatest = std::sqrt((2.0 * std::floor(std::sqrt(double(function))) + 1.0) / (4.0 * pi));
       double truth = 0.0, scale = 0.0;
       for (std::size_t j = 0; j < rayCount; ++j) {
-        const Hit& hit = hits[v * rayCount + j];
-        if (hit.triangle == PRELIGHT_NO_TRIANGLE) continue;
-        const bool back = rays[v * rayCount + j].direction[1] > 0.0f;
-        const std::array<double, 3> weights{1.0 - double(hit.u) - double(hit.v), double(hit.u),
-                                            double(hit.v)};
-        for (int corner = 0; corner < 3; ++corner) {
-          const std::size_t slot =
-              senders.scene.triangles[hit.triangle][corner] + (back ? senders.scene.vertexCount() : 0u);
-          const double term = weights[static_cast<std::size_t>(corner)] * double(static_cast<float>(albedo)) *
-                              double(senders.transfer[slot * width + k]) / rayCount;
-          truth += term;
-          scale += std::abs(term);
-        }
+        const Ray& ray = rays[v * rayCount + j];
+        const double term =
+            sentAlong(senders, ray, hits[v * rayCount + j], albedo, channel * Senders::columns + column) /
+            rayCount;
+        std::array<double, sentBands> bands{};
+        sh::evaluate(glm::normalize(glm::dvec3(ray.direction[0], ray.direction[1], ray.direction[2])),
+                     sentOrder, bands);
+        truth += bands[function] * term;
+        scale += greatest * std::abs(term);
       }
       differences.add(got[v * width + k], truth, scale);
     }
-  trials.record(stress, differences, sumBound(3.0 * rayCount + 6.0));
+  trials.record(stress, differences, sumBound(3.0 * rayCount + 12.0));
 }
 
 /// What is stored of a hit: the corner that a number decides on, and the albedo in ten bits a channel.
