@@ -11,6 +11,7 @@
 #include "cli/global_illumination_picture.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
+#include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/screen_occlusion_options.h"
 #include "compress/compression_error.h"
@@ -320,6 +321,22 @@ viewer::PoseSources ShadedScene::poseSources(const PoseOptions& pose) const {
   sources.occluders = motion.occluders.get();
   if (!pose.moves.empty()) sources.moves = [&pose](Scene& scene) { moveNodes(scene, pose.moves); };
   return sources;
+}
+
+nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& options,
+                                   const std::filesystem::path& output, const ShadedScene& shaded,
+                                   const Warnings& notes) {
+  return {{"command", "render"},
+          {"version", PRELIGHT_VERSION},
+          {"scene", options.scene.string()},
+          {"output", output.string()},
+          {"shading", viewer::shadingName(shaded.render.shading)},
+          {"width", shaded.render.width},
+          {"height", shaded.render.height},
+          {"seconds", session.times().total()},
+          {"stages", toJson(session.times())},
+          {"notes", notes},
+          {"warnings", session.warnings()}};
 }
 
 Bake carriedBake(Session& session, const LoadedScene& loaded) {

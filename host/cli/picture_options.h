@@ -80,6 +80,11 @@ struct ShadedScene {
 ShadedScene prepareScene(Session& session, const PictureOptions& options, bool everyShading,
                          const std::function<void()>& checkOutputs);
 
+/// What reports of drawn pictures have in common: of one, and of several.
+nlohmann::ordered_json drawnReport(Session& session, const PictureOptions& options,
+                                   const std::filesystem::path& output, const ShadedScene& shaded,
+                                   const Warnings& notes);
+
 /// Reads the bake that a file carries; an empty one when it carries none.
 Bake carriedBake(Session& session, const LoadedScene& loaded);
 

@@ -97,18 +97,8 @@ void renderSequence(Session& session, const PictureOptions& options, double fram
       "wrote", fmt::format("{} pictures of {}x{}, {} to {}, in {}", moments.size(), shaded.render.width,
                            shaded.render.height, names.of(0).string(), names.of(moments.size() - 1).string(),
                            shortSeconds(session.times().total())));
-  nlohmann::ordered_json report = {{"command", "render"},
-                                   {"version", PRELIGHT_VERSION},
-                                   {"scene", options.scene.string()},
-                                   {"output", output.string()},
-                                   {"frames", moments.size()},
-                                   {"shading", viewer::shadingName(shaded.render.shading)},
-                                   {"width", shaded.render.width},
-                                   {"height", shaded.render.height},
-                                   {"seconds", session.times().total()},
-                                   {"stages", toJson(session.times())},
-                                   {"notes", notes},
-                                   {"warnings", session.warnings()}};
+  nlohmann::ordered_json report = drawnReport(session, options, output, shaded, notes);
+  report["frames"] = moments.size();
   addLook(report, shaded.studio, chosen);
   session.console().json(report);
 }

@@ -26,17 +26,7 @@ struct RenderCommand {
 
 nlohmann::ordered_json renderReport(const RenderCommand& command, const ShadedScene& shaded, Session& session,
                                     const Warnings& notes, const std::vector<PlannedPass>& plan) {
-  nlohmann::ordered_json report = {{"command", "render"},
-                                   {"version", PRELIGHT_VERSION},
-                                   {"scene", command.picture.scene.string()},
-                                   {"output", command.output.string()},
-                                   {"shading", viewer::shadingName(shaded.render.shading)},
-                                   {"width", shaded.render.width},
-                                   {"height", shaded.render.height},
-                                   {"seconds", session.times().total()},
-                                   {"stages", toJson(session.times())},
-                                   {"notes", notes},
-                                   {"warnings", session.warnings()}};
+  nlohmann::ordered_json report = drawnReport(session, command.picture, command.output, shaded, notes);
   if (shaded.globalIllumination) report["plan"] = toJson(plan);
   if (shaded.run)
     report["bake"] = bakeReport("render", shaded.loaded, {}, shaded.request, *shaded.run, session);
