@@ -1,8 +1,13 @@
 #include "viewer/light_samples.h"
 
+#include <utility>
+
 namespace prelight::viewer {
 
-LightSamples::LightSamples(const CompiledScene& scene) : bodies_(glowingBodies(scene)) { setScene(scene); }
+LightSamples::LightSamples(const CompiledScene& scene, std::vector<BodySide> bodies)
+    : bodies_(std::move(bodies)) {
+  setScene(scene);
+}
 
 void LightSamples::setScene(const CompiledScene& scene) {
   emitters_ = sampleEmitters(scene, bodies_, emitterCount);

@@ -15,7 +15,8 @@ class LightSamples {
   static constexpr int emitterCount = 64;
   static constexpr int skyCount = 64;
 
-  explicit LightSamples(const CompiledScene& scene);
+  /// `bodies`: glowingBodies() of the scene.
+  LightSamples(const CompiledScene& scene, std::vector<BodySide> bodies);
 
   /// Anew, where the scene has moved.
   void setScene(const CompiledScene& scene);

@@ -65,7 +65,7 @@ std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky
   std::vector<ShadedLight> lights, samples;
   for (const Light& light : view.lights) lights.push_back(shaded(light));
   if (view.shading == Shading::GlobalIllumination) {
-    if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_);
+    if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_, bodies_);
     samples = samples_->of(view.emitters, sky, view.skyRotation);
   } else if (view.emitters) {
     samples = emitters_;
