@@ -153,13 +153,15 @@ __kernel void askLights(__constant const GatherParameters* p, const GatherStep s
   const Interaction surface = loadInteraction(s, rays[i], hits[i]);
   GatherPath path = gatherPathAt(step, paths, (uint)i);
   const Bsdf b = meetSurface(p, receivers, s, surface, hits[i].t, &path);
-  if (!isGlossy(b)) return;
   const uint pair = PRELIGHT_PAIR_LIGHTS;
+  float3 carried = vload3(0, path.throughput);
+  const float followed = isGlossy(b) ? largest(carried) * path.relativeIor2 * roughAlbedo(b, surface.woLocal) : 0.0f;
+  if (!survives(fmin(followed, 1.0f), gatherPoint(p, receivers, path.ray, step.depth, pair + 2u).x, &carried)) return;
   LightSample light;
   if (!sampleLight(scene.lights, &p->scene.lights, s, surface.position, gatherBits(p, receivers, path.ray, step.depth, pair),
                    gatherBits(p, receivers, path.ray, step.depth, pair + 1u), &light))
     return;
-  float3 radiance = vload3(0, path.throughput) * reflectLight(surface, b, path.flags, light);
+  float3 radiance = carried * reflectLight(surface, b, path.flags, light);
 #ifdef PRELIGHT_DISPERSION
   if ((path.flags & PRELIGHT_GATHER_DISPERSED) == 0u && splitsAsAWhole(b) && takesColor(s, surface, b, 0u))
     radiance *= colorOfWave(gatherPoint(p, receivers, path.ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x);
@@ -168,8 +170,6 @@ __kernel void askLights(__constant const GatherParameters* p, const GatherStep s
   if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, light.distance);
 #endif
   if (!(largest(radiance) > 0.0f)) return;
-  const float followed = largest(vload3(0, path.throughput)) * path.relativeIor2 * roughAlbedo(b, surface.woLocal);
-  if (!survives(fmin(followed, 1.0f), gatherPoint(p, receivers, path.ray, step.depth, pair + 2u).x, &radiance)) return;
   shadows[i] = light.surface ? rayTo(surface, light.direction, light.target, 0.99998f)
                              : rayFrom(surface, light.direction, light.distance);
   vstore3(radiance, 0, arrivals[i].radiance);
