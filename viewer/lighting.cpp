@@ -7,17 +7,73 @@
 #include "base/luminance.h"
 #include "basis/sh.h"
 #include "scene/light_profile.h"
+#include "scene/light_shape.h"
 
 namespace prelight::viewer {
 namespace {
 
 constexpr float leastDistanceShare = 1e-3f;  ///< of half the diagonal of the scene's bounds
+constexpr int farSamples = 64;               ///< that stand for an area light seen from one place
+constexpr int extentSamples = 32;            ///< that tell whether one is within the bounds
 
 bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     if (position[axis] < scene.boundsMin[axis] || position[axis] > scene.boundsMax[axis]) return true;
   }
   return false;
+}
+
+Light lampOf(const ShadedLight& light) {
+  Light lamp;
+  lamp.profile = light.profile;
+  lamp.shape = light.shape;
+  lamp.direction = light.aim;
+  lamp.side = light.side;
+  lamp.position = light.position;
+  return lamp;
+}
+
+bool isOutside(const ShadedLight& light, const CompiledScene& scene) {
+  if (!outsideBounds(light.position, scene)) return false;
+  if (light.kind != LightKind::Area) return true;
+  const std::vector<LightPatch> patches = patchesOf(lampOf(light), extentSamples);
+  return std::all_of(patches.begin(), patches.end(), [&](const LightPatch& patch) {
+    return outsideBounds(glm::vec3(patch.position), scene);
+  });
+}
+
+/// Of all of an area light's samples together, as if they shone from one direction.
+IncidentLight incidentFromArea(const ShadedLight& light, const glm::dvec3& point) {
+  glm::dvec3 sum(0.0), way(0.0);
+  for (const ShadedLight& sample : samplesOf(light, farSamples)) {
+    const IncidentLight part = incidentFrom(sample, point);
+    const double strength = part.irradiance.r + part.irradiance.g + part.irradiance.b;
+    way += strength * part.toLight;
+    sum += part.irradiance;
+  }
+  const double strength = sum.r + sum.g + sum.b, length = glm::length(way);
+  IncidentLight incident;
+  if (!(length > 0.0)) return incident;
+  incident.toLight = way / length;
+  incident.irradiance = sum * (length / strength);
+  return incident;
+}
+
+/// KHR_lights_punctual, "Inner and outer cone angles".
+void setCone(const Light& light, ShadedLight& result) {
+  const double inner = std::cos(light.innerConeAngle);
+  const double outer = std::cos(light.outerConeAngle);
+  const double scale = 1.0 / std::max(1e-3, inner - outer);
+  result.coneScale = static_cast<float>(scale);
+  result.coneOffset = static_cast<float>(-outer * scale);
+}
+
+void setShape(const Light& light, ShadedLight& result) {
+  result.shape = light.shape;
+  result.aim = light.direction;
+  result.side = light.side;
+  result.area = static_cast<float>(shapeArea(*light.shape));
+  result.twoSided = light.shape->twoSided;
 }
 
 struct Emitter {
@@ -75,12 +131,11 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
       break;
     case LightType::Spot:
       result.kind = LightKind::Spot;
-      // KHR_lights_punctual, "Inner and outer cone angles".
-      const double inner = std::cos(light.innerConeAngle);
-      const double outer = std::cos(light.outerConeAngle);
-      const double scale = 1.0 / std::max(1e-3, inner - outer);
-      result.coneScale = static_cast<float>(scale);
-      result.coneOffset = static_cast<float>(-outer * scale);
+      setCone(light, result);
+      break;
+    case LightType::Area:
+      result.kind = LightKind::Area;
+      setShape(light, result);
       break;
   }
   if (light.profile != nullptr) {
@@ -90,7 +145,7 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
     result.direction = profilePole(light);
     result.profileStart = profileTurn(light);
   }
-  result.throughTransfer = result.kind == LightKind::Directional || outsideBounds(result.position, scene);
+  result.throughTransfer = result.kind == LightKind::Directional || isOutside(result, scene);
   return result;
 }
 
@@ -110,17 +165,30 @@ device::OccluderLight occluderLight(const ShadedLight& light) {
 }
 
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
+  if (light.kind == LightKind::Area) return incidentFromArea(light, point);
   if (light.profile == nullptr) return prelight::incidentFrom(occluderLight(light), point);
   ShadedLight even = light;
   even.kind = LightKind::Point;
   even.profile = nullptr;
   IncidentLight incident = prelight::incidentFrom(occluderLight(even), point);
-  Light lamp;
-  lamp.profile = light.profile;
-  lamp.direction = light.aim;
-  lamp.side = light.side;
-  incident.irradiance *= profileTowards(lamp, -incident.toLight);
+  incident.irradiance *= profileTowards(lampOf(light), -incident.toLight);
   return incident;
+}
+
+std::vector<ShadedLight> samplesOf(const ShadedLight& area, int count) {
+  std::vector<ShadedLight> samples;
+  for (const LightPatch& patch : patchesOf(lampOf(area), count)) {
+    ShadedLight sample;
+    sample.kind = LightKind::Emitter;
+    sample.intensity = area.intensity;
+    sample.position = patch.position;
+    sample.direction = patch.normal;
+    sample.area = area.area / static_cast<float>(count);
+    sample.twoSided = area.twoSided;
+    sample.throughTransfer = area.throughTransfer;
+    samples.push_back(sample);
+  }
+  return samples;
 }
 
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,

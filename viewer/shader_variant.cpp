@@ -41,6 +41,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasSpotLights",
                                                          "hasProfiledLights",
                                                          "hasEmitterLights",
+                                                         "hasAreaLights",
                                                          "hasNearLamps"};
 
 std::string constant(const char* type, const char* name, const std::string& value) {

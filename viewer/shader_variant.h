@@ -47,10 +47,11 @@ enum class Feature : int {
   SpotLights,
   ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
+  AreaLights,
   NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
-constexpr int featureCount = 32;
+constexpr int featureCount = 33;
 
 class Features {
  public:

@@ -91,6 +91,7 @@ ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledSc
       break;
     }
     case LightKind::Emitter:
+    case LightKind::Area:  // whose samples have shadows
       frame.eye.axes = frameAlong(light.direction);
       frame.views = light.twoSided ? 6 : 5;
       break;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/luminance.h"
+#include "prelight/error.h"
 #include "scene/light_profile.h"
 #include "scene/light_sources.h"
 #include "scene/punctual_light.h"
@@ -30,6 +31,10 @@ double power(const Light& light, double sceneRadius) {
       return strength * pi * sceneRadius * sceneRadius;
     case LightType::Spot:
       return strength * 2.0 * pi * (1.0 - std::cos(light.outerConeAngle));
+    case LightType::Area:
+      throw Error(ExitCode::RuntimeFailure, "light '" + light.name + "'",
+                  "area lights are surfaces to what traces light",
+                  "make surfaces of them (scene/light_shape.h)");
     case LightType::Point:
       break;
   }
