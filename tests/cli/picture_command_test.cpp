@@ -52,7 +52,7 @@ TEST_F(CliPicture, Render_InEveryShading_BakesWhatItNeeds) {
 TEST_F(CliPicture, SmallAreaLight_IsTracedAsAPointLightOfItsPower) {
   const auto trace = [&](const std::string& picture, const std::string& light) {
     prelightDone({"reference", "scene.glb", "-o", picture, "--size", "24x16", "--integrator", "whitted",
-                  "--spp", "64", "--light", light});
+                  "--spp", "1024", "--light", light});
   };
   trace("area.exr", "area:sphere:0,3,4:0.05:3183.1,1273.24,636.62");  // pi r^2 = 1 / 127.324
   trace("point.exr", "point:0,3,4:25,10,5");
