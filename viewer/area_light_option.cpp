@@ -23,19 +23,11 @@ void readSphere(const LightFields& fields, Light& light, LightShape& shape) {
   shape.radius = fields.length(fields[3], "the radius");
 }
 
-/// Level, where the direction leaves that open, and turned from there about the direction.
-glm::dvec3 sideOf(const glm::dvec3& direction, double degrees) {
-  const glm::dvec3 up = std::abs(direction.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
-  const glm::dvec3 level = glm::normalize(glm::cross(up, direction));
-  const double turn = degrees * pi / 180.0;
-  return std::cos(turn) * level + std::sin(turn) * glm::cross(direction, level);
-}
-
 void readDisk(const LightFields& fields, Light& light, LightShape& shape) {
   fields.expectFields("a disk", 2, 4);
   light.position = fields.position(2);
   light.direction = fields.direction(3);
-  light.side = sideOf(light.direction, 0.0);
+  light.side = levelSide(light.direction, 0.0);
   shape.kind = ShapeKind::Disk;
   shape.radius = fields.length(fields[4], "the radius");
 }
@@ -45,7 +37,7 @@ void readQuad(LightFields& fields, Light& light, LightShape& shape) {
   fields.expectFields("a quad", 2, 4);
   light.position = fields.position(2);
   light.direction = fields.direction(3);
-  light.side = sideOf(light.direction, turn ? fields.numbers(*turn, 1, "the turn").front() : 0.0);
+  light.side = levelSide(light.direction, turn ? fields.numbers(*turn, 1, "the turn").front() : 0.0);
   const std::vector<double> size = fields.numbers(fields[4], 2, "the size");
   if (!(size[0] > 0.0 && size[1] > 0.0)) fields.refuse("the size is not above 0");
   const double x = 0.5 * size[0], y = 0.5 * size[1];

@@ -9,7 +9,8 @@ namespace prelight::viewer {
 namespace {
 
 LightBlock pack(const ShadedLight& light) {
-  const bool tabled = light.kind == LightKind::Profiled || light.kind == LightKind::Area;
+  const bool tabled =
+      light.kind == LightKind::Profiled || light.kind == LightKind::Area || light.kind == LightKind::Cookie;
   return {
       glm::vec4(light.position, static_cast<float>(light.kind)),
       glm::vec4(light.direction,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "base/magnitudes.h"
 #include "prelight/error.h"
@@ -84,8 +85,10 @@ glm::dvec3 LightFields::position(std::size_t i) const {
   return {v[0], v[1], v[2]};
 }
 
-glm::dvec3 LightFields::direction(std::size_t i) const {
-  const std::vector<double> v = numbers(fields_[i], 3, "the direction");
+glm::dvec3 LightFields::direction(std::size_t i) const { return directionIn(fields_[i]); }
+
+glm::dvec3 LightFields::directionIn(std::string_view field) const {
+  const std::vector<double> v = numbers(field, 3, "the direction");
   const double length = std::hypot(v[0], v[1], v[2]);
   if (!(length > 0.0)) refuse("the direction has no length");
   return glm::dvec3(v[0], v[1], v[2]) / length;
@@ -102,6 +105,13 @@ double LightFields::length(std::string_view field, const std::string& name) cons
   const double value = numbers(field, 1, name).front();
   if (!(value > 0.0)) refuse(name + " is not above 0");
   return value;
+}
+
+glm::dvec3 levelSide(const glm::dvec3& direction, double degrees) {
+  const glm::dvec3 up = std::abs(direction.y) < 0.999 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+  const glm::dvec3 level = glm::normalize(glm::cross(up, direction));
+  const double turn = degrees * std::numbers::pi / 180.0;
+  return std::cos(turn) * level + std::sin(turn) * glm::cross(direction, level);
 }
 
 }  // namespace prelight::viewer

@@ -29,6 +29,7 @@ class LightFields {
   std::vector<double> numbers(std::string_view field, std::size_t count, const std::string& name) const;
   glm::dvec3 position(std::size_t i) const;
   glm::dvec3 direction(std::size_t i) const;  ///< unit
+  glm::dvec3 directionIn(std::string_view field) const;
   glm::vec3 color(std::size_t i) const;
   double length(std::string_view field, const std::string& name) const;  ///< one number, above 0
 
@@ -40,5 +41,9 @@ class LightFields {
   std::string text_;
   std::vector<std::string> fields_;
 };
+
+/// A lamp's X axis, as seen from it to the left: level, where the direction leaves that open, and turned from
+/// there about the direction.
+glm::dvec3 levelSide(const glm::dvec3& direction, double degrees);
 
 }  // namespace prelight::viewer

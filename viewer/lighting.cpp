@@ -6,6 +6,7 @@
 
 #include "base/luminance.h"
 #include "basis/sh.h"
+#include "scene/light_cookie.h"
 #include "scene/light_profile.h"
 #include "scene/light_shape.h"
 
@@ -23,10 +24,18 @@ bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
   return false;
 }
 
+/// cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
+double outerAngleOf(const ShadedLight& light) {
+  if (!(light.coneScale > 0.0f)) return 0.0;
+  return std::acos(std::clamp(-double{light.coneOffset} / double{light.coneScale}, -1.0, 1.0));
+}
+
 Light lampOf(const ShadedLight& light) {
   Light lamp;
   lamp.profile = light.profile;
   lamp.shape = light.shape;
+  lamp.cookie = light.cookie;
+  lamp.outerConeAngle = static_cast<float>(outerAngleOf(light));
   lamp.direction = light.aim;
   lamp.side = light.side;
   lamp.position = light.position;
@@ -130,8 +139,12 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
       result.kind = light.profile != nullptr ? LightKind::Profiled : LightKind::Point;
       break;
     case LightType::Spot:
-      result.kind = LightKind::Spot;
+      result.kind = light.cookie != nullptr ? LightKind::Cookie : LightKind::Spot;
       setCone(light, result);
+      if (light.cookie == nullptr) break;
+      result.cookie = light.cookie;
+      result.aim = light.direction;
+      result.side = light.side;
       break;
     case LightType::Area:
       result.kind = LightKind::Area;
@@ -152,10 +165,14 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
 device::OccluderLight occluderLight(const ShadedLight& light) {
   glm::dvec3 intensity(light.intensity);
   if (light.profile != nullptr) intensity *= profilePower(*light.profile) / (4.0 * std::numbers::pi);
+  if (light.cookie != nullptr) intensity *= cookieMean(*light.cookie);
   device::OccluderLight result =
       occluderPointLight(glm::dvec3(light.position), intensity, light.leastDistance);
   for (int i = 0; i < 3; ++i) result.direction[i] = light.direction[i];
-  result.kind = static_cast<float>(light.kind == LightKind::Profiled ? LightKind::Point : light.kind);
+  const LightKind kind = light.kind == LightKind::Profiled ? LightKind::Point
+                         : light.kind == LightKind::Cookie ? LightKind::Spot
+                                                           : light.kind;
+  result.kind = static_cast<float>(kind);
   if (light.kind == LightKind::Emitter) result.extent = light.area;
   result.range = light.range;
   result.coneScale = light.coneScale;
@@ -166,12 +183,13 @@ device::OccluderLight occluderLight(const ShadedLight& light) {
 
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
   if (light.kind == LightKind::Area) return incidentFromArea(light, point);
-  if (light.profile == nullptr) return prelight::incidentFrom(occluderLight(light), point);
   ShadedLight even = light;
-  even.kind = LightKind::Point;
+  if (light.profile != nullptr) even.kind = LightKind::Point;
   even.profile = nullptr;
+  even.cookie = nullptr;
   IncidentLight incident = prelight::incidentFrom(occluderLight(even), point);
-  incident.irradiance *= profileTowards(lampOf(light), -incident.toLight);
+  if (light.profile != nullptr) incident.irradiance *= profileTowards(lampOf(light), -incident.toLight);
+  if (light.cookie != nullptr) incident.irradiance *= cookieTowards(lampOf(light), -incident.toLight);
   return incident;
 }
 

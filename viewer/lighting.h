@@ -19,6 +19,7 @@
 /// - emissive triangles become samples: discs of area A and radiance L that give
 ///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
 ///   next to a sample;
+/// - a spot light with a cookie has it beside the cone (shaders/cookies.glsl);
 /// - area lights are lit by in closed form (shaders/area_lights.glsl);
 /// - a light with a profile is a point light whose intensity that multiplies (transport/profile_funcs.cl);
 /// - through transfer in SH or CH a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of
@@ -34,7 +35,8 @@ enum class LightKind : std::uint8_t {
   Spot = 2,
   Emitter = 3,
   Profiled = 4,
-  Area = 5
+  Area = 5,
+  Cookie = 6
 };
 
 /// A light in scene coordinates (world minus CompiledScene::origin).
@@ -47,10 +49,11 @@ struct ShadedLight {
   float coneScale = 0.0f;                  ///< spot: clamp(cos * scale + offset, 0, 1)^2
   float coneOffset = 1.0f;
   std::shared_ptr<const LightProfile> profile = {};  ///< multiplies the intensity; `direction` is its pole
+  std::shared_ptr<const Picture> cookie = {};        ///< cookie: of a spot light
   std::shared_ptr<const LightShape> shape = {};      ///< area
-  glm::dvec3 aim{0.0}, side{0.0};                    ///< of a profile or shape: those of the Light
+  glm::dvec3 aim{0.0}, side{0.0};                    ///< of what has tables: those of the Light
   float profileStart = 0.0f;                         ///< of a profile: profileTurn()
-  std::size_t entry = 0;                             ///< of a profile or shape: in LampTables
+  std::size_t entry = 0;                             ///< the same: in LampTables
   float area = 0.0f;                                 ///< emitter and area: m2 of one side
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
   bool twoSided = false;        ///< emitter, area

@@ -59,7 +59,7 @@ void Renderer::updateLampTables() {
   const LampTables& tables = lights_.tables();
   if (tables.texels().empty()) return;
   if (shownTables_ != tables.version())
-    lampTables_ = gl::makeBufferTexture(tables.texels(), "profiles and shapes of lamps");
+    lampTables_ = gl::makeBufferTexture(tables.texels(), "profiles, cookies and shapes of lamps");
   shownTables_ = tables.version();
   gl::bind(lampTablesUnit, GL_TEXTURE_BUFFER, lampTables_->texture);
 }
@@ -114,10 +114,12 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
     features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot ||
-                                           light.kind == LightKind::Profiled);
+                                           light.kind == LightKind::Profiled ||
+                                           light.kind == LightKind::Cookie);
     features.add(Feature::SpotLights, light.kind == LightKind::Spot);
     features.add(Feature::ProfiledLights, light.kind == LightKind::Profiled);
     features.add(Feature::EmitterLights, light.kind == LightKind::Emitter);
+    features.add(Feature::CookieLights, light.kind == LightKind::Cookie);
     features.add(Feature::AreaLights, light.kind == LightKind::Area);
     features.add(Feature::NearLamps, light.shadow >= 0);
   }

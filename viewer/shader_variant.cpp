@@ -41,6 +41,7 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasSpotLights",
                                                          "hasProfiledLights",
                                                          "hasEmitterLights",
+                                                         "hasCookieLights",
                                                          "hasAreaLights",
                                                          "hasNearLamps"};
 

@@ -47,11 +47,12 @@ enum class Feature : int {
   SpotLights,
   ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
+  CookieLights,  ///< spot lights that project a picture
   AreaLights,
   NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
-constexpr int featureCount = 33;
+constexpr int featureCount = 34;
 
 class Features {
  public:

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/luminance.h"
+#include "scene/light_cookie.h"
 #include "scene/light_profile.h"
 
 namespace prelight::viewer {
@@ -18,6 +20,7 @@ constexpr int areaSamples = 16;
 float strengthOf(const ShadedLight& light) {
   const float sum = light.intensity.r + light.intensity.g + light.intensity.b;
   if (light.kind == LightKind::Area) return sum * light.area;
+  if (light.cookie != nullptr) return sum * static_cast<float>(luminance(cookieMean(*light.cookie)));
   if (light.profile == nullptr) return sum;
   return sum * static_cast<float>(profilePower(*light.profile) / (4.0 * std::numbers::pi));
 }
@@ -45,8 +48,7 @@ ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene), bodies_(glo
 std::vector<ShadedLight> ViewLights::shaded(std::span<const Light> lights) {
   std::vector<ShadedLight> result;
   for (const Light& light : lights) result.push_back(shadedLight(light, *scene_));
-  tables_.set(lights);
-  tables_.enter(result);
+  tables_.set(lights, result);
   return result;
 }
 

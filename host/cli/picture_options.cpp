@@ -140,21 +140,21 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   }
 }
 
-/// What is followed or baked under the lights of a picture knows no area lights.
+/// What is followed or baked under the lights of a picture knows neither area lights nor cookies.
 void checkAreaLights(const PictureOptions& options, viewer::Shading shading, bool everyShading,
                      const Bake& bake) {
-  if (!anyAreas(options.lights)) return;
+  if (!anyDrawnOnly(options.lights)) return;
   const bool baked = (shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) &&
                      !viewer::infoOf(shading).carriedBy(bake);
   const bool followed = everyShading && (shading == viewer::Shading::GlobalIllumination ||
                                          shading == viewer::Shading::Radiosity);
   if (baked || followed)
-    throw UsageError(
-        fmt::format("--shading {}", viewer::shadingName(shading)),
-        fmt::format("{} takes no area lights", followed ? "a window in this shading" : "its bake"),
-        "give an emissive surface to the scene, or choose another shading");
+    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
+                     fmt::format("{} takes no area lights and cookies",
+                                 followed ? "a window in this shading" : "its bake"),
+                     "give an emissive surface to the scene, or choose another shading");
   if (options.causticPhotons > 0)
-    throw UsageError("--caustics", "photons of pictures do not leave area lights",
+    throw UsageError("--caustics", "photons of pictures leave neither area lights nor cookies",
                      "give an emissive surface to the scene, or leave one of the two out");
 }
 

@@ -65,7 +65,7 @@ TEST_F(CliPicture, AreaLight_WhereItCannotShine_IsRefused) {
   const ProcessResult result = prelight({"render", "scene.glb", "-o", "a.exr", "--size", "24x16", "--shading",
                                          "radiosity", "--light", "area:sphere:0,1,0:0.1:5,5,5"});
   EXPECT_EQ(result.exitCode, 2);
-  EXPECT_THAT(result.errors, HasSubstr("its bake takes no area lights"));
+  EXPECT_THAT(result.errors, HasSubstr("its bake takes no area lights and cookies"));
 }
 
 TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {

@@ -16,8 +16,10 @@ const int kindSpot = 2;
 const int kindEmitter = 3;
 const int kindProfiled = 4;
 const int kindArea = 5;
+const int kindCookie = 6;
 
 #include "area_lights.glsl"
+#include "cookies.glsl"
 
 int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
 bool isFar(Light light) { return light.cone.z > 0.5 && light.cone.z < 1.5; }
@@ -64,7 +66,10 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
   }
   if (hasProfiledLights && kind == kindProfiled)
     falloff *= profileIntensity(lampTables, entryOf(light), light.directionArea.xyz, light.cone.x, -toLight);
-  return light.intensityRange.rgb * falloff;
+  vec3 through = vec3(falloff);
+  if (hasCookieLights && kind == kindCookie)
+    through *= throughCookie(cookieAt(entryOf(light)), light.directionArea.xyz, -toLight);
+  return light.intensityRange.rgb * through;
 }
 
 // Irradiance on a surface of unit normal n, and the direction that most of it comes from.

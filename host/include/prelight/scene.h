@@ -198,8 +198,11 @@ struct Light {
   std::size_t sceneNode = 0;  ///< into Scene::nodes, when the file's
   /// Point only: multiplies the intensity, which then has no unit.
   std::shared_ptr<const LightProfile> profile = {};
-  /// Of a profile or shape: unit, the lamp's X axis, across the direction.
+  /// Of a profile, shape or cookie: unit, the lamp's X axis, across the direction.
   glm::dvec3 side{1.0, 0.0, 0.0};
+  /// Spot only: a linear picture that the light is multiplied with, over the square around the outer cone. Seen
+  /// from the lamp, its left is the side.
+  std::shared_ptr<const Picture> cookie = {};
   std::shared_ptr<const LightShape> shape = {};  ///< area only: what it shines from, along the direction
 
   bool operator==(const Light&) const = default;
