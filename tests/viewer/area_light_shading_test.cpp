@@ -136,6 +136,29 @@ TEST(AreaLightShading, Polygon_IsTheSumOfItsParts) {
   EXPECT_NEAR(facing, halves, 3e-4);
 }
 
+TEST(AreaLightShading, PointsOnEdgesAndInPlanesOfLights_AreFinite) {
+  for (const char* text :
+       {"area:disk:1,0,0:0,0,1:1:1,1,1:two-sided", "area:disk:0,0,0:0,0,-1:1:1,1,1:two-sided",
+        "area:disk:0.5,0,0:-1,0,0:0.5:1,1,1:two-sided", "area:quad:0.5,0,0:0,0,1:1,1:1,1,1:two-sided",
+        "area:quad:0,0.5,0:0,1,0:1,1:1,1,1:two-sided", "area:polygon:0,0,0:1,0,0:0,1,1:1,1,1:two-sided",
+        "area:sphere:0,0,0.5:0.5:1,1,1", "area:sphere:0,0,0:1e-9:1,1,1"}) {
+    QuadScene quad;
+    Material glossy = lambertian(glm::vec3(0.5f));
+    glossy.metallic = 0.5f;
+    glossy.roughness = 0.2f;
+    quad.add(glossy);
+    quad.lookFrom({0, 0, 2.5}, {0, 0, 0});
+    quad.setSky(constantEnvironment(glm::vec3(0)));
+    quad.scene.lights = {parseLight(text)};
+    quad.compile();
+    for (const glm::vec3& pixel : quad.render(square()).pixels)
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_TRUE(std::isfinite(pixel[c])) << text;
+        ASSERT_LT(pixel[c], 2.0f) << text;
+      }
+  }
+}
+
 TEST(AreaLightShading, TwoSidedDisk_ShinesBackwardsToo) {
   EXPECT_EQ(shaded(parseLight("area:disk:0,0,2:0,0,1:1:1,1,1")), 0.0);
   EXPECT_NEAR(shaded(parseLight("area:disk:0,0,2:0,0,1:1:1,1,1:two-sided")), 0.2, 2e-4);

@@ -47,6 +47,9 @@ AreaShape seenShape(vec3 position, vec3 direction, int entry, vec3 point) {
   return s;
 }
 
+// Of nothing it is 0, not undefined.
+float angleOf(float y, float x) { return y == 0.0 && x == 0.0 ? 0.0 : atan(y, x); }
+
 int outlineOf(AreaShape s) { return s.kind == shapePolygon ? s.corners : outlineCorners; }
 
 // Corner k of its outline from the point, counter-clockwise as seen from where it shines to.
@@ -79,7 +82,7 @@ vec3 outlineVector(AreaShape s, mat3 transform, vec3 n) {
     } else if (heightA > 0.0 || heightB > 0.0) {
       vec3 crossing = mix(a, b, heightA / (heightA - heightB));
       if (dot(horizon, horizon) == 0.0) horizon = crossing;
-      float angle = atan(dot(cross(horizon, crossing), n), dot(horizon, crossing));
+      float angle = angleOf(dot(cross(horizon, crossing), n), dot(horizon, crossing));
       turned += heightB > 0.0 ? angle : -angle;
       sum += heightA > 0.0 ? edgeVector(a, crossing) : edgeVector(crossing, b);
     }
@@ -122,19 +125,19 @@ vec3 diskVector(AreaShape s, vec3 n) {
   float R = s.radius;
   float D = h * h + p * p + R * R;
   float E = 2.0 * R * p;
-  float S = sqrt((h * h + (p - R) * (p - R)) * (D + E));
+  float S = max(sqrt((h * h + (p - R) * (p - R)) * (D + E)), 1e-6 * D);  // next to the rim
   float height = dot(s.center, n);
   vec2 rise = R * vec2(dot(u, n), dot(v, n));
   float highest = length(rise);
   if (height <= -highest) return vec3(0.0);
   float halfTurn = height >= highest ? pi : acos(clamp(-height / highest, -1.0, 1.0));
-  float middle = highest > 0.0 ? atan(rise.y, rise.x) : 0.0;
+  float middle = highest > 0.0 ? angleOf(rise.y, rise.x) : 0.0;
   vec3 integrals = circleIntegrals(D, E, S, middle - halfTurn, middle + halfTurn);
   vec3 sum = integrals.x * R * R * w + R * (integrals.y * (p * w - h * u) - integrals.z * h * v);
   if (height < highest) {
     vec3 start = s.center + R * (cos(middle - halfTurn) * u + sin(middle - halfTurn) * v);
     vec3 end = s.center + R * (cos(middle + halfTurn) * u + sin(middle + halfTurn) * v);
-    sum += atan(dot(cross(end, start), n), dot(end, start)) * n;
+    sum += angleOf(dot(cross(end, start), n), dot(end, start)) * n;
   }
   return 0.5 * sum;
 }
@@ -150,7 +153,7 @@ vec3 shapeVector(AreaShape s, vec3 n) {
 float lobeShare(AreaShape s, vec3 n, vec3 toEye, float alpha) {
   if (s.facing == 0.0) return 0.0;
   float nv = clamp(dot(n, toEye), 1e-3, 1.0);
-  vec3 z = normalize(mix(2.0 * dot(n, toEye) * n - toEye, n, min(2.3 * alpha * alpha, 1.0)));
+  vec3 z = normalize(mix(2.0 * nv * n - toEye, n, min(2.3 * alpha * alpha, 1.0)));
   vec3 y = cross(n, z);
   float sine2 = dot(y, y);
   y = sine2 > 1e-8 ? y * inversesqrt(sine2) : acrossAxis(z);

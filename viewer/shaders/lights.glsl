@@ -76,7 +76,8 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
 vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight) {
   if (isArea(light)) {
     vec3 sum = shapeVector(shapeFrom(light, point), n);
-    toLight = normalize(dot(sum, sum) > 0.0 ? sum : light.positionKind.xyz - point);
+    float square = dot(sum, sum);
+    toLight = square > 1e-30 ? sum * inversesqrt(square) : n;
     return light.intensityRange.rgb * max(dot(sum, n), 0.0);
   }
   vec3 perpendicular = perpendicularIrradiance(light, point, toLight);

@@ -72,7 +72,8 @@ const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucenc
 vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
   float alpha = max(m.roughness * m.roughness, 0.002);
   vec2 first = lobeAlbedo(albedos, max(dot(n, toEye), 0.0), m.roughness).xy;
-  float rise = pow(clamp(1.0 - dot(toEye, normalize(toEye + toLight)), 0.0, 1.0), 5.0);
+  vec3 between = toEye + toLight;
+  float rise = pow(clamp(1.0 - dot(toEye, between) * inversesqrt(max(dot(between, between), 1e-12)), 0.0, 1.0), 5.0);
   float share = lobeShare(shapeFrom(light, vPosition), n, toEye, alpha) * (first.x + first.y);
   return share * light.intensityRange.rgb * mix(m.f0, vec3(m.grazing), rise);
 }
