@@ -200,8 +200,8 @@ struct Light {
   std::shared_ptr<const LightProfile> profile = {};
   /// Of a profile, shape or cookie: unit, the lamp's X axis, across the direction.
   glm::dvec3 side{1.0, 0.0, 0.0};
-  /// Spot only: a linear picture that the light is multiplied with, over the square around the outer cone. Seen
-  /// from the lamp, its left is the side.
+  /// Spot only: a linear picture that the light is multiplied with, over the square around the outer cone.
+  /// Seen from the lamp, its left is the side.
   std::shared_ptr<const Picture> cookie = {};
   std::shared_ptr<const LightShape> shape = {};  ///< area only: what it shines from, along the direction
 
