@@ -43,6 +43,7 @@ void drawLights(Controls& controls) {
   glm::vec3 intensity = light.intensity;
   const char* unit = light.profile != nullptr               ? "x profile"
                      : light.type == LightType::Directional ? "W/m2"
+                     : light.type == LightType::Area        ? "W/(m2 sr)"
                                                             : "W/sr";
   if (ImGui::DragFloat3(unit, &intensity.x, 0.05f, 0.0f, 1e6f)) {
     controls.setLightIntensity(intensity);

@@ -36,7 +36,6 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   findFeatures();
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
-  if (!lights_.profiles().empty()) profiles_ = gl::makeBufferTexture(lights_.profiles(), "profiles of lamps");
   gl::check("preparing the renderer");
 }
 
@@ -53,6 +52,16 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
       makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
   }
   return *globalIllumination_;
+}
+
+/// Passes that come before bindTextures() find them bound.
+void Renderer::updateLampTables() {
+  const LampTables& tables = lights_.tables();
+  if (tables.texels().empty()) return;
+  if (shownTables_ != tables.version())
+    lampTables_ = gl::makeBufferTexture(tables.texels(), "profiles, cookies and shapes of lamps");
+  shownTables_ = tables.version();
+  gl::bind(lampTablesUnit, GL_TEXTURE_BUFFER, lampTables_->texture);
 }
 
 /// Those that shaders have to look at: not what the transfer holds where nothing else reflects it.
@@ -105,10 +114,13 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
     features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot ||
-                                           light.kind == LightKind::Profiled);
+                                           light.kind == LightKind::Profiled ||
+                                           light.kind == LightKind::Cookie);
     features.add(Feature::SpotLights, light.kind == LightKind::Spot);
     features.add(Feature::ProfiledLights, light.kind == LightKind::Profiled);
     features.add(Feature::EmitterLights, light.kind == LightKind::Emitter);
+    features.add(Feature::CookieLights, light.kind == LightKind::Cookie);
+    features.add(Feature::AreaLights, light.kind == LightKind::Area);
     features.add(Feature::NearLamps, light.shadow >= 0);
   }
   return variant;
@@ -240,8 +252,9 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   light.lights = lights_.of(view, sky_.seenBy(view).map);
+  updateLampTables();
   if (nearLampsOf(view.shading) != nullptr && rulesFor(view).through == Through::FarLights)
-    NearLampPass::choose(light.lights);
+    NearLampPass::choose(light.lights, compiled_);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
@@ -308,7 +321,7 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(cornerTangentsUnit, GL_TEXTURE_BUFFER, scene_.tangents());
   gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
   gl::bind(albedosUnit, GL_TEXTURE_BUFFER, scene_.albedos());
-  if (profiles_) gl::bind(profilesUnit, GL_TEXTURE_BUFFER, profiles_->texture);
+  if (lampTables_) gl::bind(lampTablesUnit, GL_TEXTURE_BUFFER, lampTables_->texture);
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }
 

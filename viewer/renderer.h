@@ -117,6 +117,7 @@ class Renderer {
   }
   OccluderEye eyeOf(const View& view) const;
   Illumination illuminationOf(const View& view);
+  void updateLampTables();
   Drawn& drawnOf(Shading shading);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
@@ -164,8 +165,9 @@ class Renderer {
   std::unique_ptr<Surroundings> surroundings_;
   std::unique_ptr<NearLampPass> nearLamps_;  ///< where the bake has shells of distance
   std::optional<Illumination> surroundedBy_;
-  std::optional<gl::BufferTexture> profiles_;  ///< of lamps that have such
-  bool surroundedCoarsely_ = false;            ///< with the shadows of a draft
+  std::optional<gl::BufferTexture> lampTables_;  ///< of lamps that have such
+  std::size_t shownTables_ = 0;                  ///< version of those
+  bool surroundedCoarsely_ = false;              ///< with the shadows of a draft
   bool paced_ = false;
   ViewLights lights_;
   DrawnSky sky_;

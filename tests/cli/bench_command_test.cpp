@@ -233,7 +233,7 @@ std::vector<std::string> suiteNames() {
       "full",      "lightmaps", "photons",      "radiosity", "rays", "reference", "relight",   "scaling",
       "skip",      "stability", "trees",        "update",    "vo",   "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
-  names.insert(names.end(), {"rasterised", "screen", "techniques", "window"});
+  names.insert(names.end(), {"near-lamps", "rasterised", "screen", "techniques", "window"});
 #endif
   return names;
 }
