@@ -165,7 +165,7 @@ void Renderer::sceneMoved(bool shapes) {
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
-  if (disks_ != nullptr) disks_->sceneMoved(shapes);
+  if (disks_ != nullptr) disks_->sceneMoved();
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();

@@ -15,11 +15,6 @@ constexpr int rowLength = 1024;        ///< nodes in a row of the picture of the
 DiskOcclusion::DiskOcclusion(const CompiledScene& scene)
     : scene_(scene), program_("fullscreen.vert", "disk_accessibility.frag") {}
 
-void DiskOcclusion::sceneMoved(bool shapes) {
-  if (shapes) tree_.reset();
-  moved_ = true;
-}
-
 void DiskOcclusion::upload() {
   std::vector<glm::vec4> texels = tree_->texels();
   if (texels.empty()) texels.resize(DiskTree::texelsOfNode, glm::vec4(0.0f));  // nothing that occludes
@@ -62,10 +57,12 @@ void DiskOcclusion::prepare(const ScreenOcclusionOptions& options, double radius
   Ready wanted{size, 0.0, 0.0, options.passes};
   if (options.passes > 1) wanted.radius = radius, wanted.opening = options.opening;
   if (tree_ == nullptr || wanted != ready_ || moved_) {
-    if (tree_ == nullptr || size != ready_.size)
+    if (tree_ == nullptr || size != ready_.size || triangles_ != scene_.triangles) {
       tree_ = std::make_unique<DiskTree>(scene_, size);
-    else
+      triangles_ = scene_.triangles;
+    } else {
       tree_->refit(scene_);
+    }
     upload();
     weigh(options, radius, unit);
     ready_ = wanted;

@@ -15,8 +15,8 @@ class DiskOcclusion {
   /// The scene outlives it.
   explicit DiskOcclusion(const CompiledScene& scene);
 
-  /// Vertices are at other places. `shapes`: there may be other triangles, too.
-  void sceneMoved(bool shapes);
+  /// Vertices are at other places; there may be other triangles, too.
+  void sceneMoved() { moved_ = true; }
 
   /// Makes the elements ready and binds them to a unit; `radius`: m, beyond which nothing occludes.
   void prepare(const ScreenOcclusionOptions& options, double radius, GLuint unit);
@@ -40,6 +40,7 @@ class DiskOcclusion {
   const CompiledScene& scene_;
   gl::Program program_;  ///< how open the backs of elements are
   std::unique_ptr<DiskTree> tree_;
+  std::vector<glm::uvec3> triangles_;  ///< that it is of
   gl::BufferTexture texels_;
   gl::VertexArray noVertices_;
   Ready ready_;
