@@ -177,6 +177,7 @@ void Renderer::sceneMoved(bool shapes) {
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
+  if (disks_ != nullptr) disks_->sceneMoved();
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
@@ -410,14 +411,16 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
   if (occlusion_ == nullptr) occlusion_ = std::make_unique<OcclusionPass>();
   const int samples = target.width() / tile.width;
   const double radius = occlusionRadius(view.screenOcclusion, compiled_);
-  const int around = occlusionMargin(view, samples, radius, compiled_);
+  const ScreenOcclusionOptions options = view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion;
+  const int around =
+      looksAround(options) ? occlusionMargin(view, samples, radius, compiled_) : OcclusionPass::filterReach;
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
   const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
   const OcclusionPicture picture{target.width(), target.height(), around * samples, origin, radius};
   uploadFrame(view, whole, {}, samples);
   Look look;
   look.shader = "screen_surface.frag";
-  for (look.layer = 0; look.layer < layersOf(view.screenOcclusion); ++look.layer) {
+  for (look.layer = 0; look.layer < layersOf(options); ++look.layer) {
     if (look.layer > 0)
       gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
     occlusion_->layer(look.layer, picture).bind();
@@ -425,7 +428,11 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawBatches(opaque, look);
   }
-  occlusion_->draw(picture, view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion);
+  if (options.method == OcclusionMethod::Disks) {
+    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
+    disks_->prepare(options, radius, OcclusionPass::disksUnit);
+  }
+  occlusion_->draw(picture, options);
   gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->openness());
 }
 

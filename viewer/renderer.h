@@ -9,6 +9,7 @@
 #include "relight/vertex_lights.h"
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
+#include "viewer/disks/disk_occlusion.h"
 #include "viewer/drawn_sky.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
@@ -176,6 +177,7 @@ class Renderer {
   FramePassObserver observer_;
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
+  std::unique_ptr<DiskOcclusion> disks_;      ///< made when they first occlude
   std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;

@@ -78,6 +78,9 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   EXPECT_THAT(wide.errors, Not(HasSubstr("baking")));
   prelightDone(render("b.exr", {"--occlusion-radius", "0.001"}));
   prelightDone(render("c.exr", {"--occlusion", "hbao", "--occlusion-radius", "2"}));
+  prelightDone(
+      render("d.exr", {"--occlusion", "disks", "--occlusion-radius", "2", "--occlusion-passes", "2"}));
+  EXPECT_LT(compare("d.exr", "b.exr")["picture"]["meanA"], compare("d.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_LT(compare("a.exr", "b.exr")["picture"]["meanA"], compare("a.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 1e-3);
   expectFailure(2, render("d.exr", {"--occlusion", "ao"}), {"--occlusion ao", "ssao or hbao or gtao"});
