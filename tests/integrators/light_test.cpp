@@ -268,6 +268,14 @@ TEST(Integrators, WithoutSpecularSurfaces_AreThePathTracersShallowDepths) {
   expectSamePicture(withDepth(Integrator::Distributed, 9, 3), withDepth(Integrator::Path, 3, 4));
 }
 
+// The two triangles of a floor at height zero: shadow rays from near their edge start in the plane of both.
+TEST(Whitted, EdgeOfAFloorAtHeightZero_LosesNoLight) {
+  Shot shot = floorShot({0, 0, 0}, {pointLight({0, 2, 0}, 7.0f)});
+  shot.request.samples = shot.request.samplesPerPass = 8192;
+  shot.request.integrator = Integrator::Whitted;
+  for (const glm::vec3& pixel : shot.render().picture().pixels) EXPECT_NEAR(pixel.r, 7.0 / (4.0 * pi), 2e-6);
+}
+
 TEST(Whitted, Mirror_ShowsWhatItReflects) {
   Shot shot = floorShot({0, 0, 0}, {pointLight({0, 2, 0}, 7.0f)});
   const double direct = radianceOf(shot);
