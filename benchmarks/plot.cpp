@@ -19,7 +19,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 34> kinds = {{{"cast", "cast", castPlot},
+  constexpr std::array<Kind, 35> kinds = {{{"cast", "cast", castPlot},
                                            {"viewer", "viewer", viewerPlot},
                                            {"viewer", "viewer-parts", viewerPartsPlot},
                                            {"viewer", "viewer-latency", viewerLatencyPlot},
@@ -52,6 +52,7 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
                                            {"stability", "stability-size", stabilitySizePlot},
                                            {"techniques", "techniques", techniquesPlot},
                                            {"screen", "screen", screenPlot},
+                                           {"near-lamps", "near-lamps", nearLampsPlot},
                                            {"rasterised", "rasterised", rasterisedPlot}}};
   std::vector<Plot> plots;
   for (const Kind& kind : kinds) {

@@ -16,8 +16,30 @@ struct Entry {
   bool (*hasChosenCase)(const BenchmarkOptions&) = nullptr;  ///< null: its cases are not chosen from
 };
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> list = {
+/// That need OpenGL.
+std::vector<Entry> drawnEntries() {
+#ifdef PRELIGHT_WITH_VIEWER
+  return {
+      {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
+       runTechniquesSuite},
+      {{"rasterised",
+        "errors and time of SH and gathers that OpenGL draws, by map and resolution, beside rays"},
+       runRasterisedSuite},
+      {{"screen", "error of screen-space occlusion against traced accessibility, and time of its frames"},
+       runScreenSuite},
+      {{"near-lamps", "error of shadows of lamps within scenes by shells of distance, against shadow rays"},
+       runNearLampsSuite},
+      {{"viewer", "frame times, latency and uploads of the window, by shading, scene, size and movement"},
+       runViewerSuite,
+       hasViewerCase},
+  };
+#else
+  return {};
+#endif
+}
+
+std::vector<Entry> tracedEntries() {
+  return {
       {{"cast", "rays a second in bake order and in random order, wide tree against narrow"}, runCastSuite},
       {{"rays", "rays a second of bakes, photons and cameras through many triangles, against Embree"},
        runRaysSuite},
@@ -61,19 +83,16 @@ const std::vector<Entry>& entries() {
       {{"skip", "rays, launches, bytes and seconds of features that are absent, present in vain, and needed"},
        runSkipSuite,
        hasSkipCase},
-#ifdef PRELIGHT_WITH_VIEWER
-      {{"techniques", "seconds, bytes, frames and errors of every technique, against path-traced pictures"},
-       runTechniquesSuite},
-      {{"rasterised",
-        "errors and time of SH and gathers that OpenGL draws, by map and resolution, beside rays"},
-       runRasterisedSuite},
-      {{"screen", "error of screen-space occlusion against traced accessibility, and time of its frames"},
-       runScreenSuite},
-      {{"viewer", "frame times, latency and uploads of the window, by shading, scene, size and movement"},
-       runViewerSuite,
-       hasViewerCase},
-#endif
   };
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> list = [] {
+    std::vector<Entry> all = tracedEntries();
+    const std::vector<Entry> drawn = drawnEntries();
+    all.insert(all.end(), drawn.begin(), drawn.end());
+    return all;
+  }();
   return list;
 }
 
@@ -173,6 +192,13 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.techniqueObjects = 2;
   options.techniqueLights = 2;
   options.techniqueSkyRows = 16;
+  options.nearLampScenes = {"cornell"};
+  options.nearLampOrder = 3;
+  options.nearLampShells = 2;
+  options.nearLampRays = 16;
+  options.nearLampWidth = 32;
+  options.nearLampHeight = 24;
+  options.nearLampSamples = 4;
   options.screenScenes = {"shapes"};
   options.screenWidth = 32;
   options.screenHeight = 18;
@@ -287,6 +313,13 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"techniqueObjects", options.techniqueObjects},
           {"techniqueLights", options.techniqueLights},
           {"techniqueSkyRows", options.techniqueSkyRows},
+          {"nearLampScenes", options.nearLampScenes},
+          {"nearLampOrder", options.nearLampOrder},
+          {"nearLampShells", options.nearLampShells},
+          {"nearLampRays", options.nearLampRays},
+          {"nearLampWidth", options.nearLampWidth},
+          {"nearLampHeight", options.nearLampHeight},
+          {"nearLampSamples", options.nearLampSamples},
           {"screenScenes", options.screenScenes},
           {"screenWidth", options.screenWidth},
           {"screenHeight", options.screenHeight},

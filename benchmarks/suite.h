@@ -114,6 +114,11 @@ struct BenchmarkOptions {
   int techniqueFrames = 9;               ///< of each technique, whose times' median counts
   int techniqueObjects = 25;             ///< of the crowd
   int techniqueLights = 20;
+  std::vector<std::string> nearLampScenes = {"cornell", "rooms"};
+  int nearLampOrder = 6, nearLampShells = 8;
+  std::uint64_t nearLampRays = 1024;
+  int nearLampWidth = 256, nearLampHeight = 192;                           ///< pixels
+  int nearLampSamples = 64;                                                ///< of area lights, of the truth
   std::vector<std::string> screenScenes = {"shapes", "rooms", "cornell"};  ///< built in, or files
   int screenWidth = 320;                                                   ///< pixels
   int screenHeight = 180;

@@ -120,6 +120,11 @@ std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const Benc
 std::vector<BenchmarkResult> runScreenSuite(const Device& device, const BenchmarkOptions& options,
                                             Progress& progress);
 
+/// Error of the direct light of point and area lights within scenes, with shadows by shells of distance and
+/// without, against shadow rays; what shells change about far lights and cost in rays. Needs OpenGL.
+std::vector<BenchmarkResult> runNearLampsSuite(const Device& device, const BenchmarkOptions& options,
+                                               Progress& progress);
+
 /// Milliseconds of the frames of a window, drawn without a display, by the clock, of all processors and of
 /// OpenGL's own timer, of every shading on every scene at every size, while the camera, a light, the sky or a
 /// node moves and when nothing does; latency from such an input to the picture; bytes that frames upload.

@@ -63,7 +63,7 @@ void addStaticLight(const char* name, Shading shading, std::vector<Technique>& l
   list.push_back(technique);
 }
 
-/// What needs no bake, as it finds occlusion in the picture.
+/// What needs no bake, as it finds occlusion while drawing.
 void addScreenOcclusion(const char* name, viewer::OcclusionMethod method, std::vector<Technique>& list) {
   Technique technique{name, {}, Shading::Screen, {}, false, std::nullopt};
   technique.screenOcclusion.method = method;
@@ -86,6 +86,7 @@ std::vector<Technique> comparedTechniques(int order, int haarSize) {
   addScreenOcclusion("SSAO", viewer::OcclusionMethod::Ssao, list);
   addScreenOcclusion("HBAO", viewer::OcclusionMethod::Hbao, list);
   addScreenOcclusion("GTAO", viewer::OcclusionMethod::Gtao, list);
+  addScreenOcclusion("Disks", viewer::OcclusionMethod::Disks, list);
   if (order >= 3) addHarmonics(3, false, {60, 63, 5100, 2.07}, {56, 61, 5100, 2.07}, list);
   if (order >= 6) addHarmonics(6, false, {62, 68, 2500, 8.26}, {60, 66, 2500, 8.26}, list);
   list.push_back({"Haar/DD", haar, Shading::Haar, {}, false, std::nullopt});

@@ -57,6 +57,21 @@ std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::s
   return drawBarChart(chart);
 }
 
+std::string nearLampsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
+  BarChart chart{"Error of lamps' light with shadows by shells, over that without shadows",
+                 subtitle,
+                 "rms error against shadow rays, over that without shells",
+                 {},
+                 {}};
+  for (const BenchmarkResult& result : results) {
+    if (result.metric != "with over without") continue;
+    Bar& bar = barNamed(chart, sceneOf(result.case_), settingOf(result.case_));
+    bar.parts = {{result.value, blue}};
+    bar.note = fmt::format("{:.2f}", result.value);
+  }
+  return drawBarChart(chart);
+}
+
 std::string rasterisedPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle) {
   BarChart chart{"Error of SH of visibility that OpenGL draws, and of as many rays",
                  subtitle,

@@ -11,6 +11,9 @@ namespace prelight::benchmarks {
 /// FLIP of every technique, by scene.
 std::string techniquesPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 
+/// Errors of shadows of near lamps over those without shadows, by scene and lamp.
+std::string nearLampsPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
+
 /// Errors of screen-space occlusion, by scene and technique.
 std::string screenPlot(const std::vector<BenchmarkResult>& results, const std::string& subtitle);
 

@@ -138,6 +138,10 @@ void Controls::turnLight(const glm::dvec2& delta) {
   light->position = glm::dvec3(turn * glm::dvec4(light->position, 1.0));
   light->direction = glm::normalize(glm::dvec3(turn * glm::dvec4(light->direction, 0.0)));
   ++changes_;
+  if (light->profile == nullptr && light->shape == nullptr && light->cookie == nullptr)
+    return;  // they have no other side
+  const glm::dvec3 side(turn * glm::dvec4(light->side, 0.0));
+  light->side = glm::normalize(side - glm::dot(side, light->direction) * light->direction);
 }
 
 void Controls::addLight() {

@@ -24,8 +24,11 @@ enum class Attribute : GLuint {
   ChartCoord = 9,       ///< vec4: place and layer in the light maps, 1 where there is one
   Reflected = 10,       ///< vec3, radiance to the eye of what other surfaces mirror
   Highlight = 11,       ///< float, share of the lights' specular reflection that shadows leave
-  LampVisibility = 12,  ///< vec4, of NearLampPass
+  LampVisibility = 12,  ///< vec4, the first of lampVisibilityStreams, of NearLampPass
 };
+
+/// Attributes that are left of the 16 that OpenGL promises.
+constexpr unsigned lampVisibilityStreams = 4;
 
 /// Texture units of the programs of surfaces.
 enum Unit : GLuint {
@@ -60,7 +63,7 @@ enum Unit : GLuint {
   anisotropyUnit = 28,      ///< shaders/anisotropy.glsl
   filmUnit = 29,            ///< shaders/scattering.glsl
   filmThicknessUnit = 30,   ///< the same
-  profilesUnit = 31,        ///< shaders/lights.glsl
+  lampTablesUnit = 31,      ///< shaders/lights.glsl
   screenInputUnit = 32,     ///< shaders/surface.frag, shaders/screen_surface.frag
 };
 

@@ -57,7 +57,7 @@ void noteFarLights(const Illumination& light, const char* what, Warnings& notes)
     return source.throughTransfer && source.kind != LightKind::Directional;
   });
   if (any)
-    notes.push_back(std::string("point and spot lights outside the scene shine through ") + what +
+    notes.push_back(std::string("point, spot and area lights outside the scene shine through ") + what +
                     " as seen from its centre: alike everywhere");
 }
 

@@ -6,18 +6,83 @@
 
 #include "base/luminance.h"
 #include "basis/sh.h"
+#include "scene/light_cookie.h"
 #include "scene/light_profile.h"
+#include "scene/light_shape.h"
 
 namespace prelight::viewer {
 namespace {
 
 constexpr float leastDistanceShare = 1e-3f;  ///< of half the diagonal of the scene's bounds
+constexpr int farSamples = 64;               ///< that stand for an area light seen from one place
+constexpr int extentSamples = 32;            ///< that tell whether one is within the bounds
 
 bool outsideBounds(const glm::vec3& position, const CompiledScene& scene) {
   for (int axis = 0; axis < 3; ++axis) {
     if (position[axis] < scene.boundsMin[axis] || position[axis] > scene.boundsMax[axis]) return true;
   }
   return false;
+}
+
+/// cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
+double outerAngleOf(const ShadedLight& light) {
+  if (!(light.coneScale > 0.0f)) return 0.0;
+  return std::acos(std::clamp(-double{light.coneOffset} / double{light.coneScale}, -1.0, 1.0));
+}
+
+Light lampOf(const ShadedLight& light) {
+  Light lamp;
+  lamp.profile = light.profile;
+  lamp.shape = light.shape;
+  lamp.cookie = light.cookie;
+  lamp.outerConeAngle = static_cast<float>(outerAngleOf(light));
+  lamp.direction = light.aim;
+  lamp.side = light.side;
+  lamp.position = light.position;
+  return lamp;
+}
+
+bool isOutside(const ShadedLight& light, const CompiledScene& scene) {
+  if (!outsideBounds(light.position, scene)) return false;
+  if (light.kind != LightKind::Area) return true;
+  const std::vector<LightPatch> patches = patchesOf(lampOf(light), extentSamples);
+  return std::all_of(patches.begin(), patches.end(), [&](const LightPatch& patch) {
+    return outsideBounds(glm::vec3(patch.position), scene);
+  });
+}
+
+/// Of all of an area light's samples together, as if they shone from one direction.
+IncidentLight incidentFromArea(const ShadedLight& light, const glm::dvec3& point) {
+  glm::dvec3 sum(0.0), way(0.0);
+  for (const ShadedLight& sample : samplesOf(light, farSamples)) {
+    const IncidentLight part = incidentFrom(sample, point);
+    const double strength = part.irradiance.r + part.irradiance.g + part.irradiance.b;
+    way += strength * part.toLight;
+    sum += part.irradiance;
+  }
+  const double strength = sum.r + sum.g + sum.b, length = glm::length(way);
+  IncidentLight incident;
+  if (!(length > 0.0)) return incident;
+  incident.toLight = way / length;
+  incident.irradiance = sum * (length / strength);
+  return incident;
+}
+
+/// KHR_lights_punctual, "Inner and outer cone angles".
+void setCone(const Light& light, ShadedLight& result) {
+  const double inner = std::cos(light.innerConeAngle);
+  const double outer = std::cos(light.outerConeAngle);
+  const double scale = 1.0 / std::max(1e-3, inner - outer);
+  result.coneScale = static_cast<float>(scale);
+  result.coneOffset = static_cast<float>(-outer * scale);
+}
+
+void setShape(const Light& light, ShadedLight& result) {
+  result.shape = light.shape;
+  result.aim = light.direction;
+  result.side = light.side;
+  result.area = static_cast<float>(shapeArea(*light.shape));
+  result.twoSided = light.shape->twoSided;
 }
 
 struct Emitter {
@@ -74,13 +139,16 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
       result.kind = light.profile != nullptr ? LightKind::Profiled : LightKind::Point;
       break;
     case LightType::Spot:
-      result.kind = LightKind::Spot;
-      // KHR_lights_punctual, "Inner and outer cone angles".
-      const double inner = std::cos(light.innerConeAngle);
-      const double outer = std::cos(light.outerConeAngle);
-      const double scale = 1.0 / std::max(1e-3, inner - outer);
-      result.coneScale = static_cast<float>(scale);
-      result.coneOffset = static_cast<float>(-outer * scale);
+      result.kind = light.cookie != nullptr ? LightKind::Cookie : LightKind::Spot;
+      setCone(light, result);
+      if (light.cookie == nullptr) break;
+      result.cookie = light.cookie;
+      result.aim = light.direction;
+      result.side = light.side;
+      break;
+    case LightType::Area:
+      result.kind = LightKind::Area;
+      setShape(light, result);
       break;
   }
   if (light.profile != nullptr) {
@@ -90,17 +158,21 @@ ShadedLight shadedLight(const Light& light, const CompiledScene& scene) {
     result.direction = profilePole(light);
     result.profileStart = profileTurn(light);
   }
-  result.throughTransfer = result.kind == LightKind::Directional || outsideBounds(result.position, scene);
+  result.throughTransfer = result.kind == LightKind::Directional || isOutside(result, scene);
   return result;
 }
 
 device::OccluderLight occluderLight(const ShadedLight& light) {
   glm::dvec3 intensity(light.intensity);
   if (light.profile != nullptr) intensity *= profilePower(*light.profile) / (4.0 * std::numbers::pi);
+  if (light.cookie != nullptr) intensity *= cookieMean(*light.cookie);
   device::OccluderLight result =
       occluderPointLight(glm::dvec3(light.position), intensity, light.leastDistance);
   for (int i = 0; i < 3; ++i) result.direction[i] = light.direction[i];
-  result.kind = static_cast<float>(light.kind == LightKind::Profiled ? LightKind::Point : light.kind);
+  const LightKind kind = light.kind == LightKind::Profiled ? LightKind::Point
+                         : light.kind == LightKind::Cookie ? LightKind::Spot
+                                                           : light.kind;
+  result.kind = static_cast<float>(kind);
   if (light.kind == LightKind::Emitter) result.extent = light.area;
   result.range = light.range;
   result.coneScale = light.coneScale;
@@ -110,17 +182,31 @@ device::OccluderLight occluderLight(const ShadedLight& light) {
 }
 
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point) {
-  if (light.profile == nullptr) return prelight::incidentFrom(occluderLight(light), point);
+  if (light.kind == LightKind::Area) return incidentFromArea(light, point);
   ShadedLight even = light;
-  even.kind = LightKind::Point;
+  if (light.profile != nullptr) even.kind = LightKind::Point;
   even.profile = nullptr;
+  even.cookie = nullptr;
   IncidentLight incident = prelight::incidentFrom(occluderLight(even), point);
-  Light lamp;
-  lamp.profile = light.profile;
-  lamp.direction = light.aim;
-  lamp.side = light.side;
-  incident.irradiance *= profileTowards(lamp, -incident.toLight);
+  if (light.profile != nullptr) incident.irradiance *= profileTowards(lampOf(light), -incident.toLight);
+  if (light.cookie != nullptr) incident.irradiance *= cookieTowards(lampOf(light), -incident.toLight);
   return incident;
+}
+
+std::vector<ShadedLight> samplesOf(const ShadedLight& area, int count) {
+  std::vector<ShadedLight> samples;
+  for (const LightPatch& patch : patchesOf(lampOf(area), count)) {
+    ShadedLight sample;
+    sample.kind = LightKind::Emitter;
+    sample.intensity = area.intensity;
+    sample.position = patch.position;
+    sample.direction = patch.normal;
+    sample.area = area.area / static_cast<float>(count);
+    sample.twoSided = area.twoSided;
+    sample.throughTransfer = area.throughTransfer;
+    samples.push_back(sample);
+  }
+  return samples;
 }
 
 std::vector<ShadedLight> sampleEmitters(const CompiledScene& scene, std::span<const BodySide> bodies,

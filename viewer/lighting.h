@@ -19,6 +19,8 @@
 /// - emissive triangles become samples: discs of area A and radiance L that give
 ///   E = L A cos cos' / (r^2 + A / pi). The second term is exact above a disc's centre, and bounds the light
 ///   next to a sample;
+/// - a spot light with a cookie has it beside the cone (shaders/cookies.glsl);
+/// - area lights are lit by in closed form (shaders/area_lights.glsl);
 /// - a light with a profile is a point light whose intensity that multiplies (transport/profile_funcs.cl);
 /// - through transfer in SH or CH a light is a delta function, I / r^2 Y_i(w) for its direction w. Bands l of
 ///   order n are multiplied by (1 + cos(pi l / (2 n))) / 2, a Hann window of twice the order: it damps the
@@ -27,24 +29,34 @@
 namespace prelight::viewer {
 
 /// Types of lights as the shaders number them.
-enum class LightKind : std::uint8_t { Directional = 0, Point = 1, Spot = 2, Emitter = 3, Profiled = 4 };
+enum class LightKind : std::uint8_t {
+  Directional = 0,
+  Point = 1,
+  Spot = 2,
+  Emitter = 3,
+  Profiled = 4,
+  Area = 5,
+  Cookie = 6
+};
 
 /// A light in scene coordinates (world minus CompiledScene::origin).
 struct ShadedLight {
   LightKind kind = LightKind::Point;
-  glm::vec3 intensity{0.0f};  ///< W/sr, W/m2 (directional), W/(m2 sr) (emitter)
+  glm::vec3 intensity{0.0f};  ///< W/sr, W/m2 (directional), W/(m2 sr) (emitter, area)
   glm::vec3 position{0.0f};
-  glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit: the way the light travels; an emitter's normal
+  glm::vec3 direction{0.0f, 0.0f, -1.0f};  ///< unit: the way the light travels; the normal of what is flat
   float range = 0.0f;                      ///< metres; 0: infinite
   float coneScale = 0.0f;                  ///< spot: clamp(cos * scale + offset, 0, 1)^2
   float coneOffset = 1.0f;
   std::shared_ptr<const LightProfile> profile = {};  ///< multiplies the intensity; `direction` is its pole
-  glm::dvec3 aim{0.0}, side{0.0};                    ///< of a profile: those of the Light
-  float profileStart = 0.0f;                         ///< the same: profileTurn()
-  std::size_t profileEntry = 0;                      ///< the same: of PackedProfiles
-  float area = 0.0f;                                 ///< emitter: m2
+  std::shared_ptr<const Picture> cookie = {};        ///< cookie: of a spot light
+  std::shared_ptr<const LightShape> shape = {};      ///< area
+  glm::dvec3 aim{0.0}, side{0.0};                    ///< of what has tables: those of the Light
+  float profileStart = 0.0f;                         ///< of a profile: profileTurn()
+  std::size_t entry = 0;                             ///< the same: in LampTables
+  float area = 0.0f;                                 ///< emitter and area: m2 of one side
   float leastDistance = 1e-6f;  ///< point and spot: metres; nearer than that the light is no stronger
-  bool twoSided = false;        ///< emitter
+  bool twoSided = false;        ///< emitter, area
   /// Nothing of the scene lies behind the light, so that a transfer's visibility in its direction is the
   /// light's. True for directional lights and those outside the scene's bounds.
   bool throughTransfer = false;
@@ -74,6 +86,9 @@ device::OccluderLight occluderLight(const ShadedLight& light);
 /// What a light sends to a point of the scene, scene coordinates: perpendicularIrradiance() of
 /// shaders/lights.glsl.
 IncidentLight incidentFrom(const ShadedLight& light, const glm::dvec3& point);
+
+/// Emitters of the same area that stand for an area light together.
+std::vector<ShadedLight> samplesOf(const ShadedLight& area, int count);
 
 /// At most `count` samples of the emissive triangles by emitted power, spread evenly over them: the same for
 /// the same scene. Empty when nothing emits. `bodies`: glowingBodies() of the scene; without shadows, the

@@ -1,12 +1,13 @@
 #include "viewer/near_lamp_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
+#include "base/luminance.h"
 #include "basis/sh_zonal.h"
 #include "transfer/near_lamps.h"
 
@@ -73,18 +74,31 @@ std::vector<SampleGroup> groupsOf(SampleGroup samples, std::size_t most) {
   return groups;
 }
 
-/// Where the lights that share a shadow are, in the mean over their surface; [shadow].
-std::vector<glm::vec3> placesOf(std::span<const ShadedLight> lights) {
-  std::vector<glm::vec4> sums;
-  for (const ShadedLight& light : lights) {
-    if (light.shadow < 0) continue;
-    sums.resize(std::max(sums.size(), static_cast<std::size_t>(light.shadow) + 1), glm::vec4(0.0f));
-    const float weight = light.isSample ? light.area : 1.0f;
-    sums[static_cast<std::size_t>(light.shadow)] += glm::vec4(weight * light.position, weight);
+/// Vertices at which lamps are compared.
+constexpr std::size_t probes = 256;
+
+/// Mean of what a lamp sends to some of a scene's vertices, without shadows.
+double meanIrradiance(const ShadedLight& light, const CompiledScene& scene) {
+  const std::size_t step = std::max<std::size_t>(scene.vertexCount() / probes, 1);
+  double sum = 0.0;
+  for (std::size_t v = 0; v < scene.vertexCount(); v += step) {
+    const IncidentLight incident = incidentFrom(light, glm::dvec3(scene.positions[v]));
+    sum += luminance(incident.irradiance) *
+           std::max(glm::dot(glm::dvec3(scene.normals[v]), incident.toLight), 0.0);
   }
-  std::vector<glm::vec3> places;
-  for (const glm::vec4& sum : sums) places.push_back(glm::vec3(sum) / sum.w);
-  return places;
+  return sum;
+}
+
+/// The lamps that matter most, in their order.
+std::vector<ShadedLight*> mostImportant(std::vector<ShadedLight*> lamps, std::size_t most,
+                                        const CompiledScene& scene) {
+  if (lamps.size() <= most) return lamps;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < lamps.size(); ++i) order.emplace_back(-meanIrradiance(*lamps[i], scene), i);
+  std::sort(order.begin(), order.end());
+  std::vector<ShadedLight*> chosen;
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(lamps[order[i].second]);
+  return chosen;
 }
 
 }  // namespace
@@ -99,9 +113,7 @@ NearLampPass::NearLampPass(const NearLampTransfer& transfer, const CompiledScene
       texels_(gl::makeBufferTexture(std::span<const std::uint16_t>(paddedRows(transfer)), 4, GL_RGBA16F,
                                     "shells of near lamps")),
       positions_(Attribute::Position, std::span<const glm::vec3>(scene.positions)),
-      normals_(Attribute::Normal, std::span<const glm::vec3>(scene.normals)),
-      visibility_(Attribute::LampVisibility,
-                  std::span<const glm::vec4>(std::vector<glm::vec4>(scene.vertexCount(), glm::vec4(1.0f)))) {
+      normals_(Attribute::Normal, std::span<const glm::vec3>(scene.normals)) {
   glBindVertexArray(vertexArray_.name());
   positions_.attach();
   normals_.attach();
@@ -120,17 +132,37 @@ void NearLampPass::setUp() {
                  static_cast<float>(sh::clampedCosine(l) * (2 * l + 1) / (4.0 * std::numbers::pi)));
 }
 
-void NearLampPass::choose(std::span<ShadedLight> lights) {
-  int chosen = 0;
-  SampleGroup samples;
-  for (ShadedLight& light : lights) {
-    if (light.throughTransfer) continue;
+/// Of emissive surfaces the samples that share one have their mean place.
+NearLampPass::Shadows NearLampPass::placesOf(std::span<const ShadedLight> lights) {
+  Shadows shadows;
+  std::vector<glm::vec4> sums;
+  for (const ShadedLight& light : lights) {
+    if (light.shadow < 0) continue;
+    const auto shadow = static_cast<std::size_t>(light.shadow);
+    shadows.resize(std::max(shadows.size(), shadow + 1));
+    sums.resize(shadows.size(), glm::vec4(0.0f));
     if (light.isSample)
-      samples.push_back(&light);
-    else if (chosen < mostLamps)
-      light.shadow = chosen++;
+      sums[shadow] += glm::vec4(light.area * light.position, light.area);
+    else if (light.kind != LightKind::Area)
+      shadows[shadow] = {{glm::vec4(light.position, 0.0f), glm::vec3(0.0f)}};
+    else
+      for (const ShadedLight& part : samplesOf(light, placesOfAnArea))
+        shadows[shadow].push_back({glm::vec4(part.position, part.twoSided ? 2.0f : 1.0f), part.direction});
   }
-  for (const SampleGroup& group : groupsOf(samples, static_cast<std::size_t>(mostLamps - chosen))) {
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i].w > 0.0f) shadows[i] = {{glm::vec4(glm::vec3(sums[i]) / sums[i].w, 0.0f), glm::vec3(0.0f)}};
+  return shadows;
+}
+
+void NearLampPass::choose(std::span<ShadedLight> lights, const CompiledScene& scene) {
+  std::vector<ShadedLight*> lamps;
+  SampleGroup samples;
+  for (ShadedLight& light : lights)
+    if (!light.throughTransfer) (light.isSample ? samples : lamps).push_back(&light);
+  int chosen = 0;
+  for (ShadedLight* lamp : mostImportant(lamps, mostLamps, scene)) lamp->shadow = chosen++;
+  const int left = std::min(lampsAStream, mostLamps - chosen);
+  for (const SampleGroup& group : groupsOf(samples, static_cast<std::size_t>(left))) {
     if (!isCompact(group)) continue;
     for (ShadedLight* sample : group) sample->shadow = chosen;
     ++chosen;
@@ -150,25 +182,52 @@ void NearLampPass::share(std::span<const ShadedLight> chosen, std::span<ShadedLi
   }
 }
 
+void NearLampPass::setPlaces(std::span<const std::vector<Place>> shadows) {
+  glm::ivec4 ends(0);
+  std::vector<glm::vec4> positions;
+  std::vector<glm::vec3> normals;
+  for (std::size_t i = 0; i < shadows.size(); ++i) {
+    for (const Place& place : shadows[i]) {
+      positions.push_back(place.position);
+      normals.push_back(place.normal);
+    }
+    ends[static_cast<glm::length_t>(i)] = static_cast<int>(positions.size());
+  }
+  program_.set("places", std::span<const glm::vec4>(positions));
+  program_.set("placeNormals", std::span<const glm::vec3>(normals));
+  program_.set("placesEnd", ends);
+  program_.set("lampCount", static_cast<int>(shadows.size()));
+}
+
 void NearLampPass::run(std::span<const ShadedLight> lights) {
-  std::vector<glm::vec3> lamps = placesOf(lights);
-  if (lamps.empty() || (!isStale_ && lamps == lamps_)) return;
+  Shadows shadows = placesOf(lights);
+  if (shadows.empty() || (!isStale_ && shadows == shadows_)) return;
   if (isStale_) {
     positions_.fill(std::span<const glm::vec3>(scene_.positions));
     normals_.fill(std::span<const glm::vec3>(scene_.normals));
   }
-  lamps_ = std::move(lamps);
+  shadows_ = std::move(shadows);
   isStale_ = false;
   capture_.begin();
   glBindVertexArray(vertexArray_.name());
   program_.use();
-  constexpr std::array<const char*, mostLamps> names = {"lamps[0]", "lamps[1]", "lamps[2]", "lamps[3]"};
-  for (std::size_t i = 0; i < lamps_.size(); ++i) program_.set(names[i], lamps_[i]);
-  program_.set("lampCount", static_cast<int>(lamps_.size()));
   gl::bind(0, GL_TEXTURE_BUFFER, texels_.texture);
-  gl::Capture::run(visibility_.buffer().name(), scene_.vertexCount(), verticesADraw);
+  for (std::size_t first = 0; first < shadows_.size(); first += lampsAStream) {
+    const std::size_t stream = first / lampsAStream;
+    if (visibility_.size() <= stream)
+      visibility_.emplace_back(
+          static_cast<Attribute>(static_cast<GLuint>(Attribute::LampVisibility) + stream),
+          std::span<const glm::vec4>(std::vector<glm::vec4>(scene_.vertexCount(), glm::vec4(1.0f))));
+    setPlaces(
+        std::span(shadows_).subspan(first, std::min<std::size_t>(lampsAStream, shadows_.size() - first)));
+    gl::Capture::run(visibility_[stream].buffer().name(), scene_.vertexCount(), verticesADraw);
+  }
   glBindVertexArray(0);
   gl::check("shadowing near lamps");
+}
+
+void NearLampPass::attach() const {
+  for (const VertexStream& four : visibility_) four.attach();
 }
 
 }  // namespace prelight::viewer

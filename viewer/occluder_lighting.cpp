@@ -136,10 +136,12 @@ void OccluderLighting::bind(const gl::Program&) const {
 }
 
 void OccluderLighting::describe(const Illumination& light, Warnings& notes) const {
-  if (std::any_of(light.lights.begin(), light.lights.end(),
-                  [](const ShadedLight& source) { return source.profile != nullptr; }))
+  if (std::any_of(light.lights.begin(), light.lights.end(), [](const ShadedLight& source) {
+        return source.profile != nullptr || source.cookie != nullptr;
+      }))
     notes.push_back(
-        "vector occluders take lights with profiles (EXT_lights_ies) for even ones of the same power");
+        "vector occluders take lights with profiles (EXT_lights_ies) for even ones of the same power, and "
+        "cookies for their mean");
   if (light.skyMap != nullptr)
     notes.push_back("vector occluders take the sky for " + std::to_string(light.occluders.skyLights) +
                     " lights (--sky-lights)");

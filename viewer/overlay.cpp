@@ -43,6 +43,7 @@ void drawLights(Controls& controls) {
   glm::vec3 intensity = light.intensity;
   const char* unit = light.profile != nullptr               ? "x profile"
                      : light.type == LightType::Directional ? "W/m2"
+                     : light.type == LightType::Area        ? "W/(m2 sr)"
                                                             : "W/sr";
   if (ImGui::DragFloat3(unit, &intensity.x, 0.05f, 0.0f, 1e6f)) {
     controls.setLightIntensity(intensity);
@@ -138,7 +139,7 @@ void drawOccluders(Controls& controls) {
 void drawScreenOcclusion(Controls& controls) {
   if (controls.view().shading != Shading::Screen) return;
   ScreenOcclusionOptions options = controls.view().screenOcclusion;
-  drawChoice(std::array{"ssao", "hbao", "gtao"}, options.method);
+  drawChoice(std::array{"ssao", "hbao", "gtao", "disks"}, options.method);
   ImGui::Checkbox("filtered", &options.filtered);
   drawParameters(screenOcclusionParameters(), options);
   controls.setScreenOcclusion(options);

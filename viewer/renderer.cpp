@@ -36,7 +36,6 @@ Renderer::Renderer(const RenderInputs& inputs, Lobe lobe)
   findFeatures();
   if (inputs.globalIllumination != nullptr) checkGlobalIllumination(*inputs.globalIllumination, compiled_);
   if (inputs.caustics != nullptr) makeCaustics(*inputs.caustics);
-  if (!lights_.profiles().empty()) profiles_ = gl::makeBufferTexture(lights_.profiles(), "profiles of lamps");
   gl::check("preparing the renderer");
 }
 
@@ -53,6 +52,16 @@ GlobalIlluminationLighting& Renderer::globalIllumination() {
       makeCaustics({inputs_.globalIllumination->photons, inputs_.globalIllumination->caustics.filter});
   }
   return *globalIllumination_;
+}
+
+/// Passes that come before bindTextures() find them bound.
+void Renderer::updateLampTables() {
+  const LampTables& tables = lights_.tables();
+  if (tables.texels().empty()) return;
+  if (shownTables_ != tables.version())
+    lampTables_ = gl::makeBufferTexture(tables.texels(), "profiles, cookies and shapes of lamps");
+  shownTables_ = tables.version();
+  gl::bind(lampTablesUnit, GL_TEXTURE_BUFFER, lampTables_->texture);
 }
 
 /// Those that shaders have to look at: not what the transfer holds where nothing else reflects it.
@@ -105,10 +114,13 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   for (const ShadedLight& light : lights) {
     features.add(Feature::DirectionalLights, light.kind == LightKind::Directional);
     features.add(Feature::PointLights, light.kind == LightKind::Point || light.kind == LightKind::Spot ||
-                                           light.kind == LightKind::Profiled);
+                                           light.kind == LightKind::Profiled ||
+                                           light.kind == LightKind::Cookie);
     features.add(Feature::SpotLights, light.kind == LightKind::Spot);
     features.add(Feature::ProfiledLights, light.kind == LightKind::Profiled);
     features.add(Feature::EmitterLights, light.kind == LightKind::Emitter);
+    features.add(Feature::CookieLights, light.kind == LightKind::Cookie);
+    features.add(Feature::AreaLights, light.kind == LightKind::Area);
     features.add(Feature::NearLamps, light.shadow >= 0);
   }
   return variant;
@@ -165,6 +177,7 @@ void Renderer::sceneMoved(bool shapes) {
   for (Drawn& drawn : drawn_)
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
+  if (disks_ != nullptr) disks_->sceneMoved();
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
@@ -240,8 +253,9 @@ Illumination Renderer::illuminationOf(const View& view) {
   Illumination light;
   light.skyRotation = view.skyRotation;
   light.lights = lights_.of(view, sky_.seenBy(view).map);
+  updateLampTables();
   if (nearLampsOf(view.shading) != nullptr && rulesFor(view).through == Through::FarLights)
-    NearLampPass::choose(light.lights);
+    NearLampPass::choose(light.lights, compiled_);
   light.windowLights = view.windowLights;
   light.haarTerms = view.haarTerms;
   light.occluders = view.occluders;
@@ -308,7 +322,7 @@ void Renderer::bindTextures(const View& view) const {
   gl::bind(cornerTangentsUnit, GL_TEXTURE_BUFFER, scene_.tangents());
   gl::bind(positionsUnit, GL_TEXTURE_BUFFER, scene_.positions());
   gl::bind(albedosUnit, GL_TEXTURE_BUFFER, scene_.albedos());
-  if (profiles_) gl::bind(profilesUnit, GL_TEXTURE_BUFFER, profiles_->texture);
+  if (lampTables_) gl::bind(lampTablesUnit, GL_TEXTURE_BUFFER, lampTables_->texture);
   gl::bind(skyUnit, GL_TEXTURE_2D, *sky_.seenBy(view).texture);
 }
 
@@ -397,14 +411,16 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
   if (occlusion_ == nullptr) occlusion_ = std::make_unique<OcclusionPass>();
   const int samples = target.width() / tile.width;
   const double radius = occlusionRadius(view.screenOcclusion, compiled_);
-  const int around = occlusionMargin(view, samples, radius, compiled_);
+  const ScreenOcclusionOptions options = view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion;
+  const int around =
+      looksAround(options) ? occlusionMargin(view, samples, radius, compiled_) : OcclusionPass::filterReach;
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
   const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
   const OcclusionPicture picture{target.width(), target.height(), around * samples, origin, radius};
   uploadFrame(view, whole, {}, samples);
   Look look;
   look.shader = "screen_surface.frag";
-  for (look.layer = 0; look.layer < layersOf(view.screenOcclusion); ++look.layer) {
+  for (look.layer = 0; look.layer < layersOf(options); ++look.layer) {
     if (look.layer > 0)
       gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
     occlusion_->layer(look.layer, picture).bind();
@@ -412,7 +428,11 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawBatches(opaque, look);
   }
-  occlusion_->draw(picture, view.draft ? draftOf(view.screenOcclusion) : view.screenOcclusion);
+  if (options.method == OcclusionMethod::Disks) {
+    if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
+    disks_->prepare(options, radius, OcclusionPass::disksUnit);
+  }
+  occlusion_->draw(picture, options);
   gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->openness());
 }
 

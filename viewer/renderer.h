@@ -9,6 +9,7 @@
 #include "relight/vertex_lights.h"
 #include "viewer/camera.h"
 #include "viewer/caustic_pass.h"
+#include "viewer/disks/disk_occlusion.h"
 #include "viewer/drawn_sky.h"
 #include "viewer/frame_pass.h"
 #include "viewer/gl/framebuffer.h"
@@ -117,6 +118,7 @@ class Renderer {
   }
   OccluderEye eyeOf(const View& view) const;
   Illumination illuminationOf(const View& view);
+  void updateLampTables();
   Drawn& drawnOf(Shading shading);
   const DrawnTransfer* litTransfer(const View& view, const Illumination& light);
   GlobalIlluminationLighting& globalIllumination();
@@ -164,8 +166,9 @@ class Renderer {
   std::unique_ptr<Surroundings> surroundings_;
   std::unique_ptr<NearLampPass> nearLamps_;  ///< where the bake has shells of distance
   std::optional<Illumination> surroundedBy_;
-  std::optional<gl::BufferTexture> profiles_;  ///< of lamps that have such
-  bool surroundedCoarsely_ = false;            ///< with the shadows of a draft
+  std::optional<gl::BufferTexture> lampTables_;  ///< of lamps that have such
+  std::size_t shownTables_ = 0;                  ///< version of those
+  bool surroundedCoarsely_ = false;              ///< with the shadows of a draft
   bool paced_ = false;
   ViewLights lights_;
   DrawnSky sky_;
@@ -174,6 +177,7 @@ class Renderer {
   FramePassObserver observer_;
   std::vector<Features> surfaceFeatures_;  ///< [surface]
   std::unique_ptr<CausticPass> caustics_;
+  std::unique_ptr<DiskOcclusion> disks_;      ///< made when they first occlude
   std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;

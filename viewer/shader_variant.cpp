@@ -41,6 +41,8 @@ constexpr std::array<const char*, featureCount> names = {"hasBaseColorTexture",
                                                          "hasSpotLights",
                                                          "hasProfiledLights",
                                                          "hasEmitterLights",
+                                                         "hasCookieLights",
+                                                         "hasAreaLights",
                                                          "hasNearLamps"};
 
 std::string constant(const char* type, const char* name, const std::string& value) {

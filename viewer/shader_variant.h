@@ -47,10 +47,12 @@ enum class Feature : int {
   SpotLights,
   ProfiledLights,  ///< point lights whose intensity varies with direction
   EmitterLights,
+  CookieLights,  ///< spot lights that project a picture
+  AreaLights,
   NearLamps,  ///< lights have shadows of a NearLampPass
 };
 
-constexpr int featureCount = 32;
+constexpr int featureCount = 34;
 
 class Features {
  public:

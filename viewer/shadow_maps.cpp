@@ -81,7 +81,8 @@ ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledSc
     case LightKind::Profiled:
       frame.views = 6;
       break;
-    case LightKind::Spot: {
+    case LightKind::Spot:
+    case LightKind::Cookie: {
       frame.eye.axes = frameAlong(light.direction);
       // cos(outer) is where the cone ends: clamp(cos * scale + offset, 0, 1).
       const double outer =
@@ -91,6 +92,7 @@ ShadowMaps::Frame ShadowMaps::frameOf(const ShadedLight& light, const CompiledSc
       break;
     }
     case LightKind::Emitter:
+    case LightKind::Area:  // whose samples have shadows
       frame.eye.axes = frameAlong(light.direction);
       frame.views = light.twoSided ? 6 : 5;
       break;

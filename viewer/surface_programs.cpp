@@ -46,7 +46,7 @@ void prepare(const gl::Program& program) {
        {"anisotropyTexture", anisotropyUnit},
        {"filmTexture", filmUnit},
        {"filmThicknessTexture", filmThicknessUnit},
-       {"profiles", profilesUnit},
+       {"lampTables", lampTablesUnit},
        {"screenInput", screenInputUnit}}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 }

@@ -29,7 +29,7 @@ TransferPass::TransferPass(const CompiledScene& scene)
   program_.bindBlock("Lights", lightBinding);
   program_.use();
   for (const auto& [name, unit] : samplers) program_.set(name, static_cast<int>(unit));
-  program_.set("profiles", static_cast<int>(profilesUnit));  // that stays bound
+  program_.set("lampTables", static_cast<int>(lampTablesUnit));  // that stays bound
 }
 
 bool TransferPass::verticesMoved() {

@@ -2,39 +2,53 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
+
+#include "base/luminance.h"
+#include "scene/light_cookie.h"
+#include "scene/light_profile.h"
 
 namespace prelight::viewer {
 namespace {
 
 constexpr int draftEmitterSamples = 4;
 
-/// W/sr over all directions.
-float meanOf(const LightProfile& profile) {
-  return static_cast<float>(profilePower(profile) / (4.0 * std::numbers::pi));
+/// That stand for an area light where no closed form does.
+constexpr int areaSamples = 16;
+
+/// What decides which lights are drawn where there are too many.
+float strengthOf(const ShadedLight& light) {
+  const float sum = light.intensity.r + light.intensity.g + light.intensity.b;
+  if (light.kind == LightKind::Area) return sum * light.area;
+  if (light.cookie != nullptr) return sum * static_cast<float>(luminance(cookieMean(*light.cookie)));
+  if (light.profile == nullptr) return sum;
+  return sum * static_cast<float>(profilePower(*light.profile) / (4.0 * std::numbers::pi));
+}
+
+/// Shadings that know no area lights have samples of them.
+bool takesSamples(Shading shading) {
+  return shading == Shading::GlobalIllumination || shading == Shading::Vo;
+}
+
+void replaceByTheirSamples(std::vector<ShadedLight>& lights) {
+  std::vector<ShadedLight> parts;
+  for (const ShadedLight& light : lights)
+    if (light.kind == LightKind::Area)
+      for (const ShadedLight& sample : samplesOf(light, areaSamples)) parts.push_back(sample);
+  std::erase_if(lights, [](const ShadedLight& light) { return light.kind == LightKind::Area; });
+  lights.insert(lights.end(), parts.begin(), parts.end());
 }
 
 }  // namespace
 
 ViewLights::ViewLights(const CompiledScene& scene) : scene_(&scene), bodies_(glowingBodies(scene)) {
   sample();
-  for (const Light& light : scene.lights)
-    if (light.profile != nullptr) {
-      profiles_.add(light);
-      if (!means_.contains(light.profile.get())) means_[light.profile.get()] = meanOf(*light.profile);
-    }
 }
 
-/// A profile that is not the scene's counts with its mean.
-ShadedLight ViewLights::shaded(const Light& light) const {
-  ShadedLight result = shadedLight(light, *scene_);
-  if (light.profile == nullptr) return result;
-  if (const auto entry = profiles_.entryOf(light)) {
-    result.profileEntry = *entry;
-    return result;
-  }
-  result.kind = LightKind::Point;
-  result.intensity *= meanOf(*light.profile);
-  result.profile = nullptr;
+std::vector<ShadedLight> ViewLights::shaded(std::span<const Light> lights) {
+  std::vector<ShadedLight> result;
+  for (const Light& light : lights) result.push_back(shadedLight(light, *scene_));
+  tables_.set(lights, result);
   return result;
 }
 
@@ -62,8 +76,8 @@ void ViewLights::thinOut(std::vector<ShadedLight>& lights) const {
 }
 
 std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky) {
-  std::vector<ShadedLight> lights, samples;
-  for (const Light& light : view.lights) lights.push_back(shaded(light));
+  std::vector<ShadedLight> lights = shaded(view.lights), samples;
+  if (takesSamples(view.shading)) replaceByTheirSamples(lights);
   if (view.shading == Shading::GlobalIllumination) {
     if (samples_ == nullptr) samples_ = std::make_unique<LightSamples>(*scene_, bodies_);
     samples = samples_->of(view.emitters, sky, view.skyRotation);
@@ -72,13 +86,12 @@ std::vector<ShadedLight> ViewLights::of(const View& view, const Environment* sky
   }
   const std::size_t room = maxLights - samples.size();
   if (lights.size() > room) {
-    const auto strength = [this](const ShadedLight& l) {
-      const float sum = l.intensity.r + l.intensity.g + l.intensity.b;
-      return l.profile == nullptr ? sum : sum * means_.at(l.profile.get());
-    };
-    std::stable_sort(lights.begin(), lights.end(),
-                     [&](const ShadedLight& a, const ShadedLight& b) { return strength(a) > strength(b); });
-    lights.resize(room);
+    std::vector<std::pair<float, std::size_t>> order;
+    for (std::size_t i = 0; i < lights.size(); ++i) order.emplace_back(-strengthOf(lights[i]), i);
+    std::sort(order.begin(), order.end());
+    std::vector<ShadedLight> strongest;
+    for (std::size_t i = 0; i < room; ++i) strongest.push_back(lights[order[i].second]);
+    lights = std::move(strongest);
   }
   lights.insert(lights.end(), samples.begin(), samples.end());
   return lights;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <vector>
 
-#include "scene/light_profile.h"
+#include "viewer/lamp_tables.h"
 #include "viewer/light_samples.h"
 #include "viewer/lighting.h"
 #include "viewer/view_state.h"
@@ -26,20 +25,19 @@ class ViewLights {
   /// illumination has samples of it.
   std::vector<ShadedLight> of(const View& view, const Environment* sky);
 
-  /// Of the scene's own lights, packed.
-  const std::vector<glm::vec4>& profiles() const { return profiles_.texels(); }
+  /// Of the lights that of() was asked for last.
+  const LampTables& tables() const { return tables_; }
 
   /// Leaves fewer samples of emissive surfaces, which are all the samples that `lights` holds.
   void thinOut(std::vector<ShadedLight>& lights) const;
 
  private:
   void sample();
-  ShadedLight shaded(const Light& light) const;
+  std::vector<ShadedLight> shaded(std::span<const Light> lights);
 
   const CompiledScene* scene_;
   std::vector<BodySide> bodies_;  ///< glowingBodies()
-  PackedProfiles profiles_;
-  std::map<const LightProfile*, float> means_;  ///< W/sr, of those
+  LampTables tables_;
   std::vector<ShadedLight> emitters_, draftEmitters_;
   std::unique_ptr<LightSamples> samples_;  ///< once they are needed
 };

@@ -59,6 +59,38 @@ void gatherRoom(const char* stress, double half, double albedo, double irradianc
   trials.record(stress, differences, sumBound(rays + 16.0), {"rays", double(rays)});
 }
 
+/// What a point light sends a room by its walls of rough metal: as many times as much as a light of 1 W/sr,
+/// exactly, as no step but sums of products of powers of two is in between.
+std::vector<glm::vec3> gatherByRoughMetal(float intensity, Trials& trials) {
+  Material wall;
+  wall.metallic = 1.0f;
+  wall.roughness = 0.7f;
+  const CompiledScene scene = roomScene(1.0, 1, wall, glm::dvec3(0.0));
+  Light light;
+  light.intensity = glm::vec3(intensity);
+  light.position = {0.2, 0.1, -0.3};
+  TransportScene transport({scene, noImages(), {light}}, trials.device());
+  LightMapLayout layout;
+  layout.width = layout.height = 1;
+  layout.corners.assign(6 * std::size_t{scene.triangleCount()}, glm::vec2(0.5f));
+  layout.chartOf.assign(2 * std::size_t{scene.triangleCount()}, LightMapLayout::noChart);
+  IrradianceMap map(transport.context(), layout);
+  map.set(std::vector<glm::vec3>(1, glm::vec3(0.0f)));
+  GatherRequest request;
+  request.raysPerReceiver = 64;
+  Progress progress;
+  return FinalGather(transport, map, request).gather(receiversOf(scene), progress);
+}
+
+void scaleLight(const char* stress, int exponent, const std::vector<glm::vec3>& ofOne, Trials& trials) {
+  const double factor = std::ldexp(1.0, exponent);
+  const std::vector<glm::vec3> found = gatherByRoughMetal(static_cast<float>(factor), trials);
+  Differences differences;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (int c = 0; c < 3; ++c) differences.add(found[i][c], factor * double(ofOne[i][c]));
+  trials.record(stress, differences, 0.0, {"exponent", double(exponent)});
+}
+
 /// All elements see all alike: H_i = D_i + share x albedo x the mean of H.
 void solve(RadiosityMethod method, const char* stress, int cells, double albedo, double share, double light,
            Trials& trials) {
@@ -146,6 +178,9 @@ void runGather(Trials& trials) {
   gatherRoom("a room of 1e-6 m", 1e-6, 0.5, 1.0, glm::dvec3(0.0), 64, trials);
   gatherRoom("a room of 1e6 m", 1e6, 0.5, 1.0, glm::dvec3(0.0), 64, trials);
   gatherRoom("a room 1e6 m from zero", 1.0, 0.5, 1.0, glm::dvec3(1e6, -1e6, 5e5), 64, trials);
+  const std::vector<glm::vec3> ofOne = gatherByRoughMetal(1.0f, trials);
+  scaleLight("a light of 2^90 in rough metal", 90, ofOne, trials);
+  scaleLight("a light of 2^-90 in rough metal", -90, ofOne, trials);
 }
 
 void runSolver(Trials& trials) {

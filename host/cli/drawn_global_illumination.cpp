@@ -19,8 +19,8 @@ struct PictureLights {
   std::optional<Environment> sky;
 };
 
-PictureLights pictureLights(const PictureOptions& options, const ShadedScene& shaded) {
-  PictureLights found{options.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
+PictureLights pictureLights(const ShadedScene& shaded) {
+  PictureLights found{shaded.render.lights.value_or(shaded.loaded.scene.lights), shaded.environment};
   if (!found.sky && makeLightTables(shaded.loaded.compiled, found.lights, nullptr, true).groupCount == 0)
     found.sky = constantEnvironment(glm::vec3(1.0f));
   return found;
@@ -46,7 +46,7 @@ GlobalIllumination drawnGlobalIllumination(Session& session, const PictureOption
                                            const ShadedScene& shaded) {
   requireTriangles(shaded.loaded);
   const Device device = openDevice(session, options);
-  const PictureLights lights = pictureLights(options, shaded);
+  const PictureLights lights = pictureLights(shaded);
   const LitScene lit{shaded.loaded.compiled, shaded.loaded.scene.images, lights.lights,
                      lights.sky ? &*lights.sky : nullptr, shaded.render.skyRotation};
   const GlobalIlluminationPictureRequest sized = sizedRequest(options, shaded);
@@ -69,7 +69,7 @@ std::unique_ptr<FollowingLight> followingLight(Session& session, const PictureOp
   requireTriangles(shaded.loaded);
   auto following = std::make_unique<FollowingLight>();
   following->device.emplace(openDevice(session, options));
-  PictureLights lights = pictureLights(options, shaded);
+  PictureLights lights = pictureLights(shaded);
   following->sky = std::move(lights.sky);
   CompiledScene compiled = shaded.loaded.compiled;
   compiled.lights = std::move(lights.lights);

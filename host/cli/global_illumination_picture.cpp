@@ -5,6 +5,7 @@
 #include <future>
 #include <numbers>
 
+#include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
 #include "io/finite_results.h"
@@ -94,6 +95,8 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   LoadedScene loaded = session.load(options.scene, options.load);
   Bake none;
   poseScene(session, options.pose, loaded, none);
+  std::optional<std::vector<Light>> given = options.lights;
+  makeSurfaces(given, loaded);
   requireTriangles(loaded);
   auto [sky, studio] = choosePictureSky(session, options.environment, options.lights.has_value(), false,
                                         loaded, options.camera);
@@ -107,7 +110,7 @@ void renderGlobalIlluminationPicture(Session& session, const PictureOptions& opt
   std::future<LitSurface> surface = std::async(
       std::launch::async, [&] { return layOutSurface(loaded.scene, loaded.compiled, request.mapTexels()); });
   const Device device = session.times().measure("device", [&] { return opening.get(); });
-  std::vector<Light> lights = options.lights.value_or(loaded.scene.lights);
+  std::vector<Light> lights = given.value_or(loaded.scene.lights);
   if (!sky && makeLightTables(loaded.compiled, lights, nullptr, true).groupCount == 0) {
     sky = constantEnvironment(glm::vec3(1.0f));
     session.console().note(

@@ -38,6 +38,8 @@ const char* lightTypeName(const Light& light) {
       return "directional";
     case LightType::Spot:
       return "spot";
+    case LightType::Area:
+      return "area";
     case LightType::Point:
       break;
   }

@@ -9,6 +9,7 @@
 #include "cli/drawn_global_illumination.h"
 #include "cli/encoding_option.h"
 #include "cli/global_illumination_picture.h"
+#include "cli/light_options.h"
 #include "cli/occluder_options.h"
 #include "cli/output_file.h"
 #include "cli/report.h"
@@ -18,7 +19,6 @@
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
 #include "viewer/camera.h"
-#include "viewer/light_option.h"
 
 namespace prelight::cli {
 namespace {
@@ -28,11 +28,6 @@ constexpr std::uint64_t maxCameraIndex = 1u << 20;
 constexpr std::uint64_t maxHaarTerms = 6 * 128 * 128;
 constexpr std::uint64_t maxCausticPhotons = 100'000'000;
 constexpr int shadingBounces = 1;
-
-void readLight(std::optional<std::vector<Light>>& lights, const std::string& text) {
-  if (!lights) lights.emplace();
-  if (text != "none") lights->push_back(viewer::parseLight(text));
-}
 
 /// What must be baked for `shading`: with `everyShading` also what ao and sh need and what else is asked for.
 std::vector<viewer::Shading> missingShadings(const BakeRequest& asked, const Bake& bake,
@@ -143,6 +138,24 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
     });
     shaded.bake.sh.reset();
   }
+}
+
+/// What is followed or baked under the lights of a picture knows neither area lights nor cookies.
+void checkAreaLights(const PictureOptions& options, viewer::Shading shading, bool everyShading,
+                     const Bake& bake) {
+  if (!anyDrawnOnly(options.lights)) return;
+  const bool baked = (shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) &&
+                     !viewer::infoOf(shading).carriedBy(bake);
+  const bool followed = everyShading && (shading == viewer::Shading::GlobalIllumination ||
+                                         shading == viewer::Shading::Radiosity);
+  if (baked || followed)
+    throw UsageError(fmt::format("--shading {}", viewer::shadingName(shading)),
+                     fmt::format("{} takes no area lights and cookies",
+                                 followed ? "a window in this shading" : "its bake"),
+                     "give an emissive surface to the scene, or choose another shading");
+  if (options.causticPhotons > 0)
+    throw UsageError("--caustics", "photons of pictures leave neither area lights nor cookies",
+                     "give an emissive surface to the scene, or leave one of the two out");
 }
 
 /// The shading of objects among a bake: its own lights where the volume holds them.
@@ -275,16 +288,7 @@ void addPictureOptions(CLI::App& app, PictureOptions& options) {
       app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { options.skyRotationDegrees = degrees; },
       "turn the sky by this many degrees, counter-clockwise seen from above")
       ->type_name("DEG");
-  app.add_option_function<std::vector<std::string>>(
-         "--light",
-         [&](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) readLight(options.lights, text);
-         },
-         "replaces the file's lights, once for each light: point:x,y,z:r,g,b, directional:dx,dy,dz:r,g,b, "
-         "spot:x,y,z:dx,dy,dz:inner,outer:r,g,b or none")
-      ->type_name("LIGHT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addLightOption(app, options.lights);
   addWholeNumber(
       app, "--caustics", {1, maxCausticPhotons}, [&](std::uint64_t n) { options.causticPhotons = n; },
       "add the light that mirrors and glass focus, by this many photons towards them");
@@ -365,6 +369,7 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
       options.shading.value_or(options.inVolume.any()        ? shadingInVolume(shaded.bake)
                                : options.encoding != nullptr ? viewer::Shading::LightMap
                                                              : viewer::carriedShading(shaded.bake));
+  checkAreaLights(options, render.shading, everyShading, shaded.bake);
   shaded.encoding = options.encoding;
   checkEncoding(options.scene, shaded.bake, render.shading, shaded.encoding);
   render.height = options.size.height;
@@ -373,6 +378,8 @@ ShadedScene prepareScene(Session& session, const PictureOptions& options, bool e
   render.camera = options.camera;
   render.skyRotation = options.skyRotationDegrees * std::numbers::pi / 180.0;
   render.lights = options.lights;
+  if (render.shading == viewer::Shading::GlobalIllumination && makeSurfaces(render.lights, shaded.loaded))
+    shaded.bake = {};  // of the scene without them
   render.groups = options.groups;
   render.haarTerms = options.haarTerms;
   render.occluders = options.occluders;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/commands.h"
+#include "cli/light_options.h"
 #include "cli/output_file.h"
 #include "cli/picture_sky.h"
 #include "cli/placed_objects.h"
@@ -20,7 +21,6 @@
 #include "io/plan_json.h"
 #include "prelight/picture.h"
 #include "viewer/camera.h"
-#include "viewer/light_option.h"
 
 namespace prelight::cli {
 namespace {
@@ -185,6 +185,8 @@ void runReference(const ReferenceCommand& command, Context& context) {
     Warnings said;  // by the scene without them already
     loaded.compiled = compileScene(loaded.scene, said);
   }
+  std::optional<std::vector<Light>> lights = command.lights;
+  makeSurfaces(lights, loaded);
   const auto [sky, studio] = choosePictureSky(session, command.environment, command.lights.has_value(), false,
                                               loaded, command.camera);
   if (studio && !command.camera) setUpStudio(session, loaded, command.size.width, command.size.height);
@@ -192,7 +194,7 @@ void runReference(const ReferenceCommand& command, Context& context) {
 
   const reference::ReferenceInputs inputs{loaded.compiled,
                                           loaded.scene.images,
-                                          command.lights.value_or(loaded.scene.lights),
+                                          lights.value_or(loaded.scene.lights),
                                           viewer::chooseCamera(loaded.scene, loaded.compiled, command.camera),
                                           sky ? &*sky : nullptr,
                                           command.skyRotationDegrees * std::numbers::pi / 180.0};
@@ -268,19 +270,7 @@ void addViewOptions(CLI::App& app, ReferenceCommand& command) {
       app, "--rotate-env", {-360.0, 360.0}, [&](double degrees) { command.skyRotationDegrees = degrees; },
       "turn the sky by this many degrees, counter-clockwise seen from above")
       ->type_name("DEG");
-  app.add_option_function<std::vector<std::string>>(
-         "--light",
-         [&](const std::vector<std::string>& texts) {
-           if (!command.lights) command.lights.emplace();
-           for (const std::string& text : texts)
-             if (text != "none") command.lights->push_back(viewer::parseLight(text));
-         },
-         "replaces the file's punctual lights, once for each light: point:x,y,z:r,g,b, "
-         "directional:dx,dy,dz:r,g,b, "
-         "spot:x,y,z:dx,dy,dz:inner,outer:r,g,b or none")
-      ->type_name("LIGHT")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  addLightOption(app, command.lights);
 }
 
 }  // namespace

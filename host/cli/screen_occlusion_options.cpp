@@ -8,17 +8,21 @@ namespace prelight::cli {
 
 namespace {
 
-constexpr const char* heading = "Screen-space occlusion (--shading screen)";
+constexpr const char* heading = "Occlusion found while drawing (--shading screen)";
 
 }  // namespace
 
 void addScreenOcclusionOptions(CLI::App& app, viewer::ScreenOcclusionOptions& options) {
   using viewer::OcclusionMethod;
-  addNamed<OcclusionMethod, 3>(
+  addNamed<OcclusionMethod, 4>(
       app, "--occlusion",
-      {{{"ssao", OcclusionMethod::Ssao}, {"hbao", OcclusionMethod::Hbao}, {"gtao", OcclusionMethod::Gtao}}},
+      {{{"ssao", OcclusionMethod::Ssao},
+        {"hbao", OcclusionMethod::Hbao},
+        {"gtao", OcclusionMethod::Gtao},
+        {"disks", OcclusionMethod::Disks}}},
       [&](OcclusionMethod method) { options.method = method; },
-      "how it is found: ssao, from points; hbao, from horizons; gtao (default), from slices")
+      "how it is found: ssao, from points; hbao, from horizons; gtao (default), from slices; disks, from all "
+      "surfaces of the scene")
       ->group(heading);
   addNamed<bool, 2>(
       app, "--occlusion-filter", {{{"bilateral", true}, {"none", false}}},

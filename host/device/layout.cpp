@@ -83,7 +83,7 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<PhotonParameters, 228>("PhotonParameters", offsetof(PhotonParameters, scene)),
       layoutOf<PhotonPath, 32>("PhotonPath", offsetof(PhotonPath, mirrored)),
       layoutOf<GatherParameters, 184>("GatherParameters", offsetof(GatherParameters, scene)),
-      layoutOf<GatherPath, 32>("GatherPath", offsetof(GatherPath, widened)),
+      layoutOf<GatherPath, 32>("GatherPath", offsetof(GatherPath, flags)),
       layoutOf<PhotonGrid, 32>("PhotonGrid", offsetof(PhotonGrid, firstCell)),
       layoutOf<DeviceInstance, 64>("DeviceInstance", offsetof(DeviceInstance, triangleCount)),
       layoutOf<LightRay, 32>("LightRay", offsetof(LightRay, sampleCount)),
@@ -112,7 +112,8 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<LightGroupLine, 64>("LightGroupLine", offsetof(LightGroupLine, words)),
       layoutOf<LightGroupLayout, 24>("LightGroupLayout", offsetof(LightGroupLayout, emitters)),
       layoutOf<QueueMove, 32>("QueueMove", offsetof(QueueMove, to)),
-      layoutOf<DeviceTexture, 48>("DeviceTexture", offsetof(DeviceTexture, wrapT))};
+      layoutOf<DeviceTexture, 48>("DeviceTexture", offsetof(DeviceTexture, wrapT)),
+      layoutOf<GatherArrival, 16>("GatherArrival", offsetof(GatherArrival, ray))};
 }
 
 }  // namespace

@@ -13,6 +13,11 @@ using namespace device;
 /// A block is so many of a caster's, as the last rays through mirrors and glass are few and each round waits.
 constexpr std::uint32_t blocksAtOnce = 4;
 
+/// Lamps are found by chance alone where all surfaces are smooth or diffuse.
+bool hasRoughLobes(const ShadeFeatures& features) {
+  return features.glossy || features.layers || features.roughGlass;
+}
+
 }  // namespace
 
 FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance, const GatherRequest& request)
@@ -22,6 +27,7 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
       request_(request),
       blockSize_(blocksAtOnce * receiversPerBlock(device_.info(), request.raysPerReceiver)),
       follows_(scene.features().specularLobes()),
+      asksLights_(follows_ && hasRoughLobes(scene.features()) && scene.lights().groupCount > 0),
       castParameters_(device_, 1),
       parameters_(device_, 1),
       receivers_(device_, blockSize_),
@@ -32,6 +38,9 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
   paths_ = Buffer<GatherPath>(device_, follows_ ? 2 * rays : 0);
   hits_ = Buffer<Hit>(device_, rays);
   marks_ = Buffer<std::uint8_t>(device_, rays);
+  shadowRays_ = Buffer<Ray>(device_, asksLights_ ? 2 * rays : 0);
+  arrivals_ = Buffer<GatherArrival>(device_, asksLights_ ? rays : 0);
+  shadowHits_ = Buffer<Hit>(device_, asksLights_ ? rays : 0);
   radiances_ = Buffer<float>(device_, 3 * rays);
   if (follows_) queue_.emplace(device_, mostRays_);
   values_.raysPerReceiver = request.raysPerReceiver;
@@ -40,9 +49,13 @@ FinalGather::FinalGather(TransportScene& scene, const IrradianceMap& irradiance,
   values_.longWay = request.longWay;
   generate_ = {device_, "cast/generate_kernels.cl", {}, "generateRays"};
   const char* file = "gather/gather_kernels.cl";
-  const BuildOptions options = scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS");
+  const BuildOptions options =
+      scene.options().defineIf(follows_, "PRELIGHT_FOLLOWS").defineIf(asksLights_, "PRELIGHT_ASKS_LIGHTS");
   gather_ = {device_, file, options, "gatherRadiance"};
   sum_ = {device_, file, options, "sumRadiance"};
+  if (!asksLights_) return;
+  ask_ = {device_, file, options, "askLights"};
+  add_ = {device_, file, options, "addArrivals"};
 }
 
 template <typename Summing>
@@ -125,10 +138,29 @@ std::uint32_t FinalGather::collect(std::uint32_t count, std::uint32_t depth) {
                  handle.lights(), irradiance_.lines(), receivers_, rayBuffer_, hits_, paths_, radiances_,
                  marks_);
   if (!follows_) return 0;
-  const std::uint32_t left = queue_->list(marks_, count)[0];
-  queue_->move(0, left, QueuedItems<Ray>{rayBuffer_, mostRays_, rayBuffer_},
+  if (asksLights_) askLights(count, depth);
+  const auto listed = queue_->list(marks_, count);
+  if (asksLights_) addArrivals(listed[PRELIGHT_GATHER_SHADOW]);
+  const std::uint32_t left = listed[PRELIGHT_GATHER_NEXT];
+  queue_->move(PRELIGHT_GATHER_NEXT, left, QueuedItems<Ray>{rayBuffer_, mostRays_, rayBuffer_},
                QueuedItems<GatherPath>{paths_, mostRays_, paths_});
   return left;
+}
+
+/// Marks shadow rays from where rays end; those that go on must not have been moved yet.
+void FinalGather::askLights(std::uint32_t count, std::uint32_t depth) {
+  const DeviceScene& handle = scene_.handle();
+  ask_.launch(count, parameters_, GatherStep{count, depth, mostRays_}, handle.surface(), handle.shading(),
+              handle.lights(), receivers_, rayBuffer_, hits_, paths_, shadowRays_, arrivals_, marks_);
+}
+
+void FinalGather::addArrivals(std::uint32_t shadows) {
+  if (shadows == 0) return;
+  queue_->move(PRELIGHT_GATHER_SHADOW, shadows, QueuedItems<Ray>{shadowRays_, 0, shadowRays_, mostRays_});
+  scene_.tracer().traceAny(shadowRays_, shadowHits_, shadows, mostRays_);
+  rays_ += shadows;
+  add_.launch(shadows, shadows, queue_->first(PRELIGHT_GATHER_SHADOW), queue_->lists(), shadowHits_,
+              arrivals_, radiances_);
 }
 
 }  // namespace prelight

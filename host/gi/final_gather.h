@@ -53,6 +53,8 @@ class FinalGather {
                     std::vector<std::uint32_t>* seen, const Summing& sumBlock);
   void traceBlock(std::span<const device::Receiver> receivers, std::vector<std::uint32_t>* seen);
   std::uint32_t collect(std::uint32_t count, std::uint32_t depth);
+  void askLights(std::uint32_t count, std::uint32_t depth);
+  void addArrivals(std::uint32_t shadows);
 
   TransportScene& scene_;
   DeviceContext& device_;
@@ -60,6 +62,7 @@ class FinalGather {
   GatherRequest request_;
   std::uint32_t blockSize_;
   bool follows_;
+  bool asksLights_;  ///< where a lobe is rough
   std::uint64_t rays_ = 0;
   device::GatherParameters values_{};
   Buffer<device::CastParameters> castParameters_;
@@ -69,6 +72,9 @@ class FinalGather {
   Buffer<device::Ray> rayBuffer_;     ///< [those to trace, those that go on if any can][mostRays_]
   Buffer<device::GatherPath> paths_;  ///< the same
   Buffer<device::Hit> hits_;
+  Buffer<device::Ray> shadowRays_;  ///< [as they are made, close together][mostRays_]
+  Buffer<device::GatherArrival> arrivals_;
+  Buffer<device::Hit> shadowHits_;
   Buffer<float> radiances_, sums_, incident_;
   int incidentOrder_ = 0;  ///< of sumIncident_; 0: it is not made
   Buffer<std::uint8_t> marks_;
@@ -81,6 +87,13 @@ class FinalGather {
          Buffer<device::LightLine>, Buffer<device::IrradianceLine>, Receivers, Buffer<device::Ray>,
          Buffer<device::Hit>, Buffer<device::GatherPath>, Buffer<float>, Buffer<std::uint8_t>>
       gather_;
+  Kernel<Parameters, device::GatherStep, Buffer<device::SurfaceLine>, Buffer<device::ShadingLine>,
+         Buffer<device::LightLine>, Receivers, Buffer<device::Ray>, Buffer<device::Hit>,
+         Buffer<device::GatherPath>, Buffer<device::Ray>, Buffer<device::GatherArrival>, Buffer<std::uint8_t>>
+      ask_;
+  Kernel<std::uint32_t, std::uint32_t, Buffer<std::uint32_t>, Buffer<device::Hit>,
+         Buffer<device::GatherArrival>, Buffer<float>>
+      add_;
   Kernel<Parameters, Buffer<float>, Buffer<float>> sum_;
   Kernel<Parameters, Receivers, Buffer<device::Ray>, Buffer<float>, Buffer<float>> sumIncident_;
 };

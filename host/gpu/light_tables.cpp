@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/luminance.h"
+#include "prelight/error.h"
 #include "scene/light_profile.h"
 #include "scene/light_sources.h"
 #include "scene/punctual_light.h"
@@ -22,6 +23,16 @@ constexpr double wholeRange = 4294967296.0;
 /// Half of the choice follows the lights' power, half is even: a weak light may be the nearest one.
 constexpr double evenShare = 0.5;
 
+/// What is drawn alone.
+void refuseUntraceable(const Light& light) {
+  if (light.type == LightType::Area)
+    throw Error(ExitCode::RuntimeFailure, "light '" + light.name + "'", "an area light cannot be traced",
+                "give the scene an emissive surface in its place");
+  if (light.cookie != nullptr)
+    throw Error(ExitCode::RuntimeFailure, "light '" + light.name + "'", "a cookie cannot be traced",
+                "take it from the light");
+}
+
 double power(const Light& light, double sceneRadius) {
   const double strength = luminance(glm::dvec3(light.intensity)) +
                           1e-6 * (light.intensity.x + light.intensity.y + light.intensity.z);
@@ -30,6 +41,7 @@ double power(const Light& light, double sceneRadius) {
       return strength * pi * sceneRadius * sceneRadius;
     case LightType::Spot:
       return strength * 2.0 * pi * (1.0 - std::cos(light.outerConeAngle));
+    case LightType::Area:
     case LightType::Point:
       break;
   }
@@ -199,6 +211,7 @@ LightTables makeLightTables(const CompiledScene& scene, const std::vector<Light>
   std::vector<const Light*> shining;
   for (const Light& light : lights) {
     if (!shines(light.intensity)) continue;
+    refuseUntraceable(light);
     shining.push_back(&light);
     result.punctual.push_back(deviceLight(light, scene));
     result.punctualPowers.push_back(power(light, radius));

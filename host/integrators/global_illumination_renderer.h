@@ -24,7 +24,7 @@ struct GlobalIlluminationPictureRequest {
       texels;  ///< of the light map that holds indirect light, about; none: by pixels
   IndirectRequest indirect{.longWay = 4};
   std::optional<std::uint64_t> causticPhotons;  ///< towards what makes caustics; none: by pixels
-  int depth = 16;                               ///< mirrors and glass before a camera's path ends
+  int depth = 64;                               ///< mirrors and glass before a camera's path ends
   std::uint64_t seed = 0;
 
   /// What is made where none is asked for: a texel for 32 pixels, 4096 to 65,536, and a caustic photon for

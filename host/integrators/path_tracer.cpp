@@ -64,7 +64,9 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
 
 void PathTracer::buildKernels(const ReferenceRequest& request) {
   const char* file = "integrate/path_kernels.cl";
-  const BuildOptions options = buildOptions(request, std::nullopt, scene_.options());
+  BuildOptions options = buildOptions(request, std::nullopt, scene_.options());
+  if (scene_.features().sky && request.integrator == Integrator::Path)
+    options.define("PRELIGHT_LIGHT_CANDIDATES", skyCandidates);
   generate_ = {device_, file, options, "generatePaths"};
   collect_ = {device_, file, options, "collectRadiance"};
   sample_ = {device_, file, options, "sampleLights"};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t openEndedSamples = 8;  ///< a pass, where nobody knows how many there will be
 constexpr std::uint32_t mostSamples = 64;
-constexpr std::uint64_t leastPasses = 32;        ///< of a picture of known samples, where it has so many
+constexpr std::uint64_t leastPasses = 8;         ///< of a picture of known samples, where it has so many
 constexpr std::uint64_t passesBeforeError = 16;  ///< an error from fewer is itself too uncertain to stop by
 constexpr auto checkpointInterval = std::chrono::seconds(30);
 

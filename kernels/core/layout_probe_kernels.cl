@@ -65,7 +65,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(33, PhotonParameters, scene);
   PROBE(34, PhotonPath, mirrored);
   PROBE(35, GatherParameters, scene);
-  PROBE(36, GatherPath, widened);
+  PROBE(36, GatherPath, flags);
   PROBE(37, PhotonGrid, firstCell);
   PROBE(38, DeviceInstance, triangleCount);
   PROBE(39, LightRay, sampleCount);
@@ -94,6 +94,7 @@ void probeSecondHalf(__global uint* out) {
   PROBE(62, LightGroupLayout, emitters);
   PROBE(63, QueueMove, to);
   PROBE(64, DeviceTexture, wrapT);
+  PROBE(65, GatherArrival, ray);
 }
 
 // One work-item.

@@ -20,9 +20,10 @@ float3 pointError(float3 a, float3 b, float3 c, float u, float v) {
 float beyond(float x, float way) { return way == 0.0f ? x : nextafter(x, way > 0.0f ? MAXFLOAT : -MAXFLOAT); }
 
 // Origin of a ray that leaves `point` on the side of unit normal n to which `direction` points. No point within
-// `error` of the surface lies ahead of it.
+// `error` of the surface lies ahead of it. In a plane through zero along the axes there is no error across it, and the ray would
+// start on its neighbours, which it may not meet: hence the second bound.
 float3 offsetOrigin(float3 point, float3 error, float3 n, float3 direction) {
-  const float distance = dot(fabs(n), error);
+  const float distance = fmax(dot(fabs(n), error), 1e-7f * fmax(error.x, fmax(error.y, error.z)));
   const float3 offset = dot(direction, n) < 0.0f ? -distance * n : distance * n;
   const float3 moved = point + offset;
   return (float3)(beyond(moved.x, offset.x), beyond(moved.y, offset.y), beyond(moved.z, offset.z));

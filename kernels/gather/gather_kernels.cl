@@ -1,27 +1,54 @@
 // Final gathering: a receiver's cosine-weighted rays look up what diffuse surfaces send. Mirrors, glass and glossy lobes
 // are followed to such surfaces. Lamps and the sky count only behind a lobe that is not narrow: seen straight they are
 // direct light, through narrow lobes alone caustics.
+//   [trace -> gatherRadiance -> askLights -> trace -> addArrivals] ... -> sumRadiance
 // Options: those of the included files, PRELIGHT_ABSORPTION, PRELIGHT_FOLLOWS (some surface reflects otherwise than
 // diffusely).
 #include "core/sampling_funcs.cl"
+#include "gather/gather_light_funcs.cl"
 #include "gather/irradiance_map_funcs.cl"
 #include "shared/cast_types.h"
-#include "shared/gather_types.h"
 #include "transport/dispersion_funcs.cl"
 #include "transport/irradiance_funcs.cl"
 #include "transport/medium_funcs.cl"
 #include "transport/roulette_funcs.cl"
-#include "transport/scene_funcs.cl"
 
 #define PRELIGHT_GATHER_PAIRS 3u  // of random numbers at a surface: lobe and roulette, direction
+// Of the random numbers for lights, beyond those of all surfaces: group and emitter, place, roulette.
+#define PRELIGHT_PAIR_LIGHTS 0x20000u
 
 // A point of the receiver's own sequence, whatever it is gathered together with.
-float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver* receivers, uint ray, uint depth, uint pair) {
+uint2 gatherBits(__constant const GatherParameters* p, __global const Receiver* receivers, uint ray, uint depth, uint pair) {
   const uint receiver = ray / p->raysPerReceiver;
   const uint sample = receivers[receiver].firstSample + ray % p->raysPerReceiver;
   const uint dimension = hashInteger(p->seed + (depth * PRELIGHT_GATHER_PAIRS + pair) * 0x9e3779b9u);
-  const uint2 bits = samplePaddedBits(sample, hashInteger(receivers[receiver].seed ^ dimension));
+  return samplePaddedBits(sample, hashInteger(receivers[receiver].seed ^ dimension));
+}
+
+float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver* receivers, uint ray, uint depth, uint pair) {
+  const uint2 bits = gatherBits(p, receivers, ray, depth, pair);
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
+}
+
+// The path of a step's ray; there is none before the first surface.
+PRELIGHT_INLINE GatherPath gatherPathAt(GatherStep step, __global const GatherPath* paths, uint i) {
+  const GatherPath first = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, i, 0.0f, 0u};
+  return step.depth > 0u ? paths[i] : first;
+}
+
+// What the path takes from a surface: what glass on the way has left, and the surface by its wavelength.
+PRELIGHT_INLINE Bsdf meetSurface(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s,
+                                 Interaction surface, float way, GatherPath* path) {
+  Bsdf b = loadBsdf(s, surface);
+#ifdef PRELIGHT_ABSORPTION
+  const uint medium = mediumBefore(surface, path->medium);
+  if (medium != PRELIGHT_NO_MEDIUM) vstore3(vload3(0, path->throughput) * transmittance(s, medium, way), 0, path->throughput);
+#endif
+#ifdef PRELIGHT_DISPERSION
+  const float wave = gatherPoint(p, receivers, path->ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x;
+  disperse(s, surface, wave, (path->flags & PRELIGHT_GATHER_DISPERSED) != 0u, &b);
+#endif
+  return b;
 }
 
 #ifdef PRELIGHT_FOLLOWS
@@ -29,19 +56,17 @@ float2 gatherPoint(__constant const GatherParameters* p, __global const Receiver
 PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const Receiver* receivers, PathScene s,
                             Interaction surface, Bsdf b, uint depth, GatherPath* path, Ray* next) {
   const float2 chance = gatherPoint(p, receivers, path->ray, depth, 0u), u = gatherPoint(p, receivers, path->ray, depth, 1u);
-  const uint lobes = PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE;
-#ifdef PRELIGHT_DISPERSION
-  const float wave = gatherPoint(p, receivers, path->ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x;
-  disperse(s, surface, wave, path->dispersed != 0u, &b);
-#endif
+  const uint lobes = (PRELIGHT_LOBES_ALL & ~PRELIGHT_LOBES_DIFFUSE) | PRELIGHT_LOBES_APART;
   BsdfSample sample;
   if (!sampleBsdf(surface, b, lobes, PRELIGHT_RADIANCE, chance.x, u, &sample)) return false;
-  if ((sample.lobe & narrowLobes(b)) == 0u) path->widened = 1u;
+  const bool asked = asksFor(b, sample.lobe, path->flags, toFrame(surface.frame, sample.direction).z);
+  path->scatterDensity = asked ? sample.pdf : 0.0f;
+  if ((sample.lobe & narrowLobes(b)) == 0u) path->flags |= PRELIGHT_GATHER_WIDENED;
   float3 throughput = carriedBy(sample, vload3(0, path->throughput));
 #ifdef PRELIGHT_DISPERSION
-  if (path->dispersed == 0u && takesColor(s, surface, b, sample.lobe)) {
-    throughput *= colorOfWave(wave);
-    path->dispersed = 1u;
+  if ((path->flags & PRELIGHT_GATHER_DISPERSED) == 0u && takesColor(s, surface, b, sample.lobe)) {
+    throughput *= colorOfWave(gatherPoint(p, receivers, path->ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x);
+    path->flags |= PRELIGHT_GATHER_DISPERSED;
   }
 #endif
   path->relativeIor2 *= sample.eta2;
@@ -54,6 +79,18 @@ PRELIGHT_INLINE bool follow(__constant const GatherParameters* p, __global const
   return true;
 }
 #endif
+
+// Light that the ray meets by chance: lamps and the sky, where a lobe on the way was wide.
+PRELIGHT_INLINE float3 metLight(__constant const GatherParameters* p, Scene scene, GatherPath path, Ray ray, Hit hit,
+                                bool front, float cosine) {
+  if ((path.flags & PRELIGHT_GATHER_WIDENED) == 0u) return (float3)(0.0f);
+  const float3 radiance = evalLight(scene.lights, &p->scene.lights, scene.surface, ray, hit, front);
+#ifdef PRELIGHT_ASKS_LIGHTS
+  if (path.scatterDensity > 0.0f)
+    return radiance * misWeight(path.scatterDensity, pdfLight(scene.lights, &p->scene.lights, ray, hit, cosine));
+#endif
+  return radiance;
+}
 
 // A ray a work-item, its first surface if depth is 0: paths are then not read. receivers [receiver of the block]; rays,
 // paths and hits [count]; radiances [ray of the block][3] are set at depth 0 and added to beyond -> rays and paths of those that
@@ -68,23 +105,17 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
   const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
   const PathScene s = scene.surface;
   const IrradianceMap map = irradianceMapOf(&p->map, irradiances);
-  GatherPath path = {{1.0f, 1.0f, 1.0f}, 1.0f, PRELIGHT_NO_MEDIUM, (uint)i, 0u, 0u};
-  if (step.depth > 0u) path = paths[i];
+  GatherPath path = gatherPathAt(step, paths, (uint)i);
   const Ray ray = rays[i];
   const Hit hit = hits[i];
-  float3 radiance = (float3)(0.0f);
   marks[i] = 0;
   Interaction surface;
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) surface = loadInteraction(s, ray, hit);
   const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;  // nothing may be read of a surface that is none
-  if (path.widened != 0u) radiance = evalLight(scene.lights, &p->scene.lights, s, ray, hit, front);
+  const float cosine = hit.triangle != PRELIGHT_NO_TRIANGLE ? dot(surface.wo, surface.geometric) : 1.0f;
+  float3 radiance = metLight(p, scene, path, ray, hit, front, cosine);
   if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
-    const Bsdf bsdf = loadBsdf(s, surface);
-#ifdef PRELIGHT_ABSORPTION
-    const uint medium = mediumBefore(surface, path.medium);
-    if (medium != PRELIGHT_NO_MEDIUM)
-      vstore3(vload3(0, path.throughput) * transmittance(s, medium, hit.t), 0, path.throughput);
-#endif
+    const Bsdf bsdf = meetSurface(p, receivers, s, surface, hit.t, &path);
     if (largest(bsdf.diffuse) > 0.0f)
       radiance += reflectIrradiance(bsdf, surface.woLocal, irradianceAt(map, hit.triangle, surface.front, hit.u, hit.v));
 #ifdef PRELIGHT_TRANSLUCENT
@@ -97,7 +128,7 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
     if (follow(p, receivers, s, surface, bsdf, step.depth, &path, &next)) {
       rays[step.next + i] = next;
       paths[step.next + i] = path;
-      marks[i] = 1;
+      marks[i] = 1u << PRELIGHT_GATHER_NEXT;
     }
 #endif
   } else {
@@ -106,6 +137,56 @@ __kernel void gatherRadiance(__constant const GatherParameters* p, const GatherS
   __global float* out = radiances + 3 * (size_t)path.ray;
   vstore3(step.depth == 0u ? radiance : vload3(0, out) + radiance, 0, out);
 }
+
+#ifdef PRELIGHT_ASKS_LIGHTS
+// A ray a work-item, before those that go on are moved. Light that could arrive directly where the ray ends and that rough lobes
+// send back. Rays ask as seldom as these lobes are followed. -> shadow rays, arrivals [ray], and marks.
+__kernel void askLights(__constant const GatherParameters* p, const GatherStep step, __global const SurfaceLine* surfaceLines,
+                        __global const ShadingLine* shadingLines, __global const LightLine* lightLines,
+                        __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
+                        __global const GatherPath* paths, __global Ray* shadows, __global GatherArrival* arrivals,
+                        __global uchar* marks) {
+  const size_t i = get_global_id(0);
+  if (i >= step.count || hits[i].triangle == PRELIGHT_NO_TRIANGLE) return;
+  const Scene scene = sceneOf(&p->scene, surfaceLines, shadingLines, lightLines);
+  const PathScene s = scene.surface;
+  const Interaction surface = loadInteraction(s, rays[i], hits[i]);
+  GatherPath path = gatherPathAt(step, paths, (uint)i);
+  const Bsdf b = meetSurface(p, receivers, s, surface, hits[i].t, &path);
+  const uint pair = PRELIGHT_PAIR_LIGHTS;
+  float3 carried = vload3(0, path.throughput);
+  const float followed = isGlossy(b) ? largest(carried) * path.relativeIor2 * roughAlbedo(b, surface.woLocal) : 0.0f;
+  if (!survives(fmin(followed, 1.0f), gatherPoint(p, receivers, path.ray, step.depth, pair + 2u).x, &carried)) return;
+  LightSample light;
+  if (!sampleLight(scene.lights, &p->scene.lights, s, surface.position, gatherBits(p, receivers, path.ray, step.depth, pair),
+                   gatherBits(p, receivers, path.ray, step.depth, pair + 1u), &light))
+    return;
+  float3 radiance = carried * reflectLight(surface, b, path.flags, light);
+#ifdef PRELIGHT_DISPERSION
+  if ((path.flags & PRELIGHT_GATHER_DISPERSED) == 0u && splitsAsAWhole(b) && takesColor(s, surface, b, 0u))
+    radiance *= colorOfWave(gatherPoint(p, receivers, path.ray, 0u, PRELIGHT_PAIR_WAVELENGTH).x);
+#endif
+#ifdef PRELIGHT_ABSORPTION
+  if (path.medium != PRELIGHT_NO_MEDIUM) radiance *= transmittance(s, path.medium, light.distance);
+#endif
+  if (!(largest(radiance) > 0.0f)) return;
+  shadows[i] = light.surface ? rayTo(surface, light.direction, light.target, 0.99998f)
+                             : rayFrom(surface, light.direction, light.distance);
+  vstore3(radiance, 0, arrivals[i].radiance);
+  arrivals[i].ray = path.ray;
+  marks[i] |= 1u << PRELIGHT_GATHER_SHADOW;
+}
+
+// A shadow ray a work-item, in the order of lists from firstListed on; a ray has at most one at a time. hits [count].
+__kernel void addArrivals(const uint count, const uint firstListed, __global const uint* lists, __global const Hit* hits,
+                          __global const GatherArrival* arrivals, __global float* radiances) {
+  const size_t i = get_global_id(0);
+  if (i >= count || hits[i].triangle != PRELIGHT_NO_TRIANGLE) return;
+  const GatherArrival arrival = arrivals[lists[firstListed + i]];
+  __global float* out = radiances + 3 * (size_t)arrival.ray;
+  vstore3(vload3(0, out) + vload3(0, arrival.radiance), 0, out);
+}
+#endif
 
 // A receiver a work-item. radiances [receiver][raysPerReceiver][3] -> irradiance [receiver][3]: pi times their mean, as
 // directions are cosine-weighted.

@@ -6,6 +6,7 @@
 
 #include "shared/reference_types.h"
 #include "transport/light_funcs.cl"
+#include "transport/mis_funcs.cl"
 
 // Coordinate pairs of a path's point: one for the place in the pixel, then these for every vertex.
 #define PRELIGHT_PAIR_PIXEL 0u
@@ -30,12 +31,6 @@ uint2 pathBits(__constant const ReferenceParameters* p, uint path, uint pair) {
 float2 pathPoint(__constant const ReferenceParameters* p, uint path, uint pair) {
   const uint2 bits = pathBits(p, path, pair);
   return (float2)(unitFloat(bits.x), unitFloat(bits.y));
-}
-
-// Power heuristic (Veach 1995, eq. 9.13) for a sample of density `used`, which the other way draws with `other`.
-float misWeight(float used, float other) {
-  const float ratio = other / used;
-  return 1.0f / (1.0f + ratio * ratio);
 }
 
 #endif

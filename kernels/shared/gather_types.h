@@ -43,10 +43,23 @@ typedef struct GatherPath {
   float throughput[3];
   float relativeIor2;  ///< product of squared relative iors passed: undoes the scale of radiance in roulette
   uint medium;
-  uint ray;      ///< that it started as, of the block
-  uint widened;  ///< 1: some lobe on the way was no narrow one, so that lamps count
-  uint dispersed;  ///< 1: it has the colour of its wavelength (transport/dispersion_funcs.cl)
+  uint ray;              ///< that it started as, of the block
+  float scatterDensity;  ///< 1/sr with which its direction was drawn, where lights were asked as well; 0: they were not
+  uint flags;            ///< PRELIGHT_GATHER_*
 } GatherPath;
+
+#define PRELIGHT_GATHER_WIDENED 1u    ///< some lobe on the way was no narrow one, so that lamps count
+#define PRELIGHT_GATHER_DISPERSED 2u  ///< it has the colour of its wavelength (transport/dispersion_funcs.cl)
+
+/// What a gathering ray's step marks for the work queue: bits of these numbers.
+#define PRELIGHT_GATHER_NEXT 0u    ///< a ray that goes on
+#define PRELIGHT_GATHER_SHADOW 1u  ///< a shadow ray
+
+/// What a shadow ray brings if nothing is in its way.
+typedef struct GatherArrival {
+  float radiance[3];
+  uint ray;  ///< that it belongs to, of the block
+} GatherArrival;
 
 PRELIGHT_SHARED_END
 

@@ -168,10 +168,37 @@ PRELIGHT_INLINE bool sampleCoatMirror(Interaction i, Bsdf b, uint mode, float ch
 }
 #endif
 
+// What one lobe, which is not PRELIGHT_LOBE_THROUGH, has of the scattered light f, and the density with which sampleBsdf draws
+// wi from it. Coat and sheen are one.
+PRELIGHT_INLINE float3 scatteredApart(Bsdf b, LobeChances chances, uint lobe, Scattered f, float3 wo, float3 wi, float3 eye,
+                                      float* density) {
+#ifdef PRELIGHT_LAYERS
+  if ((lobe & PRELIGHT_LOBES_LAYERS) != 0u) {
+    LobeChances layers = {0.0f, 0.0f, 0.0f};
+    layers.coat = chances.coat;
+    layers.sheen = chances.sheen;
+    *density = pdfLobes(b, layers, wo, wi);
+    return f.layers;
+  }
+#endif
+  const bool diffuse = lobe == PRELIGHT_LOBE_DIFFUSE, glass = (lobe & PRELIGHT_LOBES_GLASS) != 0u;
+  float3 value = diffuse ? f.diffuse : f.glossy;
+#ifdef PRELIGHT_ROUGH_GLASS
+  if (isRoughGlass(b) && !diffuse) {
+    const float3 ofGlass = evalRoughGlass(b, wo, wi, eye) * leftByLayers(b, eye);
+    value = glass ? ofGlass : f.glossy - ofGlass;
+  }
+#endif
+  const LobeChances one = {diffuse ? 1.0f : 0.0f, diffuse || glass ? 0.0f : 1.0f, glass ? 1.0f : 0.0f};
+  *density = pdfLobes(b, one, wo, wi) * (diffuse ? chances.diffuse : (glass ? chances.glass : chances.specular));
+  return value;
+}
+
 // What of the scattered light a sample from `lobe` carries, and with which density it is drawn.
 PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, bool apart, float3 wo, float3 wi, float3 eye,
                                        float* density) {
   const Scattered f = evalLobes(b, wo, wi, eye);
+  if (apart && lobe != PRELIGHT_LOBE_THROUGH) return scatteredApart(b, chances, lobe, f, wo, wi, eye, density);
   // A lobe that no sample is drawn from leaves its light to others.
 #ifdef PRELIGHT_ROUGH_GLASS
   const bool sharp = chances.specular > 0.0f || (chances.glass > 0.0f && isRoughGlass(b));
@@ -182,27 +209,8 @@ PRELIGHT_INLINE float3 carriedBySample(Bsdf b, LobeChances chances, uint lobe, b
                  (sharp ? f.glossy : (float3)(0.0f));
   *density = pdfLobes(b, chances, wo, wi);
 #ifdef PRELIGHT_LAYERS
-  if (apart && (lobe & PRELIGHT_LOBES_LAYERS) != 0u) {
-    LobeChances layers = {0.0f, 0.0f, 0.0f};
-    layers.coat = chances.coat;
-    layers.sheen = chances.sheen;
-    *density = pdfLobes(b, layers, wo, wi);
-    return f.layers;
-  }
   if (chances.coat + chances.sheen > 0.0f) value += f.layers;
 #endif
-  if (apart && lobe != PRELIGHT_LOBE_THROUGH) {
-    const bool diffuse = lobe == PRELIGHT_LOBE_DIFFUSE, glass = (lobe & PRELIGHT_LOBES_GLASS) != 0u;
-    value = diffuse ? f.diffuse : f.glossy;
-#ifdef PRELIGHT_ROUGH_GLASS
-    if (isRoughGlass(b) && !diffuse) {
-      const float3 ofGlass = evalRoughGlass(b, wo, wi, eye) * leftByLayers(b, eye);
-      value = glass ? ofGlass : f.glossy - ofGlass;
-    }
-#endif
-    const LobeChances one = {diffuse ? 1.0f : 0.0f, diffuse || glass ? 0.0f : 1.0f, glass ? 1.0f : 0.0f};
-    *density = pdfLobes(b, one, wo, wi) * (diffuse ? chances.diffuse : (glass ? chances.glass : chances.specular));
-  }
   return value;
 }
 

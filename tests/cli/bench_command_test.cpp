@@ -253,7 +253,7 @@ std::vector<std::string> suiteNames() {
       "full",      "lightmaps", "photons",      "radiosity", "rays", "reference", "relight",   "scaling",
       "skip",      "stability", "trees",        "update",    "vo",   "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
-  names.insert(names.end(), {"rasterised", "screen", "techniques", "viewer"});
+  names.insert(names.end(), {"near-lamps", "rasterised", "screen", "techniques", "viewer"});
 #endif
   return names;
 }

@@ -49,6 +49,25 @@ TEST_F(CliPicture, Render_InEveryShading_BakesWhatItNeeds) {
   }
 }
 
+TEST_F(CliPicture, SmallAreaLight_IsTracedAsAPointLightOfItsPower) {
+  const auto trace = [&](const std::string& picture, const std::string& light) {
+    prelightDone({"reference", "scene.glb", "-o", picture, "--size", "24x16", "--integrator", "whitted",
+                  "--spp", "1024", "--light", light});
+  };
+  trace("area.exr", "area:sphere:0,3,4:0.05:3183.1,1273.24,636.62");  // pi r^2 = 1 / 127.324
+  trace("point.exr", "point:0,3,4:25,10,5");
+  const nlohmann::json traced = compare("area.exr", "point.exr")["picture"];
+  EXPECT_GT(traced["meanB"], 0.01);
+  EXPECT_NEAR(traced["meanA"].get<double>() / traced["meanB"].get<double>(), 1.0, 0.01);
+}
+
+TEST_F(CliPicture, AreaLight_WhereItCannotShine_IsRefused) {
+  const ProcessResult result = prelight({"render", "scene.glb", "-o", "a.exr", "--size", "24x16", "--shading",
+                                         "radiosity", "--light", "area:sphere:0,1,0:0.1:5,5,5"});
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.errors, HasSubstr("its bake takes no area lights and cookies"));
+}
+
 TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   const auto render = [&](const std::string& picture, std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "scene.glb", "-o", picture, "--size", "48x32", "--shading",
@@ -59,6 +78,9 @@ TEST_F(CliPicture, ScreenShading_NeedsNoBakeAndDiffersByItsOptions) {
   EXPECT_THAT(wide.errors, Not(HasSubstr("baking")));
   prelightDone(render("b.exr", {"--occlusion-radius", "0.001"}));
   prelightDone(render("c.exr", {"--occlusion", "hbao", "--occlusion-radius", "2"}));
+  prelightDone(
+      render("d.exr", {"--occlusion", "disks", "--occlusion-radius", "2", "--occlusion-passes", "2"}));
+  EXPECT_LT(compare("d.exr", "b.exr")["picture"]["meanA"], compare("d.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_LT(compare("a.exr", "b.exr")["picture"]["meanA"], compare("a.exr", "b.exr")["picture"]["meanB"]);
   EXPECT_GT(compare("a.exr", "c.exr")["picture"]["max"], 1e-3);
   expectFailure(2, render("d.exr", {"--occlusion", "ao"}), {"--occlusion ao", "ssao or hbao or gtao"});

@@ -20,9 +20,10 @@ struct GatherRoom {
   CompiledScene scene = box(1, glm::vec3(-1.0f), glm::vec3(1.0f), true);
   GatherRequest request;
   const Environment* sky = nullptr;
+  std::vector<Light> lights;
 
   std::vector<glm::vec3> gather(const glm::vec3& irradiance) const {
-    TransportScene transport({scene, noImages(), {}, sky}, sharedDevice());
+    TransportScene transport({scene, noImages(), lights, sky}, sharedDevice());
     IrradianceMap map(transport.context(), layout());
     map.set(std::vector<glm::vec3>(layout().texelCount(), irradiance));
     FinalGather gatherer(transport, map, request);
@@ -135,34 +136,65 @@ double ggxReflection(const glm::dvec3& n, const glm::dvec3& in, const glm::dvec3
   return a2 / (std::numbers::pi * q * q) / ((1.0 + lambda(ci) + lambda(co)) * 4.0 * ci * co);
 }
 
-/// Irradiance at a place of a wall of the room of half-width 1 whose wall at x = 1 shines with radiance 10
-/// and whose wall at x = -1 is a white metal of this roughness: midpoints of both walls. What does not leave
-/// its microfacets at the first bounce leaves later, in proportion to what either direction lets stay (Kulla
-/// and Conty 2017). staying: its share [cosine], and the mean.
-double irradianceByRoughMetal(const glm::dvec3& place, const glm::dvec3& normal, double roughness,
-                              const std::vector<double>& staying, double meanStaying) {
+/// A lamp seen as small: W/sr along its normal, or in all directions where that is 0.
+struct SmallLamp {
+  glm::dvec3 position;
+  glm::dvec3 normal;
+  double intensity;
+
+  double towards(const glm::dvec3& direction) const {
+    if (normal == glm::dvec3(0.0)) return intensity;
+    return intensity * std::max(glm::dot(normal, direction), 0.0);
+  }
+};
+
+/// Irradiance at a place of a wall of the room of half-width 1 whose wall at x = -1 is a white metal of this
+/// roughness: midpoints of that wall. What does not leave its microfacets at the first bounce leaves later,
+/// in proportion to what either direction lets stay (Kulla and Conty 2017). staying: its share [cosine], and
+/// the mean.
+double irradianceByRoughMetal(const std::vector<SmallLamp>& lamps, const device::Receiver& receiver,
+                              double roughness, const std::vector<double>& staying, double meanStaying) {
+  const glm::dvec3 place(receiver.position[0], receiver.position[1], receiver.position[2]);
+  const glm::dvec3 normal(receiver.normal[0], receiver.normal[1], receiver.normal[2]);
   const double alpha = roughness * roughness;
   const auto stays = [&](double cosine) {
     return staying[std::size_t(cosine * double(staying.size() - 1) + 0.5)];
   };
   constexpr int cells = 20;
   constexpr double side = 2.0 / cells, area = side * side;
-  const auto middle = [](int i) { return -1.0 + side * (i + 0.5); };
   double irradiance = 0.0;
   for (int m = 0; m < cells * cells; ++m) {
-    const glm::dvec3 metal(-1.0, middle(m / cells), middle(m % cells));
+    const glm::dvec3 metal(-1.0, -1.0 + side * (m / cells + 0.5), -1.0 + side * (m % cells + 0.5));
     const glm::dvec3 way = metal - place, out = glm::normalize(-way);
     double radiance = 0.0;
-    for (int l = 0; l < cells * cells; ++l) {
-      const glm::dvec3 toLamp = glm::dvec3(1.0, middle(l / cells), middle(l % cells)) - metal;
+    for (const SmallLamp& lamp : lamps) {
+      const glm::dvec3 toLamp = lamp.position - metal;
       const glm::dvec3 in = glm::normalize(toLamp);
       const double later = stays(in.x) * stays(out.x) / (std::numbers::pi * meanStaying);
-      radiance += 10.0 * (ggxReflection({1.0, 0.0, 0.0}, in, out, alpha) + later) * in.x * in.x * area /
+      radiance += lamp.towards(-in) * (ggxReflection({1.0, 0.0, 0.0}, in, out, alpha) + later) * in.x /
                   glm::dot(toLamp, toLamp);
     }
     irradiance += radiance * std::max(glm::dot(normal, -out), 0.0) * out.x * area / glm::dot(way, way);
   }
   return irradiance;
+}
+
+/// What a room gathers whose wall at x = -1 is a metal of this roughness, over what it should.
+double gatheredByRoughMetal(const GatherRoom& room, const std::vector<SmallLamp>& lamps, double roughness) {
+  const std::vector<glm::vec3> found = room.gather(glm::vec3(0.0f));
+  std::vector<double> staying;
+  for (int i = 0; i <= 128; ++i) {
+    const glm::dvec2 once = reflectedOnce(std::max(i / 128.0, 1e-3), roughness, 200);
+    staying.push_back(1.0 - once.x - once.y);
+  }
+  const double meanStaying = 1.0 - meanReflectedOnce(roughness);
+  const std::vector<device::Receiver> receivers = room.receivers();
+  double sum = 0.0, expected = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    sum += static_cast<double>(found[i].x);
+    expected += irradianceByRoughMetal(lamps, receivers[i], roughness, staying, meanStaying);
+  }
+  return sum / expected;
 }
 
 TEST(FinalGather, LampsInRoughMetal_CountAsItsLobeReflectsThem) {
@@ -173,24 +205,29 @@ TEST(FinalGather, LampsInRoughMetal_CountAsItsLobeReflectsThem) {
   room.scene.triangleMaterials[0] = room.scene.triangleMaterials[1] = 1;
   room.scene.triangleMaterials[2] = room.scene.triangleMaterials[3] = 2;
   room.request.raysPerReceiver = 1024;
-  const std::vector<glm::vec3> found = room.gather(glm::vec3(0.0f));
-  const std::vector<device::Receiver> receivers = room.receivers();
-  constexpr double roughness = 0.8;
-  std::vector<double> staying;
-  for (int i = 0; i <= 128; ++i) {
-    const glm::dvec2 once = reflectedOnce(std::max(i / 128.0, 1e-3), roughness, 200);
-    staying.push_back(1.0 - once.x - once.y);
+  std::vector<SmallLamp> wall;
+  constexpr int cells = 20;
+  constexpr double side = 2.0 / cells;
+  for (int l = 0; l < cells * cells; ++l) {
+    const glm::dvec3 middle(1.0, -1.0 + side * (l / cells + 0.5), -1.0 + side * (l % cells + 0.5));
+    wall.push_back({middle, {-1.0, 0.0, 0.0}, 10.0 * side * side});
   }
-  const double meanStaying = 1.0 - meanReflectedOnce(roughness);
-  double sum = 0.0, expected = 0.0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const device::Receiver& r = receivers[i];
-    sum += static_cast<double>(found[i].x);
-    expected +=
-        irradianceByRoughMetal({r.position[0], r.position[1], r.position[2]},
-                               {r.normal[0], r.normal[1], r.normal[2]}, roughness, staying, meanStaying);
-  }
-  EXPECT_NEAR(sum, expected, 0.02 * expected);
+  EXPECT_NEAR(gatheredByRoughMetal(room, wall, 0.8), 1.0, 0.02);
+}
+
+TEST(FinalGather, PointLightsInRoughMetal_CountAsItsLobeReflectsThem) {
+  GatherRoom room;
+  room.scene.materials[0] = lambert(0.0f);
+  room.scene.materials.push_back(metal(1.0f, 0.6f));
+  room.scene.triangleMaterials[2] = room.scene.triangleMaterials[3] = 1;
+  room.request.raysPerReceiver = 1024;
+  Light lamp;
+  lamp.type = LightType::Point;
+  lamp.position = {0.3f, 0.2f, -0.1f};
+  lamp.intensity = glm::vec3(5.0f);
+  room.lights = {lamp};
+  const std::vector<SmallLamp> lamps = {{glm::dvec3(lamp.position), glm::dvec3(0.0), 5.0}};
+  EXPECT_NEAR(gatheredByRoughMetal(room, lamps, 0.6), 1.0, 0.02);
 }
 
 TEST(FinalGather, SkyBehindAnOpening_IsDirectLight) {

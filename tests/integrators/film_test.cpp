@@ -62,7 +62,7 @@ TEST(Reference, SamplesPerPass_DividesTheSamples) {
     request.samples = samples;
     const std::uint32_t perPass = reference::samplesPerPass(request);
     EXPECT_EQ(samples % perPass, 0u) << samples;
-    EXPECT_TRUE(perPass == 1 || samples / perPass >= 32) << samples;
+    EXPECT_TRUE(perPass == 1 || samples / perPass >= 8) << samples;
   }
 }
 

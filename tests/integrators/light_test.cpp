@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <string>
 
 #include "gpu/light_tables.h"
+#include "prelight/error.h"
+#include "scene/light_shape.h"
 #include "support/shot.h"
 
 // Light from each kind of light source against closed forms.
@@ -45,6 +49,56 @@ TEST(PointLight, Floor_FollowsTheInverseSquare) {
       const double distance2 = x * x + 4.0;
       EXPECT_NEAR(radianceOf(shot), 7.0 / pi * 2.0 / std::pow(distance2, 1.5), 1e-3 * 7.0 / (pi * distance2));
     }
+}
+
+Light diskLight(double height, double radius, float radiance) {
+  Light light;
+  light.type = LightType::Area;
+  light.name = "disk";
+  light.position = {0, height, 0};
+  light.direction = {0, -1, 0};
+  light.side = {1, 0, 0};
+  light.intensity = glm::vec3(radiance);
+  light.shape = std::make_shared<const LightShape>(LightShape{ShapeKind::Disk, radius});
+  return light;
+}
+
+/// A white floor of 20 m.
+Scene whiteFloor() {
+  Scene scene;
+  Material white;
+  white.metallic = white.specular = 0.0f;
+  scene.materials.push_back(white);
+  Primitive floor;
+  floor.positions = {{-10, 0, 10}, {10, 0, 10}, {10, 0, -10}, {-10, 0, -10}};
+  floor.triangles = {{0, 1, 2}, {0, 2, 3}};
+  floor.material = 0;
+  scene.meshes.push_back({"floor", {floor}});
+  scene.nodes.emplace_back();
+  MeshNode node;
+  node.transforms = {glm::dmat4(1.0)};
+  scene.meshNodes.push_back(node);
+  return scene;
+}
+
+TEST(AreaLight, SurfaceOfADisk_LightsAFloorAsTheClosedForm) {
+  Scene scene = whiteFloor();
+  Shot shot = floorShot({0, 0, 0}, {diskLight(2.0, 1.0, 5.0f)});
+  ASSERT_TRUE(makeSurfacesOf(shot.lights, scene));
+  Warnings warnings;
+  shot.scene = compileScene(scene, warnings);
+  shot.request.samples = 1024;
+  const double expected = 5.0 / (1.0 + 4.0);  // R^2 / (R^2 + d^2)
+  EXPECT_NEAR(radianceOf(shot), expected, 0.01 * expected);
+}
+
+TEST(AreaLight, GivenToWhatTraces_IsAnErrorThatSaysWhatToDo) {
+  try {
+    radianceOf(floorShot({0, 0, 0}, {diskLight(2.0, 1.0, 5.0f)}));
+    ADD_FAILURE() << "it was traced";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("emissive surface"), std::string::npos) << error.what();
+  }
 }
 
 TEST(PointLight, Range_WindowsTheFalloff) {
@@ -212,6 +266,14 @@ TEST(Integrators, WithoutSpecularSurfaces_AreThePathTracersShallowDepths) {
   };
   expectSamePicture(withDepth(Integrator::Whitted, 9, 1), withDepth(Integrator::Path, 2, 2));
   expectSamePicture(withDepth(Integrator::Distributed, 9, 3), withDepth(Integrator::Path, 3, 4));
+}
+
+// The two triangles of a floor at height zero: shadow rays from near their edge start in the plane of both.
+TEST(Whitted, EdgeOfAFloorAtHeightZero_LosesNoLight) {
+  Shot shot = floorShot({0, 0, 0}, {pointLight({0, 2, 0}, 7.0f)});
+  shot.request.samples = shot.request.samplesPerPass = 8192;
+  shot.request.integrator = Integrator::Whitted;
+  for (const glm::vec3& pixel : shot.render().picture().pixels) EXPECT_NEAR(pixel.r, 7.0 / (4.0 * pi), 2e-6);
 }
 
 TEST(Whitted, Mirror_ShowsWhatItReflects) {

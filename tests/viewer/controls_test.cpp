@@ -1,4 +1,5 @@
 #include "viewer/controls.h"
+#include "viewer/light_option.h"
 
 #include <gtest/gtest.h>
 
@@ -156,6 +157,24 @@ TEST_F(ControlsTest, LightDrag_Right_MovesItRightOnItsSphere) {
   EXPECT_NEAR(glm::distance(p, scene_.origin), 2.0, 1e-12);
   c.drag(Drag::Light, {0.0, 0.1});
   EXPECT_GT(c.view().lights[0].position.y, 0.0);
+}
+
+TEST_F(ControlsTest, LightDrag_OfAnAreaLight_TurnsItsShapeWithIt) {
+  const Light quad = parseLight("area:quad:0,0,2:0,0,-1:2,1:1,1,1:turn=30");
+  const glm::dvec3 place = view_.lights[0].position;
+  view_.lights[0] = quad;
+  view_.lights[0].position = place;
+  Controls c = controls();
+  c.drag(Drag::Light, {0.25, 0.1});
+  const Light& light = c.view().lights[0];
+  EXPECT_NEAR(glm::length(light.side), 1.0, 1e-12);
+  EXPECT_NEAR(glm::dot(light.side, light.direction), 0.0, 1e-12);
+  // As it was to the scene's centre.
+  const auto towards = [&](const Light& l, const glm::dvec3& at) {
+    return glm::dot(l.direction, glm::normalize(scene_.origin - at));
+  };
+  EXPECT_NEAR(towards(light, light.position), towards(quad, place), 1e-9);
+  EXPECT_GT(glm::length(light.side - quad.side), 0.1);
 }
 
 TEST_F(ControlsTest, LightScroll_Nearer_ChangesOnlyItsDistance) {

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <set>
 
 #include "basis/sh_zonal.h"
 #include "compress/half_float.h"
 #include "prelight/picture.h"
 #include "transfer/near_lamps.h"
 #include "viewer/gl/egl_context.h"
+#include "viewer/light_option.h"
 #include "viewer/near_lamp_pass.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
@@ -114,6 +116,54 @@ TEST(NearLampShading, PartOfAShell_IsWhatTheHostFinds) {
   }
 }
 
+/// lampOver() with an area light of the same irradiance on the middle from afar.
+glm::vec3 diskOver(double distance, double blocked, bool withShells, Shading shading = Shading::Sh) {
+  QuadScene quad;
+  quad.add(test::lambertian(glm::vec3(1)), 0.02f);
+  quad.add(test::lambertian(glm::vec3(1)), 2.0f, glm::translate(glm::dmat4(1.0), {0, 0, 6}));
+  quad.lookFrom({0.02, 0, 0.1}, {0, 0, 0});
+  quad.scene.lights = {viewer::parseLight("area:disk:0,0,0:0,0,-1:0.05:100,100,100")};
+  quad.scene.lights[0].position.z = distance;
+  quad.setSky(constantEnvironment(glm::vec3(0)));
+  quad.compile();
+  quad.bakeOpen(3);
+  quad.bake.ch = quad.bake.sh;
+  if (withShells) blockFirstShell(quad, blocked);
+  return pixelAt(quad.render(square(shading)));
+}
+
+TEST(NearLampShading, AreaLight_IsDarkBehindAndBrightBeforeWhatBlocks) {
+  expectColor(diskOver(5.0, 1.0, false), glm::dvec3(100.0 * 0.0025 / (25.0 + 0.0025)), 4e-3);
+  expectColor(diskOver(5.0, 1.0, true), glm::dvec3(0), 1e-6);
+  expectColor(diskOver(5.0, 1.0, true, Shading::Ch), glm::dvec3(0), 1e-6);
+  expectColor(diskOver(0.15, 1.0, true), glm::dvec3(diskOver(0.15, 1.0, false)), 1e-5);
+}
+
+TEST(NearLampShading, AreaLightAtAPartOfAShell_IsWhatTheHostFinds) {
+  const NearLampTransfer range{1, 2, 0.1, 10.0, {}};
+  const double visibility = sharpened(1.0 - 0.7 * shareBefore(range, 0, 2.0));
+  ASSERT_LT(visibility, 1.0);
+  expectColor(diskOver(2.0, 0.7, true), visibility * glm::dvec3(diskOver(2.0, 0.7, false)), 4e-3);
+}
+
+TEST(NearLampShading, SixteenLampsBehindWhatBlocks_AreDark_AndASeventeenthIsNot) {
+  for (const int count : {16, 17}) {
+    QuadScene quad;
+    quad.add(test::lambertian(glm::vec3(1)), 0.02f);
+    quad.add(test::lambertian(glm::vec3(1)), 2.0f, glm::translate(glm::dmat4(1.0), {0, 0, 6}));
+    quad.lookFrom({0.02, 0, 0.1}, {0, 0, 0});
+    for (int i = 0; i < count; ++i)
+      quad.scene.lights.push_back(
+          test::makeLight(LightType::Point, glm::vec3(i == 2 ? 1.0f : 30.0f), {0, 0, 5}));
+    quad.setSky(constantEnvironment(glm::vec3(0)));
+    quad.compile();
+    quad.bakeOpen(3);
+    blockFirstShell(quad, 1.0);
+    const float left = count == 17 ? 1.0f / (25.0f * lampPi) : 0.0f;  // of the weakest
+    expectColor(pixelAt(quad.render(square(Shading::Sh))), glm::dvec3(left), 4e-3);
+  }
+}
+
 viewer::ShadedLight lampAt(const glm::vec3& position) {
   viewer::ShadedLight lamp;
   lamp.position = position;
@@ -137,13 +187,17 @@ TEST(NearLampPass, SamplesOfTwoPanels_ShareShadowsWithNeighboursOnly) {
   std::vector<viewer::ShadedLight> lights = {lampAt({0, 0, 0}), lampAt({1, 0, 0})};
   for (const float x : {-5.0f, 5.0f})
     for (const viewer::ShadedLight& sample : panelAt(x)) lights.push_back(sample);
-  viewer::NearLampPass::choose(lights);
+  viewer::NearLampPass::choose(lights, {});
   EXPECT_EQ(lights[0].shadow, 0);
   EXPECT_EQ(lights[1].shadow, 1);
+  std::set<int> left, right;
   for (std::size_t i = 2; i < lights.size(); ++i) {
     EXPECT_GE(lights[i].shadow, 2);
-    EXPECT_EQ(lights[i].shadow == lights[2].shadow, i < 18) << i;
+    (i < 18 ? left : right).insert(lights[i].shadow);
   }
+  EXPECT_EQ(left.size(), 2u);
+  EXPECT_EQ(right.size(), 2u);
+  for (const int shadow : left) EXPECT_FALSE(right.contains(shadow)) << shadow;
   std::vector<viewer::ShadedLight> draft = {panelAt(5.1f)[3]};
   viewer::NearLampPass::share(lights, draft);
   EXPECT_EQ(draft[0].shadow, lights.back().shadow);
@@ -157,7 +211,7 @@ TEST(NearLampPass, SamplesThatLieFarApartForTheirSurface_HaveNoShadow) {
     bulb.area = 0.01f;
     lights.push_back(bulb);
   }
-  viewer::NearLampPass::choose(lights);
+  viewer::NearLampPass::choose(lights, {});
   for (const viewer::ShadedLight& light : lights) EXPECT_LT(light.shadow, 0);
 }
 

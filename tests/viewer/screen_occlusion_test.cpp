@@ -1,4 +1,4 @@
-// Screen-space occlusion against closed forms and against traced accessibility.
+// Occlusion that is found while drawing against closed forms and against traced accessibility.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,6 +33,8 @@ using std::numbers::pi;
 
 constexpr std::array<OcclusionMethod, 3> methods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
                                                     OcclusionMethod::Gtao};
+constexpr std::array<OcclusionMethod, 4> allMethods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
+                                                       OcclusionMethod::Gtao, OcclusionMethod::Disks};
 
 viewer::RenderOptions screenOptions(int size, const ScreenOcclusionOptions& occlusion) {
   viewer::RenderOptions options = square(Shading::Screen, size);
@@ -50,16 +52,20 @@ ScreenOcclusionOptions within(double radius, OcclusionMethod method = OcclusionM
 
 /// A floor z = 0 and a wall x = 0 that it ends at, both wide, white and under a sky of radiance 1, `scale`
 /// times as large and seen from as far.
-QuadScene cornerScene(const Material& wall = lambertian(glm::vec3(1)), double scale = 1.0) {
+QuadScene cornerScene(const Material& wall = lambertian(glm::vec3(1)), double scale = 1.0,
+                      double half = 20.0) {
   QuadScene corner;
-  corner.add(lambertian(glm::vec3(1)), static_cast<float>(20.0 * scale));
-  corner.add(wall, static_cast<float>(20.0 * scale),
+  corner.add(lambertian(glm::vec3(1)), static_cast<float>(half * scale));
+  corner.add(wall, static_cast<float>(half * scale),
              glm::rotate(glm::dmat4(1.0), -0.5 * pi, glm::dvec3(0, 1, 0)));
   corner.setSky(constantEnvironment(glm::vec3(1)));
   corner.lookFrom(scale * glm::dvec3(-1.2, -2.5, 1.8), scale * glm::dvec3(-0.3, 0, 0));
   corner.compile();
   return corner;
 }
+
+/// The same of planes that are not cut into too many elements.
+QuadScene smallCorner() { return cornerScene(lambertian(glm::vec3(1)), 1.0, 3.0); }
 
 /// What of the sky a point of the floor sees past a wall without end at a distance, within a radius: its
 /// directions in the unit disc that lie beyond distance / radius are blocked.
@@ -75,9 +81,10 @@ glm::vec3 pixelOf(const Picture& picture, const QuadScene& quad, const glm::dvec
   return pixelAt(picture, 0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
 }
 
-void expectCorner(const QuadScene& corner, int size, double scale, double tolerance) {
+void expectCorner(const QuadScene& corner, int size, double scale, double tolerance,
+                  OcclusionMethod method = OcclusionMethod::Gtao) {
   const double radius = 0.5 * scale;
-  const Picture picture = corner.render(screenOptions(size, within(radius)));
+  const Picture picture = corner.render(screenOptions(size, within(radius, method)));
   for (const double distance : {0.05, 0.1, 0.2, 0.3, 0.4, 0.6})
     for (const double y : {-0.3, 0.0, 0.2}) {
       const glm::dvec3 point = scale * glm::dvec3(-distance, y, 0.0);
@@ -100,7 +107,7 @@ std::pair<float, float> rangeOfPlane(OcclusionMethod method, const glm::dvec3& e
 }
 
 TEST(ScreenOcclusion, Plane_IsOpen) {
-  for (const OcclusionMethod method : methods) {
+  for (const OcclusionMethod method : allMethods) {
     const auto [least, most] = rangeOfPlane(method, {0.4, -1.4, 1.6});
     EXPECT_NEAR(least, 1.0f, 1e-4f) << static_cast<int>(method);
     EXPECT_NEAR(most, 1.0f, 1e-4f) << static_cast<int>(method);
@@ -110,12 +117,17 @@ TEST(ScreenOcclusion, Plane_IsOpen) {
 
 TEST(ScreenOcclusion, Gtao_CornerOfTwoPlanes_IsTheClosedForm) { expectCorner(cornerScene(), 160, 1.0, 0.03); }
 
-TEST(ScreenOcclusion, Gtao_OrthographicCamera_ShowsTheClosedForm) {
-  QuadScene corner = cornerScene();
+TEST(ScreenOcclusion, Disks_CornerOfTwoPlanes_IsTheClosedForm) {
+  expectCorner(smallCorner(), 160, 1.0, 0.03, OcclusionMethod::Disks);
+}
+
+TEST(ScreenOcclusion, OrthographicCamera_ShowsTheClosedForm) {
+  QuadScene corner = smallCorner();
   Camera& camera = corner.scene.cameras.front();
   camera.perspective = false;
   camera.xMag = camera.yMag = 1.2;
-  expectCorner(corner, 160, 1.0, 0.03);
+  for (const OcclusionMethod method : {OcclusionMethod::Gtao, OcclusionMethod::Disks})
+    expectCorner(corner, 160, 1.0, 0.03, method);
 }
 
 TEST(ScreenOcclusion, Radius_IsInMetresAtEverySizeOfPicture) {
@@ -193,12 +205,15 @@ TEST(ScreenOcclusion, Thickness_OfWhatHasNoBack_DarkensWhatLiesBesideIt) {
 }
 
 TEST(ScreenOcclusion, BentNormal_TurnsToTheOpenSideOfTheSky) {
-  QuadScene corner = cornerScene();
+  QuadScene corner = smallCorner();
   corner.setSky(halvedSky());  // +X red, -X green; the wall is at +X
-  const Picture gtao = corner.render(screenOptions(96, within(0.5)));
-  const glm::vec3 beside = pixelOf(gtao, corner, {-0.05, 0, 0}), away = pixelOf(gtao, corner, {-1.0, 0, 0});
-  EXPECT_NEAR(away.r / away.g, 1.0f, 0.1f);
-  EXPECT_LT(beside.r, 0.6f * beside.g);
+  for (const OcclusionMethod method : {OcclusionMethod::Gtao, OcclusionMethod::Disks}) {
+    const Picture picture = corner.render(screenOptions(96, within(0.5, method)));
+    const glm::vec3 beside = pixelOf(picture, corner, {-0.05, 0, 0}),
+                    away = pixelOf(picture, corner, {-1.0, 0, 0});
+    EXPECT_NEAR(away.r / away.g, 1.0f, 0.1f);
+    EXPECT_LT(beside.r, 0.6f * beside.g);
+  }
 }
 
 TEST(ScreenOcclusion, Interreflection_BrightensTheCornerByItsAlbedo) {
@@ -222,7 +237,7 @@ TEST(ScreenOcclusion, EmptyAndGrazingViews_AreFiniteAndWithinBounds) {
   for (const auto& [eye, target] : views) {
     corner.scene.cameras.clear();
     corner.lookFrom(eye, target);
-    for (const OcclusionMethod method : methods) {
+    for (const OcclusionMethod method : allMethods) {
       const Picture picture = corner.render(screenOptions(33, within(0.7, method)));
       for (const glm::vec3& pixel : picture.pixels) {
         ASSERT_TRUE(pixel.r >= 0.0f && pixel.r <= 1.0001f) << pixel.r;
@@ -246,7 +261,7 @@ TEST(ScreenOcclusion, Tiles_ShowWhatTheWholePictureShows) {
   const viewer::RenderInputs inputs = corner.inputs();
   viewer::Renderer renderer(inputs);
   const int size = 60, part = 30;
-  for (const OcclusionMethod method : methods) {
+  for (const OcclusionMethod method : allMethods) {
     const viewer::View view = viewer::makeView(inputs, screenOptions(size, within(0.5, method)));
     const viewer::gl::Framebuffer whole(size, size), tile(part, part);
     renderer.draw(view, {0, 0, size, size}, whole);
@@ -300,6 +315,15 @@ double errorOf(const std::string& name, const ScreenOcclusionOptions& occlusion)
 
 TEST(ScreenOcclusion, Gtao_IsNearTracedAccessibility) {
   for (const char* name : {"shapes", "rooms", "cornell"}) EXPECT_LT(errorOf(name, {}), 0.08) << name;
+}
+
+TEST(ScreenOcclusion, Disks_AreNearTracedAccessibility) {
+  ScreenOcclusionOptions options;
+  options.method = OcclusionMethod::Disks;
+  for (const char* name : {"shapes", "rooms", "cornell"}) {
+    const double error = errorOf(name, options);
+    EXPECT_LT(error, name == std::string("cornell") ? 0.08 : 0.6 * errorOf(name, {})) << name;
+  }
 }
 
 TEST(ScreenOcclusion, GtaoOfOneLayer_IsNearTracedAccessibility) {

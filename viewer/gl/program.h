@@ -3,6 +3,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ class Program {
   void set(const char* name, const glm::vec4& value) const { glUniform4fv(location(name), 1, &value.x); }
   void set(const char* name, const glm::mat4& value) const {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0].x);
+  }
+
+  /// The first elements of an array.
+  void set(const char* name, std::span<const glm::vec3> values) const {
+    glUniform3fv(location(name), static_cast<GLsizei>(values.size()), &values.front().x);
+  }
+  void set(const char* name, std::span<const glm::vec4> values) const {
+    glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values.front().x);
   }
 
   /// Ties a uniform block to a binding point.

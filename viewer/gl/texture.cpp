@@ -130,7 +130,7 @@ Texture textureOfBuffer(const Buffer& buffer, std::size_t count, GLenum format, 
                 "use a lower order or a smaller scene");
   }
   Texture texture;
-  glBindTexture(GL_TEXTURE_BUFFER, texture.name());
+  bind(0, GL_TEXTURE_BUFFER, texture);  // what other units have stays
   glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.name());
   check(std::string("uploading ") + what);
   return texture;

@@ -4,19 +4,23 @@
 
 namespace prelight::viewer {
 
-/// How the surfaces of a picture are searched for what occludes a pixel.
-enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao };
+/// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks, among all of the
+/// scene.
+enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks };
 
-/// Occlusion in the space of the picture.
+/// Occlusion of what is seen in a picture, found while it is drawn.
 struct ScreenOcclusionOptions {
   OcclusionMethod method = OcclusionMethod::Gtao;
-  double radius = 0.0;     ///< m, what is farther occludes nothing; 0: a share of the scene's size
-  int slices = 4;          ///< of Gtao, and pairs of directions of Hbao
-  int steps = 8;           ///< of each side of a slice
-  int samples = 32;        ///< of Ssao
-  int layers = 2;          ///< of surfaces that Gtao looks at: 1 or 2
-  double thickness = 0.0;  ///< m, of what has no back in the second layer; of Gtao
-  bool filtered = true;    ///< pixels of one surface are averaged
+  double radius = 0.0;       ///< m, what is farther occludes nothing; 0: a share of the scene's size
+  int slices = 4;            ///< of Gtao, and pairs of directions of Hbao
+  int steps = 8;             ///< of each side of a slice
+  int samples = 32;          ///< of Ssao
+  int layers = 2;            ///< of surfaces that Gtao looks at: 1 or 2
+  double thickness = 0.0;    ///< m, of what has no back in the second layer; of Gtao
+  double elementSize = 0.0;  ///< m, of the longest edge of an element of Disks; 0: a share of the radius
+  double opening = 0.4;      ///< radius over distance of groups that Disks does not take apart
+  int passes = 1;            ///< of Disks: all but the last find how open the backs of elements are
+  bool filtered = true;      ///< pixels of one surface are averaged
 
   bool operator==(const ScreenOcclusionOptions&) const = default;
 };
@@ -24,6 +28,11 @@ struct ScreenOcclusionOptions {
 /// Layers of surfaces that have to be drawn for it.
 constexpr int layersOf(const ScreenOcclusionOptions& options) {
   return options.method == OcclusionMethod::Gtao ? options.layers : 1;
+}
+
+/// What is found in the picture lacks what lies around it.
+constexpr bool looksAround(const ScreenOcclusionOptions& options) {
+  return options.method != OcclusionMethod::Disks;
 }
 
 /// The same at about a quarter of the cost, while something moves.

@@ -21,7 +21,7 @@ void setWhole(O& o, double value) {
   o.*member = static_cast<int>(std::lround(value));
 }
 
-constexpr std::array<ScreenOcclusionParameter, 6> parameterTable = {{
+constexpr std::array<ScreenOcclusionParameter, 9> parameterTable = {{
     {"--occlusion-radius", "radius, m", 0.0, 1e6, 0.0, 5.0,
      "metres beyond which nothing occludes; 0: a tenth of the diagonal of the scene's bounds",
      get<&O::radius>, setReal<&O::radius>},
@@ -39,6 +39,15 @@ constexpr std::array<ScreenOcclusionParameter, 6> parameterTable = {{
     {"--occlusion-thickness", "thickness, m", 0.0, 1e6, 0.0, 1.0,
      "gtao: metres that what has no back in the second layer is thick", get<&O::thickness>,
      setReal<&O::thickness>},
+    {"--occlusion-element", "element, m", 0.0, 1e6, 0.0, 1.0,
+     "disks: metres of the longest edge of an element that occludes; 0: a quarter of the radius",
+     get<&O::elementSize>, setReal<&O::elementSize>},
+    {"--occlusion-opening", "opening", 0.01, 2.0, 0.1, 1.0,
+     "disks: elements that together are smaller than this share of their distance occlude as one",
+     get<&O::opening>, setReal<&O::opening>},
+    {"--occlusion-passes", "passes", 1, 8, 1, 4,
+     "disks: 1, elements behind each other all count; 2, by how open their backs are; more repeat that",
+     get<&O::passes>, setWhole<&O::passes>, true},
 }};
 
 }  // namespace

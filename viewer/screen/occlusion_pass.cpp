@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "viewer/disks/disk_occlusion.h"
 #include "viewer/gl/texture.h"
 #include "viewer/uniform_blocks.h"
 
@@ -11,8 +12,8 @@ namespace {
 
 enum OcclusionUnit : GLuint { firstLayerUnit = 0, secondLayerUnit = 1, opennessUnit = 2 };
 
-constexpr std::array<const char*, 3> methodFiles = {"screen_ssao.frag", "screen_hbao.frag",
-                                                    "screen_gtao.frag"};
+constexpr std::array<const char*, 4> methodFiles = {"screen_ssao.frag", "screen_hbao.frag",
+                                                    "screen_gtao.frag", "screen_disks.frag"};
 
 void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
@@ -90,6 +91,7 @@ void OcclusionPass::draw(const OcclusionPicture& picture, const ScreenOcclusionO
   program.set("steps", options.steps);
   program.set("samples", options.samples);
   program.set("thickness", static_cast<float>(options.thickness));
+  DiskOcclusion::setUniforms(program, options, picture.radius, disksUnit);
   drawInto(targets_->found);
   gl::bind(opennessUnit, GL_TEXTURE_2D, targets_->found.color());
   setPicture(filterProgram_, picture, 0);

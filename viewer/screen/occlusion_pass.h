@@ -20,7 +20,8 @@ struct OcclusionPicture {
   double radius = 0.0;   ///< m
 };
 
-/// How open the surfaces of a picture are, found in the picture itself and a band around it.
+/// How open the surfaces of a picture are, found in the picture itself and a band around it, or among the
+/// elements of the scene.
 class OcclusionPass {
  public:
   static constexpr int layerCount = 2;
@@ -32,6 +33,8 @@ class OcclusionPass {
   /// What opaque surfaces have to be drawn into by screen_surface.frag, cleared to 0, before draw(): the
   /// picture with its margin. The same objects while the size stays.
   const gl::Framebuffer& layer(int index, const OcclusionPicture& picture);
+
+  static constexpr GLuint disksUnit = 3;  ///< where draw() looks for elements, if they are to occlude
 
   /// The Frame block in use is of the picture with its margin.
   void draw(const OcclusionPicture& picture, const ScreenOcclusionOptions& options);

@@ -4,10 +4,10 @@ struct Light {
   vec4 positionKind;    // w: LightKind
   vec4 directionArea;   // xyz: way of the light, emitter's normal or profile's pole; w: emitter's area, or squared least distance
   vec4 intensityRange;  // w: range, 0 infinite
-  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry; z: 1 far: outside the scene, 2 to 5: its shadow; w: 1 two-sided emitter
+  vec4 cone;            // x, y: scale and offset of the spot, or the profile's start and entry of the tables; z: 1 far: outside the scene, 2 and more: its shadow; w: 1 two-sided emitter
 };
 
-uniform samplerBuffer profiles;  // PackedProfiles
+uniform samplerBuffer lampTables;  // LampTables
 layout(std140) uniform Lights { Light lights[240]; };
 
 const int kindDirectional = 0;
@@ -15,10 +15,22 @@ const int kindPoint = 1;
 const int kindSpot = 2;
 const int kindEmitter = 3;
 const int kindProfiled = 4;
+const int kindArea = 5;
+const int kindCookie = 6;
+
+#include "area_lights.glsl"
+#include "cookies.glsl"
 
 int kindOf(Light light) { return int(light.positionKind.w + 0.5); }
 bool isFar(Light light) { return light.cone.z > 0.5 && light.cone.z < 1.5; }
-int shadowOf(Light light) { return int(light.cone.z + 0.5) - 2; }  // of vLampVisibility; < 0: none
+int shadowOf(Light light) { return int(light.cone.z + 0.5) - 2; }  // of NearLampPass; < 0: none
+
+bool isArea(Light light) { return hasAreaLights && kindOf(light) == kindArea; }
+int entryOf(Light light) { return int(light.cone.y + 0.5); }
+
+AreaShape shapeFrom(Light light, vec3 point) {
+  return seenShape(light.positionKind.xyz, light.directionArea.xyz, entryOf(light), point);
+}
 
 // Irradiance on a surface at `point` that faces the light, and the unit direction to the light.
 vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
@@ -30,6 +42,12 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
   vec3 path = light.positionKind.xyz - point;
   float distance2 = dot(path, path);
   toLight = path * inversesqrt(max(distance2, 1e-30));
+  if (isArea(light)) {
+    vec3 sum = shapeVector(shapeFrom(light, point), toLight);
+    float strength = length(sum);
+    if (strength > 0.0) toLight = sum / strength;
+    return light.intensityRange.rgb * strength;
+  }
   float cosine = -dot(light.directionArea.xyz, toLight);
   if (hasEmitterLights && (!hasPointLights || kind == kindEmitter)) {
     float area = light.directionArea.w;
@@ -47,11 +65,26 @@ vec3 perpendicularIrradiance(Light light, vec3 point, out vec3 toLight) {
     falloff *= angular * angular;
   }
   if (hasProfiledLights && kind == kindProfiled)
-    falloff *= profileIntensity(profiles, int(light.cone.y + 0.5), light.directionArea.xyz, light.cone.x, -toLight);
-  return light.intensityRange.rgb * falloff;
+    falloff *= profileIntensity(lampTables, entryOf(light), light.directionArea.xyz, light.cone.x, -toLight);
+  vec3 through = vec3(falloff);
+  if (hasCookieLights && kind == kindCookie)
+    through *= throughCookie(cookieAt(entryOf(light)), light.directionArea.xyz, -toLight);
+  return light.intensityRange.rgb * through;
 }
 
-// The same of an emitter, times the cosine to the surface's normal n: without a root and with one division.
+// Irradiance on a surface of unit normal n, and the direction that most of it comes from.
+vec3 irradianceOn(Light light, vec3 point, vec3 n, out vec3 toLight) {
+  if (isArea(light)) {
+    vec3 sum = shapeVector(shapeFrom(light, point), n);
+    float square = dot(sum, sum);
+    toLight = square > 1e-30 ? sum * inversesqrt(square) : n;
+    return light.intensityRange.rgb * max(dot(sum, n), 0.0);
+  }
+  vec3 perpendicular = perpendicularIrradiance(light, point, toLight);
+  return perpendicular * max(dot(n, toLight), 0.0);
+}
+
+// The same of an emitter: without a root and with one division.
 vec3 facingIrradianceOfEmitter(Light light, vec3 point, vec3 n) {
   vec3 path = light.positionKind.xyz - point;
   float distance2 = dot(path, path);

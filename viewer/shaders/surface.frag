@@ -33,7 +33,7 @@ in vec3 vGlow;
 in vec4 vChartCoord;
 in vec3 vReflected;
 in float vHighlight;
-in vec4 vLampVisibility;
+in vec4 vLampVisibility[4];
 
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
@@ -55,16 +55,28 @@ bool isTransferred(Light light) {
   return throughRule == throughAllLights || (throughRule == throughFarLights && isFar(light));
 }
 
-// What shells of distance leave of a near lamp's light: sharpened() of host/transfer/near_lamps.h. Backs have none.
+// What shells of distance leave of a near lamp's light: sharpened() of host/transfer/near_lamps.h, as area lights are already. Backs
+// have none.
 float lampShadow(Light light) {
   int shadow = shadowOf(light);
   if (!hasNearLamps || shadow < 0 || !gl_FrontFacing) return 1.0;
-  return clamp(0.5 + 3.0 * (vLampVisibility[shadow] - 0.5), 0.0, 1.0);
+  float visibility = vLampVisibility[shadow / 4][shadow % 4];
+  return isArea(light) ? visibility : clamp(0.5 + 3.0 * (visibility - 0.5), 0.0, 1.0);
 }
 
 // Of surfaces that do not show how emissive surfaces are reflected, their samples are summed with fewer operations.
 const bool onlyDiffuseSamples = hasEmitterLights && !hasGloss && !hasTranslucency && ambientRule != ambientCone &&
                                 reflectionRule == reflectionOffMetals && throughRule != throughAllLights;
+
+// An area light in a glossy lobe; Fresnel's reflectance is that of its mean direction.
+vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toLight) {
+  float alpha = max(m.roughness * m.roughness, 0.002);
+  vec2 first = lobeAlbedo(albedos, max(dot(n, toEye), 0.0), m.roughness).xy;
+  vec3 between = toEye + toLight;
+  float rise = pow(clamp(1.0 - dot(toEye, between) * inversesqrt(max(dot(between, between), 1e-12)), 0.0, 1.0), 5.0);
+  float share = lobeShare(shapeFrom(light, vPosition), n, toEye, alpha) * (first.x + first.y);
+  return share * light.intensityRange.rgb * mix(m.f0, vec3(m.grazing), rise);
+}
 
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
 // transfer reflects.
@@ -73,16 +85,18 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
   bool transferred = isTransferred(light);
   if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
   vec3 toLight;
-  vec3 perpendicular = perpendicularIrradiance(light, vPosition, toLight);
-  vec3 irradiance = perpendicular * max(dot(n, toLight), 0.0);
-  if (cone.there) irradiance *= lampInCone(cone, toLight);
-  if (hasNearLamps) irradiance *= lampShadow(light);
-  if (!transferred) sum += irradiance * m.albedo / pi;
+  vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
+  float arriving = 1.0;
+  if (cone.there) arriving *= lampInCone(cone, toLight);
+  if (hasNearLamps) arriving *= lampShadow(light);
+  if (!transferred) sum += arriving * irradiance * m.albedo / pi;
   if (!transferred && hasTranslucency && translucency.a > 0.0) {
-    sum += perpendicular * max(-dot(n, toLight), 0.0) * m.through / pi;
+    vec3 toBack;
+    sum += irradianceOn(light, vPosition, -n, toBack) * m.through / pi;
   }
   if (specularWeight > 0.0) {
-    sum += irradiance * specularWeight * vHighlight * specularBrdf(m, n, toEye, toLight);
+    vec3 mirrored = isArea(light) ? mirroredShape(light, m, n, toEye, toLight) : irradiance * specularBrdf(m, n, toEye, toLight);
+    sum += arriving * specularWeight * vHighlight * mirrored;
   }
   return sum;
 }

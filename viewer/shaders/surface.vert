@@ -13,7 +13,7 @@ layout(location = 8) in vec3 glow;
 layout(location = 9) in vec4 chartCoord;
 layout(location = 10) in vec3 reflected;
 layout(location = 11) in float highlight;
-layout(location = 12) in vec4 lampVisibility;
+layout(location = 12) in vec4 lampVisibility[4];
 
 out vec3 vPosition;
 out vec3 vNormal;
@@ -26,7 +26,7 @@ out vec3 vGlow;
 out vec4 vChartCoord;
 out vec3 vReflected;
 out float vHighlight;
-out vec4 vLampVisibility;
+out vec4 vLampVisibility[4];
 
 invariant gl_Position;  // programs with several fragment shaders draw the same places
 

@@ -37,4 +37,6 @@ const bool hasPointLights = true;
 const bool hasSpotLights = true;
 const bool hasProfiledLights = true;
 const bool hasEmitterLights = true;
+const bool hasCookieLights = true;
+const bool hasAreaLights = true;
 const bool hasNearLamps = true;

@@ -9,6 +9,7 @@
 #include "prelight/error.h"
 #include "prelight/light_map.h"
 #include "prelight/light_profile.h"
+#include "prelight/light_shape.h"
 #include "prelight/load.h"
 #include "prelight/photons.h"
 #include "prelight/picture.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "prelight/light_profile.h"
+#include "prelight/light_shape.h"
 #include "prelight/picture.h"
 
 namespace prelight {
@@ -181,13 +182,14 @@ struct MeshNode {
   std::vector<float> weights = {};         ///< the same as the scene is posed
 };
 
-enum class LightType : std::uint8_t { Directional, Point, Spot };
+enum class LightType : std::uint8_t { Directional, Point, Spot, Area };
 
-/// KHR_lights_punctual or EXT_lights_ies in world space.
+/// KHR_lights_punctual, EXT_lights_ies or an area light, which no file has, in world space.
 struct Light {
   LightType type = LightType::Point;
   std::string name;
-  glm::vec3 intensity{1.0f};  ///< colour x intensity: W/sr (point, spot) or W/m2 (directional)
+  /// Colour x intensity: W/sr (point, spot), W/m2 (directional) or W/(m2 sr) (area).
+  glm::vec3 intensity{1.0f};
   glm::dvec3 position{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit, the way the light travels
   float range = 0.0f;                    ///< metres; 0 means infinite
@@ -196,7 +198,12 @@ struct Light {
   std::size_t sceneNode = 0;  ///< into Scene::nodes, when the file's
   /// Point only: multiplies the intensity, which then has no unit.
   std::shared_ptr<const LightProfile> profile = {};
-  glm::dvec3 side{1.0, 0.0, 0.0};  ///< of a profile: unit, the lamp's X axis, across the direction
+  /// Of a profile, shape or cookie: unit, the lamp's X axis, across the direction.
+  glm::dvec3 side{1.0, 0.0, 0.0};
+  /// Spot only: a linear picture that the light is multiplied with, over the square around the outer cone.
+  /// Seen from the lamp, its left is the side.
+  std::shared_ptr<const Picture> cookie = {};
+  std::shared_ptr<const LightShape> shape = {};  ///< area only: what it shines from, along the direction
 
   bool operator==(const Light&) const = default;
 };
