@@ -121,6 +121,7 @@ void report(const Frames& frames, Rows& rows) {
   std::set<std::string> parts;
   for (const PartTimes& times : frames.parts)
     for (const auto& [part, milliseconds] : times) parts.insert(part);
+  parts.erase("");  // what comes before the first part of a frame
   for (const std::string& part : parts) {
     std::vector<double> values;
     for (const PartTimes& times : frames.parts) values.push_back(times.contains(part) ? times.at(part) : 0.0);
