@@ -45,19 +45,23 @@ viewer::View viewOf(const viewer::RenderInputs& inputs, Shading shading, const W
 
 }  // namespace
 
-WindowStage::WindowStage(const std::string& name, Shading shading, const WindowSettings& settings,
+WindowStage::WindowStage(const StageLook& look, Shading shading, const WindowSettings& settings,
                          const Device& device, const Progress& progress)
-    : scene(loadBuiltinScene(name)), inputs{.scene = scene.scene, .compiled = scene.compiled} {
+    : scene(loadBuiltinScene(look.scene)),
+      inputs{.scene = scene.scene, .compiled = scene.compiled, .environment = look.sky, .device = &device} {
   if (shading == Shading::GlobalIllumination) {
     StopOnly quiet(progress);
-    live.emplace(scene.scene, scene.compiled, nullptr, 0.0,
+    live.emplace(scene.scene, scene.compiled, look.sky, 0.0,
                  followingOptions(settings.width * settings.height), std::span<const int>(), device, quiet);
     globalIllumination = illuminationOf(*live);
     inputs.globalIllumination = &globalIllumination;
-  } else if (shading != Shading::Phong) {
-    BakeRequest asked, request;
-    asked.sh.order = settings.order;
-    viewer::infoOf(shading).addTo(request, asked);
+    return;
+  }
+  BakeRequest asked, request;
+  asked.sh.order = asked.ch.order = settings.order;
+  viewer::infoOf(shading).addTo(request, asked);
+  if (request.anything()) {
+    if (look.sky != nullptr) request.radiosity.environment = std::make_shared<Environment>(*look.sky);
     request.effort.rays = settings.rays;
     bake = timedBake(scene, request, device, progress).bake;
     if (request.sh.order > 0 && !scene.scene.animations.empty()) {
@@ -140,12 +144,13 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
 }
 
 /// Pictures are not drawn before light has settled: they would be drawn in vain.
-void HeadlessWindow::settle() {
+bool HeadlessWindow::settle() {
   follower_.update(controls_);
   for (int i = 0; i < mostSettlingFrames && follower_.isBusy(controls_.view()); ++i)
     follower_.update(controls_);
   do frame(true);
   while (renderer_.isBehind());
+  return !follower_.isBusy(controls_.view());
 }
 
 void HeadlessWindow::still() {

@@ -25,6 +25,12 @@ struct WindowSettings {
   std::uint64_t rays = 256;  ///< a vertex
 };
 
+/// What a stage shows.
+struct StageLook {
+  std::string scene;                 ///< built in
+  const Environment* sky = nullptr;  ///< outlives the stage; nullptr: none
+};
+
 /// A built-in scene with what a shading needs of it.
 struct WindowStage {
   BenchmarkScene scene;
@@ -34,7 +40,7 @@ struct WindowStage {
   viewer::RenderInputs inputs;
 
   /// Bakes, or computes the light of full shading. The device outlives it. Throws Interrupted.
-  WindowStage(const std::string& name, viewer::Shading shading, const WindowSettings& settings,
+  WindowStage(const StageLook& look, viewer::Shading shading, const WindowSettings& settings,
               const Device& device, const Progress& progress);
 };
 
@@ -56,8 +62,8 @@ class HeadlessWindow {
   /// The same, waiting for OpenGL after each part.
   PartTimes timedFrame(bool settled);
 
-  /// Until nothing changes by itself.
-  void settle();
+  /// Until nothing changes by itself. False: that took too many rounds.
+  bool settle();
 
   /// The scene has animations, which it plays from now on.
   bool play();

@@ -19,9 +19,10 @@ std::vector<Plot> makePlots(const Results& results, const std::string& subtitle)
     const char* plot;
     std::string (*draw)(const Results&, const std::string&);
   };
-  constexpr std::array<Kind, 34> kinds = {{{"cast", "cast", castPlot},
-                                           {"window", "window", windowPlot},
-                                           {"window", "window-parts", windowPartsPlot},
+  constexpr std::array<Kind, 35> kinds = {{{"cast", "cast", castPlot},
+                                           {"viewer", "viewer", viewerPlot},
+                                           {"viewer", "viewer-parts", viewerPartsPlot},
+                                           {"viewer", "viewer-latency", viewerLatencyPlot},
                                            {"rays", "rays", raysPlot},
                                            {"trees", "trees", treesPlot},
                                            {"build", "build", buildPlot},

@@ -29,9 +29,9 @@ std::vector<Entry> drawnEntries() {
        runScreenSuite},
       {{"near-lamps", "error of shadows of lamps within scenes by shells of distance, against shadow rays"},
        runNearLampsSuite},
-      {{"window", "milliseconds of a window's frames while the camera or a light moves"},
-       runWindowSuite,
-       hasWindowCase},
+      {{"viewer", "frame times, latency and uploads of the window, by shading, scene, size and movement"},
+       runViewerSuite,
+       hasViewerCase},
   };
 #else
   return {};
@@ -179,7 +179,7 @@ void quickenLight(BenchmarkOptions& options) {
   options.updateScenes = {{"cornell", "Short box"}};
 }
 
-/// Of whole techniques, the window and stability.
+/// Of whole techniques, the viewer and stability.
 void quickenTechnique(BenchmarkOptions& options) {
   options.techniqueScenes = {"shapes", "crowd under a sky"};
   options.techniqueRays = 8;
@@ -204,11 +204,12 @@ void quickenTechnique(BenchmarkOptions& options) {
   options.screenHeight = 18;
   options.screenRays = 16;
   options.screenFrames = 1;
-  options.windowWidth = 64;
-  options.windowHeight = 36;
-  options.windowFrames = 3;
-  options.windowOrder = 2;
-  options.windowRays = 8;
+  options.viewerScenes = {"shapes"};
+  options.viewerSizes = {{32, 18}, {64, 36}};
+  options.viewerFrames = 3;
+  options.viewerInputs = 1;
+  options.viewerOrder = 2;
+  options.viewerRays = 8;
   options.stabilityOrders = {1, 3, 8};
   options.stabilityFaceSizes = {4, 16};
   options.stabilitySkyRows = {16, 64};
@@ -298,7 +299,7 @@ nlohmann::ordered_json lightJson(const BenchmarkOptions& options) {
       {"updatePhotons", options.updatePhotons},       {"updateScenes", options.updateScenes}};
 }
 
-/// Of whole techniques, the window and stability.
+/// Of whole techniques, the viewer and stability.
 nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
   return {{"techniqueScenes", options.techniqueScenes},
           {"techniqueRays", options.techniqueRays},
@@ -324,11 +325,12 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"screenHeight", options.screenHeight},
           {"screenRays", options.screenRays},
           {"screenFrames", options.screenFrames},
-          {"windowWidth", options.windowWidth},
-          {"windowHeight", options.windowHeight},
-          {"windowFrames", options.windowFrames},
-          {"windowOrder", options.windowOrder},
-          {"windowRays", options.windowRays},
+          {"viewerScenes", options.viewerScenes},
+          {"viewerSizes", options.viewerSizes},
+          {"viewerFrames", options.viewerFrames},
+          {"viewerInputs", options.viewerInputs},
+          {"viewerOrder", options.viewerOrder},
+          {"viewerRays", options.viewerRays},
           {"stabilityOrders", options.stabilityOrders},
           {"stabilityFaceSizes", options.stabilityFaceSizes},
           {"stabilitySkyRows", options.stabilitySkyRows},

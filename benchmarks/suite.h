@@ -122,14 +122,15 @@ struct BenchmarkOptions {
   std::vector<std::string> screenScenes = {"shapes", "rooms", "cornell"};  ///< built in, or files
   int screenWidth = 320;                                                   ///< pixels
   int screenHeight = 180;
-  int screenRays = 512;    ///< a pixel of the truth
-  int screenFrames = 5;    ///< of each technique, of whose times the least counts
-  int windowWidth = 1280;  ///< pixels
-  int windowHeight = 720;
-  int windowFrames = 60;                                                  ///< of each movement
-  int windowOrder = 4;                                                    ///< of SH
-  std::uint64_t windowRays = 256;                                         ///< a vertex
-  int techniqueSkyRows = 256;                                             ///< of the sky where none is given
+  int screenRays = 512;  ///< a pixel of the truth
+  int screenFrames = 5;  ///< of each technique, of whose times the least counts
+  std::vector<std::string> viewerScenes = {"shapes", "cornell", "rooms", "swing", "caustics"};
+  std::vector<std::pair<int, int>> viewerSizes = {{640, 360}, {1280, 720}};  ///< pixels
+  int viewerFrames = 15;                                                     ///< of each movement
+  int viewerInputs = 3;            ///< of each kind, whose latency is measured
+  int viewerOrder = 4;             ///< of SH
+  std::uint64_t viewerRays = 256;  ///< a vertex
+  int techniqueSkyRows = 256;      ///< of the sky where none is given
   std::vector<int> stabilityOrders = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32};  ///< of bases, ascending
   std::vector<int> stabilityFaceSizes = {4, 8, 16, 32, 64, 128};          ///< of cube maps, powers of two
   std::vector<int> stabilitySkyRows = {16, 64, 256, 1024};
@@ -156,7 +157,7 @@ struct BenchmarkOptions {
   std::size_t bakeScalingPlaces = 4096;                                     ///< of the surface, of an error
   std::uint32_t bakeScalingTruthSide = 32;  ///< of a square of paths a place, twice
   std::string onlyCase =
-      {};  ///< cases whose names contain it, of `bake-scaling`, `skip` and `window`; empty: all
+      {};  ///< cases whose names contain it, of `bake-scaling`, `skip` and `viewer`; empty: all
   std::filesystem::path program = {};  ///< `prelight`, which `bake-scaling` runs
 
   /// So little that every suite ends within seconds: shows that the benchmarks work, not how fast anything

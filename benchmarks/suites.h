@@ -125,11 +125,13 @@ std::vector<BenchmarkResult> runScreenSuite(const Device& device, const Benchmar
 std::vector<BenchmarkResult> runNearLampsSuite(const Device& device, const BenchmarkOptions& options,
                                                Progress& progress);
 
-/// Milliseconds of the frames of a window, drawn without a display, while the camera or a light moves and
-/// when nothing does. Needs OpenGL.
-std::vector<BenchmarkResult> runWindowSuite(const Device& device, const BenchmarkOptions& options,
+/// Milliseconds of the frames of a window, drawn without a display, by the clock, of all processors and of
+/// OpenGL's own timer, of every shading on every scene at every size, while the camera, a light, the sky or a
+/// node moves and when nothing does; latency from such an input to the picture; bytes that frames upload.
+/// Needs OpenGL.
+std::vector<BenchmarkResult> runViewerSuite(const Device& device, const BenchmarkOptions& options,
                                             Progress& progress);
-bool hasWindowCase(const BenchmarkOptions& options);
+bool hasViewerCase(const BenchmarkOptions& options);
 
 /// Errors and processor time of SH of visibility and of gathers by each rasterised map, beside rays.
 std::vector<BenchmarkResult> runRasterisedSuite(const Device& device, const BenchmarkOptions& options,

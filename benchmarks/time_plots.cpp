@@ -7,6 +7,25 @@
 
 namespace prelight::benchmarks {
 
+namespace {
+
+/// "shapes/sh/640x360/orbit".
+struct ViewerCase {
+  std::string scene, shading, size, movement;
+};
+
+ViewerCase viewerCase(const std::string& name) {
+  const auto [scene, afterScene] = splitCase(name);
+  const auto [shading, afterShading] = splitCase(afterScene);
+  const auto [size, movement] = splitCase(afterShading);
+  return {scene, shading, size, movement};
+}
+
+/// Sizes come in one order for every scene, the largest last.
+std::string lastSize(const Results& results) { return viewerCase(results.back().case_).size; }
+
+}  // namespace
+
 std::string bakePlot(const Results& results, const std::string& subtitle) {
   BarChart chart{"Seconds of a bake, by stage", subtitle, "seconds", {}, {}};
   for (const BenchmarkResult& result : results) {
@@ -63,30 +82,44 @@ std::string updatePlot(const Results& results, const std::string& subtitle) {
   return drawBarChart(chart);
 }
 
-std::string windowPlot(const Results& results, const std::string& subtitle) {
-  BarChart chart{"A frame of the window", subtitle, "ms, the median of all", {}, {}};
+std::string viewerPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"A frame of the window while the camera orbits", subtitle, "ms, the median of all", {}, {}};
   for (const BenchmarkResult& result : results) {
-    if (result.metric != "median frame") continue;
-    const auto [scene, movement] = splitCase(result.case_);
-    groupNamed(chart.groups, scene)
+    const ViewerCase measured = viewerCase(result.case_);
+    if (result.metric != "median frame" || measured.movement != "orbit") continue;
+    groupNamed(chart.groups, measured.scene + ", " + measured.size)
         .bars.push_back(
-            {movement, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} ms", result.value)});
+            {measured.shading, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} ms", result.value)});
   }
   return drawBarChart(chart);
 }
 
-std::string windowPartsPlot(const Results& results, const std::string& subtitle) {
+std::string viewerPartsPlot(const Results& results, const std::string& subtitle) {
   BarChart chart{"What a frame of the window costs", subtitle, "ms of processor time, all threads", {}, {}};
+  const std::string size = lastSize(results);
   for (const BenchmarkResult& result : results) {
-    if (!result.metric.starts_with("part: ") || result.value < 0.1) continue;
-    const auto [scene, setting] = splitCase(result.case_);
-    const auto [shading, movement] = splitCase(setting);
-    std::vector<Bar>& bars = groupNamed(chart.groups, scene + ", " + shading).bars;
-    if (bars.empty() || bars.back().label != movement) bars.push_back({movement, {}, 0.0, ""});
+    const ViewerCase measured = viewerCase(result.case_);
+    if (!result.metric.starts_with("part: ") || result.value < 0.1 || measured.size != size) continue;
+    std::vector<Bar>& bars = groupNamed(chart.groups, measured.scene + ", " + measured.shading).bars;
+    if (bars.empty() || bars.back().label != measured.movement)
+      bars.push_back({measured.movement, {}, 0.0, ""});
     bars.back().parts.push_back({result.value, stageColor(chart.legend, result.metric.substr(6))});
     double sum = 0.0;
     for (const Bar::Part& part : bars.back().parts) sum += part.value;
     bars.back().note = fmt::format("{:.3g} ms", sum);
+  }
+  return drawBarChart(chart);
+}
+
+std::string viewerLatencyPlot(const Results& results, const std::string& subtitle) {
+  BarChart chart{"From an input to the finished picture", subtitle, "ms, the median of a few", {}, {}};
+  const std::string size = lastSize(results);
+  for (const BenchmarkResult& result : results) {
+    const ViewerCase measured = viewerCase(result.case_);
+    if (result.metric != "latency to the finished picture" || measured.size != size) continue;
+    groupNamed(chart.groups, measured.scene + ", " + measured.shading)
+        .bars.push_back(
+            {measured.movement, {{result.value, palette[0]}}, 0.0, fmt::format("{:.3g} ms", result.value)});
   }
   return drawBarChart(chart);
 }

@@ -16,10 +16,13 @@ std::string relightPlot(const Results& results, const std::string& subtitle);
 /// Milliseconds of a frame in which light follows what moves.
 std::string updatePlot(const Results& results, const std::string& subtitle);
 
-/// Milliseconds of a frame of the window.
-std::string windowPlot(const Results& results, const std::string& subtitle);
+/// Milliseconds of a frame of the window at each size, by scene and shading.
+std::string viewerPlot(const Results& results, const std::string& subtitle);
 
-/// What a frame of the window costs, by part.
-std::string windowPartsPlot(const Results& results, const std::string& subtitle);
+/// What a frame of the window costs, by part, at the largest size.
+std::string viewerPartsPlot(const Results& results, const std::string& subtitle);
+
+/// Milliseconds from an input to the finished picture at the largest size, by scene, shading and input.
+std::string viewerLatencyPlot(const Results& results, const std::string& subtitle);
 
 }  // namespace prelight::benchmarks

@@ -84,9 +84,7 @@ class VertexStream {
   /// Of vertices from `first` on.
   template <typename T>
   void replace(std::size_t first, std::span<const T> values) const {
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(first * sizeof(T)),
-                    static_cast<GLsizeiptr>(values.size_bytes()), values.data());
+    buffer_.replace(GL_ARRAY_BUFFER, first * sizeof(T), values);
   }
 
   const gl::Buffer& buffer() const { return buffer_; }

@@ -101,9 +101,8 @@ void TransferRows::replace(std::size_t firstVertex, std::span<const float> value
   const std::vector<float> padded = paddedRows(values, static_cast<std::size_t>(count));
   const std::size_t vertexLength =
       static_cast<std::size_t>(channels) * paddedLength(static_cast<std::size_t>(count));
-  glBindBuffer(GL_TEXTURE_BUFFER, texels.buffer.name());
-  glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(firstVertex * vertexLength * sizeof(float)),
-                  static_cast<GLsizeiptr>(padded.size() * sizeof(float)), padded.data());
+  texels.buffer.replace(GL_TEXTURE_BUFFER, firstVertex * vertexLength * sizeof(float),
+                        std::span<const float>(padded));
 }
 
 HarmonicSeries::HarmonicSeries(const HarmonicTransfer& transfer, Basis basis, const CompiledScene& scene)

@@ -64,7 +64,7 @@ std::vector<std::string> suitesWithCases(const std::vector<std::string>& suites,
                [&](const std::string& suite) { return benchmarks::hasChosenCase(suite, options); });
   if (kept.empty())
     throw UsageError("--case " + options.onlyCase, "no suite has a case of such a name",
-                     "`prelight bench window --case x` names its cases, docs/skipping.md those of `skip`");
+                     "`prelight bench viewer --case x` names its cases, docs/skipping.md those of `skip`");
   return kept;
 }
 
@@ -140,6 +140,7 @@ void runBench(const BenchCommand& command, Context& context) {
   if (command.size) {
     options.techniqueHeight = command.size->height;
     options.techniqueWidth = command.size->width.value_or(command.size->height * 16 / 9);
+    options.viewerSizes = {{options.techniqueWidth, options.techniqueHeight}};
   }
   options.screenScenes.insert(options.screenScenes.end(), command.models.begin(), command.models.end());
   if (command.suite.empty()) suites = suitesWithCases(suites, options);
@@ -193,7 +194,7 @@ void addBenchCommand(CLI::App& program, Context& context) {
   app->add_option("--model", command->models, "glTF files that `screen` measures besides its scenes")
       ->type_name("FILE");
   app->add_option("--case", command->onlyCase,
-                  "only cases of `bake-scaling`, `skip` and `window` whose names contain this; of "
+                  "only cases of `bake-scaling`, `skip` and `viewer` whose names contain this; of "
                   "`bake-scaling` the one that is named in full, however long it takes")
       ->type_name("TEXT");
   addWholeNumber(
@@ -207,7 +208,8 @@ void addBenchCommand(CLI::App& program, Context& context) {
       "photons that `stability` flies through each of its rooms (default 65536)");
   addPictureSize(
       *app, "--size", [command](PictureSize size) { command->size = size; },
-      "pixels of the pictures of `techniques`; one number is the height (default 480x270)");
+      "pixels of the pictures of `techniques` (default 480x270) and `viewer` (640x360 and 1280x720); one "
+      "number is the height");
   app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
   app->footer(suitesText() +
               "\nExamples:\n"

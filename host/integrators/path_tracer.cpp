@@ -22,9 +22,14 @@ std::uint32_t pathsPerBlock(const DeviceInfo& info, bool cachedLight) {
 /// latter close together.
 enum RayPart : std::uint32_t { followed, sentOn, sentToLights, shadowRays, rayParts };
 
-/// Samples of light that one is chosen of where there is a sky: of its samples, which know nothing of the
-/// surface, many lie behind it or hardly count.
-constexpr int skyCandidates = 4;
+/// Samples of light that one is chosen of.
+constexpr int lightCandidates = 4;
+
+/// Where one sample of the lights knows too little of the surface: of a sky's, many lie behind it or hardly
+/// count, and of many lamps one may be near.
+bool choosesLights(const TransportScene& scene) {
+  return scene.features().sky || scene.lights().punctual.size() > 1;
+}
 
 std::uint32_t foldSeed(std::uint64_t seed) {
   return static_cast<std::uint32_t>(seed) ^ (static_cast<std::uint32_t>(seed >> 32) * 0x9e3779b9u);
@@ -65,8 +70,8 @@ PathTracer::PathTracer(TransportScene& scene, const CompiledScene& compiled, con
 void PathTracer::buildKernels(const ReferenceRequest& request) {
   const char* file = "integrate/path_kernels.cl";
   BuildOptions options = buildOptions(request, std::nullopt, scene_.options());
-  if (scene_.features().sky && request.integrator == Integrator::Path)
-    options.define("PRELIGHT_LIGHT_CANDIDATES", skyCandidates);
+  if (choosesLights(scene_) && request.integrator == Integrator::Path)
+    options.define("PRELIGHT_LIGHT_CANDIDATES", lightCandidates);
   generate_ = {device_, file, options, "generatePaths"};
   collect_ = {device_, file, options, "collectRadiance"};
   sample_ = {device_, file, options, "sampleLights"};
@@ -81,7 +86,7 @@ void PathTracer::buildCachedKernels(const ReferenceRequest& request) {
   const char* file = "integrate/cached_path_kernels.cl";
   BuildOptions options =
       cachedLightOptions(*cached_, buildOptions(request, cached_->meetsLights, scene_.options()));
-  if (scene_.features().sky) options.define("PRELIGHT_LIGHT_CANDIDATES", skyCandidates);
+  if (choosesLights(scene_)) options.define("PRELIGHT_LIGHT_CANDIDATES", lightCandidates);
   generate_ = {device_, file, options, "generatePaths"};
   follow_ = {device_, file, options, "followPaths"};
   add_ = {device_, file, options, "addArrivals"};

@@ -219,6 +219,26 @@ TEST_F(CliBench, Techniques_TablesAndPictures_AreWrittenIntoTheFolder) {
 }
 #endif
 
+#ifdef PRELIGHT_WITH_VIEWER
+TEST_F(CliBench, Viewer_EverySizeAndInput_HasTimesLatencyAndUploads) {
+  prelightDone({"bench", "viewer", "--quick", "--quiet", "--case", "shapes/vo", "--json", "viewer.json"});
+  const nlohmann::json report = nlohmann::json::parse(readFile("viewer.json"));
+  expectReport(report);
+  std::map<std::string, std::set<std::string>> metrics;
+  for (const auto& entry : report["results"]) {
+    EXPECT_GE(entry["value"], 0.0) << entry;
+    metrics[entry["case"]].insert(entry["metric"]);
+  }
+  for (const std::string size : {"32x18", "64x36"})
+    for (const char* input : {"orbit", "moving light", "turned sky", "moving node"})
+      for (const char* metric : {"median frame", "processor time", "OpenGL's timer", "uploaded a frame",
+                                 "latency to the next picture", "latency to the finished picture"})
+        EXPECT_TRUE(metrics["shapes/vo/" + size + "/" + input].contains(metric)) << size << input << metric;
+  EXPECT_TRUE(std::any_of(metrics.begin(), metrics.end(),
+                          [](const auto& some) { return some.first.starts_with("OpenGL: "); }));
+}
+#endif
+
 TEST_F(CliBench, Json_WithoutAFile_GoesToStandardOutput) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"bench", "cast", "--quick", "--json"},
@@ -233,7 +253,7 @@ std::vector<std::string> suiteNames() {
       "full",      "lightmaps", "photons",      "radiosity", "rays", "reference", "relight",   "scaling",
       "skip",      "stability", "trees",        "update",    "vo",   "wavelets"};
 #ifdef PRELIGHT_WITH_VIEWER
-  names.insert(names.end(), {"near-lamps", "rasterised", "screen", "techniques", "window"});
+  names.insert(names.end(), {"near-lamps", "rasterised", "screen", "techniques", "viewer"});
 #endif
   return names;
 }

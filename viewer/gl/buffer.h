@@ -3,6 +3,7 @@
 #include <span>
 
 #include "viewer/gl/object.h"
+#include "viewer/gl/uploads.h"
 
 namespace prelight::viewer::gl {
 
@@ -22,6 +23,16 @@ class Buffer : public Object<BufferTraits> {
   void fill(GLenum target, std::span<const T> data, GLenum usage) const {
     glBindBuffer(target, name());
     glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
+    noteUpload(data.size_bytes());
+  }
+
+  /// Replaces bytes from `offset` on, which it has room for.
+  template <typename T>
+  void replace(GLenum target, std::size_t offset, std::span<const T> data) const {
+    glBindBuffer(target, name());
+    glBufferSubData(target, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size_bytes()),
+                    data.data());
+    noteUpload(data.size_bytes());
   }
 };
 

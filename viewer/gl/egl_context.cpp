@@ -1,6 +1,7 @@
 #include "viewer/gl/egl_context.h"
 
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 
 #include <array>
 #include <string>
@@ -72,6 +73,12 @@ EglContext::EglContext() {
   throw Error(ExitCode::NoDevice, "OpenGL", "EGL gives no OpenGL 4.1 context without a display",
               "install a driver with EGL, for example Mesa's: apt install libegl1 libgl1-mesa-dri");
 }
+
+std::string EglContext::rendererName() const {
+  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+double EglContext::version() const { return epoxy_gl_version() / 10.0; }
 
 EglContext::~EglContext() {
   // The display stays initialised: others in the process get the same handle, and terminating it would take

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace prelight::viewer::gl {
 
 /// An OpenGL 4.1 core context without a window or a display server, current on the thread that made it.
@@ -11,6 +13,9 @@ class EglContext {
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
+
+  std::string rendererName() const;  ///< as OpenGL says it: what draws
+  double version() const;            ///< 4.5
 
  private:
   void* display_ = nullptr;

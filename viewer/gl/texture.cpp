@@ -80,6 +80,7 @@ Texture makeImageTexture(const Image& image, bool srgb, const TextureRef& use) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width, image.height, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, image.rgba.data());
+  noteUpload(image.rgba.size());
   setMipmapped(wrap(use.wrapS), wrap(use.wrapT));
   if (use.filter == TextureFilter::Nearest) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   // No anisotropic filtering: llvmpipe's breaks magnified textures along the diagonals.
@@ -93,6 +94,7 @@ Texture makeFloatTexture(int width, int height, std::span<const glm::vec3> texel
   glBindTexture(GL_TEXTURE_2D, texture.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, texels.data());
+  noteUpload(texels.size_bytes());
   setMipmapped(GL_REPEAT, GL_CLAMP_TO_EDGE);
   check("uploading a float texture");
   return texture;
@@ -116,6 +118,7 @@ void fillFloatArray(const Texture& texture, const glm::ivec3& corner, const glm:
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, corner.x, corner.y, corner.z, size.x, size.y, 1, GL_RGB, GL_FLOAT,
                   texels.data());
+  noteUpload(texels.size_bytes());
   check("filling a layer of a texture");
 }
 
