@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -18,14 +19,11 @@ namespace prelight::benchmarks {
 
 namespace {
 
+using Gathered = viewer::HemisphereGather;
 using viewer::HemisphereMap;
 using viewer::HemisphereReceiver;
 
-/// What receivers find: SH of the open sky and irradiance, one row a receiver.
-struct Gathered {
-  std::vector<double> transfer;
-  std::vector<glm::vec3> irradiance;
-};
+constexpr std::size_t raysAtOnce = std::size_t(1) << 20;
 
 /// Places on a scene's surface, and what its vertices send.
 struct RasterisedScene {
@@ -59,33 +57,53 @@ glm::vec3 radianceAt(const RasterisedScene& scene, const device::Hit& hit) {
          hit.v * scene.radiance[v.z];
 }
 
-Gathered byRays(const RasterisedScene& scene, Tracer& tracer, std::uint32_t rays, int order,
-                std::uint32_t seed) {
-  const auto count = static_cast<std::size_t>(sh::coefficientCount(order));
-  Gathered found{std::vector<double>(scene.receivers.size() * count, 0.0), {}};
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < scene.receivers.size(); ++i) {
-    const HemisphereReceiver& receiver = scene.receivers[i];
-    std::vector<device::Ray> cast;
+/// Spread by the cosine, of receivers from `first` on: [receiver][ray].
+std::vector<device::Ray> raysOf(const RasterisedScene& scene, std::size_t first, std::size_t receivers,
+                                std::uint32_t rays, std::uint32_t seed) {
+  std::vector<device::Ray> cast;
+  cast.reserve(receivers * rays);
+  for (std::size_t i = first; i < first + receivers; ++i) {
+    const glm::vec3 p(scene.receivers[i].position);
+    const std::uint32_t scramble = sampling::hashInteger(seed + static_cast<std::uint32_t>(i));
     for (std::uint32_t r = 0; r < rays; ++r) {
-      const glm::vec3 d = sampling::cosineHemisphere(
-          sampling::sobol(r, sampling::hashInteger(seed + static_cast<std::uint32_t>(i))), receiver.normal);
-      const glm::vec3 p(receiver.position);
+      const glm::vec3 d = sampling::cosineHemisphere(sampling::sobol(r, scramble), scene.receivers[i].normal);
       cast.push_back({{p.x, p.y, p.z}, scene.triangles[i], {d.x, d.y, d.z}, 1e30f});
     }
-    const std::vector<device::Hit> hits = tracer.traceClosest(cast);
-    glm::dvec3 sum(0.0);
-    for (std::uint32_t r = 0; r < rays; ++r) {
-      if (hits[r].triangle != PRELIGHT_NO_TRIANGLE) {
-        sum += glm::dvec3(radianceAt(scene, hits[r]));
-        continue;
-      }
-      sh::evaluate(
-          glm::normalize(glm::dvec3(cast[r].direction[0], cast[r].direction[1], cast[r].direction[2])), order,
-          values);
-      for (std::size_t c = 0; c < count; ++c) found.transfer[i * count + c] += values[c] / rays;
+  }
+  return cast;
+}
+
+/// Adds what one receiver's rays find.
+void addReceiver(const RasterisedScene& scene, std::span<const device::Ray> cast,
+                 std::span<const device::Hit> hits, int order, Gathered& found) {
+  const auto rays = static_cast<double>(cast.size());
+  std::vector<double> values(static_cast<std::size_t>(sh::coefficientCount(order)));
+  std::vector<double> transfer(values.size(), 0.0);
+  glm::dvec3 sum(0.0);
+  for (std::size_t r = 0; r < cast.size(); ++r) {
+    if (hits[r].triangle != PRELIGHT_NO_TRIANGLE) {
+      sum += glm::dvec3(radianceAt(scene, hits[r]));
+      continue;
     }
-    found.irradiance.emplace_back(std::numbers::pi * sum / double(rays));
+    const auto& d = cast[r].direction;
+    sh::evaluate(glm::normalize(glm::dvec3(d[0], d[1], d[2])), order, values);
+    for (std::size_t c = 0; c < values.size(); ++c) transfer[c] += values[c] / rays;
+  }
+  found.transfer.insert(found.transfer.end(), transfer.begin(), transfer.end());
+  found.irradiance.emplace_back(std::numbers::pi * sum / rays);
+}
+
+Gathered byRays(const RasterisedScene& scene, Tracer& tracer, std::uint32_t rays, int order,
+                std::uint32_t seed) {
+  const std::size_t most = std::max<std::size_t>(1, raysAtOnce / rays);
+  Gathered found;
+  for (std::size_t first = 0; first < scene.receivers.size(); first += most) {
+    const std::size_t some = std::min(most, scene.receivers.size() - first);
+    const std::vector<device::Ray> cast = raysOf(scene, first, some, rays, seed);
+    const std::vector<device::Hit> hits = tracer.traceClosest(cast);
+    for (std::size_t i = 0; i < some; ++i)
+      addReceiver(scene, std::span(cast).subspan(i * rays, rays), std::span(hits).subspan(i * rays, rays),
+                  order, found);
   }
   return found;
 }
@@ -138,13 +156,8 @@ void measureScene(const std::string& name, const Device& device, const Benchmark
       viewer::HemisphereRaster raster(scene.scene.compiled, static_cast<HemisphereMap>(m), side);
       measure(
           fmt::format("{}/{}/{}x{}", name, viewer::hemisphereMapNames[m], side, side),
-          [&] {
-            Gathered found;
-            found.irradiance = raster.irradiance(scene.receivers, scene.radiance);
-            found.transfer = raster.transfer(scene.receivers, order);
-            return found;
-          },
-          scene.receivers.size(), truth, results);
+          [&] { return raster.gather(scene.receivers, order, scene.radiance); }, scene.receivers.size(),
+          truth, results);
     }
   }
 }

@@ -38,6 +38,20 @@ glm::dmat3 frameOf(const glm::dvec3& normal) {
 
 std::size_t divideUp(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
+/// Turned to the world's axes; `local` begins each receiver's row with its coefficients in its own frame.
+std::vector<double> worldTransfer(std::span<const HemisphereReceiver> receivers,
+                                  std::span<const glm::vec4> local, int order) {
+  const auto count = static_cast<std::size_t>(sh::coefficientCount(order));
+  std::vector<double> values(count), result;
+  for (std::size_t i = 0; i < receivers.size(); ++i) {
+    const auto row = local.subspan(i * (local.size() / receivers.size()));
+    for (std::size_t c = 0; c < count; ++c) values[c] = row[c / 4][static_cast<int>(c % 4)];
+    const std::vector<double> world = sh::rotate(values, order, frameOf(receivers[i].normal));
+    result.insert(result.end(), world.begin(), world.end());
+  }
+  return result;
+}
+
 }  // namespace
 
 HemisphereRaster::HemisphereRaster(const CompiledScene& scene, HemisphereMap map, int side)
@@ -140,10 +154,11 @@ void HemisphereRaster::addSums(const gl::BufferTexture& weights, std::size_t fac
 
 /// [receiver][of weights].
 std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver> receivers,
-                                              std::span<const Weights> weights, Counts counts) {
+                                              std::span<const Weights> weights) {
   std::vector<gl::BufferTexture> uploaded;
   for (const Weights& four : weights)
-    uploaded.push_back(gl::makeBufferTexture(std::span<const glm::vec4>(four), "weights of hemispheres"));
+    uploaded.push_back(
+        gl::makeBufferTexture(std::span<const glm::vec4>(four.ofTexels), "weights of hemispheres"));
   std::vector<glm::vec4> result(receivers.size() * weights.size(), glm::vec4(0.0f));
   const auto batch = static_cast<std::size_t>(tilesASide_ * tilesASide_);
   for (std::size_t first = 0; first < receivers.size(); first += batch) {
@@ -151,7 +166,7 @@ std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver
     std::vector<std::vector<glm::vec4>> found(weights.size(), std::vector<glm::vec4>(some.size()));
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       draw(faces_[f], some);
-      for (std::size_t w = 0; w < weights.size(); ++w) addSums(uploaded[w], f, counts, found[w]);
+      for (std::size_t w = 0; w < weights.size(); ++w) addSums(uploaded[w], f, weights[w].counts, found[w]);
     }
     for (std::size_t i = 0; i < some.size(); ++i)
       for (std::size_t w = 0; w < weights.size(); ++w) result[(first + i) * weights.size() + w] = found[w][i];
@@ -159,10 +174,11 @@ std::vector<glm::vec4> HemisphereRaster::sums(std::span<const HemisphereReceiver
   return result;
 }
 
-std::vector<double> HemisphereRaster::transfer(std::span<const HemisphereReceiver> receivers, int order) {
-  sh::checkOrder(order, "order of rasterised transfer");
+/// Of four coefficients each, in the receiver's frame.
+std::vector<HemisphereRaster::Weights> HemisphereRaster::transferWeights(int order) const {
   const auto count = static_cast<std::size_t>(sh::coefficientCount(order));
-  std::vector<Weights> weights(divideUp(count, 4), Weights(texels_.size(), glm::vec4(0.0f)));
+  std::vector<Weights> weights(divideUp(count, 4),
+                               {Counts::WhatIsOpen, std::vector<glm::vec4>(texels_.size(), glm::vec4(0.0f))});
   const double scale = std::numbers::inv_pi / coverageOf(texels_);
   std::vector<double> values(count);
   for (std::size_t t = 0; t < texels_.size(); ++t) {
@@ -170,22 +186,22 @@ std::vector<double> HemisphereRaster::transfer(std::span<const HemisphereReceive
     if (texel.solidAngle <= 0.0) continue;
     sh::evaluate(texel.direction, order, values);
     for (std::size_t c = 0; c < count; ++c)
-      weights[c / 4][t][static_cast<int>(c % 4)] =
+      weights[c / 4].ofTexels[t][static_cast<int>(c % 4)] =
           static_cast<float>(scale * values[c] * texel.direction.z * texel.solidAngle);
   }
-  const std::vector<glm::vec4> local = sums(receivers, weights, Counts::WhatIsOpen);
-  std::vector<double> result;
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    for (std::size_t c = 0; c < count; ++c)
-      values[c] = local[i * weights.size() + c / 4][static_cast<int>(c % 4)];
-    const std::vector<double> world = sh::rotate(values, order, frameOf(receivers[i].normal));
-    result.insert(result.end(), world.begin(), world.end());
-  }
-  return result;
+  return weights;
 }
 
-std::vector<glm::vec3> HemisphereRaster::irradiance(std::span<const HemisphereReceiver> receivers,
-                                                    std::span<const glm::vec3> radiance) {
+HemisphereRaster::Weights HemisphereRaster::irradianceWeights() const {
+  Weights weights{Counts::Radiance, std::vector<glm::vec4>(texels_.size(), glm::vec4(0.0f))};
+  const double scale = 1.0 / coverageOf(texels_);
+  for (std::size_t t = 0; t < texels_.size(); ++t)
+    weights.ofTexels[t].x =
+        static_cast<float>(scale * std::max(texels_[t].direction.z, 0.0) * texels_[t].solidAngle);
+  return weights;
+}
+
+void HemisphereRaster::setRadiance(std::span<const glm::vec3> radiance) {
   std::vector<glm::vec3> ofCorners;
   for (const Corner& corner : corners_) {
     const glm::uvec3& v = scene_.triangles[corner.triangle];
@@ -193,13 +209,31 @@ std::vector<glm::vec3> HemisphereRaster::irradiance(std::span<const HemisphereRe
                         corner.weights.x * radiance[v.y] + corner.weights.y * radiance[v.z]);
   }
   radiance_.fill(std::span<const glm::vec3>(ofCorners));
-  std::vector<Weights> weights(1, Weights(texels_.size(), glm::vec4(0.0f)));
-  const double scale = 1.0 / coverageOf(texels_);
-  for (std::size_t t = 0; t < texels_.size(); ++t)
-    weights[0][t].x =
-        static_cast<float>(scale * std::max(texels_[t].direction.z, 0.0) * texels_[t].solidAngle);
-  std::vector<glm::vec3> result;
-  for (const glm::vec4& sum : sums(receivers, weights, Counts::Radiance)) result.emplace_back(sum);
+}
+
+std::vector<double> HemisphereRaster::transfer(std::span<const HemisphereReceiver> receivers, int order) {
+  sh::checkOrder(order, "order of rasterised transfer");
+  return worldTransfer(receivers, sums(receivers, transferWeights(order)), order);
+}
+
+std::vector<glm::vec3> HemisphereRaster::irradiance(std::span<const HemisphereReceiver> receivers,
+                                                    std::span<const glm::vec3> radiance) {
+  setRadiance(radiance);
+  const Weights weights = irradianceWeights();
+  const std::vector<glm::vec4> found = sums(receivers, std::span(&weights, 1));
+  return {found.begin(), found.end()};
+}
+
+HemisphereGather HemisphereRaster::gather(std::span<const HemisphereReceiver> receivers, int order,
+                                          std::span<const glm::vec3> radiance) {
+  sh::checkOrder(order, "order of rasterised transfer");
+  setRadiance(radiance);
+  std::vector<Weights> weights = transferWeights(order);
+  weights.push_back(irradianceWeights());
+  const std::vector<glm::vec4> found = sums(receivers, weights);
+  HemisphereGather result{worldTransfer(receivers, found, order), {}};
+  for (std::size_t i = 0; i < receivers.size(); ++i)
+    result.irradiance.emplace_back(found[(i + 1) * weights.size() - 1]);
   return result;
 }
 

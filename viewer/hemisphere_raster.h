@@ -19,6 +19,12 @@ struct HemisphereReceiver {
   glm::dvec3 normal{0.0};    ///< unit
 };
 
+/// What receivers find, one after the other.
+struct HemisphereGather {
+  std::vector<double> transfer;       ///< [receiver][order^2]
+  std::vector<glm::vec3> irradiance;  ///< [receiver], W/m2
+};
+
 /// What receivers see, drawn by OpenGL in the place of rays: many receivers' pictures side by side in one,
 /// multiplied by what each texel counts, and summed up by mip levels (Staniszewski 2005, chapter 2; Larsen
 /// 2004, chapter 11). Both sides of all triangles are seen, without holes of textures. Every texel counts
@@ -36,20 +42,31 @@ class HemisphereRaster {
   std::vector<glm::vec3> irradiance(std::span<const HemisphereReceiver> receivers,
                                     std::span<const glm::vec3> radiance);
 
+  /// Both of the same pictures, which are drawn once.
+  HemisphereGather gather(std::span<const HemisphereReceiver> receivers, int order,
+                          std::span<const glm::vec3> radiance);
+
  private:
   /// A corner of what is drawn.
   struct Corner {
     std::uint32_t triangle;
     glm::vec2 weights;  ///< of the triangle's vertices 1 and 2
   };
-  using Weights = std::vector<glm::vec4>;  ///< [face][texel]
   enum class Counts { WhatIsOpen, Radiance };
+  /// What texels count in one pass of sums.
+  struct Weights {
+    Counts counts;
+    std::vector<glm::vec4> ofTexels;  ///< [face][texel]
+  };
 
   void makeCorners();
   void draw(const HemisphereFace& face, std::span<const HemisphereReceiver> receivers);
   void addSums(const gl::BufferTexture& weights, std::size_t face, Counts counts, std::span<glm::vec4> sums);
-  std::vector<glm::vec4> sums(std::span<const HemisphereReceiver> receivers, std::span<const Weights> weights,
-                              Counts counts);
+  std::vector<glm::vec4> sums(std::span<const HemisphereReceiver> receivers,
+                              std::span<const Weights> weights);
+  std::vector<Weights> transferWeights(int order) const;
+  Weights irradianceWeights() const;
+  void setRadiance(std::span<const glm::vec3> radiance);
 
   const CompiledScene& scene_;
   HemisphereMap map_;

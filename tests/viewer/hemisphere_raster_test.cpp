@@ -144,6 +144,22 @@ TEST_P(HemisphereMaps, OneOfManyReceivers_SeesWhatItSeesAlone) {
   for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(all[13 * 4 + c], alone[c]);
 }
 
+TEST_P(HemisphereMaps, BothOfOnePicture_AreAsDrawnApart) {
+  const gl::EglContext context;
+  const CompiledScene scene = plateAbove(1.0f);
+  std::vector<glm::vec3> radiance;
+  for (const glm::vec3& p : scene.positions) radiance.push_back(glm::abs(p) + glm::vec3(1.0f, 0.5f, 0.25f));
+  std::vector<HemisphereReceiver> receivers;
+  for (int i = 0; i < 300; ++i)  // more than an atlas holds
+    receivers.push_back(
+        {{0.01 * i - 1.5, 0.0, 0.2}, glm::normalize(glm::dvec3(0.3 * std::sin(i), 1.0, 0.3 * std::cos(i)))});
+  HemisphereRaster raster(scene, GetParam(), 32);
+  const HemisphereGather both = raster.gather(receivers, 3, radiance);
+  EXPECT_EQ(both.transfer, raster.transfer(receivers, 3));
+  EXPECT_EQ(both.irradiance, raster.irradiance(receivers, radiance));
+  EXPECT_GT(both.irradiance[150].x, 1.0f);
+}
+
 INSTANTIATE_TEST_SUITE_P(, HemisphereMaps,
                          ::testing::Values(HemisphereMap::Stereographic, HemisphereMap::HemiPlane,
                                            HemisphereMap::Hemicube, HemisphereMap::Tetrahedron),
