@@ -18,7 +18,7 @@ namespace {
 constexpr int pixels = 64, squares = 8;
 constexpr double half = 0.9;      // of the part of the plane that is looked at, m
 constexpr float albedo = 0.001f;  // of the plane, so that light which it has scattered does not count
-constexpr std::uint64_t samples = 1024;
+constexpr std::uint64_t samples = 2048;
 constexpr int batches = 64;  // so many that their spread tells a standard error well
 constexpr std::uint64_t photonsABatch = 1 << 17;
 
