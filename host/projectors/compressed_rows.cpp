@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "io/values/append_values.h"
-#include "projectors/sh/harmonic_file.h"
 
 namespace prelight {
 
