@@ -55,9 +55,9 @@ struct BenchmarkOptions {
   int compressOrder = 6;                                    ///< of the transfer of `compress`
   int compressBounces = 2;
   std::vector<std::string> compressMethods = {
-      "half",      "band8",      "pca:4",      "pca:8",      "pca:16",         "pca:24",
-      "vq:64",     "vq:256",     "vq:1024",    "cpca:16:4",  "cpca:16:8",      "cpca:64:4",
-      "cpca:64:8", "cpca:64:16", "cpca:256:4", "cpca:256:8", "cpca:64:8:byte", "pca:16:byte"};
+      "half",       "band8",      "rgbe",       "pca:4",          "pca:8",      "pca:16",    "pca:24",
+      "vq:64",      "vq:256",     "vq:1024",    "cpca:16:4",      "cpca:16:8",  "cpca:64:4", "cpca:64:8",
+      "cpca:64:16", "cpca:256:4", "cpca:256:8", "cpca:64:8:byte", "pca:16:byte"};
   std::vector<std::string> voScenes = {"shapes", "swing", "bumps", "caustics", "cornell", "rooms"};
   std::uint64_t voRays = 1024;       ///< a vertex, where `vo` measures errors
   std::size_t voLights = 16;         ///< around a scene, and as many inside

@@ -77,6 +77,9 @@ std::unique_ptr<DrawnTransfer> makeShOfVertices(const RenderInputs& inputs) {
   if (inputs.bake->sh)
     return std::make_unique<HarmonicSeries>(*inputs.bake->sh, HarmonicSeries::Basis::Sh, inputs.compiled);
   const CompressedTransfer& compressed = *inputs.bake->compressedSh;
+  if (compressed.method == CompressionMethod::Rgbe)  // no shader decodes it
+    return std::make_unique<HarmonicSeries>(decompress(compressed), HarmonicSeries::Basis::Sh,
+                                            inputs.compiled);
   if (compressed.method == CompressionMethod::Half || compressed.method == CompressionMethod::Band8)
     return std::make_unique<HarmonicSeries>(compressed, inputs.compiled);
   return std::make_unique<ClusterTransfer>(compressed, inputs.compiled);

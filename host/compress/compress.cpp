@@ -8,6 +8,7 @@
 #include "compress/byte_range.h"
 #include "compress/cluster_fit.h"
 #include "compress/half_float.h"
+#include "compress/shared_exponent.h"
 #include "prelight/error.h"
 #include "prelight/transfer.h"
 
@@ -53,6 +54,38 @@ void compressBands(const HarmonicTransfer& transfer, std::span<const double> ver
     for (std::size_t v = 0; v < out.vertexCount; ++v)
       for (std::size_t i = 0; i < width; ++i)
         out.bytes[(v * channels + channel) * n + band * band + i] = range.encode(values[v * width + i]);
+  });
+}
+
+/// The coefficients of a band, of all channels, and their places in a vertex's vector.
+template <typename Visit>
+void forEachBand(int channels, int order, Visit visit) {
+  const auto n = static_cast<std::size_t>(order * order);
+  std::vector<std::size_t> places;
+  for (std::size_t band = 0; band < static_cast<std::size_t>(order); ++band) {
+    places.clear();
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
+      for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i) places.push_back(c * n + i);
+    visit(band, places);
+  }
+}
+
+/// Numbers of a band and vertex have most in common, and no dark vertex pays for the bright ones.
+void compressExponents(const HarmonicTransfer& transfer, CompressedTransfer& out) {
+  const std::size_t d = out.dimension(), order = static_cast<std::size_t>(out.order);
+  out.bytes.resize(transfer.coefficients.size());
+  out.exponents.resize(out.vertexCount * order);
+  parallelRanges(out.vertexCount, 1024, [&](std::size_t begin, std::size_t end) {
+    std::vector<float> numbers;
+    std::vector<std::uint8_t> mantissas;
+    for (std::size_t v = begin; v < end; ++v)
+      forEachBand(out.channels, out.order, [&](std::size_t band, const std::vector<std::size_t>& places) {
+        numbers.clear();
+        for (const std::size_t place : places) numbers.push_back(transfer.coefficients[v * d + place]);
+        mantissas.resize(numbers.size());
+        out.exponents[v * order + band] = encodeSharedExponent(numbers, mantissas);
+        for (std::size_t i = 0; i < places.size(); ++i) out.bytes[v * d + places[i]] = mantissas[i];
+      });
   });
 }
 
@@ -125,6 +158,18 @@ void decompressVertex(const CompressedTransfer& compressed, std::size_t vertex, 
   for (std::size_t i = 0; i < d; ++i) out[i] = static_cast<float>(sum[i]);
 }
 
+void decompressExponents(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
+  const std::size_t d = compressed.dimension();
+  const std::uint8_t* exponents =
+      compressed.exponents.data() + vertex * static_cast<std::size_t>(compressed.order);
+  forEachBand(compressed.channels, compressed.order,
+              [&](std::size_t band, const std::vector<std::size_t>& places) {
+                for (const std::size_t place : places)
+                  decodeSharedExponent(exponents[band], {&compressed.bytes[vertex * d + place], 1},
+                                       out.subspan(place, 1));
+              });
+}
+
 void decompressBands(const CompressedTransfer& compressed, std::size_t vertex, std::span<float> out) {
   const auto order = static_cast<std::size_t>(compressed.order);
   const std::size_t d = compressed.dimension();
@@ -158,8 +203,8 @@ double CompressedTransfer::weight(std::size_t vertex, std::size_t component) con
 
 std::size_t CompressedTransfer::byteCount() const {
   const auto of = [](const auto& array) { return array.size() * sizeof(array[0]); };
-  return of(halves) + of(bytes) + of(ranges) + of(means) + of(basis) + of(clusterOf) + of(weightFloats) +
-         of(weightHalves) + of(weightBytes) + of(weightRanges);
+  return of(halves) + of(bytes) + of(exponents) + of(ranges) + of(means) + of(basis) + of(clusterOf) +
+         of(weightFloats) + of(weightHalves) + of(weightBytes) + of(weightRanges);
 }
 
 CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionRequest& request,
@@ -179,6 +224,9 @@ CompressedTransfer compress(const HarmonicTransfer& transfer, const CompressionR
       break;
     case CompressionMethod::Band8:
       compressBands(transfer, vertexWeights, out);
+      break;
+    case CompressionMethod::Rgbe:
+      compressExponents(transfer, out);
       break;
     case CompressionMethod::Pca:
     case CompressionMethod::Vq:
@@ -202,6 +250,8 @@ HarmonicTransfer decompress(const CompressedTransfer& compressed) {
       const std::span<float> vertex(out.coefficients.data() + v * d, d);
       if (compressed.method == CompressionMethod::Band8)
         decompressBands(compressed, v, vertex);
+      else if (compressed.method == CompressionMethod::Rgbe)
+        decompressExponents(compressed, v, vertex);
       else
         decompressVertex(compressed, v, vertex);
     }

@@ -11,7 +11,7 @@ namespace prelight {
 namespace {
 
 constexpr const char* expected =
-    "expected half, band8, pca:K, vq:N or cpca:N:K (N clusters, K components), the last two with :float, "
+    "expected half, band8, rgbe, pca:K, vq:N or cpca:N:K (N clusters, K components), the last two with :float, "
     ":half or :byte for the weights";
 
 std::vector<std::string_view> partsOf(std::string_view text) {
@@ -35,6 +35,8 @@ class CompressionParser {
       request.method = CompressionMethod::Half;
     } else if (method == "band8") {
       request.method = CompressionMethod::Band8;
+    } else if (method == "rgbe") {
+      request.method = CompressionMethod::Rgbe;
     } else if (method == "pca") {
       request.method = CompressionMethod::Pca;
       request.components = number("components", 4096);
@@ -111,6 +113,8 @@ std::string compressionName(const CompressionRequest& request) {
       return "half";
     case CompressionMethod::Band8:
       return "band8";
+    case CompressionMethod::Rgbe:
+      return "rgbe";
     case CompressionMethod::Pca:
       return fmt::format("pca:{}{}", request.components, suffix(request.weights));
     case CompressionMethod::Vq:

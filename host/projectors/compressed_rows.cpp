@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t maxClusters = 1u << 16, maxComponents = 3 * 32 * 32;
-constexpr std::array<std::string_view, 5> methods = {"half", "band8", "pca", "vq", "cpca"};
+constexpr std::array<std::string_view, 6> methods = {"half", "band8", "pca", "vq", "cpca", "rgbe"};
 constexpr std::array<std::string_view, 3> weightStorages = {"float", "half", "byte"};
 
 template <std::size_t count>
@@ -38,7 +38,10 @@ template <typename Transfer, typename Visit>
 void forEachRowArray(Transfer& transfer, Visit visit) {
   const auto components = static_cast<std::size_t>(transfer.components);
   if (transfer.method == CompressionMethod::Half) visit("halves", transfer.halves, transfer.dimension());
-  if (transfer.method == CompressionMethod::Band8) visit("bytes", transfer.bytes, transfer.dimension());
+  if (transfer.method == CompressionMethod::Band8 || transfer.method == CompressionMethod::Rgbe)
+    visit("bytes", transfer.bytes, transfer.dimension());
+  if (transfer.method == CompressionMethod::Rgbe)
+    visit("exponents", transfer.exponents, static_cast<std::size_t>(transfer.order));
   if (transfer.clusters > 0 && transfer.method != CompressionMethod::Pca)
     visit("clusters", transfer.clusterOf, std::size_t{1});
   if (components == 0) return;
@@ -106,7 +109,8 @@ CompressedTransfer readShared(const ValueReader& values, const JsonCursor& json,
   const auto read = [&](const char* member, std::size_t count) {
     return values.floats(json.at(member), "SCALAR", count);
   };
-  if (transfer.method == CompressionMethod::Half) return transfer;
+  if (transfer.method == CompressionMethod::Half || transfer.method == CompressionMethod::Rgbe)
+    return transfer;
   if (transfer.method == CompressionMethod::Band8) {
     transfer.ranges = read("ranges", 2 * static_cast<std::size_t>(transfer.channels * transfer.order));
     return transfer;
@@ -177,7 +181,7 @@ JsonCursor sharedAt(const std::optional<JsonCursor>& extension, const char* memb
 
 std::vector<std::string_view> compressedAccessors(std::vector<std::string_view> others) {
   for (const char* name :
-       {"halves", "bytes", "clusters", "weights", "ranges", "means", "basis", "weightRanges"})
+       {"halves", "bytes", "exponents", "clusters", "weights", "ranges", "means", "basis", "weightRanges"})
     others.push_back(name);
   return others;
 }

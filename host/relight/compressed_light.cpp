@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "compress/half_float.h"
+#include "compress/shared_exponent.h"
 #include "prelight/error.h"
 
 namespace prelight {
@@ -76,6 +77,24 @@ double storedWeight(const CompressedTransfer& compressed, std::size_t at) {
   return 0.0;
 }
 
+/// What is stored of a coefficient, which the terms expect.
+double storedCoefficient(const CompressedTransfer& compressed, std::size_t vertex, std::size_t at,
+                         std::size_t i) {
+  switch (compressed.method) {
+    case CompressionMethod::Band8:
+      return compressed.bytes[at];
+    case CompressionMethod::Rgbe: {
+      const std::size_t band = bandOf(i);
+      float value = 0.0f;
+      decodeSharedExponent(compressed.exponents[vertex * static_cast<std::size_t>(compressed.order) + band],
+                           {&compressed.bytes[at], 1}, {&value, 1});
+      return value;
+    }
+    default:
+      return fromHalf(compressed.halves[at]);
+  }
+}
+
 glm::dvec3 relightClustered(const CompressedTransfer& compressed, const CompressedLight& light,
                             std::size_t vertex) {
   const auto k = static_cast<std::size_t>(compressed.components);
@@ -96,8 +115,7 @@ glm::dvec3 relightStored(const CompressedTransfer& compressed, const CompressedL
     const std::size_t first =
         vertex * compressed.dimension() + (compressed.channels == 1 ? 0 : static_cast<std::size_t>(c) * n);
     for (std::size_t i = 0; i < n; ++i)
-      sum[c] += double(terms[i][c]) * (bytes ? double(compressed.bytes[first + i])
-                                             : double(fromHalf(compressed.halves[first + i])));
+      sum[c] += double(terms[i][c]) * storedCoefficient(compressed, vertex, first + i, i);
   }
   return sum;
 }
@@ -112,6 +130,7 @@ CompressedLight lightOf(const CompressedTransfer& compressed, std::span<const do
   CompressedLight out;
   switch (compressed.method) {
     case CompressionMethod::Half:
+    case CompressionMethod::Rgbe:
       for (std::size_t i = 0; i < n; ++i) out.terms.emplace_back(light[i], light[n + i], light[2 * n + i]);
       break;
     case CompressionMethod::Band8:
@@ -127,8 +146,7 @@ CompressedLight lightOf(const CompressedTransfer& compressed, std::span<const do
 }
 
 std::vector<glm::dvec3> relight(const CompressedTransfer& compressed, const CompressedLight& light) {
-  const bool stored =
-      compressed.method == CompressionMethod::Half || compressed.method == CompressionMethod::Band8;
+  const bool stored = compressed.clusters == 0;
   std::vector<glm::dvec3> out(compressed.vertexCount);
   for (std::size_t v = 0; v < out.size(); ++v)
     out[v] = stored ? relightStored(compressed, light, v) : relightClustered(compressed, light, v);

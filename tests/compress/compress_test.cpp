@@ -91,8 +91,8 @@ TEST_P(EveryMethod, CompressedTransfer_IsSmallerAndTheSameEachTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
-                         ::testing::Combine(::testing::Values("half", "band8", "pca:9", "pca:9:byte", "vq:64",
-                                                              "cpca:16:4", "cpca:16:4:float",
+                         ::testing::Combine(::testing::Values("half", "band8", "rgbe", "pca:9", "pca:9:byte",
+                                                              "vq:64", "cpca:16:4", "cpca:16:4:float",
                                                               "cpca:16:4:byte"),
                                             ::testing::Values(1, 3)));
 
@@ -127,6 +127,40 @@ TEST(Compress, Band8_ErrsLessThanHalfAStepOfTheWholeRange) {
     }
 }
 
+TEST(Compress, Rgbe_ErrsByTheGreatestOfItsVertexAndBandAlone) {
+  HarmonicTransfer transfer = someTransfer(500, 5, 3);
+  // Vertices of very different light: what a range over all of them has no room for.
+  for (std::size_t v = 0; v < 500; ++v)
+    for (std::size_t i = 0; i < 75; ++i)
+      transfer.coefficients[v * 75 + i] *= std::ldexp(1.0f, -static_cast<int>(v % 40));
+  const auto restored = decompress(compress(transfer, parseCompression("rgbe"))).coefficients;
+  int lit = 0;
+  for (std::size_t v = 0; v < 500; ++v)
+    for (std::size_t band = 0; band < 5; ++band) {
+      float greatest = 0.0f, error = 0.0f;
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i) {
+          const std::size_t at = v * 75 + c * 25 + i;
+          greatest = std::max(greatest, std::abs(transfer.coefficients[at]));
+          error = std::max(error, std::abs(restored[at] - transfer.coefficients[at]));
+        }
+      // Half a step of 1/128 of a power of two that is at most twice the greatest; a whole one at its end.
+      ASSERT_LE(error, greatest * 0x1.03p-7f) << v << ", " << band;
+      if (greatest > 0.0f) ++lit;
+    }
+  EXPECT_GT(lit, 1500);
+}
+
+TEST(Compress, RgbeOfZerosAndExtremes_IsFinite) {
+  const HarmonicTransfer transfer{1, 1, 0, {0.0f, 1e-42f, 3e38f, -3e38f, 1.0f}};
+  const auto restored = decompress(compress(transfer, parseCompression("rgbe"))).coefficients;
+  EXPECT_EQ(restored[0], 0.0f);
+  EXPECT_EQ(restored[1], 0.0f);
+  EXPECT_NEAR(restored[2], 3e38f, 1.8e38f);
+  EXPECT_NEAR(restored[3], -3e38f, 1.8e38f);
+  EXPECT_EQ(restored[4], 1.0f);
+}
+
 TEST(Compress, WeightsOfFewerBits_CostLittle) {
   const HarmonicTransfer transfer = someTransfer(2000, 4, 3);
   const double whole = squaredErrorOf(transfer, "cpca:16:4:float");
@@ -152,6 +186,7 @@ TEST(Compress, ByteCount_IsTheSumOfWhatIsStored) {
   const HarmonicTransfer transfer = someTransfer(100, 3, 3);
   EXPECT_EQ(compress(transfer, parseCompression("half")).byteCount(), 100u * 27 * 2);
   EXPECT_EQ(compress(transfer, parseCompression("band8")).byteCount(), 100u * 27 + 3 * 3 * 2 * 4);
+  EXPECT_EQ(compress(transfer, parseCompression("rgbe")).byteCount(), 100u * (27 + 3));
   EXPECT_EQ(compress(transfer, parseCompression("cpca:4:5")).byteCount(),
             4u * (1 + 5) * 27 * 4 + 100 * (2 + 5 * 2));
   EXPECT_EQ(compress(transfer, parseCompression("pca:5:byte")).byteCount(),
@@ -166,7 +201,7 @@ TEST(Compress, HalfBeyondItsRange_Saturates) {
 
 TEST(Compress, EmptyScene_IsEmpty) {
   const HarmonicTransfer transfer{3, 3, 0, {}};
-  for (const char* name : {"half", "band8", "pca:2", "vq:4", "cpca:4:2"})
+  for (const char* name : {"half", "band8", "rgbe", "pca:2", "vq:4", "cpca:4:2"})
     EXPECT_TRUE(decompress(compress(transfer, parseCompression(name))).coefficients.empty()) << name;
 }
 
@@ -182,7 +217,8 @@ TEST(Compress, BadInput_IsNamed) {
 }
 
 TEST(ParseCompression, Names_ComeBack) {
-  for (const char* name : {"half", "band8", "pca:12", "vq:256", "cpca:64:8", "cpca:64:8:float", "pca:3:byte"})
+  for (const char* name :
+       {"half", "band8", "rgbe", "pca:12", "vq:256", "cpca:64:8", "cpca:64:8:float", "pca:3:byte"})
     EXPECT_EQ(compressionName(parseCompression(name)), name);
   EXPECT_EQ(compressionName(parseCompression("cpca:2:3:half")), "cpca:2:3");
 }

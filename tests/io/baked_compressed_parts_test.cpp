@@ -91,7 +91,7 @@ TEST_P(CompressedPart, WriteRead_GivesWhatTheBakeHolds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, CompressedPart,
-                         testing::Values("half", "band8", "pca:2", "cpca:2:1:byte", "vq:3"),
+                         testing::Values("half", "band8", "rgbe", "pca:2", "cpca:2:1:byte", "vq:3"),
                          [](const auto& instance) {
                            std::string name = instance.param;
                            std::erase(name, ':');

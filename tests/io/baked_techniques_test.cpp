@@ -152,7 +152,7 @@ TEST(BakedTechniques, Compressed_IsReadBackAsItWas) {
   const CompiledScene scene = test::compileDocument(document);
   const HarmonicTransfer sh{3, 3, 1, someNumbers(scene.vertexCount() * 27, 5), false};
   for (const char* method :
-       {"half", "band8", "pca:4", "pca:3:byte", "vq:8", "cpca:4:2:float", "cpca:4:2:byte"}) {
+       {"half", "band8", "rgbe", "pca:4", "pca:3:byte", "vq:8", "cpca:4:2:float", "cpca:4:2:byte"}) {
     Bake bake;
     bake.compressedSh = compress(sh, parseCompression(method));
     const Bake copy = copyOf(document, scene, bake);

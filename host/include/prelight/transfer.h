@@ -200,6 +200,7 @@ enum class CompressionMethod : std::uint8_t {
   Pca,    ///< a mean and principal components of all vertices
   Vq,     ///< vector quantisation: every vertex takes the mean of its cluster
   Cpca,   ///< clusters with components of their own (Sloan, Hall, Hart and Snyder 2003)
+  Rgbe,   ///< 8 bits and an exponent a vertex and band (Staniszewski 2005, 3.2)
 };
 
 /// How the weights of components are stored.
@@ -220,6 +221,7 @@ struct CompressionRequest {
 ///
 ///   Half   T[v][c][i] = halves[v][c][i]
 ///   Band8  T[v][c][i] = ranges[c][l][0] + ranges[c][l][1] x bytes[v][c][i], l the band of i
+///   Rgbe   T[v][c][i] = (bytes[v][c][i] - 128) / 128 x 2^(exponents[v][l] - 128), 0 for the exponent 0
 ///   others T[v]       = means[k] + sum_j weight[v][j] x basis[k][j], k = clusterOf[v]
 ///
 /// weight[v][j] is weightFloats[v][j], weightHalves[v][j] or
@@ -231,9 +233,10 @@ struct CompressedTransfer {
   int bounces = 0;
   std::uint32_t vertexCount = 0;
 
-  std::vector<std::uint16_t> halves;  ///< Half: [vertex][channel][i], IEEE half
-  std::vector<std::uint8_t> bytes;    ///< Band8: [vertex][channel][i]
-  std::vector<float> ranges;          ///< Band8: [channel][band][offset, scale]
+  std::vector<std::uint16_t> halves;    ///< Half: [vertex][channel][i], IEEE half
+  std::vector<std::uint8_t> bytes;      ///< Band8, Rgbe: [vertex][channel][i]
+  std::vector<std::uint8_t> exponents;  ///< Rgbe: [vertex][band]
+  std::vector<float> ranges;            ///< Band8: [channel][band][offset, scale]
 
   int clusters = 0;                      ///< 1 for Pca
   int components = 0;                    ///< a cluster; 0 for Vq
@@ -265,8 +268,8 @@ struct CompressedParts {
   std::optional<CompressedTransfer> volumeSent;    ///< VolumeTransfer::sent, a channel for each [channel][j]
 };
 
-/// "half", "band8", "pca:K", "vq:N" or "cpca:N:K" (N clusters, K components), the last three with weights of
-/// 32, 16 or 8 bits: "cpca:64:8:float", ":half" (the default) or ":byte". Throws UsageError.
+/// "half", "band8", "rgbe", "pca:K", "vq:N" or "cpca:N:K" (N clusters, K components), the last three with
+/// weights of 32, 16 or 8 bits: "cpca:64:8:float", ":half" (the default) or ":byte". Throws UsageError.
 CompressionRequest parseCompression(std::string_view text);
 
 /// What parseCompression reads.
