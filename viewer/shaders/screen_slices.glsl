@@ -141,8 +141,8 @@ vec3 sentThrough(uint fresh, Line line, float along, Seen from, vec3 origin) {
   return float(bitCount(fresh)) * texelFetch(sent, ivec2(floor(line.start + along * line.way)), 0).rgb;
 }
 
-// What is blocked on one side of a slice, `side` 1 or -1, and what that sends, where it is gathered.
-uint blockedSectors(Slice s, vec2 start, Seen here, float side, float shift, inout vec3 received) {
+// What is blocked on one side of a slice, `side` 1 or -1, by `count` steps, and what that sends, where it is gathered.
+uint blockedSectors(Slice s, vec2 start, Seen here, float side, int count, float shift, inout vec3 received) {
   Line line = lineAlong(start, here.place, side * s.d);
   Point none = Point(nothing, vec2(0.0), endless);
   // From here to the first sample all is blocked from the horizon on.
@@ -150,8 +150,8 @@ uint blockedSectors(Slice s, vec2 start, Seen here, float side, float shift, ino
   Chain front = Chain(Point(here, horizon, endless), none);
   Chain behind = Chain(none, none);
   uint blocked = 0u;
-  for (int j = 0; j < steps; ++j) {
-    float along = stepAlong(line, j, steps, shift);
+  for (int j = 0; j < count; ++j) {
+    float along = stepAlong(line, j, count, shift);
     if (along > line.length + 0.5) break;
     Point now = pointOf(s, seenOn(firstLayer, line, along), here.place);
     uint hidden = 0u, seen = 0u;
@@ -169,7 +169,8 @@ uint blockedSectors(Slice s, vec2 start, Seen here, float side, float shift, ino
 
 // What is blocked on both sides.
 uint blockedSectors(Slice s, vec2 start, Seen here, float shift, inout vec3 received) {
-  return blockedSectors(s, start, here, 1.0, shift, received) | blockedSectors(s, start, here, -1.0, 1.0 - shift, received);
+  return blockedSectors(s, start, here, 1.0, steps, shift, received) |
+         blockedSectors(s, start, here, -1.0, steps, 1.0 - shift, received);
 }
 
 // Parts of a slice of equal angle.

@@ -30,6 +30,8 @@ vec3 toCamera(vec3 direction) {
   return vec3(dot(direction, normalize(pixelRight.xyz)), dot(direction, normalize(pixelUp.xyz)), dot(direction, forward.xyz));
 }
 
+const int lampSteps = 4;  // as many times as many: one direction tells all of a lamp
+
 // 0 where something within the radius, and no farther than the lamp, lies on the way to it: a slice of its own whose sectors are
 // as narrow as its direction is to be told.
 float arrivingFrom(Light light, vec2 start, Seen here, vec3 v, float shift) {
@@ -44,7 +46,7 @@ float arrivingFrom(Light light, vec2 start, Seen here, vec3 v, float shift) {
   s.first = massTo(quickAcos(at.y), at, s.n) - s.range * 17.0 / float(sectors);
   if (!isDirectional) s.radius = min(s.radius, length(path));
   vec3 received = vec3(0.0);
-  return (blockedSectors(s, start, here, 1.0, shift, received) & (1u << 16)) == 0u ? 1.0 : 0.0;
+  return (blockedSectors(s, start, here, 1.0, lampSteps * steps, shift, received) & (1u << 16)) == 0u ? 1.0 : 0.0;
 }
 
 void main() {
