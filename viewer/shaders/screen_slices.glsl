@@ -176,12 +176,30 @@ uint blockedSectors(Slice s, vec2 start, Seen here, float shift, inout vec3 rece
 // Parts of a slice of equal angle.
 const int parts = 8;
 
+// Sines and cosines of the angles from the normal where they begin, and of their middles.
+const vec2 partAngles[2 * parts + 1] = vec2[](
+  vec2(-1.0000000, 0.0000000), vec2(-0.9807853, 0.1950903), vec2(-0.9238795, 0.3826834), vec2(-0.8314696, 0.5555702),
+  vec2(-0.7071068, 0.7071068), vec2(-0.5555702, 0.8314696), vec2(-0.3826834, 0.9238795), vec2(-0.1950903, 0.9807853),
+  vec2(0.0000000, 1.0000000), vec2(0.1950903, 0.9807853), vec2(0.3826834, 0.9238795), vec2(0.5555702, 0.8314696),
+  vec2(0.7071068, 0.7071068), vec2(0.8314696, 0.5555702), vec2(0.9238795, 0.3826834), vec2(0.9807853, 0.1950903),
+  vec2(1.0000000, 0.0000000));
+
+// A place of the slice at an angle from the normal.
+vec2 fromNormal(Slice s, vec2 angle) {
+  return vec2(s.n.x * angle.y + s.n.y * angle.x, s.n.y * angle.y - s.n.x * angle.x);
+}
+
+// The share of the slice's open half before half part k.
+float shareBefore(Slice s, int k) {
+  float angle = s.lean + pi * (float(k) / float(2 * parts) - 0.5);
+  return clamp((massTo(angle, fromNormal(s, partAngles[k]), s.n) - s.first) / s.range, 0.0, 1.0);
+}
+
 // Sectors that are of a part, and the direction of its middle.
 uint partOf(Slice s, int i, out vec3 direction) {
-  float wide = pi / float(parts);
-  float from = s.lean - 0.5 * pi + float(i) * wide, to = from + wide, angle = from + 0.5 * wide;
-  direction = sin(angle) * s.d + cos(angle) * s.v;
-  return sectorsBetween(s, shareTo(s, vec2(sin(from), cos(from))), shareTo(s, vec2(sin(to), cos(to))));
+  vec2 middle = fromNormal(s, partAngles[2 * i + 1]);
+  direction = middle.x * s.d + middle.y * s.v;
+  return sectorsBetween(s, shareBefore(s, 2 * i), shareBefore(s, 2 * i + 2));
 }
 
 // Slice i of a pixel, whose axes are perpendicular to the direction to the eye.
