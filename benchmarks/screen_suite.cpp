@@ -145,14 +145,18 @@ void writeColours(const std::filesystem::path& folder, const std::string& name, 
   writePicture(folder / ("screen-" + name + ".png"), picture);
 }
 
-void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
-             const Progress& progress, std::vector<BenchmarkResult>& results) {
+viewer::View screenView(const viewer::RenderInputs& inputs, const BenchmarkOptions& options) {
   viewer::RenderOptions render;
   render.shading = viewer::Shading::Screen;
   render.width = options.screenWidth;
   render.height = options.screenHeight;
+  return viewer::makeView(inputs, render);
+}
+
+void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
+             const Progress& progress, std::vector<BenchmarkResult>& results) {
   const viewer::RenderInputs inputs = scene.inputs();
-  viewer::View view = viewer::makeView(inputs, render);
+  viewer::View view = screenView(inputs, options);
   Tracer tracer(scene.compiled, device);
   const double radius = viewer::occlusionRadius({}, scene.compiled);
   const std::vector<float> truth = tracedAccessibility(
@@ -191,12 +195,8 @@ void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptio
 void measureLight(WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
                   std::vector<BenchmarkResult>& results) {
   scene.sky = environmentOf(colouredSky);
-  viewer::RenderOptions render;
-  render.shading = viewer::Shading::Screen;
-  render.width = options.screenWidth;
-  render.height = options.screenHeight;
   const viewer::RenderInputs inputs = scene.inputs();
-  viewer::View view = viewer::makeView(inputs, render);
+  viewer::View view = screenView(inputs, options);
   Tracer tracer(scene.compiled, device);
   const AccessibilityRequest request{view.camera, view.width, view.height,
                                      viewer::occlusionRadius({}, scene.compiled), options.screenRays};

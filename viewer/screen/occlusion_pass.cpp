@@ -1,5 +1,6 @@
 #include "viewer/screen/occlusion_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -147,6 +148,7 @@ const gl::Framebuffer& OcclusionPass::drawSenders(const OcclusionPicture& pictur
   coarse.bounces = 0;
   coarse.filtered = true;
   coarse.slices = 1;  // those of 4 x 4 pixels have another direction each
+  coarse.stride = std::max(options.stride, 2);
   return find(picture, picture.margin, coarse, light, 0, ofSenders_);
 }
 
