@@ -15,6 +15,7 @@
 #include "cli/session.h"
 #include "cli/values.h"
 #include "cli/waiting_data.h"
+#include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "compress/quantized_occluders.h"
 #include "io/baked_file.h"
@@ -64,8 +65,6 @@ void checkAnimationOptions(const BakeCommand& command, const BakeRequest& reques
   }
   if (request.sh.order == 0)
     throw UsageError("--animation", "keys carry SH transfer, and none is asked for", "add --sh N");
-  if (command.bake.compression)
-    throw UsageError("--animation", "keys are not compressed", "leave out --compress");
   if (request.chartTransfer.size > 0)
     throw UsageError("--animation", "keys have no light maps", "leave out --texels");
   if (command.resume)
@@ -130,6 +129,21 @@ void compressSh(Session& session, const LoadedScene& loaded, const CompressionRe
                   "rms of a few lights, {:.2g} for the worst",
                   compressionName(compression), bytes / loaded.compiled.vertexCount(),
                   4 * full.channels * full.order * full.order, error.lightingRms, error.worstLightingRms));
+}
+
+/// Keys, texels and volumes.
+void compressOtherParts(Session& session, const LoadedScene& loaded, const CompressionRequest& compression,
+                        BakeRun& run) {
+  std::vector<PartCompression> parts;
+  session.times().measure(
+      "compress", [&] { parts = compressParts(compression, surfaceOfVertices(loaded.compiled), run.bake); });
+  for (const PartCompression& part : parts)
+    run.report.notes.push_back(
+        part.bytes == part.floatBytes
+            ? fmt::format("compression of the {}: none, as {} would take more than their {} bytes", part.part,
+                          compressionName(compression), part.floatBytes)
+            : fmt::format("compression of the {}: {} bytes instead of {}, error of coefficients {:.2g} rms",
+                          part.part, part.bytes, part.floatBytes, part.error));
 }
 
 /// The bake's occluders are what a reader of the file will get from then on.
@@ -265,7 +279,10 @@ void runBake(const BakeCommand& command, Context& context) {
   BakeRun run = animation ? session.bake(loaded, request, deviceOptions)
                           : bakeKeepingState(session, loaded, request, deviceOptions, state);
   if (animation) bakeKeys(session, command, loaded, request, deviceOptions, *animation, run);
-  if (command.bake.compression) compressSh(session, loaded, *command.bake.compression, run);
+  if (command.bake.compression) {
+    compressSh(session, loaded, *command.bake.compression, run);
+    compressOtherParts(session, loaded, *command.bake.compression, run);
+  }
   std::optional<QuantizedOccluders> quantized;
   if (command.quantizesOccluders) quantized = quantizeBaked(session, loaded.compiled, run);
   data.fetch();

@@ -317,7 +317,8 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(
          "--compress", [&](const std::string& text) { options.compression = parseCompression(text); },
-         "compress the SH transfer: half, band8, pca:K, vq:N or cpca:N:K (N clusters, K components)")
+         "compress the SH transfer, of keys, texels and volumes too: half, band8, pca:K, vq:N or cpca:N:K (N "
+         "clusters, K components)")
       ->type_name("METHOD");
 }
 

@@ -15,6 +15,7 @@
 #include "cli/report.h"
 #include "cli/scene_options.h"
 #include "cli/screen_occlusion_options.h"
+#include "compress/compressed_parts.h"
 #include "compress/compression_error.h"
 #include "io/baked_file.h"
 #include "scene/vertex_surface.h"
@@ -133,8 +134,9 @@ void bakeMissing(Session& session, const PictureOptions& options, bool everyShad
   mergeBake(shaded.bake, std::move(shaded.run->bake));
   if (options.bake.compression && shaded.request.sh.order > 0) {
     session.times().measure("compress", [&] {
-      shaded.bake.compressedSh =
-          compress(*shaded.bake.sh, *options.bake.compression, surfaceOfVertices(shaded.loaded.compiled));
+      const std::vector<double> surface = surfaceOfVertices(shaded.loaded.compiled);
+      shaded.bake.compressedSh = compress(*shaded.bake.sh, *options.bake.compression, surface);
+      compressParts(*options.bake.compression, surface, shaded.bake);
     });
     shaded.bake.sh.reset();
   }

@@ -58,6 +58,16 @@ TEST_F(CliTechniques, Compressed_ReplacesTheCoefficients) {
                 {"--compress", "--sh"});
 }
 
+TEST_F(CliTechniques, Compressed_VolumeIsAsWell) {
+  const GlbScene scene =
+      bake({"--sh", "4", "--volume", "4", "--compress", "half", "--report", "report.json"});
+  const auto& volume = root(scene).at("volume");
+  EXPECT_FALSE(volume.contains("coefficients"));
+  EXPECT_EQ(volume.at("coefficientsCompressed").at("method"), "half");
+  EXPECT_THAT(readFile("report.json"), testing::HasSubstr("compression of the volume: "));
+  EXPECT_THAT(prelightDone({"info", "out.glb"}).output, testing::HasSubstr("as half"));
+}
+
 TEST_F(CliTechniques, LightGroups_AreNamedAndChecked) {
   const GlbScene scene = bake({"--light-group", "all=*"});
   EXPECT_EQ(root(scene).at("lightGroups").at(0).at("name"), "all");

@@ -53,6 +53,7 @@ struct Bake {
   std::optional<OccluderTransfer> occluders;
   std::optional<VolumeTransfer> volume;              ///< of points in the air
   std::optional<ChartTransfer> chartTransfer;        ///< at the texels of charts
+  CompressedParts compressedParts;                   ///< of `animation`, `volume` and `chartTransfer`
   std::optional<LightMap> lightMap;                  ///< of the scene's own lights
   std::optional<std::vector<glm::vec3>> irradiance;  ///< [vertex], W/m2 of the scene's static lights
   std::vector<EncodedLight> encodedLight;            ///< of vertices, the fronts

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,8 @@ struct ChartTransfer {
     int height = 0;
     std::vector<glm::vec2> coords;    ///< [vertex of the primitive], in [0,1]^2; row 0 is at v = 0
     std::vector<float> coefficients;  ///< [row][column][channel][i]; off the surface, those of what is next
+
+    std::size_t texels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   };
   int order = 0;
   int channels = 1;  ///< 3 with bounces, 1 without
@@ -251,6 +254,15 @@ struct CompressedTransfer {
   double weight(std::size_t vertex, std::size_t component) const;
   /// Bytes of all arrays together.
   std::size_t byteCount() const;
+};
+
+/// What stands in a file for SH transfer beside that of vertices; a reader's floats are what it decodes to.
+struct CompressedParts {
+  std::optional<CompressedTransfer> texels;        ///< of all charts, [map][row][column]
+  std::optional<CompressedTransfer> keys;          ///< of an animation, [key][vertex]
+  std::optional<CompressedTransfer> volume;        ///< VolumeTransfer::coefficients, [z][y][x]
+  std::optional<CompressedTransfer> volumeDirect;  ///< VolumeTransfer::direct
+  std::optional<CompressedTransfer> volumeSent;    ///< VolumeTransfer::sent, a channel for each [channel][j]
 };
 
 /// "half", "band8", "pca:K", "vq:N" or "cpca:N:K" (N clusters, K components), the last three with weights of

@@ -14,6 +14,8 @@ namespace prelight {
 /// What to do about a baked file that does not fit.
 constexpr const char* rebake = "bake the scene again";
 
+constexpr std::uint64_t maxStoredOrder = 32;  ///< of harmonics, that a file may have
+
 /// Reads typed values of accessors of a baked file. Throws InputError naming the JSON path for those that do
 /// not fit.
 class ValueReader {

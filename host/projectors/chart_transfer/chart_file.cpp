@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "io/values/value_reader.h"
-#include "scene/gltf/gltf_embed.h"
+#include "io/values/append_values.h"
 
 namespace prelight {
 
@@ -12,7 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int chartFloat = 5126;
 constexpr std::uint64_t maxChartOrder = 32, maxChartSide = 1u << 14;
 
 std::size_t indexOf(const CompiledScene& scene, const PrimitiveRange& range) {
@@ -24,74 +22,123 @@ std::size_t indexOf(const CompiledScene& scene, const PrimitiveRange& range) {
   return static_cast<std::size_t>(found - scene.primitives.begin());
 }
 
-const ChartTransfer::Map* mapOf(const ChartTransfer& transfer, std::size_t primitive) {
+/// The place of a primitive's map among all; as many as there are where it has none.
+std::size_t mapOf(const ChartTransfer& transfer, std::size_t primitive) {
   const auto found = std::find_if(transfer.maps.begin(), transfer.maps.end(),
                                   [&](const auto& map) { return map.primitive == primitive; });
-  return found == transfer.maps.end() ? nullptr : &*found;
+  return static_cast<std::size_t>(found - transfer.maps.begin());
+}
+
+/// Rows of the maps before one.
+std::size_t rowsBefore(const ChartTransfer& transfer, std::size_t map) {
+  std::size_t rows = 0;
+  for (std::size_t m = 0; m < map; ++m) rows += transfer.maps[m].texels();
+  return rows;
 }
 
 }  // namespace
 
-Json chartsToJson(GltfDocument& document, const ChartTransfer& transfer, const CompiledScene& scene,
+Json chartsToJson(GltfDocument& document, const ChartTransfer& transfer,
+                  const std::optional<CompressedTransfer>& compressed, const CompiledScene& scene,
                   const PrimitiveRanges& ranges) {
   std::vector<float> coords, coefficients;
+  std::vector<RowRange> rows;
   const ChartTransfer::Map* first = nullptr;
   for (const PrimitiveRange& range : ranges) {
-    const ChartTransfer::Map* map = mapOf(transfer, indexOf(scene, range));
-    if (map == nullptr) return nullptr;
-    if (first == nullptr) first = map;
-    for (const glm::vec2& uv : map->coords) coords.insert(coords.end(), {uv.x, uv.y});
-    coefficients.insert(coefficients.end(), map->coefficients.begin(), map->coefficients.end());
+    const std::size_t place = mapOf(transfer, indexOf(scene, range));
+    if (place == transfer.maps.size()) return nullptr;
+    const ChartTransfer::Map& map = transfer.maps[place];
+    if (first == nullptr) first = &map;
+    for (const glm::vec2& uv : map.coords) coords.insert(coords.end(), {uv.x, uv.y});
+    if (compressed)
+      rows.push_back({rowsBefore(transfer, place), map.texels()});
+    else
+      coefficients.insert(coefficients.end(), map.coefficients.begin(), map.coefficients.end());
   }
   if (first == nullptr) return nullptr;
-  const auto append = [&](const std::vector<float>& values, const char* type, std::size_t components) {
-    return appendAccessor(document, std::as_bytes(std::span(values)), type, chartFloat,
-                          values.size() / components);
-  };
-  return {{"width", first->width},
-          {"height", first->height},
-          {"order", transfer.order},
-          {"channels", transfer.channels},
-          {"bounces", transfer.bounces},
-          {"texCoord", append(coords, "VEC2", 2)},
-          {"coefficients", append(coefficients, "SCALAR", 1)}};
+  Json json = {{"width", first->width},       {"height", first->height},
+               {"order", transfer.order},     {"channels", transfer.channels},
+               {"bounces", transfer.bounces}, {"texCoord", appendValues(document, coords, "VEC2", 2)}};
+  if (compressed)
+    json["compressed"] = rowsToJson(document, *compressed, rows);
+  else
+    json["coefficients"] = appendValues(document, coefficients);
+  return json;
 }
 
-void readCharts(const GltfDocument& document, const JsonCursor& root, const JsonCursor& json,
-                const CompiledScene& scene, const PrimitiveRanges& ranges,
-                std::optional<ChartTransfer>& transfer) {
+ChartReader::ChartReader(const BakedInput& input) : input_(input), values_(input.document, input.root) {}
+
+/// The first primitive sets what all have.
+void ChartReader::readHeader(const JsonCursor& json) {
   json.expectObject();
   const ChartTransfer header{
       readNumber(json.at("order"), 1, maxChartOrder), readChannels(json), readBounces(json), {}};
-  if (!transfer) transfer = header;
-  if (header.order != transfer->order || header.channels != transfer->channels ||
-      header.bounces != transfer->bounces)
+  if (!transfer_) transfer_ = header;
+  if (header.order != transfer_->order || header.channels != transfer_->channels ||
+      header.bounces != transfer_->bounces)
     json.fail("expected the order, channels and bounces of the other primitives", rebake);
+}
+
+void ChartReader::readRowsOf(const JsonCursor& json, std::size_t texels) {
+  if (!compressed_) {
+    const JsonCursor shared = sharedAt(input_.extension, "texelsCompressed", json);
+    compressed_ = readShared(values_, shared);
+    if (compressed_->order != transfer_->order || compressed_->channels != transfer_->channels)
+      shared.fail("expected the order and channels of the texels", rebake);
+  }
+  const RowRange rows{compressed_->vertexCount, texels};
+  compressed_->vertexCount += static_cast<std::uint32_t>(texels);
+  readRows(values_, json, std::span(&rows, 1), *compressed_);
+}
+
+void ChartReader::read(const JsonCursor& json, const PrimitiveRanges& ranges) {
+  readHeader(json);
   const int width = readNumber(json.at("width"), 1, maxChartSide),
             height = readNumber(json.at("height"), 1, maxChartSide);
-  const ValueReader values(document, root);
-  const std::size_t each =
-      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * header.rowLength();
-  const std::vector<float> coords = values.floats(json.at("texCoord"), "VEC2", vertexCount(ranges));
-  const std::vector<float> coefficients =
-      values.floats(json.at("coefficients"), "SCALAR", each * ranges.size());
+  const std::size_t texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                    each = texels * transfer_->rowLength();
+  const std::vector<float> coords = values_.floats(json.at("texCoord"), "VEC2", vertexCount(ranges));
+  const auto compressed = json.find("compressed");
+  std::vector<float> coefficients;
+  const std::size_t rowsBefore = compressed_ ? compressed_->vertexCount : 0;
+  if (compressed)
+    readRowsOf(*compressed, texels * ranges.size());
+  else
+    coefficients = values_.floats(json.at("coefficients"), "SCALAR", each * ranges.size());
   std::size_t vertex = 0;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    const auto from = coefficients.begin() + static_cast<std::ptrdiff_t>(i * each);
-    ChartTransfer::Map map{indexOf(scene, ranges[i]),
-                           width,
-                           height,
-                           {},
-                           std::vector<float>(from, from + static_cast<std::ptrdiff_t>(each))};
+    ChartTransfer::Map map{indexOf(input_.scene, ranges[i]), width, height, {}, {}};
+    if (compressed)
+      rows_[map.primitive] = {rowsBefore + i * texels, texels};
+    else
+      map.coefficients.assign(coefficients.begin() + static_cast<std::ptrdiff_t>(i * each),
+                              coefficients.begin() + static_cast<std::ptrdiff_t>((i + 1) * each));
     for (std::uint32_t v = 0; v < ranges[i].vertexCount; ++v, ++vertex)
       map.coords.emplace_back(coords[2 * vertex], coords[2 * vertex + 1]);
-    transfer->maps.push_back(std::move(map));
+    transfer_->maps.push_back(std::move(map));
   }
 }
 
-void sortMaps(ChartTransfer& transfer) {
-  std::sort(transfer.maps.begin(), transfer.maps.end(),
+void ChartReader::placeCompressed(std::optional<CompressedTransfer>& compressed) {
+  std::vector<RowRange> inOrder;
+  for (const ChartTransfer::Map& map : transfer_->maps) inOrder.push_back(rows_[map.primitive]);
+  compressed = takeRows(*compressed_, inOrder);
+  const std::vector<float> all = decompress(*compressed).coefficients;
+  auto from = all.begin();
+  for (ChartTransfer::Map& map : transfer_->maps) {
+    const auto length = static_cast<std::ptrdiff_t>(map.texels() * transfer_->rowLength());
+    map.coefficients.assign(from, from + length);
+    from += length;
+  }
+}
+
+void ChartReader::finish(std::optional<ChartTransfer>& transfer,
+                         std::optional<CompressedTransfer>& compressed) {
+  if (!transfer_) return;
+  std::sort(transfer_->maps.begin(), transfer_->maps.end(),
             [](const auto& a, const auto& b) { return a.primitive < b.primitive; });
+  if (compressed_) placeCompressed(compressed);
+  transfer = std::move(transfer_);
 }
 
 }  // namespace prelight

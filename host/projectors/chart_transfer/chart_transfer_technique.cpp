@@ -15,25 +15,28 @@ using Json = Technique::Json;
 
 void writeChartTransferEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.chartTransfer) return;
-  Json texels = chartsToJson(output.document, *output.bake.chartTransfer, output.scene, ranges);
+  Json texels = chartsToJson(output.document, *output.bake.chartTransfer, output.bake.compressedParts.texels,
+                             output.scene, ranges);
   if (!texels.is_null()) entry["texels"] = std::move(texels);
+}
+
+void writeChartTransferRoot(const BakedOutput& output, Json& root) {
+  if (output.bake.compressedParts.texels)
+    root["texelsCompressed"] = sharedToJson(output.document, *output.bake.compressedParts.texels);
 }
 
 class ChartTransferReader final : public TechniqueReader {
  public:
-  explicit ChartTransferReader(const BakedInput& input) : input_(input) {}
+  explicit ChartTransferReader(const BakedInput& input) : charts_(input) {}
 
-  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& bake) override {
-    if (const auto texels = entry.find("texels"))
-      readCharts(input_.document, input_.root, *texels, input_.scene, ranges, bake.chartTransfer);
+  void read(const JsonCursor& entry, const PrimitiveRanges& ranges, Bake& /*bake*/) override {
+    if (const auto texels = entry.find("texels")) charts_.read(*texels, ranges);
   }
 
-  void finish(Bake& bake) override {
-    if (bake.chartTransfer) sortMaps(*bake.chartTransfer);
-  }
+  void finish(Bake& bake) override { charts_.finish(bake.chartTransfer, bake.compressedParts.texels); }
 
  private:
-  const BakedInput& input_;
+  ChartReader charts_;
 };
 
 void summarizeChartTransfer(const Bake& bake, std::size_t /*vertices*/, std::vector<BakedSummary>& found) {
@@ -43,22 +46,25 @@ void summarizeChartTransfer(const Bake& bake, std::size_t /*vertices*/, std::vec
   int most = 0;
   for (const ChartTransfer::Map& map : transfer.maps) {
     bytes += bytesOf(map.coefficients);
-    texels += static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height);
+    texels += map.texels();
     most = std::max({most, map.width, map.height});
   }
-  found.push_back({"texels",
-                   fmt::format("{} of at most {} texels a side, {} texels in all; SH of order {}, {}",
-                               counted(transfer.maps.size(), "light map"), most, texels, transfer.order,
-                               channelsText(transfer.channels, transfer.bounces)),
-                   bytes,
-                   false,
-                   {{"maps", transfer.maps.size()},
-                    {"largestSide", most},
-                    {"texels", texels},
-                    {"order", transfer.order},
-                    {"channels", transfer.channels},
-                    {"bounces", transfer.bounces},
-                    {"bytes", bytes}}});
+  const std::optional<CompressedTransfer>& compressed = bake.compressedParts.texels;
+  if (compressed) bytes = compressed->byteCount();
+  found.push_back(
+      {"texels",
+       fmt::format("{} of at most {} texels a side, {} texels in all; SH of order {}, {}{}",
+                   counted(transfer.maps.size(), "light map"), most, texels, transfer.order,
+                   channelsText(transfer.channels, transfer.bounces), compressionText(compressed)),
+       bytes,
+       false,
+       {{"maps", transfer.maps.size()},
+        {"largestSide", most},
+        {"texels", texels},
+        {"order", transfer.order},
+        {"channels", transfer.channels},
+        {"bounces", transfer.bounces},
+        {"bytes", bytes}}});
 }
 
 }  // namespace
@@ -67,8 +73,9 @@ Technique chartTransferTechnique() {
   return {.name = "texels",
           .members = {"texels"},
           .everywhere = false,
-          .accessors = {"texCoord", "coefficients"},
+          .accessors = compressedAccessors({"texCoord", "coefficients"}),
           .writeEntry = writeChartTransferEntry,
+          .writeRoot = writeChartTransferRoot,
           .makeReader = makeTechniqueReader<ChartTransferReader>,
           .summarize = summarizeChartTransfer};
 }

@@ -6,8 +6,8 @@
 
 #include "compress/half_float.h"
 #include "io/values/append_values.h"
+#include "io/values/value_reader.h"
 #include "io/values/vertex_values.h"
-#include "projectors/sh/harmonic_file.h"
 #include "projectors/summary_text.h"
 
 namespace prelight {

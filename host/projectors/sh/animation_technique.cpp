@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "compress/compressed_parts.h"
 #include "io/values/vertex_values.h"
+#include "projectors/compressed_rows.h"
 #include "projectors/sh/harmonic_file.h"
 #include "projectors/sh/sh_technique.h"
 #include "projectors/summary_text.h"
@@ -18,13 +20,23 @@ constexpr std::uint64_t maxKeys = 1024;
 void writeMomentsEntry(const BakedOutput& output, const PrimitiveRanges& ranges, Json& entry) {
   if (!output.bake.animation) return;
   entry["keys"] = Json::array();
-  for (const HarmonicTransfer& key : output.bake.animation->keys)
-    entry["keys"].push_back({{"sh", harmonicToJson(output.document, key, ranges)}});
+  const std::optional<CompressedTransfer>& compressed = output.bake.compressedParts.keys;
+  const std::vector<HarmonicTransfer>& keys = output.bake.animation->keys;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (compressed)
+      entry["keys"].push_back({{"shCompressed", rowsToJson(output.document, *compressed,
+                                                           rowsOf(ranges, k * output.scene.vertexCount()))}});
+    else
+      entry["keys"].push_back({{"sh", harmonicToJson(output.document, keys[k], ranges)}});
+  }
 }
 
 void writeMomentsRoot(const BakedOutput& output, Json& root) {
   const auto& animation = output.bake.animation;
-  if (animation) root["animation"] = {{"index", animation->animation}, {"times", animation->times}};
+  if (!animation) return;
+  root["animation"] = {{"index", animation->animation}, {"times", animation->times}};
+  if (output.bake.compressedParts.keys)
+    root["animation"]["shCompressed"] = sharedToJson(output.document, *output.bake.compressedParts.keys);
 }
 
 class MomentsReader final : public TechniqueReader {
@@ -38,9 +50,22 @@ class MomentsReader final : public TechniqueReader {
     const std::size_t count = bake.animation->times.size();
     if (json->arraySize() != count)
       json->fail(fmt::format("{} keys, but the root gives {} times", json->arraySize(), count), rebake);
-    keys_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const JsonCursor sh = json->at(k).at("sh");
+    if (json->at(0).find("shCompressed"))
+      readCompressed(*json, ranges, bake);
+    else
+      readFloats(*json, ranges);
+  }
+
+  void finish(Bake& bake) override {
+    for (std::optional<HarmonicTransfer>& key : keys_) bake.animation->keys.push_back(*std::move(key));
+    if (bake.compressedParts.keys) takeKeys(decompress(*bake.compressedParts.keys), *bake.animation);
+  }
+
+ private:
+  void readFloats(const JsonCursor& json, const PrimitiveRanges& ranges) {
+    keys_.resize(json.arraySize());
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+      const JsonCursor sh = json.at(k).at("sh");
       readHarmonic(values_, sh, ranges, input_.scene, keys_[k]);
       expectSame(sh,
                  keys_[k]->order == keys_[0]->order && keys_[k]->channels == keys_[0]->channels &&
@@ -49,11 +74,17 @@ class MomentsReader final : public TechniqueReader {
     }
   }
 
-  void finish(Bake& bake) override {
-    for (std::optional<HarmonicTransfer>& key : keys_) bake.animation->keys.push_back(*std::move(key));
+  void readCompressed(const JsonCursor& json, const PrimitiveRanges& ranges, Bake& bake) {
+    const std::size_t count = json.arraySize(), vertices = input_.scene.vertexCount();
+    std::optional<CompressedTransfer>& keys = bake.compressedParts.keys;
+    if (!keys) {
+      keys = readShared(values_, sharedAt(input_.extension->find("animation"), "shCompressed", json));
+      keys->vertexCount = static_cast<std::uint32_t>(count * vertices);
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      readRows(values_, json.at(k).at("shCompressed"), rowsOf(ranges, k * vertices), *keys);
   }
 
- private:
   /// The animation and the times of its keys, from the root.
   AnimatedTransfer readTimes(const JsonCursor& json) const {
     const auto root = input_.extension ? input_.extension->find("animation") : std::nullopt;
@@ -83,11 +114,12 @@ void summarizeMoments(const Bake& bake, std::size_t /*vertices*/, std::vector<Ba
   const AnimatedTransfer& transfer = *bake.animation;
   std::size_t bytes = 0;
   for (const HarmonicTransfer& key : transfer.keys) bytes += bytesOf(key.coefficients);
+  if (bake.compressedParts.keys) bytes = bake.compressedParts.keys->byteCount();
   std::string times;
   for (const double time : transfer.times) times += fmt::format("{}{:g}", times.empty() ? "" : ", ", time);
   found.push_back({"animation",
-                   fmt::format("{} of animation {} at {} s", counted(transfer.times.size(), "key"),
-                               transfer.animation, times),
+                   fmt::format("{} of animation {} at {} s{}", counted(transfer.times.size(), "key"),
+                               transfer.animation, times, compressionText(bake.compressedParts.keys)),
                    bytes,
                    true,
                    {{"index", transfer.animation}, {"times", transfer.times}, {"bytes", bytes}}});
@@ -98,7 +130,7 @@ void summarizeMoments(const Bake& bake, std::size_t /*vertices*/, std::vector<Ba
 Technique animationTechnique() {
   return {.name = "animation",
           .members = {"keys"},
-          .accessors = {"coefficients"},
+          .accessors = compressedAccessors({"coefficients"}),
           .writeEntry = writeMomentsEntry,
           .writeRoot = writeMomentsRoot,
           .makeReader = makeTechniqueReader<MomentsReader>,

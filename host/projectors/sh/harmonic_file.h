@@ -11,8 +11,6 @@
 
 namespace prelight {
 
-constexpr std::uint64_t maxStoredOrder = 32;  ///< of harmonics, that a file may have
-
 /// Harmonic transfer of a primitive's vertices: members `sh`, `ch`, and `sh` of keys.
 nlohmann::ordered_json harmonicToJson(GltfDocument& document, const HarmonicTransfer& transfer,
                                       const PrimitiveRanges& ranges);

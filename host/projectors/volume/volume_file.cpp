@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/values/append_values.h"
 #include "io/values/value_reader.h"
-#include "scene/gltf/gltf_embed.h"
+#include "projectors/compressed_rows.h"
 
 namespace prelight {
 
@@ -14,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int volumeFloat = 5126, volumeByte = 5121;
 constexpr std::uint64_t maxVolumeOrder = 32, maxVolumeSide = 1024;
 constexpr std::uint64_t maxSentOrder = 3, mostLightGroups = 1u << 16;
 
@@ -43,12 +43,32 @@ VolumeGrid readGrid(const JsonCursor& json) {
   return grid;
 }
 
+/// Values of all cells, as floats at `member` or compressed at `memberCompressed`; empty where neither is.
+std::vector<float> readCells(const JsonCursor& json, const ValueReader& values, const char* member,
+                             int channels, const VolumeTransfer& volume,
+                             std::optional<CompressedTransfer>& compressed) {
+  const std::size_t cells = volume.grid.count();
+  if (const auto floats = json.find(member))
+    return values.floats(*floats, "SCALAR", cells * static_cast<std::size_t>(channels) * volume.columns());
+  const auto rows = json.find(member + std::string("Compressed"));
+  if (!rows) return {};
+  CompressedTransfer shared = readShared(values, *rows, channels);
+  if (shared.order != volume.order || shared.channels != channels)
+    rows->fail(fmt::format("expected order {} and {} channels, got order {} and {} channels", volume.order,
+                           channels, shared.order, shared.channels),
+               rebake);
+  compressed = readAllRows(values, *rows, cells, std::move(shared));
+  return decompress(*compressed).coefficients;
+}
+
 /// What surfaces send, where it is kept.
-void readSent(const JsonCursor& json, const ValueReader& values, VolumeTransfer& volume) {
+void readSent(const JsonCursor& json, const ValueReader& values, VolumeTransfer& volume,
+              CompressedParts& compressed) {
   const std::size_t channelsOfAll = 3 * volume.grid.count();
-  if (const auto sent = json.find("sent")) {
+  if (json.find("sentOrder")) {
     volume.sentOrder = readNumber(json.at("sentOrder"), 1, maxSentOrder);
-    volume.sent = values.floats(*sent, "SCALAR", channelsOfAll * volume.sentBands() * volume.columns());
+    volume.sent = readCells(json, values, "sent", 3 * volume.sentOrder * volume.sentOrder, volume,
+                            compressed.volumeSent);
   }
   if (const auto lights = json.find("lights")) {
     volume.lightOrder = readNumber(json.at("lightOrder"), 1, maxSentOrder);
@@ -57,14 +77,25 @@ void readSent(const JsonCursor& json, const ValueReader& values, VolumeTransfer&
   }
 }
 
+/// Floats at `member`, or what stands for them at `memberCompressed`.
+void addCells(GltfDocument& document, const std::vector<float>& values, const char* member,
+              const std::optional<CompressedTransfer>& compressed, Json& json) {
+  if (values.empty()) return;
+  if (!compressed) {
+    json[member] = appendValues(document, values);
+    return;
+  }
+  const RowRange all{0, compressed->vertexCount};
+  Json rows = sharedToJson(document, *compressed);
+  rows.update(rowsToJson(document, *compressed, std::span(&all, 1)));
+  json[member + std::string("Compressed")] = std::move(rows);
+}
+
 Json numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
-Json volumeToJson(GltfDocument& document, const VolumeTransfer& volume) {
-  const auto append = [&](const auto& values, int componentType) {
-    return appendAccessor(document, std::as_bytes(std::span(values)), "SCALAR", componentType, values.size());
-  };
+Json volumeToJson(GltfDocument& document, const VolumeTransfer& volume, const CompressedParts& compressed) {
   const VolumeGrid& grid = volume.grid;
   Json json = {{"size", {grid.size.x, grid.size.y, grid.size.z}},
                {"min", numbers(grid.min)},
@@ -72,37 +103,37 @@ Json volumeToJson(GltfDocument& document, const VolumeTransfer& volume) {
                {"order", volume.order},
                {"channels", volume.channels},
                {"bounces", volume.bounces}};
-  json["coefficients"] = append(volume.coefficients, volumeFloat);
-  if (!volume.direct.empty()) json["direct"] = append(volume.direct, volumeFloat);
-  json["air"] = append(volume.air, volumeByte);
+  addCells(document, volume.coefficients, "coefficients", compressed.volume, json);
+  addCells(document, volume.direct, "direct", compressed.volumeDirect, json);
+  json["air"] = appendValues(document, volume.air);
   if (!volume.sent.empty()) {
     json["sentOrder"] = volume.sentOrder;
-    json["sent"] = append(volume.sent, volumeFloat);
+    addCells(document, volume.sent, "sent", compressed.volumeSent, json);
   }
   if (!volume.lights.empty()) {
     json["lightOrder"] = volume.lightOrder;
     json["groupCount"] = volume.groups();
-    json["lights"] = append(volume.lights, volumeFloat);
+    json["lights"] = appendValues(document, volume.lights);
   }
   return json;
 }
 
-VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, const JsonCursor& json) {
+VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, const JsonCursor& json,
+                          CompressedParts& compressed) {
   json.expectObject();
   VolumeTransfer volume;
   volume.grid = readGrid(json);
   volume.order = readNumber(json.at("order"), 1, maxVolumeOrder);
   volume.channels = readChannels(json);
   volume.bounces = readBounces(json);
-  const std::size_t count = volume.grid.count() * volume.columns();
   const ValueReader values(document, root);
-  volume.coefficients =
-      values.floats(json.at("coefficients"), "SCALAR", count * static_cast<std::size_t>(volume.channels));
-  if (const auto direct = json.find("direct")) volume.direct = values.floats(*direct, "SCALAR", count);
+  volume.coefficients = readCells(json, values, "coefficients", volume.channels, volume, compressed.volume);
+  if (volume.coefficients.empty()) json.at("coefficients");
+  volume.direct = readCells(json, values, "direct", 1, volume, compressed.volumeDirect);
   if (volume.channels == 3 && volume.direct.empty())
     json.fail("three channels without the transfer before bounces, 'direct'", rebake);
   volume.air = values.integers<std::uint8_t>(json.at("air"), volume.grid.count());
-  readSent(json, values, volume);
+  readSent(json, values, volume, compressed);
   return volume;
 }
 

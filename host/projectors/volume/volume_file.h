@@ -8,10 +8,14 @@
 
 namespace prelight {
 
-/// The member `volume` of the root's PRELIGHT_transfer; its values are appended to the document.
-nlohmann::ordered_json volumeToJson(GltfDocument& document, const VolumeTransfer& volume);
+/// The member `volume` of the root's PRELIGHT_transfer; its values, or those of `compressed` that stand for
+/// them, are appended to the document.
+nlohmann::ordered_json volumeToJson(GltfDocument& document, const VolumeTransfer& volume,
+                                    const CompressedParts& compressed);
 
-/// Reads it back. `root` is the whole glTF object. Throws InputError when it does not fit itself.
-VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, const JsonCursor& json);
+/// Reads it back, and what of it is compressed. `root` is the whole glTF object. Throws InputError when it
+/// does not fit itself.
+VolumeTransfer readVolume(const GltfDocument& document, const JsonCursor& root, const JsonCursor& json,
+                          CompressedParts& compressed);
 
 }  // namespace prelight

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "projectors/compressed_rows.h"
 #include "projectors/summary_text.h"
 #include "projectors/volume/volume_file.h"
 
@@ -14,7 +15,8 @@ namespace {
 using Json = Technique::Json;
 
 void writeVolumeRoot(const BakedOutput& output, Json& root) {
-  if (output.bake.volume) root["volume"] = volumeToJson(output.document, *output.bake.volume);
+  if (output.bake.volume)
+    root["volume"] = volumeToJson(output.document, *output.bake.volume, output.bake.compressedParts);
 }
 
 class VolumeReader final : public TechniqueReader {
@@ -24,7 +26,7 @@ class VolumeReader final : public TechniqueReader {
   void finish(Bake& bake) override {
     if (!input_.extension) return;
     if (const auto volume = input_.extension->find("volume"))
-      bake.volume = readVolume(input_.document, input_.root, *volume);
+      bake.volume = readVolume(input_.document, input_.root, *volume, bake.compressedParts);
   }
 
  private:
@@ -35,17 +37,24 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
   if (!bake.volume) return;
   const VolumeTransfer& transfer = *bake.volume;
   const VolumeGrid& grid = transfer.grid;
-  const std::size_t bytes = bytesOf(transfer.coefficients) + bytesOf(transfer.direct) +
-                            bytesOf(transfer.air) + bytesOf(transfer.sent) + bytesOf(transfer.lights);
+  const CompressedParts& parts = bake.compressedParts;
+  const auto stored = [](const std::optional<CompressedTransfer>& compressed,
+                         const std::vector<float>& floats) {
+    return compressed ? compressed->byteCount() : bytesOf(floats);
+  };
+  const std::size_t bytes = stored(parts.volume, transfer.coefficients) +
+                            stored(parts.volumeDirect, transfer.direct) + bytesOf(transfer.air) +
+                            stored(parts.volumeSent, transfer.sent) + bytesOf(transfer.lights);
   const auto inside = static_cast<std::size_t>(
       std::count(transfer.air.begin(), transfer.air.end(), static_cast<std::uint8_t>(0)));
   found.push_back(
       {"volume",
        fmt::format(
-           "volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}{}",
+           "volume of {} x {} x {} cells, {:.3g} wide, {} of them inside objects; SH of order {}, {}{}{}",
            grid.size.x, grid.size.y, grid.size.z, grid.cell(), inside, transfer.order,
            channelsText(transfer.channels, transfer.bounces),
-           transfer.groups() == 0 ? "" : ", with " + counted(transfer.groups(), "light group")),
+           transfer.groups() == 0 ? "" : ", with " + counted(transfer.groups(), "light group"),
+           compressionText(parts.volume)),
        bytes,
        false,
        {{"size", {grid.size.x, grid.size.y, grid.size.z}},
@@ -63,7 +72,7 @@ void summarizeVolume(const Bake& bake, std::size_t /*vertices*/, std::vector<Bak
 
 Technique volumeTechnique() {
   return {.name = "volume",
-          .accessors = {"coefficients", "direct", "air", "sent", "lights"},
+          .accessors = compressedAccessors({"coefficients", "direct", "air", "sent", "lights"}),
           .writeRoot = writeVolumeRoot,
           .makeReader = makeTechniqueReader<VolumeReader>,
           .summarize = summarizeVolume};
