@@ -24,7 +24,8 @@ using viewer::ScreenOcclusionOptions;
 struct Variant {
   const char* name;
   ScreenOcclusionOptions options;
-  bool moves = false;  ///< the scene does before every frame
+  bool moves = false;   ///< the scene does before every frame
+  bool reuses = false;  ///< a frame takes what those before it found
 };
 
 void addDisks(const ScreenOcclusionOptions& disks, std::vector<Variant>& list) {
@@ -41,6 +42,21 @@ void addDisks(const ScreenOcclusionOptions& disks, std::vector<Variant>& list) {
   list.push_back({"disks, opening 0.15", fine});
   list.push_back({"disks, not filtered", raw});
   list.push_back({"disks, scene moves", disks, true});
+}
+
+/// What GTAO costs less with: fewer pixels, fewer slices, the pictures before.
+void addCheaper(const ScreenOcclusionOptions& gtao, std::vector<Variant>& list) {
+  ScreenOcclusionOptions half = gtao, slice = gtao, both = gtao;
+  half.stride = 2;
+  slice.slices = 1;
+  both.slices = 1;
+  both.stride = 2;
+  list.push_back({"gtao, every 2nd pixel", half});
+  list.push_back({"gtao, 1 slice", slice});
+  list.push_back({"gtao, 1 slice, every 2nd pixel", both});
+  slice.frames = both.frames = 8;
+  list.push_back({"gtao, 1 slice, 8 pictures", slice, false, true});
+  list.push_back({"gtao, 1 slice, every 2nd pixel, 8 pictures", both, false, true});
 }
 
 std::vector<Variant> variants() {
@@ -60,11 +76,30 @@ std::vector<Variant> variants() {
   list.push_back({"gtao, 2 slices of 4 steps", few});
   list.push_back({"gtao, 16 slices of 16 steps", many});
   list.push_back({"gtao, not filtered", raw});
+  addCheaper(gtao, list);
+  ScreenOcclusionOptions ssdo = gtao;
+  ssdo.method = OcclusionMethod::Ssdo;
+  ssdo.bounces = 0;  // what is left is accessibility
+  list.push_back({"ssdo", ssdo});
   addDisks(disks, list);
   return list;
 }
 
-/// White, under a sky of radiance 1.
+/// Radiance of a sky that light can be told in by its direction: red from +X, green from -X, blue from above.
+glm::vec3 colouredSky(const glm::dvec3& w) {
+  return glm::vec3(2.0 * std::max(w.x, 0.0), 2.0 * std::max(-w.x, 0.0), 2.0 * std::max(w.y, 0.0));
+}
+
+Environment environmentOf(const SkyFunction& sky) {
+  Environment map{128, 64, {}};
+  for (int row = 0; row < map.height; ++row)
+    for (int column = 0; column < map.width; ++column)
+      map.radiance.push_back(
+          sky(Environment::direction((column + 0.5) / map.width, (row + 0.5) / map.height)));
+  return map;
+}
+
+/// White, under a sky of radiance 1, unless it is given another.
 struct WhiteScene {
   std::string name;
   Scene scene;
@@ -102,14 +137,26 @@ void writeGrey(const std::filesystem::path& folder, const std::string& name, con
   writePicture(folder / ("screen-" + name + ".png"), picture);
 }
 
-void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
-             const Progress& progress, std::vector<BenchmarkResult>& results) {
+void writeColours(const std::filesystem::path& folder, const std::string& name, const viewer::View& view,
+                  const std::vector<glm::vec3>& values) {
+  if (folder.empty()) return;
+  Picture picture{view.width, view.height, values};
+  for (glm::vec3& value : picture.pixels) value = glm::max(value, glm::vec3(0.0f));
+  writePicture(folder / ("screen-" + name + ".png"), picture);
+}
+
+viewer::View screenView(const viewer::RenderInputs& inputs, const BenchmarkOptions& options) {
   viewer::RenderOptions render;
   render.shading = viewer::Shading::Screen;
   render.width = options.screenWidth;
   render.height = options.screenHeight;
+  return viewer::makeView(inputs, render);
+}
+
+void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
+             const Progress& progress, std::vector<BenchmarkResult>& results) {
   const viewer::RenderInputs inputs = scene.inputs();
-  viewer::View view = viewer::makeView(inputs, render);
+  viewer::View view = screenView(inputs, options);
   Tracer tracer(scene.compiled, device);
   const double radius = viewer::occlusionRadius({}, scene.compiled);
   const std::vector<float> truth = tracedAccessibility(
@@ -125,6 +172,8 @@ void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptio
     view.screenOcclusion = variant.options;
     // One each: what it keeps of a scene that stands still is its own.
     const auto renderer = std::make_shared<viewer::Renderer>(inputs);
+    renderer->reuseOcclusion(variant.reuses);
+    for (int i = 1; variant.reuses && i < variant.options.frames; ++i) viewer::renderView(*renderer, view, 1);
     const std::vector<float> drawn = channelOf(viewer::renderView(*renderer, view, 1));
     writeGrey(options.folder, scene.name + "-" + variant.name, view, drawn);
     add(variant.name, "rms error", accessibilityError(drawn, truth), "accessibility");
@@ -142,6 +191,48 @@ void measure(const WhiteScene& scene, const Device& device, const BenchmarkOptio
   }
 }
 
+/// Light under a sky of several colours, with what is sent on within the radius, against traced light.
+void measureLight(WhiteScene& scene, const Device& device, const BenchmarkOptions& options,
+                  std::vector<BenchmarkResult>& results) {
+  scene.sky = environmentOf(colouredSky);
+  const viewer::RenderInputs inputs = scene.inputs();
+  viewer::View view = screenView(inputs, options);
+  Tracer tracer(scene.compiled, device);
+  const AccessibilityRequest request{view.camera, view.width, view.height,
+                                     viewer::occlusionRadius({}, scene.compiled), options.screenRays};
+  AccessibilityRequest fewer = request;
+  fewer.rays = std::max(options.screenRays / 8, 1);
+  const std::vector<glm::vec3> direct = tracedSkyLight(scene.compiled, tracer, request, colouredSky);
+  const std::vector<glm::vec3> bounce = tracedBounce(scene.compiled, tracer, fewer, colouredSky, 16);
+  std::vector<glm::vec3> all = direct;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (direct[i].r >= 0.0f) all[i] += bounce[i];
+  writeColours(options.folder, scene.name + "-light-traced", view, direct);
+  writeColours(options.folder, scene.name + "-bounce-traced", view, bounce);
+  viewer::Renderer renderer(inputs);
+  const auto add = [&](const std::string& name, const char* metric, double value) {
+    results.push_back({"screen", scene.name + "/" + name, metric, value, "irradiance over pi", {}, {}});
+  };
+  std::vector<glm::vec3> drawn;
+  const auto draw = [&](const std::string& name, OcclusionMethod method, int bounces) {
+    view.screenOcclusion.method = method;
+    view.screenOcclusion.bounces = bounces;
+    drawn = viewer::renderView(renderer, view, 1).pixels;
+    writeColours(options.folder, scene.name + "-light-" + name, view, drawn);
+    add(name, "rms error of the sky's light", lightError(drawn, direct));
+    add(name, "rms error of the sky's light and one bounce", lightError(drawn, all));
+  };
+  draw("gtao", OcclusionMethod::Gtao, 0);
+  draw("ssdo", OcclusionMethod::Ssdo, 0);
+  const std::vector<glm::vec3> without = drawn;
+  draw("ssdo, bounce", OcclusionMethod::Ssdo, 1);
+  for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] -= without[i];
+  writeColours(options.folder, scene.name + "-bounce-ssdo", view, drawn);
+  add("ssdo, bounce", "rms error of the bounce", lightError(drawn, bounce));
+  add("no bounce", "rms error of the bounce",
+      lightError(std::vector<glm::vec3>(bounce.size(), glm::vec3(0.0f)), bounce));
+}
+
 }  // namespace
 
 std::vector<BenchmarkResult> runScreenSuite(const Device& device, const BenchmarkOptions& options,
@@ -150,7 +241,9 @@ std::vector<BenchmarkResult> runScreenSuite(const Device& device, const Benchmar
   StepCounter steps(progress, "bench screen", options.screenScenes.size());
   std::vector<BenchmarkResult> results;
   for (const std::string& name : options.screenScenes) {
-    measure(WhiteScene(name), device, options, progress, results);
+    WhiteScene scene(name);
+    measure(scene, device, options, progress, results);
+    measureLight(scene, device, options, results);
     steps.advance();
   }
   return results;

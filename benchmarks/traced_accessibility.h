@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <glm/glm.hpp>
 #include <vector>
 
 #include "gpu/tracer.h"
@@ -21,6 +23,22 @@ struct AccessibilityRequest {
 /// of one-sided surfaces are not seen, but occlude.
 std::vector<float> tracedAccessibility(const CompiledScene& scene, Tracer& tracer,
                                        const AccessibilityRequest& request);
+
+/// Radiance of a direction.
+using SkyFunction = std::function<glm::vec3(const glm::dvec3&)>;
+
+/// The same of the sky's light: irradiance over pi.
+std::vector<glm::vec3> tracedSkyLight(const CompiledScene& scene, Tracer& tracer,
+                                      const AccessibilityRequest& request, const SkyFunction& sky);
+
+/// The same of what surfaces within the radius, white ones, send of the sky's light, which they receive past
+/// what lies within the radius of them, by so many rays each. Backs of one-sided surfaces send nothing.
+std::vector<glm::vec3> tracedBounce(const CompiledScene& scene, Tracer& tracer,
+                                    const AccessibilityRequest& request, const SkyFunction& sky,
+                                    int raysOfSenders);
+
+/// Root mean square over all channels of the difference where a surface is seen.
+double lightError(const std::vector<glm::vec3>& drawn, const std::vector<glm::vec3>& traced);
 
 /// Root mean square of the difference where a surface is seen.
 double accessibilityError(const std::vector<float>& drawn, const std::vector<float>& traced);

@@ -65,6 +65,8 @@ enum Unit : GLuint {
   filmThicknessUnit = 30,   ///< the same
   lampTablesUnit = 31,      ///< shaders/lights.glsl
   screenInputUnit = 32,     ///< shaders/surface.frag, shaders/screen_surface.frag
+  screenLampsUnit = 33,     ///< shaders/surface.frag
+  screenBounceUnit = 34,    ///< the same
 };
 
 /// A value a vertex.

@@ -26,6 +26,7 @@ void renderFrames(const RenderInputs& inputs, const RenderOptions& options, cons
   if (!scene.showsMoments())
     throw UsageError("a sequence of pictures", "global illumination and caustics are of one moment");
   Renderer renderer(scene.shown(), options.lobe);
+  renderer.reuseOcclusion(true);
   renderer.describe(view, notes);
   for (std::size_t frame = 0; frame < moments.size(); ++frame) {
     showPose(scene, renderer, {moments[frame], {}}, view.shading);

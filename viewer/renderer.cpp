@@ -152,8 +152,8 @@ void Renderer::updateIrradiance(std::span<const glm::vec3> irradiance) {
 }
 
 bool Renderer::isBehind() const {
-  return globalIllumination_ != nullptr &&
-         (globalIllumination_->shadows().isBehind() || surroundings_->isBehind());
+  return occlusionIsBehind_ || (globalIllumination_ != nullptr &&
+                                (globalIllumination_->shadows().isBehind() || surroundings_->isBehind()));
 }
 
 void Renderer::findFeatures() {
@@ -178,6 +178,7 @@ void Renderer::sceneMoved(bool shapes) {
     if (drawn.transfer != nullptr && drawn.transfer->verticesMoved()) drawn.isStale = true;
   if (nearLamps_ != nullptr) nearLamps_->verticesMoved();
   if (disks_ != nullptr) disks_->sceneMoved();
+  occlusionMoved_ = true;
   if (globalIllumination_ == nullptr) return;
   globalIllumination_->sceneMoved();
   surroundings_->moved();
@@ -307,13 +308,14 @@ OccluderEye Renderer::eyeOf(const View& view) const {
   return {-camera.forward, false};
 }
 
-void Renderer::uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
-                           int turns) const {
+FrameBlock Renderer::uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
+                                 int turns) const {
   const FrameBlock frame = frameBlockOf(view, tile, compiled_, sky_.seenBy(view), lights, turns);
   frameBlock_.fill(GL_UNIFORM_BUFFER, std::span<const FrameBlock>(&frame, 1), GL_STREAM_DRAW);
   fillLightBlock(lightBlock_, lights);
   glBindBufferBase(GL_UNIFORM_BUFFER, frameBinding, frameBlock_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, lightBinding, lightBlock_.name());
+  return frame;
 }
 
 void Renderer::bindTextures(const View& view) const {
@@ -405,9 +407,54 @@ glm::ivec4 Renderer::drawCaustics(const View& view, const Tile& tile, const gl::
   return {around, around, 0, samples};
 }
 
-/// Leaves the openness of every sample of the target bound.
+/// What occludes, or sends light, in a picture and around it.
+void Renderer::drawLayers(const std::vector<const Batch*>& opaque, const ScreenOcclusionOptions& options,
+                          const OcclusionPicture& picture) {
+  Look look;
+  look.shader = "screen_surface.frag";
+  for (look.layer = 0; look.layer < layersOf(options); ++look.layer) {
+    if (look.layer > 0)
+      gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
+    drawInto(occlusion_->layer(look.layer, picture), opaque, look);
+  }
+}
+
+void Renderer::drawInto(const gl::Framebuffer& target, const std::vector<const Batch*>& batches,
+                        const Look& look) {
+  target.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  drawBatches(batches, look);
+}
+
+void Renderer::bindOcclusion(const gl::Framebuffer& found, const ScreenOcclusionOptions& options) {
+  constexpr std::array<Unit, OcclusionPass::mostOutputs> units = {screenInputUnit, screenLampsUnit,
+                                                                  screenBounceUnit};
+  for (int i = 0; i < OcclusionPass::outputsOf(options); ++i)
+    gl::bind(units[static_cast<std::size_t>(i)], GL_TEXTURE_2D, found.color(i));
+}
+
+/// What is found of the picture alone, or joined with pictures before it.
+const gl::Framebuffer& Renderer::foundOcclusion(const OcclusionPicture& picture,
+                                                const ScreenOcclusionOptions& options,
+                                                const OcclusionLight& light, const FrameBlock& frame,
+                                                bool goesOn) {
+  if (options.frames <= 1) return occlusion_->draw(picture, options, light, 0);
+  if (!goesOn) occlusionHistory_.drop();
+  const gl::Framebuffer* joined = nullptr;
+  for (int i = 0; i < (goesOn ? 1 : options.frames); ++i) {
+    const gl::Framebuffer& found = occlusion_->draw(picture, options, light, occlusionHistory_.turn());
+    joined = &occlusionHistory_.join(found, occlusion_->layer(0, picture), picture,
+                                     {frame, options.frames, goesOn && occlusionMoved_});
+  }
+  occlusionIsBehind_ = goesOn && occlusionHistory_.stillPictures() < options.frames;
+  occlusionMoved_ = false;
+  return *joined;
+}
+
+/// Leaves what is found of every sample of the target bound.
 void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                                   const std::vector<const Batch*>& opaque) {
+                                   const std::vector<const Batch*>& opaque, const ScreenLook& shown) {
   if (occlusion_ == nullptr) occlusion_ = std::make_unique<OcclusionPass>();
   const int samples = target.width() / tile.width;
   const double radius = occlusionRadius(view.screenOcclusion, compiled_);
@@ -417,23 +464,30 @@ void Renderer::drawScreenOcclusion(const View& view, const Tile& tile, const gl:
   const Tile whole{tile.x - around, tile.y - around, tile.width + 2 * around, tile.height + 2 * around};
   const glm::ivec2 origin(tile.x * samples, (view.height - tile.y - tile.height) * samples);
   const OcclusionPicture picture{target.width(), target.height(), around * samples, origin, radius};
-  uploadFrame(view, whole, {}, samples);
-  Look look;
-  look.shader = "screen_surface.frag";
-  for (look.layer = 0; look.layer < layersOf(options); ++look.layer) {
-    if (look.layer > 0)
-      gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->layer(look.layer - 1, picture).color());
-    occlusion_->layer(look.layer, picture).bind();
-    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    drawBatches(opaque, look);
-  }
+  const FrameBlock frame = uploadFrame(view, whole, shown.lights, samples);
+  bindTextures(view);
+  drawLayers(opaque, options, picture);
   if (options.method == OcclusionMethod::Disks) {
     if (disks_ == nullptr) disks_ = std::make_unique<DiskOcclusion>(compiled_);
     disks_->prepare(options, radius, OcclusionPass::disksUnit);
   }
-  occlusion_->draw(picture, options);
-  gl::bind(screenInputUnit, GL_TEXTURE_2D, occlusion_->openness());
+  OcclusionLight light;
+  if (options.method == OcclusionMethod::Ssdo) {
+    for (const Feature feature : {Feature::SkyLight, Feature::SkyMap})
+      light.sky.add(feature, shown.look.variant.features.has(feature));
+    light.lamps = std::min(frame.counts.y, OcclusionPass::mostLamps);
+    if (occlusionLight_ != shown.light) occlusionHistory_.drop();
+    occlusionLight_ = shown.light;
+  }
+  if (gathers(options)) {
+    bindOcclusion(occlusion_->drawSenders(picture, options, light), options);
+    Look senders = shown.look;
+    senders.variant.rules.ambient = Ambient::Sender;
+    senders.causticCorner = glm::ivec4(0);
+    drawInto(occlusion_->sent(picture), opaque, senders);
+  }
+  const bool isWhole = tile.width == view.width && tile.height == view.height;
+  bindOcclusion(foundOcclusion(picture, options, light, frame, reusesOcclusion_ && isWhole), options);
 }
 
 void Renderer::draw(const View& view, const Tile& tile, const gl::Framebuffer& target) {
@@ -470,8 +524,12 @@ void Renderer::drawScene(const View& view, const Tile& tile, const gl::Framebuff
     if (leftOutNode < 0) passed(FramePass::Caustics);
   }
   const bool findsOcclusion = look.variant.rules.ambient == Ambient::Screen;
+  occlusionIsBehind_ = false;
   if (findsOcclusion) {
-    drawScreenOcclusion(view, tile, target, order.opaque);
+    drawScreenOcclusion(view, tile, target, order.opaque, {look, lights, light});
+    if (view.screenOcclusion.method == OcclusionMethod::Ssdo)
+      look.variant.rules.ambient =
+          gathers(view.screenOcclusion) ? Ambient::ScreenBounce : Ambient::ScreenLight;
     if (leftOutNode < 0) passed(FramePass::ScreenOcclusion);
   }
   const int samples = target.width() / tile.width;

@@ -18,6 +18,7 @@
 #include "viewer/illumination.h"
 #include "viewer/near_lamp_pass.h"
 #include "viewer/render_scene.h"
+#include "viewer/screen/occlusion_history.h"
 #include "viewer/screen/occlusion_pass.h"
 #include "viewer/surface_programs.h"
 #include "viewer/surroundings.h"
@@ -69,6 +70,10 @@ class Renderer {
 
   /// True: redraws many shadow maps and environment maps over several pictures, as windows want it.
   void paceUpdates(bool pace) { paced_ = pace; }
+
+  /// True: where occlusion is the mean of several pictures, a picture of one tile takes those drawn before
+  /// it, as windows and sequences want it, rather than drawing all of them itself.
+  void reuseOcclusion(bool reuse) { reusesOcclusion_ = reuse; }
 
   /// False: shaders have code for everything that any scene may have; pictures are the same, if slower.
   void specialiseShaders(bool specialise) { specialised_ = specialise; }
@@ -133,8 +138,8 @@ class Renderer {
   void updateSurroundings(const View& view, const Illumination& light);
   void drawScene(const View& view, const Tile& tile, const gl::Framebuffer& target, const Illumination& light,
                  const DrawnTransfer* transfer, int leftOutNode);
-  void uploadFrame(const View& view, const Tile& tile, const std::vector<ShadedLight>& lights,
-                   int turns) const;
+  FrameBlock uploadFrame(const View& view, const Tile& tile, std::span<const ShadedLight> lights,
+                         int turns) const;
 
   /// How batches are drawn.
   struct Look {
@@ -150,8 +155,23 @@ class Renderer {
   void drawBatches(const std::vector<const Batch*>& batches, const Look& look);
   void clearToSky(const View& view) const;
   void drawBackground(const ShaderVariant& variant);
+
+  /// How what screen shading finds is shown, and under which light.
+  struct ScreenLook {
+    const Look& look;
+    std::span<const ShadedLight> lights;
+    const Illumination& light;
+  };
+
+  void drawInto(const gl::Framebuffer& target, const std::vector<const Batch*>& batches, const Look& look);
+  void drawLayers(const std::vector<const Batch*>& opaque, const ScreenOcclusionOptions& options,
+                  const OcclusionPicture& picture);
+  const gl::Framebuffer& foundOcclusion(const OcclusionPicture& picture,
+                                        const ScreenOcclusionOptions& options, const OcclusionLight& light,
+                                        const FrameBlock& frame, bool goesOn);
+  static void bindOcclusion(const gl::Framebuffer& found, const ScreenOcclusionOptions& options);
   void drawScreenOcclusion(const View& view, const Tile& tile, const gl::Framebuffer& target,
-                           const std::vector<const Batch*>& opaque);
+                           const std::vector<const Batch*>& opaque, const ScreenLook& shown);
   glm::ivec4 drawCaustics(const View& view, const Tile& tile, const gl::Framebuffer& target,
                           const std::vector<const Batch*>& opaque);
   void makeCaustics(const Caustics& caustics);
@@ -179,6 +199,11 @@ class Renderer {
   std::unique_ptr<CausticPass> caustics_;
   std::unique_ptr<DiskOcclusion> disks_;      ///< made when they first occlude
   std::unique_ptr<OcclusionPass> occlusion_;  ///< made when screen shading is first drawn
+  OcclusionHistory occlusionHistory_;
+  std::optional<Illumination> occlusionLight_;  ///< of the last picture that light was found of
+  bool reusesOcclusion_ = false;
+  bool occlusionMoved_ = false;     ///< the scene has, since occlusion was last found
+  bool occlusionIsBehind_ = false;  ///< the next picture of the same view joins more of them
   gl::Buffer frameBlock_;
   gl::Buffer lightBlock_;
   gl::VertexArray noVertices_;

@@ -19,6 +19,9 @@ enum class Ambient : int {
   EncodedMap = 5,       ///< its light in an encoding
   EncodedVertices = 6,  ///< that of vertices
   Screen = 7,           ///< as Accessible, from OcclusionPass
+  ScreenLight = 8,      ///< the sky and lamps that OcclusionPass finds with Ssdo
+  ScreenBounce = 10,    ///< the same, and what surfaces send on
+  Sender = 9,           ///< as ScreenLight, of what sends it on: nothing but that
 };
 
 /// How lights and the sky are reflected; numbers of shaders/frame.glsl.

@@ -290,9 +290,11 @@ int runViewer(const ViewerInputs& inputs, const ViewerOptions& options) {
                         options.note};
   if (!options.exposure && options.metered) options.metered(showing.exposure);
   renderer.paceUpdates(true);  // after metering, which a draft would mislead
+  renderer.reuseOcclusion(true);
   runLoop(window.get(), controls, renderer, picture, scene, follower, overlay, showing);
   if (!options.screenshotPath.empty()) {
     renderer.paceUpdates(false);
+    renderer.reuseOcclusion(false);
     writeScreenshot(options.screenshotPath,
                     renderView(renderer, controls.view(), options.render.samplesPerAxis), showing.exposure);
   }

@@ -13,7 +13,7 @@
 #include "benchmarks/traced_accessibility.h"
 #include "prelight/load.h"
 #include "support/devices.h"
-#include "viewer/camera.h"
+#include "viewer/corner_scene.h"
 #include "viewer/gl/egl_context.h"
 #include "viewer/picture_checks.h"
 #include "viewer/quad_scene.h"
@@ -33,53 +33,9 @@ using std::numbers::pi;
 
 constexpr std::array<OcclusionMethod, 3> methods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
                                                     OcclusionMethod::Gtao};
-constexpr std::array<OcclusionMethod, 4> allMethods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
-                                                       OcclusionMethod::Gtao, OcclusionMethod::Disks};
-
-viewer::RenderOptions screenOptions(int size, const ScreenOcclusionOptions& occlusion) {
-  viewer::RenderOptions options = square(Shading::Screen, size);
-  options.screenOcclusion = occlusion;
-  options.samplesPerAxis = 1;
-  return options;
-}
-
-ScreenOcclusionOptions within(double radius, OcclusionMethod method = OcclusionMethod::Gtao) {
-  ScreenOcclusionOptions options;
-  options.method = method;
-  options.radius = radius;
-  return options;
-}
-
-/// A floor z = 0 and a wall x = 0 that it ends at, both wide, white and under a sky of radiance 1, `scale`
-/// times as large and seen from as far.
-QuadScene cornerScene(const Material& wall = lambertian(glm::vec3(1)), double scale = 1.0,
-                      double half = 20.0) {
-  QuadScene corner;
-  corner.add(lambertian(glm::vec3(1)), static_cast<float>(half * scale));
-  corner.add(wall, static_cast<float>(half * scale),
-             glm::rotate(glm::dmat4(1.0), -0.5 * pi, glm::dvec3(0, 1, 0)));
-  corner.setSky(constantEnvironment(glm::vec3(1)));
-  corner.lookFrom(scale * glm::dvec3(-1.2, -2.5, 1.8), scale * glm::dvec3(-0.3, 0, 0));
-  corner.compile();
-  return corner;
-}
-
-/// The same of planes that are not cut into too many elements.
-QuadScene smallCorner() { return cornerScene(lambertian(glm::vec3(1)), 1.0, 3.0); }
-
-/// What of the sky a point of the floor sees past a wall without end at a distance, within a radius: its
-/// directions in the unit disc that lie beyond distance / radius are blocked.
-double openBeforeWall(double distance, double radius) {
-  const double c = std::min(distance / radius, 1.0);
-  return 1.0 - (std::acos(c) - c * std::sqrt(1.0 - c * c)) / pi;
-}
-
-glm::vec3 pixelOf(const Picture& picture, const QuadScene& quad, const glm::dvec3& point) {
-  const viewer::CameraMatrices camera = viewer::cameraMatrices(
-      quad.scene.cameras.front(), quad.compiled, static_cast<double>(picture.width) / picture.height);
-  const glm::dvec4 clip = camera.projection * camera.view * glm::dvec4(point - quad.compiled.origin, 1.0);
-  return pixelAt(picture, 0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
-}
+constexpr std::array<OcclusionMethod, 5> allMethods = {OcclusionMethod::Ssao, OcclusionMethod::Hbao,
+                                                       OcclusionMethod::Gtao, OcclusionMethod::Disks,
+                                                       OcclusionMethod::Ssdo};
 
 void expectCorner(const QuadScene& corner, int size, double scale, double tolerance,
                   OcclusionMethod method = OcclusionMethod::Gtao) {
@@ -175,19 +131,6 @@ TEST(ScreenOcclusion, BlendedSurface_NeitherOccludesNorIsOccluded) {
   const Picture picture = corner.render(screenOptions(64, within(0.5)));
   EXPECT_NEAR(pixelOf(picture, corner, {-0.1, 0, 0}).r, 1.0f, 1e-3f);
   EXPECT_NEAR(pixelOf(picture, corner, {0, 0, 0.1}).r, 1.0f, 1e-3f);
-}
-
-/// A card over a floor, both two-sided, seen from above.
-QuadScene cardOverFloor() {
-  QuadScene scene;
-  Material white = lambertian(glm::vec3(1));
-  white.doubleSided = true;
-  scene.add(white, 5.0f);
-  scene.add(white, 0.3f, glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 0.25)));
-  scene.setSky(constantEnvironment(glm::vec3(1)));
-  scene.lookFrom({0.2, -2.0, 2.0}, {0, 0, 0});
-  scene.compile();
-  return scene;
 }
 
 double meanOf(const Picture& picture) {

@@ -28,6 +28,7 @@ class Program {
   /// Setters act on the program in use; a name that the compiler has removed is ignored.
   void set(const char* name, int value) const { glUniform1i(location(name), value); }
   void set(const char* name, float value) const { glUniform1f(location(name), value); }
+  void set(const char* name, const glm::vec2& value) const { glUniform2fv(location(name), 1, &value.x); }
   void set(const char* name, const glm::ivec4& value) const { glUniform4iv(location(name), 1, &value.x); }
   void set(const char* name, const glm::vec3& value) const { glUniform3fv(location(name), 1, &value.x); }
   void set(const char* name, const glm::vec4& value) const { glUniform4fv(location(name), 1, &value.x); }

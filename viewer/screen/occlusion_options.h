@@ -5,21 +5,24 @@
 namespace prelight::viewer {
 
 /// How what occludes a pixel is found: among the surfaces of the picture, or, by Disks, among all of the
-/// scene.
-enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks };
+/// scene. Ssdo finds which light arrives.
+enum class OcclusionMethod : std::uint8_t { Ssao, Hbao, Gtao, Disks, Ssdo };
 
 /// Occlusion of what is seen in a picture, found while it is drawn.
 struct ScreenOcclusionOptions {
   OcclusionMethod method = OcclusionMethod::Gtao;
   double radius = 0.0;       ///< m, what is farther occludes nothing; 0: a share of the scene's size
-  int slices = 4;            ///< of Gtao, and pairs of directions of Hbao
+  int slices = 4;            ///< of Gtao and Ssdo, and pairs of directions of Hbao
   int steps = 8;             ///< of each side of a slice
   int samples = 32;          ///< of Ssao
-  int layers = 2;            ///< of surfaces that Gtao looks at: 1 or 2
-  double thickness = 0.0;    ///< m, of what has no back in the second layer; of Gtao
+  int layers = 2;            ///< of surfaces that Gtao and Ssdo look at: 1 or 2
+  double thickness = 0.0;    ///< m, of what has no back in the second layer; of both
   double elementSize = 0.0;  ///< m, of the longest edge of an element of Disks; 0: a share of the radius
   double opening = 0.4;      ///< radius over distance of groups that Disks does not take apart
   int passes = 1;            ///< of Disks: all but the last find how open the backs of elements are
+  int bounces = 1;           ///< of Ssdo: light that surfaces in the picture send on, 0 or 1 times
+  int stride = 1;            ///< pixels from one that occlusion is looked for at to the next, each way
+  int frames = 1;            ///< pictures with turned samples whose mean is shown
   bool filtered = true;      ///< pixels of one surface are averaged
 
   bool operator==(const ScreenOcclusionOptions&) const = default;
@@ -27,7 +30,13 @@ struct ScreenOcclusionOptions {
 
 /// Layers of surfaces that have to be drawn for it.
 constexpr int layersOf(const ScreenOcclusionOptions& options) {
-  return options.method == OcclusionMethod::Gtao ? options.layers : 1;
+  const bool slices = options.method == OcclusionMethod::Gtao || options.method == OcclusionMethod::Ssdo;
+  return slices ? options.layers : 1;
+}
+
+/// Light that surfaces of the picture send is gathered.
+constexpr bool gathers(const ScreenOcclusionOptions& options) {
+  return options.method == OcclusionMethod::Ssdo && options.bounces > 0;
 }
 
 /// What is found in the picture lacks what lies around it.

@@ -21,23 +21,23 @@ void setWhole(O& o, double value) {
   o.*member = static_cast<int>(std::lround(value));
 }
 
-constexpr std::array<ScreenOcclusionParameter, 9> parameterTable = {{
+constexpr std::array<ScreenOcclusionParameter, 12> parameterTable = {{
     {"--occlusion-radius", "radius, m", 0.0, 1e6, 0.0, 5.0,
      "metres beyond which nothing occludes; 0: a tenth of the diagonal of the scene's bounds",
      get<&O::radius>, setReal<&O::radius>},
     {"--occlusion-slices", "slices", 1, 64, 1, 16,
-     "gtao: slices through the direction to the eye; hbao: pairs of opposite directions", get<&O::slices>,
-     setWhole<&O::slices>, true},
+     "gtao, ssdo: slices through the direction to the eye; hbao: pairs of opposite directions",
+     get<&O::slices>, setWhole<&O::slices>, true},
     {"--occlusion-steps", "steps", 1, 64, 1, 16,
-     "gtao, hbao: pixels that are looked at on each side of a slice", get<&O::steps>, setWhole<&O::steps>,
-     true},
+     "gtao, ssdo, hbao: pixels that are looked at on each side of a slice", get<&O::steps>,
+     setWhole<&O::steps>, true},
     {"--occlusion-samples", "samples", 1, 1024, 1, 128, "ssao: points around a pixel", get<&O::samples>,
      setWhole<&O::samples>, true},
     {"--occlusion-layers", "layers", 1, 2, 1, 2,
-     "gtao: 1, what is seen, as if it had no back, or 2, what lies behind it as well", get<&O::layers>,
+     "gtao, ssdo: 1, what is seen, as if it had no back, or 2, what lies behind it as well", get<&O::layers>,
      setWhole<&O::layers>, true},
     {"--occlusion-thickness", "thickness, m", 0.0, 1e6, 0.0, 1.0,
-     "gtao: metres that what has no back in the second layer is thick", get<&O::thickness>,
+     "gtao, ssdo: metres that what has no back in the second layer is thick", get<&O::thickness>,
      setReal<&O::thickness>},
     {"--occlusion-element", "element, m", 0.0, 1e6, 0.0, 1.0,
      "disks: metres of the longest edge of an element that occludes; 0: a quarter of the radius",
@@ -48,6 +48,15 @@ constexpr std::array<ScreenOcclusionParameter, 9> parameterTable = {{
     {"--occlusion-passes", "passes", 1, 8, 1, 4,
      "disks: 1, elements behind each other all count; 2, by how open their backs are; more repeat that",
      get<&O::passes>, setWhole<&O::passes>, true},
+    {"--occlusion-bounces", "bounces", 0, 1, 0, 1,
+     "ssdo: 1, surfaces in the picture send on what they receive; 0, they only occlude", get<&O::bounces>,
+     setWhole<&O::bounces>, true},
+    {"--occlusion-stride", "every n-th pixel", 1, 4, 1, 2,
+     "looks at every n-th pixel each way, and filters what it finds to all of them", get<&O::stride>,
+     setWhole<&O::stride>, true},
+    {"--occlusion-frames", "frames", 1, 256, 1, 32,
+     "shows the mean of so many pictures with turned samples; windows and sequences take those before",
+     get<&O::frames>, setWhole<&O::frames>, true},
 }};
 
 }  // namespace

@@ -1,105 +1,161 @@
 #include "viewer/screen/occlusion_pass.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "viewer/disks/disk_occlusion.h"
-#include "viewer/gl/texture.h"
+#include "viewer/drawn_transfer.h"
+#include "viewer/screen/occlusion_target.h"
 #include "viewer/uniform_blocks.h"
 
 namespace prelight::viewer {
 namespace {
 
-enum OcclusionUnit : GLuint { firstLayerUnit = 0, secondLayerUnit = 1, opennessUnit = 2 };
+constexpr std::array<const char*, 5> methodFiles = {
+    "screen_ssao.frag", "screen_hbao.frag", "screen_gtao.frag", "screen_disks.frag", "screen_ssdo.frag"};
 
-constexpr std::array<const char*, 4> methodFiles = {"screen_ssao.frag", "screen_hbao.frag",
-                                                    "screen_gtao.frag", "screen_disks.frag"};
+/// Pixels of a picture that occlusion is looked for at: every stride-th of the whole picture, each way.
+struct Grid {
+  glm::ivec2 corner;   ///< of the first in the layers
+  glm::ivec2 size;     ///< how many
+  glm::ivec2 pattern;  ///< number of the first, modulo that of a pattern's side
+};
+
+glm::ivec2 below(const glm::ivec2& value, int stride) { return ((value % stride) + stride) % stride; }
+
+Grid gridOf(const OcclusionPicture& picture, int around, int stride) {
+  const glm::ivec2 first = picture.origin - around;
+  const glm::ivec2 shift = below(first, stride);
+  const glm::ivec2 last = glm::ivec2(picture.width, picture.height) - 1 + around + shift;
+  // Patterns repeat every four samples.
+  return {glm::ivec2(picture.margin - around) - shift, last / stride + OcclusionPass::filterReach + 1,
+          below((first - shift) / stride, 4)};
+}
 
 void prepare(const gl::Program& program) {
   program.bindBlock("Frame", frameBinding);
+  program.bindBlock("Lights", lightBinding);
   program.use();
   program.set("firstLayer", static_cast<int>(firstLayerUnit));
   program.set("secondLayer", static_cast<int>(secondLayerUnit));
-  program.set("openness", static_cast<int>(opennessUnit));
+  program.set("sent", static_cast<int>(sentUnit));
+  program.set("skyMap", static_cast<int>(skyUnit));
+  setSamplers(program, "found", OcclusionPass::mostOutputs, foundUnit);
 }
 
-gl::Framebuffer withMargin(const OcclusionPicture& picture, int margin) {
-  return {picture.width + 2 * margin, picture.height + 2 * margin};
+std::string constant(const std::string& name, int value) {
+  return "const int " + name + " = " + std::to_string(value) + ";\n";
+}
+std::string constant(const std::string& name, bool value) {
+  return "const bool " + name + " = " + (value ? "true" : "false") + ";\n";
+}
+
+/// Added to turns and shifts of a pattern, so that pictures one after the other fill the gaps between its 16
+/// turns and 4 shifts evenly: the R2 sequence (Roberts 2018) of parts of them.
+glm::vec2 rotationOf(int turn) {
+  const glm::dvec2 steps((6.0 + 0.7548776662466927) / 16.0, (2.0 + 0.5698402909980532) / 4.0);
+  return glm::vec2(glm::fract(static_cast<double>(turn) * steps));
 }
 
 }  // namespace
 
-OcclusionPass::Targets::Targets(const OcclusionPicture& picture)
-    : layers{withMargin(picture, picture.margin), withMargin(picture, picture.margin)},
-      found(withMargin(picture, filterReach)),
-      filtered(picture.width, picture.height) {}
-
-OcclusionPass::OcclusionPass() : filterProgram_("fullscreen.vert", "screen_filter.frag") {
-  prepare(filterProgram_);
-  gl::check("preparing screen-space occlusion");
+int OcclusionPass::outputsOf(const ScreenOcclusionOptions& options) {
+  if (options.method != OcclusionMethod::Ssdo) return 1;
+  return gathers(options) ? 3 : 2;
 }
 
 const gl::Framebuffer& OcclusionPass::layer(int index, const OcclusionPicture& picture) {
-  const auto fits = [&](const gl::Framebuffer& target, int margin) {
-    return target.width() == picture.width + 2 * margin && target.height() == picture.height + 2 * margin;
-  };
-  if (targets_ == nullptr || !fits(targets_->filtered, 0) || !fits(targets_->layers[0], picture.margin))
-    targets_ = std::make_unique<Targets>(picture);
-  return targets_->layers[static_cast<std::size_t>(index)];
+  return fitted(layers_[static_cast<std::size_t>(index)], picture.width + 2 * picture.margin,
+                picture.height + 2 * picture.margin);
+}
+
+const gl::Framebuffer& OcclusionPass::sent(const OcclusionPicture& picture) {
+  return fitted(sent_, picture.width + 2 * picture.margin, picture.height + 2 * picture.margin);
 }
 
 const gl::Program& OcclusionPass::programOf(const Variant& variant) {
   const auto found = programs_.find(variant);
   if (found != programs_.end()) return found->second;
-  const std::string text = "const int layers = " + std::to_string(variant.layers) +
-                           ";\nconst bool hasThickness = " + (variant.hasThickness ? "true" : "false") +
-                           ";\n";
-  gl::Program program("fullscreen.vert", methodFiles[static_cast<std::size_t>(variant.method)],
-                      {{"screen_variant.glsl", text}});
+  ShaderVariant surface;
+  surface.features = variant.light.sky;
+  gl::Program program(
+      "fullscreen.vert", methodFiles[static_cast<std::size_t>(variant.method)],
+      {{"screen_variant.glsl",
+        constant("layers", variant.layers) + constant("hasThickness", variant.hasThickness) +
+            constant("gathers", variant.gathers) + constant("shadowedLamps", variant.light.lamps)},
+       {"variant.glsl", textOf(surface)}});
   prepare(program);
   return programs_.emplace(variant, std::move(program)).first->second;
 }
 
-void OcclusionPass::setPicture(const gl::Program& program, const OcclusionPicture& picture,
-                               int around) const {
-  program.use();
-  const gl::Framebuffer& layers = targets_->layers[0];
-  program.set("screen", glm::vec4(layers.width(), layers.height(), picture.radius, picture.margin));
-  const int corner = picture.margin - around;
-  // Patterns repeat every four samples.
-  const glm::ivec2 origin = (picture.origin - around) & 3;
-  program.set("corner", glm::ivec4(corner, corner, origin.x, origin.y));
+const gl::Program& OcclusionPass::filterOf(int outputs) {
+  const auto found = filters_.find(outputs);
+  if (found != filters_.end()) return found->second;
+  gl::Program program("fullscreen.vert", "screen_filter.frag",
+                      {{"screen_variant.glsl", constant("outputs", outputs)}});
+  prepare(program);
+  return filters_.emplace(outputs, std::move(program)).first->second;
 }
 
-void OcclusionPass::drawInto(const gl::Framebuffer& target) const {
-  target.bind();
-  glBindVertexArray(noVertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glBindVertexArray(0);
-}
-
-void OcclusionPass::draw(const OcclusionPicture& picture, const ScreenOcclusionOptions& options) {
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  gl::bind(firstLayerUnit, GL_TEXTURE_2D, targets_->layers[0].color());
-  gl::bind(secondLayerUnit, GL_TEXTURE_2D, targets_->layers[1].color());
+/// Of the picture with `around` samples of its margin, all of which it returns.
+const gl::Framebuffer& OcclusionPass::find(const OcclusionPicture& picture, int around,
+                                           const ScreenOcclusionOptions& options, const OcclusionLight& light,
+                                           int turn, Targets& targets) {
+  const gl::Framebuffer& first = *layers_[0];
+  gl::bind(firstLayerUnit, GL_TEXTURE_2D, first.color());
   const int layers = layersOf(options);
-  const gl::Program& program = programOf({options.method, layers, layers > 1 && options.thickness > 0.0});
-  setPicture(program, picture, filterReach);
+  if (layers > 1) gl::bind(secondLayerUnit, GL_TEXTURE_2D, layers_[1]->color());
+  if (gathers(options)) gl::bind(sentUnit, GL_TEXTURE_2D, sent_->color());
+  const Grid grid = gridOf(picture, around + filterReach * options.stride, options.stride);
+  const glm::vec4 screen(first.width(), first.height(), picture.radius, picture.margin);
+  const int outputs = outputsOf(options);
+
+  const gl::Program& program =
+      programOf({options.method, layers, layers > 1 && options.thickness > 0.0, gathers(options), light});
+  program.use();
+  program.set("screen", screen);
+  program.set("corner", glm::ivec4(grid.corner, grid.pattern));
+  program.set("stride", options.stride);
+  program.set("rotation", rotationOf(turn));
   program.set("slices", options.slices);
   program.set("steps", options.steps);
   program.set("samples", options.samples);
   program.set("thickness", static_cast<float>(options.thickness));
   DiskOcclusion::setUniforms(program, options, picture.radius, disksUnit);
-  drawInto(targets_->found);
-  gl::bind(opennessUnit, GL_TEXTURE_2D, targets_->found.color());
-  setPicture(filterProgram_, picture, 0);
-  filterProgram_.set("reach", filterReach);
-  filterProgram_.set("averages", options.filtered ? 1 : 0);
-  drawInto(targets_->filtered);
-  glEnable(GL_DEPTH_TEST);
+  const gl::Framebuffer& found = fitted(targets.found, grid.size.x, grid.size.y, outputs);
+  drawOver(found, noVertices_);
+
+  const gl::Program& filter = filterOf(outputs);
+  filter.use();
+  filter.set("screen", screen);
+  filter.set("corner", glm::ivec4(glm::ivec2(picture.margin - around), grid.corner));
+  filter.set("stride", options.stride);
+  filter.set("averages", options.filtered ? 1 : 0);
+  bindColors(found, outputs, foundUnit);
+  const gl::Framebuffer& filtered =
+      fitted(targets.filtered, picture.width + 2 * around, picture.height + 2 * around, outputs);
+  drawOver(filtered, noVertices_);
   gl::check("drawing screen-space occlusion");
+  return filtered;
+}
+
+const gl::Framebuffer& OcclusionPass::drawSenders(const OcclusionPicture& picture,
+                                                  const ScreenOcclusionOptions& options,
+                                                  const OcclusionLight& light) {
+  ScreenOcclusionOptions coarse = options;
+  coarse.bounces = 0;
+  coarse.filtered = true;
+  coarse.slices = 1;  // those of 4 x 4 pixels have another direction each
+  coarse.stride = std::max(options.stride, 2);
+  return find(picture, picture.margin, coarse, light, 0, ofSenders_);
+}
+
+const gl::Framebuffer& OcclusionPass::draw(const OcclusionPicture& picture,
+                                           const ScreenOcclusionOptions& options, const OcclusionLight& light,
+                                           int turn) {
+  return find(picture, 0, options, light, turn, ofPicture_);
 }
 
 }  // namespace prelight::viewer

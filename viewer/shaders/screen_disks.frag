@@ -7,7 +7,7 @@
 out vec4 outOpenness;  // xyz: mean open direction, scene; w: accessibility
 
 void main() {
-  Seen here = seenIn(firstLayer, ivec2(gl_FragCoord.xy) + corner.xy);
+  Seen here = seenIn(firstLayer, pixelHere());
   outOpenness = vec4(0.0, 0.0, 0.0, 1.0);
   if (!here.there) return;
   vec3 n = normalize(toScene(here.normal));

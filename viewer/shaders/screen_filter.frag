@@ -1,38 +1,40 @@
 #version 410 core
 // Averages what pixels of one surface found, over each place of their pattern of 4 x 4 once: a bilateral filter whose weights
-// are of depths and normals (Tomasi and Manduchi 1998; Petschnigg et al. 2004).
+// are of depths and normals (Tomasi and Manduchi 1998; Petschnigg et al. 2004). Where occlusion was not looked for at every pixel
+// it is brought to all of them by the same weights (Kopf et al. 2007).
 #include "frame.glsl"
 #include "screen_space.glsl"
+#include "screen_variant.glsl"
+#include "screen_likeness.glsl"
 
-uniform sampler2D openness;
-uniform int reach;     // of the filter, pixels
-uniform int averages;  // 0: leaves all as it is
+uniform sampler2D found[3];
+uniform int averages;  // 0: takes the nearest
 
-out vec4 outOpenness;
+layout(location = 0) out vec4 outFiltered[3];
 
-// Of a place that is no farther from the plane of another than a pixel is wide, with a normal like its own.
-float likeness(Seen a, Seen b, float pixel) {
-  if (!b.there) return 0.0;
-  float away = abs(dot(a.normal, b.place - a.place)) / pixel;
-  return max(1.0 - 0.5 * away, 0.0) * smoothstep(0.8, 0.95, dot(a.normal, b.normal));
-}
+const float reach = 2.5;       // of the filter, pixels of what was found
+const float leastLike = 1e-4;  // what is of another surface counts only where nothing else is
 
 void main() {
   ivec2 middle = ivec2(gl_FragCoord.xy) + corner.xy;
   Seen here = seenIn(firstLayer, middle);
-  ivec2 inInput = ivec2(gl_FragCoord.xy) + reach;
-  vec4 own = texelFetch(openness, inInput, 0);
-  outOpenness = own;
+  vec2 inFound = vec2(middle - corner.zw) / float(stride);
+  ivec2 last = textureSize(found[0], 0) - 1;
+  ivec2 nearest = clamp(ivec2(inFound + 0.5), ivec2(0), last);
+  for (int k = 0; k < outputs; ++k) outFiltered[k] = texelFetch(found[k], nearest, 0);
   if (!here.there || averages == 0) return;
   float pixel = distance(here.place, placeOf(vec2(middle) + vec2(1.5, 0.5), here.place.z));
-  vec4 sum = vec4(0.0);
+  vec4 sum[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));
   float weights = 0.0;
-  for (int y = -reach; y <= reach; ++y)
-    for (int x = -reach; x <= reach; ++x) {
-      float border = (abs(x) == reach ? 0.5 : 1.0) * (abs(y) == reach ? 0.5 : 1.0);
-      float weight = border * likeness(here, seenIn(firstLayer, middle + ivec2(x, y)), pixel);
-      sum += weight * texelFetch(openness, inInput + ivec2(x, y), 0);
+  ivec2 from = ivec2(ceil(inFound)) - 2, to = ivec2(inFound) + 2;
+  for (int y = from.y; y <= to.y; ++y)
+    for (int x = from.x; x <= to.x; ++x) {
+      vec2 border = clamp(reach - abs(vec2(x, y) - inFound), 0.0, 1.0);
+      Seen there = seenIn(firstLayer, stride * ivec2(x, y) + corner.zw);
+      float weight = border.x * border.y * max(likeness(here, there, pixel), there.there ? leastLike : 0.0);
+      for (int k = 0; k < outputs; ++k) sum[k] += weight * texelFetch(found[k], clamp(ivec2(x, y), ivec2(0), last), 0);
       weights += weight;
     }
-  outOpenness = weights > 0.0 ? sum / weights : own;
+  if (weights <= 0.0) return;
+  for (int k = 0; k < outputs; ++k) outFiltered[k] = sum[k] / weights;
 }

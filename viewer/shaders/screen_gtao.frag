@@ -1,184 +1,27 @@
 #version 410 core
-// Accessibility of a pixel from slices through the direction to the eye: the cosine-weighted inner integral in closed form
-// of [1], summed over what of a slice is blocked, which [2] keeps as bits. Of one layer all below a sample within the radius
-// is blocked, as in [1]. Of two, samples of a surface are joined to pieces, each of which blocks from one end to the other as
-// far as it lies within the radius; between the front and the back of a body all is blocked, and below it nothing.
-// [1] Jimenez et al., "Practical real-time strategies for accurate indirect occlusion", 2016.
-// [2] Therrien et al., "Screen space indirect lighting with visibility bitmask", 2023.
+// Accessibility of a pixel and its mean open direction from slices through the direction to the eye: Jimenez et al., "Practical
+// real-time strategies for accurate indirect occlusion", 2016.
 #include "frame.glsl"
 #include "screen_space.glsl"
 #include "screen_variant.glsl"
+#include "screen_slices.glsl"
 
-uniform int slices;
-uniform int steps;        // of each side of a slice
-uniform float thickness;  // m, of what has no back
-
-out vec4 outOpenness;  // xyz: mean open direction, scene; w: accessibility
-
-const float leastRise = 2e-3;  // sine of the angle above the horizon that is told from it
-const int sectors = 32;
-const uint allSectors = 0xffffffffu;
-
-// A slice: x along d, y to the eye; angles are from y, positive towards x.
-struct Slice {
-  vec3 d;
-  vec3 v;
-  vec2 n;        // the normal in the slice, unit
-  float lean;    // its angle
-  float weight;  // of the slice, cosine and closed form included
-  float first;   // the closed form at the horizon of the negative side
-  float range;   // from there to that of the positive side
-  float dither;  // of sectors, 0 to 1
-};
-
-// The integral of cos(t - lean) |sin t| from 0 to an angle of sine and cosine `at` ([1]), negative below 0; n as in Slice.
-float massTo(float angle, vec2 at, vec2 n) {
-  float doubled = (1.0 - 2.0 * at.x * at.x) * n.y + 2.0 * at.x * at.y * n.x;  // cos(2 angle - lean)
-  float mass = 0.25 * (n.y - doubled + 2.0 * angle * n.x);
-  return at.x < 0.0 ? -mass : mass;
-}
-
-// Abramowitz and Stegun, "Handbook of Mathematical Functions", 1964, 4.4.45: within 7e-5.
-float quickAcos(float x) {
-  float a = abs(x);
-  float angle = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
-  return x < 0.0 ? pi - angle : angle;
-}
-
-Slice sliceOf(vec3 n, vec3 v, vec3 d, float dither) {
-  vec2 inSlice = vec2(dot(n, d), dot(n, v));
-  float size = length(inSlice);
-  vec2 unit = inSlice / max(size, tiny);
-  float lean = atan(unit.x, unit.y);
-  float first = massTo(lean - 0.5 * pi, vec2(-unit.y, unit.x), unit);
-  float range = massTo(lean + 0.5 * pi, vec2(unit.y, -unit.x), unit) - first;
-  return Slice(d, v, unit, lean, size * range, first, range, dither);
-}
-
-// The share of the slice's open half that lies on the negative side of a place.
-float shareTo(Slice s, vec2 place) {
-  vec2 at = place * inversesqrt(max(dot(place, place), 1e-30));
-  if (dot(at, s.n) <= leastRise) return at.x > 0.0 ? 1.0 : 0.0;
-  float angle = quickAcos(at.y);
-  return clamp((massTo(at.x < 0.0 ? -angle : angle, at, s.n) - s.first) / s.range, 0.0, 1.0);
-}
-
-uint sectorsBetween(Slice s, float from, float to) {
-  int first = int(from * float(sectors) + s.dither);
-  int count = int(to * float(sectors) + s.dither) - first;
-  return count <= 0 ? 0u : (allSectors >> uint(sectors - count)) << uint(first);
-}
-
-vec2 inSlice(Slice s, vec3 way) { return vec2(dot(way, s.d), dot(way, s.v)); }
-
-// What a straight piece between two places of the slice blocks within the radius.
-uint blockedBy(Slice s, vec2 a, vec2 b) {
-  vec2 way = b - a;
-  float length2 = max(dot(way, way), tiny * screen.z * screen.z);
-  float middle = -dot(a, way) / length2;
-  float root2 = middle * middle - (dot(a, a) - screen.z * screen.z) / length2;
-  float root = sqrt(max(root2, 0.0));
-  float from = max(middle - root, 0.0);
-  float to = min(middle + root, 1.0);
-  if (root2 <= 0.0 || from >= to) return 0u;
-  float first = shareTo(s, a + from * way);
-  float second = shareTo(s, a + to * way);
-  return sectorsBetween(s, min(first, second), max(first, second));
-}
-
-// A surface on a side of a slice.
-struct Point {
-  Seen seen;
-  vec2 place;   // in the slice, from the pixel's
-  float until;  // depth of the back of its body
-};
-
-const float endless = 1e30;
-
-// Whether two points are of one surface: smooth, or both below the other's plane (an edge) or both above it (a corner). An
-// outline is above the plane of what lies behind it, too, but its body ends before that.
-bool areJoined(Point a, Point b) {
-  vec3 way = normalize(b.seen.place - a.seen.place);
-  float fromA = dot(a.seen.normal, way);
-  float fromB = -dot(b.seen.normal, way);
-  if (max(abs(fromA), abs(fromB)) < 0.3 || max(fromA, fromB) < 0.05) return true;
-  bool nearA = a.seen.place.z < b.seen.place.z;
-  bool isOutline = (nearA ? fromA : fromB) < 0.2 && (nearA ? a.until < b.seen.place.z : b.until < a.seen.place.z);
-  return min(fromA, fromB) > -0.05 && !isOutline;
-}
-
-// What the last steps of a side have seen in a layer.
-struct Chain {
-  Point last;
-  Point before;  // the last something nearer
-};
-
-uint follow(Slice s, Point now, inout Chain chain) {
-  if (!now.seen.there) return 0u;
-  bool fromLast = chain.last.seen.there && areJoined(chain.last, now);
-  bool fromBefore = !fromLast && chain.before.seen.there && areJoined(chain.before, now);
-  vec2 start = fromLast ? chain.last.place : (fromBefore ? chain.before.place : now.place);
-  if (!fromLast && chain.last.seen.there && now.seen.place.z < chain.last.seen.place.z) chain.before = chain.last;
-  chain.last = now;
-  return blockedBy(s, start, now.place);
-}
-
-Point pointOf(Slice s, Seen seen, vec3 origin) { return Point(seen, inSlice(s, seen.place - origin), endless); }
-
-// What a step adds where two layers are looked at.
-uint blockedByLayers(Slice s, Line line, float along, vec3 origin, inout Point now, inout Chain behind) {
-  Point next = pointOf(s, seenOn(secondLayer, line, along), origin);
-  uint blocked = follow(s, next, behind);
-  if (now.seen.there && next.seen.there && next.seen.back && !now.seen.back) {
-    now.until = next.seen.place.z;
-    blocked |= blockedBy(s, now.place, next.place);
-  } else if (hasThickness && now.seen.there) {
-    vec3 through = now.seen.place - thickness * toEyeFrom(now.seen.place);
-    blocked |= blockedBy(s, now.place, inSlice(s, through - origin));
-  }
-  return blocked;
-}
-
-// What is blocked on one side of a slice: `side` 1 or -1.
-uint blockedSectors(Slice s, vec2 start, Seen here, float side, float shift) {
-  Line line = lineAlong(start, here.place, side * s.d);
-  Point none = Point(nothing, vec2(0.0), endless);
-  // From here to the first sample all is blocked from the horizon on.
-  vec2 horizon = side * 1e-4 * screen.z * vec2(s.n.y, -s.n.x);
-  Chain front = Chain(Point(here, horizon, endless), none);
-  Chain behind = Chain(none, none);
-  uint blocked = 0u;
-  for (int j = 0; j < steps; ++j) {
-    float along = stepAlong(line, j, steps, shift);
-    if (along > line.length + 0.5) break;
-    Point now = pointOf(s, seenOn(firstLayer, line, along), here.place);
-    if (layers == 1) {
-      if (now.seen.there && length(now.place) < screen.z) blocked |= blockedBy(s, horizon, now.place);
-    } else {
-      blocked |= blockedByLayers(s, line, along, here.place, now, behind);
-      blocked |= follow(s, now, front);
-    }
-  }
-  return blocked;
-}
+layout(location = 0) out vec4 outOpenness;  // xyz: mean open direction, scene; w: accessibility
 
 // The open sectors' directions, times their share of the slice.
 vec3 openDirection(Slice s, uint open) {
-  const int parts = 8;
   vec3 sum = vec3(0.0);
-  float low = s.lean - 0.5 * pi;
-  float wide = pi / float(parts);
   for (int i = 0; i < parts; ++i) {
-    float from = low + float(i) * wide, to = from + wide, angle = from + 0.5 * wide;
-    uint part = sectorsBetween(s, shareTo(s, vec2(sin(from), cos(from))), shareTo(s, vec2(sin(to), cos(to))));
-    sum += float(bitCount(open & part)) * (sin(angle) * s.d + cos(angle) * s.v);
+    vec3 direction;
+    uint part = partOf(s, i, direction);
+    sum += float(bitCount(open & part)) * direction;
   }
   return sum / float(sectors);
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) + corner.xy;
-  ivec2 inPattern = ivec2(gl_FragCoord.xy) + corner.zw;
+  ivec2 pixel = pixelHere();
+  ivec2 inPattern = placeInPattern();
   Seen here = seenIn(firstLayer, pixel);
   outOpenness = vec4(0.0, 0.0, 0.0, 1.0);
   if (!here.there) return;
@@ -188,14 +31,13 @@ void main() {
   float turn = turnOf(inPattern);
   float shift = shiftOf(inPattern);
   vec3 direction = vec3(0.0);
+  vec3 received = vec3(0.0);  // nothing
   float open = 0.0;
   float whole = 0.0;
   for (int i = 0; i < slices; ++i) {
-    float angle = pi * (float(i) + turn) / float(slices);
-    Slice s = sliceOf(here.normal, v, cos(angle) * x + sin(angle) * y, fract(7.0 * turn + 0.618034 * float(i)));
+    Slice s = sliceNumber(i, here, v, x, y, turn);
     if (!(s.weight > 1e-5)) continue;
-    uint free = ~(blockedSectors(s, vec2(pixel) + 0.5, here, 1.0, shift) |
-                  blockedSectors(s, vec2(pixel) + 0.5, here, -1.0, 1.0 - shift));
+    uint free = ~blockedSectors(s, vec2(pixel) + 0.5, here, shift, received);
     whole += s.weight;
     open += s.weight * float(bitCount(free)) / float(sectors);
     direction += s.weight * openDirection(s, free);

@@ -31,8 +31,8 @@ float occlusionAlong(vec2 start, Seen here, vec3 v, vec3 d, float shift) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) + corner.xy;
-  ivec2 inPattern = ivec2(gl_FragCoord.xy) + corner.zw;
+  ivec2 pixel = pixelHere();
+  ivec2 inPattern = placeInPattern();
   Seen here = seenIn(firstLayer, pixel);
   outOpenness = vec4(0.0, 0.0, 0.0, 1.0);
   if (!here.there) return;

@@ -4,6 +4,8 @@ uniform sampler2D firstLayer;   // nearest to the eye
 uniform sampler2D secondLayer;  // behind it, fronts and backs
 uniform vec4 screen;            // xy: size of the layers, pixels; z: radius, m; w: greatest reach, pixels
 uniform ivec4 corner;           // xy: of this picture in the layers; zw: added to a pixel for its place in patterns
+uniform int stride;             // pixels of the layers from one pixel of this picture to the next
+uniform vec2 rotation;          // of patterns: added to turns and shifts
 
 const float tiny = 1e-12;
 
@@ -56,10 +58,14 @@ void axesAround(vec3 v, out vec3 x, out vec3 y) {
   y = cross(v, x);
 }
 
+// Of the layers, where this fragment looks at them, and the same in patterns.
+ivec2 pixelHere() { return stride * ivec2(gl_FragCoord.xy) + corner.xy; }
+ivec2 placeInPattern() { return ivec2(gl_FragCoord.xy) + corner.zw; }
+
 // A pixel's place in a pattern of 4 x 4 that the filter averages: 16 turns and 4 shifts, 0 to 1, after Jimenez et al.,
 // "Practical real-time strategies for accurate indirect occlusion", 2016.
-float turnOf(ivec2 pixel) { return (float(((pixel.x + pixel.y) & 3) * 4 + (pixel.x & 3)) + 0.5) / 16.0; }
-float shiftOf(ivec2 pixel) { return (float((pixel.y - pixel.x) & 3) + 0.5) / 4.0; }
+float turnOf(ivec2 pixel) { return fract((float(((pixel.x + pixel.y) & 3) * 4 + (pixel.x & 3)) + 0.5) / 16.0 + rotation.x); }
+float shiftOf(ivec2 pixel) { return fract((float((pixel.y - pixel.x) & 3) + 0.5) / 4.0 + rotation.y); }
 
 // Pixels that a direction from a place covers within the radius: a line, as the eye lies in its plane.
 struct Line {

@@ -16,6 +16,9 @@ float levelOfRoughness(float roughness) {
   return max(log2(lobe) - skyLevels.x, 0.0);
 }
 
+// About the mip level of the sky whose texels are as large as a solid angle.
+float levelOfSolidAngle(float solidAngle) { return max(0.5 * log2(max(solidAngle, 1e-9)) - skyLevels.x, 0.0); }
+
 // Sky radiance over pi times the cosine, gathered around a normal; RGB of ambient[] are premultiplied. `bands` scales
 // the first and the second band of SH.
 vec3 ambientAround(vec3 n, vec2 bands) {

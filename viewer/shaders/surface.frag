@@ -38,9 +38,15 @@ in vec4 vLampVisibility[4];
 uniform sampler2D caustics;   // irradiance of every pixel
 uniform ivec4 causticCorner;  // xy: of this picture in theirs; w: samples a pixel of this one, 0 where there are none
 uniform sampler2D screenInput;  // openness of every sample, as shaders of screen-space occlusion write it
+uniform sampler2D screenLamps, screenBounce;  // as screen_ssdo.frag writes them
 
 layout(location = 0, index = 0) out vec4 outRadiance;
 layout(location = 0, index = 1) out vec4 outTransmitted;  // factor of what lies behind
+
+// Screen-space occlusion knows which light arrives; a sender shows no more than what it scatters of that.
+const bool isSender = ambientRule == ambientSender;
+const bool findsBounce = ambientRule == ambientScreenBounce;
+const bool findsLight = ambientRule == ambientScreenLight || findsBounce || isSender;
 
 // How far a layer's reflectance along the normal makes a mirror of a dielectric: diamond's, 0.17, not at all.
 float mirrorShare(vec3 f0) { return clamp((max(f0.r, max(f0.g, f0.b)) - 0.2) / 0.3, 0.0, 1.0); }
@@ -79,14 +85,13 @@ vec3 mirroredShape(Light light, FragmentMaterial m, vec3 n, vec3 toEye, vec3 toL
 }
 
 // Diffuse light of a light that does not come through the transfer; specular reflection of any, but for what the
-// transfer reflects.
-vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
+// transfer reflects. `arriving`: share that comes past what the picture shows.
+vec3 shadeLight(Light light, float arriving, FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
   bool transferred = isTransferred(light);
   if (transferred && reflectionRule == reflectionThroughTransfer) return sum;
   vec3 toLight;
   vec3 irradiance = irradianceOn(light, vPosition, n, toLight);
-  float arriving = 1.0;
   if (cone.there) arriving *= lampInCone(cone, toLight);
   if (hasNearLamps) arriving *= lampShadow(light);
   if (!transferred) sum += arriving * irradiance * m.albedo / pi;
@@ -103,14 +108,15 @@ vec3 shadeLight(Light light, FragmentMaterial m, vec3 n, vec3 toEye, float specu
 
 vec3 shadeLights(FragmentMaterial m, vec3 n, vec3 toEye, float specularWeight, OpenCone cone) {
   vec3 sum = vec3(0.0);
+  vec4 open = findsLight ? texelFetch(screenLamps, ivec2(gl_FragCoord.xy), 0) : vec4(1.0);
   // Lamps whose number is known are read once for all pixels.
-  if (lampCount > 0) sum += shadeLight(lights[0], m, n, toEye, specularWeight, cone);
-  if (lampCount > 1) sum += shadeLight(lights[1], m, n, toEye, specularWeight, cone);
-  if (lampCount > 2) sum += shadeLight(lights[2], m, n, toEye, specularWeight, cone);
-  if (lampCount > 3) sum += shadeLight(lights[3], m, n, toEye, specularWeight, cone);
+  if (lampCount > 0) sum += shadeLight(lights[0], open.x, m, n, toEye, specularWeight, cone);
+  if (lampCount > 1) sum += shadeLight(lights[1], open.y, m, n, toEye, specularWeight, cone);
+  if (lampCount > 2) sum += shadeLight(lights[2], open.z, m, n, toEye, specularWeight, cone);
+  if (lampCount > 3) sum += shadeLight(lights[3], open.w, m, n, toEye, specularWeight, cone);
   if (lampCount < 0 || !onlyDiffuseSamples) {
     int count = onlyDiffuseSamples ? counts.y : counts.x;
-    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], m, n, toEye, specularWeight, cone);
+    for (int k = max(lampCount, 0); k < count; ++k) sum += shadeLight(lights[k], k < 4 ? open[k] : 1.0, m, n, toEye, specularWeight, cone);
   }
   if (!onlyDiffuseSamples) return sum;
   vec3 irradiance = vec3(0.0);
@@ -139,14 +145,30 @@ vec3 bumpedIrradiance(bool front, vec3 n, vec3 m) {
 struct Openness {
   float accessibility;
   vec3 direction;
+  vec3 irradiance;  // over pi; where light was found
 };
 
 Openness opennessHere() {
+  if (findsLight) {
+    vec4 sky = texelFetch(screenInput, ivec2(gl_FragCoord.xy), 0);
+    return Openness(sky.w, vec3(0.0), sky.rgb);
+  }
   if (ambientRule == ambientScreen) {
     vec4 seen = texelFetch(screenInput, ivec2(gl_FragCoord.xy), 0);
-    return Openness(seen.w, seen.xyz);
+    return Openness(seen.w, seen.xyz, vec3(0.0));
   }
-  return Openness(vAccessibility, ambientRule == ambientAccessible && gl_FrontFacing ? vBentNormal.xyz : vec3(0.0));
+  return Openness(vAccessibility, ambientRule == ambientAccessible && gl_FrontFacing ? vBentNormal.xyz : vec3(0.0), vec3(0.0));
+}
+
+// What screen-space occlusion found arrives; n: without bumps, which turn the sky's light alone.
+vec3 shadeFoundLight(FragmentMaterial m, vec3 n, vec3 bumped, Openness open) {
+  vec3 arriving = open.irradiance;
+  if (hasNormalTexture) arriving *= ambientAround(bumped) / max(ambientAround(n), vec3(1e-6));
+  if (interreflection) arriving *= brightenedAccessibility(open.accessibility, m.albedo) / max(open.accessibility, 1e-6);
+  if (findsBounce) arriving += texelFetch(screenBounce, ivec2(gl_FragCoord.xy), 0).rgb;
+  vec3 radiance = m.albedo * arriving;
+  if (hasTranslucency && translucency.a > 0.0) radiance += m.through * open.accessibility * ambientAround(-bumped);
+  return radiance;
 }
 
 // n: without bumps.
@@ -167,6 +189,7 @@ vec3 shadeAmbient(FragmentMaterial m, vec3 n, vec3 bumped, Openness open, OpenCo
     if (hasCharts && vChartCoord.w > 0.5) return m.albedo * texture(lightMaps, vChartCoord.xyz).rgb;
     return m.albedo * vTransferred;
   }
+  if (findsLight) return shadeFoundLight(m, n, bumped, open);
   vec3 around = dot(open.direction, open.direction) > 1e-12 ? normalize(open.direction) : bumped;
   vec3 share = interreflection ? brightenedAccessibility(open.accessibility, m.albedo) : vec3(open.accessibility);
   vec3 radiance = m.albedo * share * (cone.there ? skyInCone(cone) : ambientAround(around));
@@ -180,7 +203,7 @@ void main() {
   if (hasCutouts && m.alpha < surfaceFactors.w) discard;
   float alpha = hasBlending && alphaBlend != 0 ? clamp(m.alpha, 0.0, 1.0) : 1.0;
   if (hasUnlit && unlit != 0) {
-    outRadiance = vec4(m.base * alpha, 1.0);
+    outRadiance = vec4(isSender ? vec3(0.0) : m.base * alpha, 1.0);
     outTransmitted = vec4(vec3(1.0 - alpha), 1.0);
     return;
   }
@@ -193,14 +216,14 @@ void main() {
   // Through diffuse transfer, exit radiance is the albedo times the transferred light and nothing else where a surface
   // is diffuse.
   float layer = hasGloss ? mirrorShare(m.dielectric) * (1.0 - m.metallic) : 0.0;
-  float glossy = hasGloss ? max(max(m.metallic, m.transmission), layer) : 0.0;
+  float glossy = hasGloss && !isSender ? max(max(m.metallic, m.transmission), layer) : 0.0;
   m.albedo *= 1.0 - layer * max(m.dielectric.r, max(m.dielectric.g, m.dielectric.b));
-  float specularWeight = reflectionRule == reflectionOffMetals ? glossy : 1.0;
+  float specularWeight = reflectionRule == reflectionOffMetals || isSender ? glossy : 1.0;
 
   OpenCone cone = openCone();
   Openness open = opennessHere();
-  vec3 radiance =
-    m.emission * vGlow + shadeAmbient(m, even, n, open, cone) + shadeLights(m, n, toEye, specularWeight, cone);
+  vec3 radiance = isSender ? vec3(0.0) : m.emission * vGlow;
+  radiance += shadeAmbient(m, even, n, open, cone) + shadeLights(m, n, toEye, specularWeight, cone);
   if (throughRule == throughAllLights) radiance += vReflected;
   if (hasCaustics && causticCorner.w != 0) {
     radiance += m.albedo / pi * texelFetch(caustics, ivec2(gl_FragCoord.xy) / causticCorner.w + causticCorner.xy, 0).rgb;

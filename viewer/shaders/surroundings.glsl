@@ -66,9 +66,6 @@ vec3 surroundingRadiance(vec3 point, vec3 way, float roughness) {
 
 float texelOfCube() { return pi / 2.0 / float(textureSize(surroundings, 0).x); }
 
-// About the mip level of the sky whose texels are as large as a solid angle.
-float levelOfSolidAngle(float solidAngle) { return max(0.5 * log2(max(solidAngle, 1e-9)) - skyLevels.x, 0.0); }
-
 // The same of all that a cone of a solid angle about the direction meets.
 vec3 surroundingWithin(vec3 point, vec3 way, float solidAngle) {
   if (cube < 0) return skyRadiance(way, levelOfSolidAngle(solidAngle));
