@@ -110,10 +110,10 @@ struct BenchmarkOptions {
   std::uint64_t techniqueCrowdRays = 1024;  ///< of the others, at most
   int techniqueOrder = 6;                   ///< largest of SH and CH
   int techniqueHaarSize = 32;               ///< texels of a face's side
-  int techniqueWidth = 320;                 ///< pixels
-  int techniqueHeight = 180;
+  int techniqueWidth = 240;                 ///< pixels
+  int techniqueHeight = 135;
   std::uint64_t techniqueSamples = 1u << 16;  ///< a pixel of the truth at most
-  double techniqueTruthSeconds = 100.0;       ///< of the truth of a scene, about, at most
+  double techniqueTruthSeconds = 60.0;        ///< of the truth of a scene, about, at most
   int techniqueFrames = 9;                    ///< of each technique, whose times' median counts
   int techniqueObjects = 25;                  ///< of the crowd
   int techniqueLights = 20;

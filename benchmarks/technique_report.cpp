@@ -45,16 +45,18 @@ std::string claimText(int claim) {
 
 std::string truthText(const SceneComparison& scene) {
   const Truth& truth = scene.truth;
-  const double share = truthShare(scene);
+  const TruthShare share = truthShare(scene);
   std::string text = fmt::format(
-      "The truth is of {} samples a pixel; its RMSE is its standard error, {:.2f} of the best technique's{}; "
-      "its "
-      "FLIP\nthat of one half of its samples against the other.",
-      truth.samples, share, share <= wantedShare ? "" : fmt::format(" and so more than {:g}", wantedShare));
+      "The truth is of {} samples a pixel, of direct light and of the rest. Its RMSE is its standard error, "
+      "{:.2f} of the "
+      "best technique's,\nof which two truths leave {:.3f} in what is measured; its FLIP is that of one half "
+      "of "
+      "its samples against the other.",
+      samplesText(truth), share.picture, share.left);
   for (const Truth& claimed : scene.claimed)
     text += fmt::format(" That of {} light is of {} samples, with a standard error of {:.4f}.",
-                        claimed.depth == claims::directLight ? "direct" : "once reflected", claimed.samples,
-                        claimed.rmse);
+                        claimed.depth == claims::directLight ? "direct" : "once reflected",
+                        samplesText(claimed), claimed.rmse);
   return text + "\n\n";
 }
 
@@ -68,7 +70,7 @@ std::string sceneTable(const SceneComparison& scene) {
       fileNameOf(scene.name));
   for (const TechniqueResult& row : scene.techniques)
     text +=
-        fmt::format("| {} | {} | {} | {} | {} | {:.4f} | {:.4f} | {} | {} | {:.4f} | {:.4f} |\n", row.name,
+        fmt::format("| {} | {} | {} | {} | {} | {:.4f} | {:.1g} | {} | {} | {:.4f} | {:.4f} |\n", row.name,
                     shortNumber(precompute(row)), bytesText(row.bytes), shortNumber(1e3 * row.frameSeconds),
                     shortNumber(1e3 * row.frameProcessorSeconds), row.error.rmse, row.error.standardError,
                     row.rank, claimText(row.claim), row.ofClaim.rmse, row.flip);

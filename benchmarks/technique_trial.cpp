@@ -16,6 +16,7 @@
 #include "benchmarks/probe_lights.h"
 #include "benchmarks/take_turns.h"
 #include "gi/global_illumination.h"
+#include "gpu/light_tables.h"
 #include "integrators/reference.h"
 #include "io/baked_file.h"
 #include "projectors/light_map/light_map_file.h"
@@ -63,6 +64,15 @@ class TracedScene {
             0.0};
   }
 
+  /// Of every lamp at every place, where there is nothing but lamps.
+  reference::ReferenceRequest ofDirectLight(reference::ReferenceRequest request) const {
+    request.depth = claims::directLight;
+    const CompiledScene& scene = own_ ? *own_ : compared_.scene.compiled;
+    const bool lampsAlone = !compared_.sky && makeLightTables(scene, {}, nullptr, true).groupCount == 0;
+    if (lampsAlone) request.integrator = reference::Integrator::Whitted;
+    return request;
+  }
+
  private:
   const ComparedScene& compared_;
   std::vector<Light> lights_;
@@ -94,10 +104,11 @@ void rank(std::vector<TechniqueResult>& techniques) {
   }
 }
 
-double truthShare(const SceneComparison& scene) {
-  double best = std::numeric_limits<double>::infinity();
-  for (const TechniqueResult& row : scene.techniques) best = std::min(best, row.error.rmse);
-  return scene.truth.rmse / best;
+TruthShare truthShare(const SceneComparison& scene) {
+  const auto best =
+      std::min_element(scene.techniques.begin(), scene.techniques.end(),
+                       [](const auto& a, const auto& b) { return a.error.rmse < b.error.rmse; });
+  return {scene.truth.rmse / best->error.rmse, best->error.standardError / best->error.rmse};
 }
 
 void warmUp(const std::vector<Technique>& techniques, const Device& device, const Progress& progress) {
@@ -226,21 +237,29 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
   const viewer::View& view = entries_.front()->view;
   const TracedScene traced(scene_, view.lights);
   const reference::ReferenceInputs inputs = traced.inputs(view.camera);
+  reference::ReferenceRequest request;
+  request.width = result.width;
+  request.height = result.height;
+  request.samples = std::max<std::uint64_t>(options_.techniqueSamples / 2, 1);
+  TracedLight direct(inputs, traced.ofDirectLight(request), device_, progress_);
+  // The truth of all light comes first: what direct light others claim has been traced with it.
   const auto trace = [&](int claim, double seconds, MeasuredError TechniqueResult::*error) {
-    reference::ReferenceRequest request;
     request.depth = claim;
-    request.width = result.width;
-    request.height = result.height;
-    return traceTruth(inputs, request, {options_.techniqueSamples, seconds}, device_, progress_,
-                      [&](const Truth& truth) {
-                        double best = std::numeric_limits<double>::infinity();
-                        for (TechniqueResult& row : result.techniques) {
-                          if (claim != claims::allLight && row.claim != claim) continue;
-                          row.*error = errorBetween(row.picture, truth.first, truth.second);
-                          best = std::min(best, (row.*error).rmse);
-                        }
-                        return truth.rmse <= wantedShare * best;
-                      });
+    request.leastDepth = claims::directLight + 1;
+    TracedLight rest(inputs, request, device_, progress_);
+    std::vector<TracedLight*> parts = {&direct};
+    if (claim > claims::directLight) parts.push_back(&rest);
+    Truth found = traceTruth(parts, {options_.techniqueSamples, seconds}, [&](const Truth& truth) {
+      double best = std::numeric_limits<double>::infinity();
+      for (TechniqueResult& row : result.techniques) {
+        if (claim != claims::allLight && row.claim != claim) continue;
+        row.*error = errorBetween(row.picture, truth.first, truth.second);
+        best = std::min(best, (row.*error).rmse);
+      }
+      return truth.rmse <= wantedShare * best;
+    });
+    found.depth = claim;
+    return found;
   };
   result.truth = trace(claims::allLight, options_.techniqueTruthSeconds, &TechniqueResult::error);
   std::set<int> claimed;
@@ -250,8 +269,8 @@ void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
     if (row.claim != claims::allLight) claimed.insert(row.claim);
   }
   for (const int claim : claimed)
-    result.claimed.push_back(
-        trace(claim, claimedShare * options_.techniqueTruthSeconds, &TechniqueResult::ofClaim));
+    result.claimed.push_back(trace(claim, direct.seconds() + claimedShare * options_.techniqueTruthSeconds,
+                                   &TechniqueResult::ofClaim));
   rank(result.techniques);
 }
 

@@ -56,8 +56,12 @@ void rank(std::vector<TechniqueResult>& techniques);
 /// The truth's error is at most this share of the best technique's, where it has samples enough.
 constexpr double wantedShare = 0.1;
 
-/// Error of the truth over that of the best technique, without the truth's part.
-double truthShare(const SceneComparison& scene);
+/// What the truth's noise is beside the error of the best technique.
+struct TruthShare {
+  double picture = 0.0;  ///< the truth's own error
+  double left = 0.0;     ///< what of it is left in the technique's measured error
+};
+TruthShare truthShare(const SceneComparison& scene);
 
 /// A scene with a bake and a renderer for each technique that shows something of its own in it. Needs a
 /// current OpenGL context; the arguments outlive it.

@@ -41,7 +41,9 @@ void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& resu
   const std::string truth = scene.name + "/path traced";
   results.push_back({"techniques", truth, "time", scene.truth.seconds, "s", {}, {}});
   results.push_back({"techniques", truth, "standard error", scene.truth.rmse, "W/(m2 sr)", {}, {}});
-  results.push_back({"techniques", truth, "over the best technique's", truthShare(scene), "1", {}, {}});
+  const TruthShare share = truthShare(scene);
+  results.push_back({"techniques", truth, "over the best technique's", share.picture, "1", {}, {}});
+  results.push_back({"techniques", truth, "left in the best technique's", share.left, "1", {}, {}});
 }
 
 std::vector<std::string> notesOn(const TechniqueReport& report) {
@@ -51,10 +53,11 @@ std::vector<std::string> notesOn(const TechniqueReport& report) {
       "infinity, as seen from "
       "the scene's middle; SH and CH of diffuse surfaces see it from every vertex."};
   for (const SceneComparison& scene : report.scenes)
-    if (const double share = truthShare(scene); share > wantedShare)
-      notes.push_back(fmt::format(
-          "{}: the truth's own error is {:.2f} of the best technique's, more than {:g}: give --spp more.",
-          scene.name, share, wantedShare));
+    if (const double left = truthShare(scene).left; left > wantedShare)
+      notes.push_back(
+          fmt::format("{}: the truth's noise leaves {:.2f} of the best technique's error in doubt, more than "
+                      "{:g}: give --spp more.",
+                      scene.name, left, wantedShare));
   return notes;
 }
 

@@ -1,7 +1,9 @@
 #include "benchmarks/truth.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
 
 #include "benchmarks/flip.h"
 #include "benchmarks/measure.h"
@@ -10,38 +12,27 @@ namespace prelight::benchmarks {
 
 namespace {
 
-/// Samples of a pixel that are one sequence: the more, the better they spread, but so many are traced at
-/// least.
-constexpr std::uint64_t mostSamplesPerPass = 128;
+/// Samples of a pixel that are one sequence: the more, the better they spread.
+constexpr std::uint64_t samplesPerPass = 64;
 
-/// One of a truth's two pictures, as it grows.
-struct Half {
-  reference::ReferenceRequest request;
-  reference::Film film;
+Picture sumOf(std::span<TracedLight* const> parts, int half) {
+  Picture sum = parts.front()->half(half);
+  for (std::size_t part = 1; part < parts.size(); ++part)
+    for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += parts[part]->half(half).pixels[i];
+  return sum;
+}
 
-  Half(const reference::ReferenceRequest& asked, std::uint64_t seed)
-      : request(asked), film(asked.width, asked.height) {
-    request.seed = seed;
-  }
-
-  /// Seconds that it took.
-  double grow(const reference::ReferenceInputs& inputs, std::uint64_t samples, const Device& device,
-              const Progress& progress) {
-    request.samples = samples;
-    reference::ReferenceReport report;
-    StopOnly quiet(progress);
-    reference::renderReference(
-        inputs, request, device, quiet, [] {}, film, report);
-    return report.seconds;
-  }
-};
-
-void compare(const std::array<Half, 2>& halves, Truth& truth) {
-  truth.first = halves[0].film.picture();
-  truth.second = halves[1].film.picture();
+void add(std::span<TracedLight* const> parts, Truth& truth) {
+  truth.first = sumOf(parts, 0);
+  truth.second = sumOf(parts, 1);
   // The halves differ by sqrt(2) of a half's error, which is sqrt(2) of their mean's.
   truth.rmse = 0.5 * pictureRmse(truth.first, truth.second);
-  truth.samples = 2 * halves[0].film.passes * halves[0].request.samplesPerPass;
+  truth.samples.clear();
+  truth.seconds = 0.0;
+  for (const TracedLight* part : parts) {
+    truth.samples.push_back(part->samples());
+    truth.seconds += part->seconds();
+  }
 }
 
 void finish(Truth& truth) {
@@ -50,6 +41,20 @@ void finish(Truth& truth) {
   for (std::size_t i = 0; i < truth.picture.pixels.size(); ++i)
     truth.picture.pixels[i] = 0.5f * (truth.first.pixels[i] + truth.second.pixels[i]);
   truth.displayed = displayed(truth.picture);
+}
+
+/// Which loses most of its variance in a second; nullptr: none has samples left within the effort.
+TracedLight* worthMost(std::span<TracedLight* const> parts, const TruthEffort& effort, double left) {
+  TracedLight* best = nullptr;
+  double most = 0.0;
+  for (TracedLight* part : parts) {
+    if (2 * part->samples() > effort.mostSamples || part->nextSeconds() > left) continue;
+    const double worth = part->rmse() * part->rmse() / part->nextSeconds();
+    if (worth <= most) continue;
+    most = worth;
+    best = part;
+  }
+  return best;
 }
 
 }  // namespace
@@ -61,22 +66,55 @@ std::vector<glm::vec3> displayed(const Picture& picture) {
   return result;
 }
 
-Truth traceTruth(const reference::ReferenceInputs& inputs, reference::ReferenceRequest request,
-                 const TruthEffort& effort, const Device& device, const Progress& progress,
+std::string samplesText(const Truth& truth) { return fmt::format("{}", fmt::join(truth.samples, " + ")); }
+
+TracedLight::TracedLight(const reference::ReferenceInputs& inputs, reference::ReferenceRequest request,
+                         const Device& device, const Progress& progress)
+    : inputs_(inputs),
+      device_(device),
+      progress_(progress),
+      next_(std::min(request.samples, samplesPerPass)) {
+  request.samplesPerPass = static_cast<std::uint32_t>(next_);
+  for (std::uint64_t seed = 0; seed < halves_.size(); ++seed) {
+    request.seed = seed;
+    halves_[seed] = {request, reference::Film(request.width, request.height)};
+  }
+}
+
+std::uint64_t TracedLight::samples() const {
+  return 2 * halves_[0].film.passes * halves_[0].request.samplesPerPass;
+}
+
+/// The first grow() makes as many samples as the second, each later one twice as many as the one before.
+double TracedLight::nextSeconds() const { return std::max(seconds_, 1e-6); }
+
+void TracedLight::grow() {
+  for (std::size_t i = 0; i < halves_.size(); ++i) {
+    halves_[i].request.samples = next_;
+    reference::ReferenceReport report;
+    StopOnly quiet(progress_);
+    reference::renderReference(
+        inputs_, halves_[i].request, device_, quiet, [] {}, halves_[i].film, report);
+    pictures_[i] = halves_[i].film.picture();
+    seconds_ += report.seconds;
+  }
+  next_ *= 2;
+  rmse_ = 0.5 * pictureRmse(pictures_[0], pictures_[1]);
+}
+
+Truth traceTruth(std::span<TracedLight* const> parts, const TruthEffort& effort,
                  const std::function<bool(const Truth&)>& isEnough) {
-  const std::uint64_t most = std::max<std::uint64_t>(effort.mostSamples / 2, 1);
-  request.samplesPerPass = static_cast<std::uint32_t>(std::min(most, mostSamplesPerPass));
-  std::array<Half, 2> halves = {Half(request, 0), Half(request, 1)};
   Truth truth;
-  truth.depth = request.depth;
-  for (std::uint64_t samples = request.samplesPerPass; samples <= most; samples *= 2) {
-    double spent = 0.0;
-    for (Half& half : halves) spent += half.grow(inputs, samples, device, progress);
-    truth.seconds += spent;
-    compare(halves, truth);
-    const bool wasFirst = samples == request.samplesPerPass;
-    const double next = wasFirst ? spent : 2.0 * spent;  // as many as there are
-    if (isEnough(truth) || truth.seconds + next > effort.mostSeconds) break;
+  for (TracedLight* part : parts)
+    if (part->samples() == 0) part->grow();
+  add(parts, truth);
+  double spent = truth.seconds;
+  while (!isEnough(truth)) {
+    TracedLight* part = worthMost(parts, effort, effort.mostSeconds - spent);
+    if (part == nullptr) break;
+    part->grow();
+    add(parts, truth);
+    spent = truth.seconds;
   }
   finish(truth);
   return truth;
