@@ -10,6 +10,7 @@
 #include "scene/builtin/gltf_builder.h"
 #include "scene/builtin/mesh_shapes.h"
 #include "scene/gltf/loader.h"
+#include "viewer/light_option.h"
 
 namespace prelight::benchmarks {
 
@@ -70,21 +71,28 @@ glm::vec3 hue(double turn) {
   return {channel(0.0), channel(1.0 / 3.0), channel(2.0 / 3.0)};
 }
 
+/// Where a sunflower has its seeds: evenly apart, in no rows. Returns its material.
+int addCrowdObject(int number, GltfBuilder& builder) {
+  constexpr double lift = 0.01;  // no face lies in the ground's plane
+  constexpr double spacing = 1.35;
+  const double radius = spacing * std::sqrt(number + 0.3), angle = goldenAngle * number;
+  const int material = builder.addDiffuse(fmt::format("Colour {}", number), hue(0.381966 * number));
+  builder.addObject(fmt::format("Object {}", number), shapeOf(number * 3 + number / 5), material,
+                    glm::vec3(radius * std::cos(angle), lift, radius * std::sin(angle)), 1.7 * number);
+  return material;
+}
+
 GltfDocument crowdOf(int objects, int lights) {
   GltfBuilder builder("crowd");
-  // Objects hover by a centimetre: no face lies in the ground's plane.
-  constexpr double lift = 0.01, half = 8.0, spacing = 1.35;
+  constexpr double half = 8.0;
   constexpr int metalEvery = 6;
   std::vector<int> metals;
   builder.addObject("Ground",
                     makeGrid({-half, 0.0, half}, {2 * half, 0.0, 0.0}, {0.0, 0.0, -2 * half}, 48, 48),
                     builder.addDiffuse("Ground", {0.7f, 0.7f, 0.7f}));
-  for (int i = 0; i < objects; ++i) {  // a sunflower's seeds: evenly apart, in no rows
-    const double radius = spacing * std::sqrt(i + 0.3), angle = goldenAngle * i;
-    const int material = builder.addDiffuse(fmt::format("Colour {}", i), hue(0.381966 * i));
+  for (int i = 0; i < objects; ++i) {
+    const int material = addCrowdObject(i, builder);
     if (i % metalEvery == metalEvery - 1) metals.push_back(material);
-    builder.addObject(fmt::format("Object {}", i), shapeOf(i * 3 + i / 5), material,
-                      glm::vec3(radius * std::cos(angle), lift, radius * std::sin(angle)), 1.7 * i);
   }
   for (int i = 0; i < lights; ++i) {
     const double radius = 7.5 * std::sqrt((i + 0.5) / lights), angle = goldenAngle * i + 1.0;
@@ -101,6 +109,14 @@ GltfDocument crowdOf(int objects, int lights) {
 }
 
 }  // namespace
+
+std::string ComparedScene::light() const {
+  if (sky) return "a sky";
+  if (!lamps.empty()) return fmt::format("{} area lights", lamps.size());
+  const std::size_t count = scene.compiled.lights.size();
+  if (count == 0) return "a lamp of its own";
+  return fmt::format("{} light{}", count, count == 1 ? "" : "s");
+}
 
 ComparedScene makeShapes() { return loaded("shapes", makeBuiltinScene("shapes")); }
 
@@ -120,6 +136,26 @@ ComparedScene makeCrowd(int objects, int lights) { return loaded("crowd", crowdO
 ComparedScene makeCrowdUnder(const Environment& sky, int objects) {
   ComparedScene result = loaded("crowd under a sky", crowdOf(objects, 0));
   result.sky = sky;
+  return result;
+}
+
+ComparedScene makeCrowdWithObject(const Environment& sky, int objects) {
+  ComparedScene result = loaded("crowd with an object put in", crowdOf(objects, 0));
+  GltfBuilder alone("object");
+  addCrowdObject(objects - 1, alone);
+  result.put =
+      PutObject{loaded("crowd", crowdOf(objects - 1, 0)).scene, loaded("object", alone.take()).scene};
+  result.sky = sky;
+  return result;
+}
+
+ComparedScene makeRoom() { return loaded("cornell", makeBuiltinScene("cornell")); }
+
+ComparedScene makeRoomsByAreaLights() {
+  ComparedScene result = loaded("rooms by area lights", makeBuiltinScene("rooms"));
+  for (const char* lamp :
+       {"area:quad:3.9,1.4,-0.4:-1,0,0:1,0.7:12,11,9", "area:sphere:-1.9,1.8,0.4:0.3:14,14,16"})
+    result.lamps.push_back(viewer::parseLight(lamp));
   return result;
 }
 

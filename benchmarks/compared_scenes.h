@@ -9,11 +9,22 @@
 
 namespace prelight::benchmarks {
 
+/// The parts of a scene of which one was put in last.
+struct PutObject {
+  BenchmarkScene without;  ///< the scene before
+  BenchmarkScene object;   ///< by itself, where it stands; its vertices are the scene's last
+};
+
 /// A scene that techniques are compared on.
 struct ComparedScene {
   BenchmarkScene scene;
-  GltfDocument document;           ///< that `scene` was loaded from
-  std::optional<Environment> sky;  ///< nothing else lights the scene, where there is one
+  GltfDocument document;                ///< that `scene` was loaded from
+  std::optional<Environment> sky = {};  ///< nothing else lights the scene, where there is one
+  std::optional<PutObject> put = {};
+  std::vector<Light> lamps = {};  ///< that light it in place of its own; empty: its own do
+
+  /// "20 lights", "a sky".
+  std::string light() const;
 };
 
 /// The built-in scene `shapes`.
@@ -29,6 +40,15 @@ ComparedScene makeCrowd(int objects, int lights);
 
 /// The same without its lights, under a sky.
 ComparedScene makeCrowdUnder(const Environment& sky, int objects);
+
+/// Half a crowd under a sky, the last of its objects put in.
+ComparedScene makeCrowdWithObject(const Environment& sky, int objects);
+
+/// The closed room `cornell` by the lamp in its ceiling.
+ComparedScene makeRoom();
+
+/// The built-in scene `rooms`, a quad and a ball in place of its lamp.
+ComparedScene makeRoomsByAreaLights();
 
 /// An evening: blue above, warm at the horizon, with a low sun of ten degrees, the ground dark. Mean radiance
 /// about 1.

@@ -26,9 +26,10 @@ struct Cell {
 std::vector<Cell> cellsOf(const SceneComparison& scene) {
   std::vector<Cell> cells = {
       {"path traced", fmt::format("own error: FLIP {:.3f}, RMSE {:.4f}", scene.truth.flip, scene.truth.rmse),
-       fmt::format("{} samples, {:.3g} s", scene.truth.samples, scene.truth.seconds), scene.truth.displayed}};
+       fmt::format("{} samples, {:.3g} s", samplesText(scene.truth), scene.truth.seconds),
+       scene.truth.displayed}};
   for (const TechniqueResult& row : scene.techniques)
-    cells.push_back({row.name, fmt::format("FLIP {:.3f}, RMSE {:.4f}", row.flip, row.rmse),
+    cells.push_back({row.name, fmt::format("FLIP {:.3f}, RMSE {:.4f}", row.flip, row.error.rmse),
                      fmt::format("{:.3g} s, {:.3g} MB, {:.0f} ms", row.firstPass + row.secondPass,
                                  static_cast<double>(row.bytes) * 1e-6, 1e3 * row.frameSeconds),
                      row.displayed});

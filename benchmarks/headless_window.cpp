@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
+#include <thread>
 
 #include "bake/animated_bake.h"
 #include "benchmarks/processor_time.h"
+#include "scene/light_sources.h"
+#include "viewer/live_follower.h"
+#include "viewer/radiosity_follower.h"
 #include "viewer/view.h"
 
 namespace prelight::benchmarks {
@@ -14,8 +19,8 @@ namespace {
 using viewer::FramePass;
 using viewer::Shading;
 
-constexpr int samplesPerAxis = 2;        // of pictures that stand still
-constexpr int mostSettlingFrames = 400;  // until light that follows has settled
+constexpr int samplesPerAxis = 2;                            // of pictures that stand still
+constexpr auto waitForLight = std::chrono::milliseconds(1);  // that is found on a thread of its own
 
 constexpr const char* nameOf(FramePass pass) {
   constexpr std::array<const char*, 6> names = {"transfer", "shadow maps", "environment maps",
@@ -45,33 +50,48 @@ viewer::View viewOf(const viewer::RenderInputs& inputs, Shading shading, const W
 
 }  // namespace
 
-WindowStage::WindowStage(const StageLook& look, Shading shading, const WindowSettings& settings,
+WindowStage::WindowStage(const StageLook& shown, Shading shading, const WindowSettings& settings,
                          const Device& device, const Progress& progress)
-    : scene(loadBuiltinScene(look.scene)),
-      inputs{.scene = scene.scene, .compiled = scene.compiled, .environment = look.sky, .device = &device} {
-  if (shading == Shading::GlobalIllumination) {
-    StopOnly quiet(progress);
-    live.emplace(scene.scene, scene.compiled, look.sky, 0.0,
-                 followingOptions(settings.width * settings.height), std::span<const int>(), device, quiet);
-    globalIllumination = illuminationOf(*live);
-    inputs.globalIllumination = &globalIllumination;
+    : look(shown),
+      scene(loadBuiltinScene(shown.scene)),
+      inputs{.scene = scene.scene, .compiled = scene.compiled, .environment = shown.sky, .device = &device} {
+  if (shading != Shading::GlobalIllumination) {
+    bakeFor(shading, settings, device, progress);
     return;
   }
+  StopOnly quiet(progress);
+  live.emplace(scene.scene, scene.compiled, look.sky, 0.0, followingOptions(settings.width * settings.height),
+               std::span<const int>(), device, quiet);
+  globalIllumination = illuminationOf(*live);
+  inputs.globalIllumination = &globalIllumination;
+}
+
+void WindowStage::bakeFor(Shading shading, const WindowSettings& settings, const Device& device,
+                          const Progress& progress) {
   BakeRequest asked, request;
   asked.sh.order = asked.ch.order = settings.order;
   viewer::infoOf(shading).addTo(request, asked);
-  if (request.anything()) {
-    if (look.sky != nullptr) request.radiosity.environment = std::make_shared<Environment>(*look.sky);
-    request.effort.rays = settings.rays;
-    bake = timedBake(scene, request, device, progress).bake;
-    if (request.sh.order > 0 && !scene.scene.animations.empty()) {
-      StopOnly quiet(progress);
-      AnimationReport report;
-      bake.animation =
-          bakeAnimation(scene.scene, scene.compiled, 0, request, {}, *bake.sh, device, quiet, report);
-    }
-    inputs.bake = &bake;
+  if (!request.anything()) return;
+  if (look.sky != nullptr) request.radiosity.environment = std::make_shared<Environment>(*look.sky);
+  request.effort.rays = settings.rays;
+  bake = timedBake(scene, request, device, progress).bake;
+  if (request.sh.order > 0 && !scene.scene.animations.empty()) {
+    StopOnly quiet(progress);
+    AnimationReport report;
+    bake.animation =
+        bakeAnimation(scene.scene, scene.compiled, 0, request, {}, *bake.sh, device, quiet, report);
   }
+  inputs.bake = &bake;
+  if (shading == Shading::Radiosity)
+    radiosity.emplace(scene.compiled, request,
+                      DeviceOptions{.selector = std::to_string(device.info().index)});
+}
+
+std::unique_ptr<viewer::LightFollower> WindowStage::makeFollower() {
+  if (live) return std::make_unique<viewer::LiveFollower>(*live, globalIllumination);
+  if (!radiosity) return nullptr;
+  return std::make_unique<viewer::RadiosityFollower>(
+      *radiosity, RadiosityLights{scene.scene.lights, shiningSky(look.sky), 0.0});
 }
 
 /// What is drawn into: eight bits a channel, as windows have.
@@ -94,8 +114,7 @@ HeadlessWindow::HeadlessWindow(WindowStage& stage, Shading shading, const Window
     : played_(stage.scene.scene),
       scene_(stage.inputs),
       renderer_(scene_.shown()),
-      light_(stage.live ? std::make_unique<viewer::LiveFollower>(*stage.live, stage.globalIllumination)
-                        : nullptr),
+      light_(stage.makeFollower()),
       follower_(
           renderer_, scene_,
           light_ ? std::vector<viewer::LightFollower*>{light_.get()} : std::vector<viewer::LightFollower*>{}),
@@ -144,10 +163,13 @@ PartTimes HeadlessWindow::timedFrame(bool settled) {
 }
 
 /// Pictures are not drawn before light has settled: they would be drawn in vain.
-bool HeadlessWindow::settle() {
+bool HeadlessWindow::settle(double mostSeconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(mostSeconds);
   follower_.update(controls_);
-  for (int i = 0; i < mostSettlingFrames && follower_.isBusy(controls_.view()); ++i)
+  while (follower_.isBusy(controls_.view()) && std::chrono::steady_clock::now() < end) {
+    if (controls_.view().shading == Shading::Radiosity) std::this_thread::sleep_for(waitForLight);
     follower_.update(controls_);
+  }
   do frame(true);
   while (renderer_.isBehind());
   return !follower_.isBusy(controls_.view());

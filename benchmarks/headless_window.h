@@ -8,8 +8,9 @@
 
 #include "benchmarks/measure.h"
 #include "gi/update/live_light.h"
+#include "radiosity/live_radiosity.h"
 #include "viewer/controls.h"
-#include "viewer/live_follower.h"
+#include "viewer/light_follower.h"
 #include "viewer/live_picture.h"
 #include "viewer/posed_scene.h"
 #include "viewer/presenter.h"
@@ -33,15 +34,24 @@ struct StageLook {
 
 /// A built-in scene with what a shading needs of it.
 struct WindowStage {
+  StageLook look;
   BenchmarkScene scene;
   Bake bake;
-  std::optional<LiveLight> live;  ///< of full shading
+  std::optional<LiveLight> live;           ///< of full shading, as detailed as the window
+  std::optional<LiveRadiosity> radiosity;  ///< of radiosity shading
   GlobalIllumination globalIllumination;
   viewer::RenderInputs inputs;
 
   /// Bakes, or computes the light of full shading. The device outlives it. Throws Interrupted.
-  WindowStage(const StageLook& look, viewer::Shading shading, const WindowSettings& settings,
+  WindowStage(const StageLook& shown, viewer::Shading shading, const WindowSettings& settings,
               const Device& device, const Progress& progress);
+
+  /// Light of the lights that it was baked with follows, for a window.
+  std::unique_ptr<viewer::LightFollower> makeFollower();
+
+ private:
+  void bakeFor(viewer::Shading shading, const WindowSettings& settings, const Device& device,
+               const Progress& progress);
 };
 
 /// Milliseconds of all threads' processor time, by part of a frame.
@@ -62,8 +72,8 @@ class HeadlessWindow {
   /// The same, waiting for OpenGL after each part.
   PartTimes timedFrame(bool settled);
 
-  /// Until nothing changes by itself. False: that took too many rounds.
-  bool settle();
+  /// Until nothing changes by itself. False: that took more than about so many seconds.
+  bool settle(double mostSeconds);
 
   /// The scene has animations, which it plays from now on.
   bool play();
@@ -77,7 +87,7 @@ class HeadlessWindow {
   const Scene& played_;
   viewer::PosedScene scene_;
   viewer::Renderer renderer_;
-  std::unique_ptr<viewer::LiveFollower> light_;
+  std::unique_ptr<viewer::LightFollower> light_;  ///< nullptr: it stays as it is
   viewer::SceneFollower follower_;
   viewer::LivePicture picture_;
   viewer::Presenter presenter_;

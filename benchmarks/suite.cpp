@@ -181,7 +181,7 @@ void quickenLight(BenchmarkOptions& options) {
 
 /// Of whole techniques, the viewer and stability.
 void quickenTechnique(BenchmarkOptions& options) {
-  options.techniqueScenes = {"shapes", "crowd under a sky"};
+  options.techniqueScenes = {"shapes", "crowd under a sky", "cornell"};
   options.techniqueRays = 8;
   options.techniqueOrder = 3;
   options.techniqueHaarSize = 4;
@@ -309,6 +309,7 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"techniqueWidth", options.techniqueWidth},
           {"techniqueHeight", options.techniqueHeight},
           {"techniqueSamples", options.techniqueSamples},
+          {"techniqueTruthSeconds", options.techniqueTruthSeconds},
           {"techniqueFrames", options.techniqueFrames},
           {"techniqueObjects", options.techniqueObjects},
           {"techniqueLights", options.techniqueLights},
@@ -329,6 +330,7 @@ nlohmann::ordered_json techniqueJson(const BenchmarkOptions& options) {
           {"viewerSizes", options.viewerSizes},
           {"viewerFrames", options.viewerFrames},
           {"viewerInputs", options.viewerInputs},
+          {"viewerSeconds", options.viewerSeconds},
           {"viewerOrder", options.viewerOrder},
           {"viewerRays", options.viewerRays},
           {"stabilityOrders", options.stabilityOrders},

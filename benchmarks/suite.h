@@ -103,16 +103,19 @@ struct BenchmarkOptions {
   /// Built-in scenes and the node of each that is moved once.
   std::vector<std::pair<std::string, std::string>> updateScenes = {
       {"cornell", "Short box"}, {"rooms", "Right crate"}, {"shapes", "Cone"}, {"caustics", "Glass sphere"}};
-  std::vector<std::string> techniqueScenes = {"shapes", "shiny shapes", "crowd", "crowd under a sky"};
+  std::vector<std::string> techniqueScenes = {
+      "shapes",  "shiny shapes",        "crowd", "crowd under a sky", "crowd with an object put in",
+      "cornell", "rooms by area lights"};
   std::uint64_t techniqueRays = 10000;      ///< a vertex, of the scenes that are as the thesis'
   std::uint64_t techniqueCrowdRays = 1024;  ///< of the others, at most
   int techniqueOrder = 6;                   ///< largest of SH and CH
   int techniqueHaarSize = 32;               ///< texels of a face's side
-  int techniqueWidth = 480;                 ///< pixels
-  int techniqueHeight = 270;
-  std::uint64_t techniqueSamples = 128;  ///< a pixel of the truth
-  int techniqueFrames = 9;               ///< of each technique, whose times' median counts
-  int techniqueObjects = 25;             ///< of the crowd
+  int techniqueWidth = 240;                 ///< pixels
+  int techniqueHeight = 135;
+  std::uint64_t techniqueSamples = 1u << 16;  ///< a pixel of the truth at most
+  double techniqueTruthSeconds = 60.0;        ///< of the truth of a scene, about, at most
+  int techniqueFrames = 9;                    ///< of each technique, whose times' median counts
+  int techniqueObjects = 25;                  ///< of the crowd
   int techniqueLights = 20;
   std::vector<std::string> nearLampScenes = {"cornell", "rooms"};
   int nearLampOrder = 6, nearLampShells = 8;
@@ -126,8 +129,9 @@ struct BenchmarkOptions {
   int screenFrames = 5;  ///< of each technique, of whose times the least counts
   std::vector<std::string> viewerScenes = {"shapes", "cornell", "rooms", "swing", "caustics"};
   std::vector<std::pair<int, int>> viewerSizes = {{640, 360}, {1280, 720}};  ///< pixels
-  int viewerFrames = 15;                                                     ///< of each movement
-  int viewerInputs = 3;            ///< of each kind, whose latency is measured
+  int viewerFrames = 15;                                                     ///< of each movement, at most
+  int viewerInputs = 3;            ///< of each kind, whose latency is measured, at most
+  double viewerSeconds = 2.5;      ///< of a case, about: what is slow is done less often
   int viewerOrder = 4;             ///< of SH
   std::uint64_t viewerRays = 256;  ///< a vertex
   int techniqueSkyRows = 256;      ///< of the sky where none is given

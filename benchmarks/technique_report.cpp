@@ -37,26 +37,47 @@ std::string shortNumber(double value) {
 
 double precompute(const TechniqueResult& row) { return row.firstPass + row.secondPass; }
 
+/// What of light a technique claims to show.
+std::string claimText(int claim) {
+  if (claim == claims::directLight) return "direct";
+  return claim == claims::oneBounce ? "a bounce" : "all";
+}
+
+std::string truthText(const SceneComparison& scene) {
+  const Truth& truth = scene.truth;
+  const TruthShare share = truthShare(scene);
+  std::string text = fmt::format(
+      "The truth is of {} samples a pixel, of direct light and of the rest. Its RMSE is its standard error, "
+      "{:.2f} of the "
+      "best technique's,\nof which two truths leave {:.3f} in what is measured; its FLIP is that of one half "
+      "of "
+      "its samples against the other.",
+      samplesText(truth), share.picture, share.left);
+  for (const Truth& claimed : scene.claimed)
+    text += fmt::format(" That of {} light is of {} samples, with a standard error of {:.4f}.",
+                        claimed.depth == claims::directLight ? "direct" : "once reflected",
+                        samplesText(claimed), claimed.rmse);
+  return text + "\n\n";
+}
+
 std::string sceneTable(const SceneComparison& scene) {
   std::string text = fmt::format(
       "## {}\n\n{} vertices, {} triangles, {}; pictures of {} x {}.\n\n![{}]({})\n\n"
-      "| | precompute, s | stored | frame, ms | processor, ms | RMSE | FLIP "
-      "|\n|---|---|---|---|---|---|---|\n",
+      "| | precompute, s | stored | frame, ms | processor, ms | RMSE | ± | rank | claims | RMSE of that | "
+      "FLIP "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|\n",
       scene.name, scene.vertices, scene.triangles, scene.light, scene.width, scene.height, scene.name,
       fileNameOf(scene.name));
   for (const TechniqueResult& row : scene.techniques)
     text +=
-        fmt::format("| {} | {} | {} | {} | {} | {:.4f} | {:.4f} |\n", row.name, shortNumber(precompute(row)),
-                    bytesText(row.bytes), shortNumber(1e3 * row.frameSeconds),
-                    shortNumber(1e3 * row.frameProcessorSeconds), row.rmse, row.flip);
+        fmt::format("| {} | {} | {} | {} | {} | {:.4f} | {:.1g} | {} | {} | {:.4f} | {:.4f} |\n", row.name,
+                    shortNumber(precompute(row)), bytesText(row.bytes), shortNumber(1e3 * row.frameSeconds),
+                    shortNumber(1e3 * row.frameProcessorSeconds), row.error.rmse, row.error.standardError,
+                    row.rank, claimText(row.claim), row.ofClaim.rmse, row.flip);
   const Truth& truth = scene.truth;
-  text += fmt::format("| path traced | 0 | 0 | {} | | {:.4f} | {:.4f} |\n\n",
+  text += fmt::format("| path traced | 0 | 0 | {} | | {:.4f} | | | all | | {:.4f} |\n\n",
                       shortNumber(1e3 * truth.seconds), truth.rmse, truth.flip);
-  return text + fmt::format(
-                    "The truth is of {} samples a pixel; its RMSE is its standard error, its FLIP that of "
-                    "one half of its "
-                    "samples against the other.\n\n",
-                    truth.samples);
+  return text + truthText(scene);
 }
 
 /// Rows of Table 7.1: each technique where it was measured first, on one of the scenes of the thesis' size.
@@ -112,9 +133,16 @@ std::string markdown(const TechniqueReport& report) {
       "milliseconds are medians, by the clock and of all processors. RMSE is of radiance up to 1 (white), "
       "FLIP of what is "
       "displayed, of pictures\n"
-      "of 9 samples a pixel against a path-traced one. DD, DS and SS are diffuse from diffuse, diffuse from "
-      "specular and\n"
-      "specular from specular interreflection; techniques have one bounce, the truth has 15.\n\n",
+      "of 9 samples a pixel against a path-traced one. RMSE is measured against two independent truths, so "
+      "that "
+      "their noise\n"
+      "is no part of it; ± is what that noise leaves of doubt (a standard error), and techniques that it "
+      "does not "
+      "tell apart share a\n"
+      "rank. What a technique claims to show is direct light, that and a bounce, or all (the truth has 15 "
+      "bounces).\n"
+      "DD, DS and SS are diffuse from diffuse, diffuse from specular and specular from specular "
+      "interreflection.\n\n",
       report.where);
   for (const std::string& note : report.notes) text += "- " + note + "\n";
   text += "\n";
@@ -126,19 +154,24 @@ std::string markdown(const TechniqueReport& report) {
 
 std::string csv(const std::vector<SceneComparison>& scenes) {
   std::string text =
-      "scene,technique,vertices,pass1_s,pass2_s,stored_bytes,frame_ms,frame_processor_ms,rmse,flip,thesis_"
-      "pass1_s,"
+      "scene,technique,vertices,pass1_s,pass2_s,stored_bytes,frame_ms,frame_processor_ms,rmse,rmse_error,"
+      "rank,"
+      "claim,rmse_of_claim,flip,thesis_pass1_s,"
       "thesis_pass2_s,thesis_frames_per_s,thesis_mb\n";
   for (const SceneComparison& scene : scenes) {
     for (const TechniqueResult& row : scene.techniques) {
-      text += fmt::format("{},{},{},{:.5g},{:.5g},{},{:.5g},{:.5g},{:.6g},{:.6g},", scene.name, row.name,
-                          scene.vertices, row.firstPass, row.secondPass, row.bytes, 1e3 * row.frameSeconds,
-                          1e3 * row.frameProcessorSeconds, row.rmse, row.flip);
+      std::string name = row.name;
+      std::erase(name, ',');
+      text +=
+          fmt::format("{},{},{},{:.5g},{:.5g},{},{:.5g},{:.5g},{:.6g},{:.3g},{},{},{:.6g},{:.6g},",
+                      scene.name, name, scene.vertices, row.firstPass, row.secondPass, row.bytes,
+                      1e3 * row.frameSeconds, 1e3 * row.frameProcessorSeconds, row.error.rmse,
+                      row.error.standardError, row.rank, claimText(row.claim), row.ofClaim.rmse, row.flip);
       text += row.thesis ? fmt::format("{:g},{:g},{:g},{:g}\n", row.thesis->firstPass, row.thesis->secondPass,
                                        row.thesis->frames, row.thesis->megabytes)
                          : ",,,\n";
     }
-    text += fmt::format("{},path traced,{},0,0,0,{:.5g},,{:.6g},{:.6g},,,,\n", scene.name, scene.vertices,
+    text += fmt::format("{},path traced,{},0,0,0,{:.5g},,{:.6g},,,,,{:.6g},,,,\n", scene.name, scene.vertices,
                         1e3 * scene.truth.seconds, scene.truth.rmse, scene.truth.flip);
   }
   return text;

@@ -6,15 +6,21 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <numbers>
+#include <set>
 
 #include "benchmarks/detailed_scene.h"
 #include "benchmarks/flip.h"
+#include "benchmarks/object_in_volume.h"
 #include "benchmarks/probe_lights.h"
 #include "benchmarks/take_turns.h"
+#include "gi/global_illumination.h"
+#include "gpu/light_tables.h"
 #include "integrators/reference.h"
 #include "io/baked_file.h"
 #include "projectors/light_map/light_map_file.h"
+#include "scene/light_shape.h"
 #include "viewer/view.h"
 
 namespace prelight::benchmarks {
@@ -24,14 +30,9 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::uint64_t warmingTriangles = 1000, warmingRays = 8;  // enough to have kernels compiled
 constexpr int pictureSamplesPerAxis = 3;
-constexpr double curveIntensity = 80.0;  // W/sr of all lights of the curve together
-
-std::vector<glm::vec3> displayed(const Picture& picture) {
-  std::vector<glm::vec3> result;
-  result.reserve(picture.pixels.size());
-  for (const glm::vec3& pixel : picture.pixels) result.push_back(toneMap(pixel));
-  return result;
-}
+constexpr std::uint32_t fullMapTexels = 1u << 14;  // of full shading's indirect light
+constexpr double claimedShare = 0.2;               // of the seconds of a truth, for those of less light
+constexpr double curveIntensity = 80.0;            // W/sr of all lights of the curve together
 
 std::size_t fileBytes(const ComparedScene& scene, const Bake& bake) {
   GltfDocument document = scene.document;
@@ -43,6 +44,41 @@ std::size_t fileBytes(const ComparedScene& scene, const Bake& bake) {
   }
   return document.bin.size() - scene.document.bin.size() + picture;
 }
+
+/// A scene as paths are traced through it: they know no area lights but as surfaces.
+class TracedScene {
+ public:
+  TracedScene(const ComparedScene& compared, std::vector<Light> lights)
+      : compared_(compared), lights_(std::move(lights)), scene_(compared.scene.scene) {
+    if (!makeSurfacesOf(lights_, scene_)) return;
+    Warnings said;
+    own_ = compileScene(scene_, said);
+  }
+
+  reference::ReferenceInputs inputs(const Camera& camera) const {
+    return {own_ ? *own_ : compared_.scene.compiled,
+            scene_.images,
+            lights_,
+            camera,
+            compared_.sky ? &*compared_.sky : nullptr,
+            0.0};
+  }
+
+  /// Of every lamp at every place, where there is nothing but lamps.
+  reference::ReferenceRequest ofDirectLight(reference::ReferenceRequest request) const {
+    request.depth = claims::directLight;
+    const CompiledScene& scene = own_ ? *own_ : compared_.scene.compiled;
+    const bool lampsAlone = !compared_.sky && makeLightTables(scene, {}, nullptr, true).groupCount == 0;
+    if (lampsAlone) request.integrator = reference::Integrator::Whitted;
+    return request;
+  }
+
+ private:
+  const ComparedScene& compared_;
+  std::vector<Light> lights_;
+  Scene scene_;
+  std::optional<CompiledScene> own_;
+};
 
 /// The view with its lights and sky turned about the vertical through the middle of the scene.
 viewer::View turned(viewer::View view, const CompiledScene& scene, double angle) {
@@ -57,15 +93,22 @@ viewer::View turned(viewer::View view, const CompiledScene& scene, double angle)
 
 }  // namespace
 
-double pictureRmse(const Picture& first, const Picture& second) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
-    const glm::dvec3 white(1.0);
-    const glm::dvec3 difference =
-        glm::min(glm::dvec3(first.pixels[i]), white) - glm::min(glm::dvec3(second.pixels[i]), white);
-    sum += glm::dot(difference, difference);
+void rank(std::vector<TechniqueResult>& techniques) {
+  std::vector<TechniqueResult*> best;
+  for (TechniqueResult& row : techniques) best.push_back(&row);
+  std::sort(best.begin(), best.end(),
+            [](const auto* a, const auto* b) { return a->error.rmse < b->error.rmse; });
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    best[i]->rank = static_cast<int>(i) + 1;
+    if (i > 0 && !differ(best[i]->error, best[i - 1]->error)) best[i]->rank = best[i - 1]->rank;
   }
-  return std::sqrt(sum / (3.0 * static_cast<double>(first.pixels.size())));
+}
+
+TruthShare truthShare(const SceneComparison& scene) {
+  const auto best =
+      std::min_element(scene.techniques.begin(), scene.techniques.end(),
+                       [](const auto& a, const auto& b) { return a.error.rmse < b.error.rmse; });
+  return {scene.truth.rmse / best->error.rmse, best->error.standardError / best->error.rmse};
 }
 
 void warmUp(const std::vector<Technique>& techniques, const Device& device, const Progress& progress) {
@@ -81,6 +124,7 @@ void warmUp(const std::vector<Technique>& techniques, const Device& device, cons
 struct TechniqueTrial::Entry {
   Technique technique;
   Bake bake;
+  GlobalIllumination globalIllumination;  // of full shading
   double firstPass = 0.0;
   double secondPass = 0.0;
   viewer::RenderInputs inputs;
@@ -92,6 +136,8 @@ struct TechniqueTrial::Entry {
   Entry(const Technique& t, const ComparedScene& scene, const Device& device)
       : technique(t),
         inputs{scene.scene.scene, scene.scene.compiled, &bake, scene.sky ? &*scene.sky : nullptr, &device} {}
+
+  bool isFull() const { return technique.render.shading == viewer::Shading::GlobalIllumination; }
 
   /// A frame in which the light is elsewhere than in the last, drawn to the end.
   void frame(const std::optional<std::vector<Light>>& lights) {
@@ -122,54 +168,110 @@ void TechniqueTrial::add(const Technique& technique) {
     request.effort.rays = rays_;
     if (scene_.sky && (request.radiosity || request.lightMap))
       request.radiosity.environment = std::make_shared<Environment>(*scene_.sky);
-    TimedBake baked = timedBake(scene_.scene, request, device_, progress_);
+    TimedBake baked = request.volume.size > 0 && scene_.put
+                          ? bakeAround(scene_, request, device_, progress_)
+                          : timedBake(scene_.scene, request, device_, progress_);
     for (const auto& [stage, seconds] : baked.report.stageSeconds)
       (stage == "bounce" || stage == "glossy" ? entry->secondPass : entry->firstPass) += seconds;
     if (!canShow(technique, baked.bake)) return;
     entry->bake = std::move(baked.bake);
   }
-  if (technique.shading == viewer::Shading::Vo) {  // AO was only on the way
+  if (technique.render.shading == viewer::Shading::Vo) {  // AO was only on the way
     entry->bake.ao.clear();
     entry->bake.bentNormals.clear();
   }
-  viewer::RenderOptions render;
-  render.shading = technique.shading;
-  render.occluders = technique.occluders;
-  render.screenOcclusion = technique.screenOcclusion;
+  if (entry->isFull()) lightFully(*entry);
+  viewer::RenderOptions render = technique.render;
   render.width = options_.techniqueWidth;
   render.height = options_.techniqueHeight;
+  if (!scene_.lamps.empty()) render.lights = scene_.lamps;
   entry->view = viewer::makeView(entry->inputs, render);
   entry->renderer = std::make_unique<viewer::Renderer>(entry->inputs);
   entry->target = std::make_unique<viewer::gl::Framebuffer>(render.width, render.height);
   entries_.push_back(std::move(entry));
 }
 
+void TechniqueTrial::lightFully(Entry& entry) {
+  const Scene& scene = scene_.scene.scene;
+  const LitScene lit{scene_.scene.compiled, scene.images, scene.lights, entry.inputs.environment, 0.0};
+  GlobalIlluminationRequest request;
+  request.indirect.directByPhotons = true;  // as windows begin
+  StopOnly quiet(progress_);
+  entry.globalIllumination = computeGlobalIllumination(scene, lit, request, fullMapTexels, device_, quiet);
+  for (const auto& [stage, seconds] : entry.globalIllumination.stageSeconds) entry.firstPass += seconds;
+  entry.inputs.globalIllumination = &entry.globalIllumination;
+}
+
+TechniqueResult TechniqueTrial::draw(Entry& entry) const {
+  TechniqueResult row;
+  row.name = entry.technique.name;
+  row.thesis = entry.technique.thesis;
+  row.claim = entry.technique.claim;
+  row.firstPass = entry.firstPass;
+  row.secondPass = entry.secondPass;
+  const GlobalIllumination& full = entry.globalIllumination;
+  row.bytes = entry.isFull()
+                  ? full.indirect.values.size() * sizeof(float) + full.photons.size() * sizeof(device::Photon)
+                  : fileBytes(scene_, entry.bake);
+  row.picture = viewer::renderView(*entry.renderer, entry.view, pictureSamplesPerAxis);
+  row.displayed = displayed(row.picture);
+  return row;
+}
+
 SceneComparison TechniqueTrial::compare() {
   const CompiledScene& compiled = scene_.scene.compiled;
-  SceneComparison result{
-      scene_.scene.name,
-      scene_.sky ? "a sky"
-                 : fmt::format("{} light{}", compiled.lights.size(), compiled.lights.size() == 1 ? "" : "s"),
-      compiled.vertexCount(),
-      compiled.triangleCount(),
-      options_.techniqueWidth,
-      options_.techniqueHeight,
-      trace(),
-      {}};
-  for (const auto& entry : entries_) {
-    TechniqueResult& row = result.techniques.emplace_back();
-    row.name = entry->technique.name;
-    row.thesis = entry->technique.thesis;
-    row.firstPass = entry->firstPass;
-    row.secondPass = entry->secondPass;
-    row.bytes = fileBytes(scene_, entry->bake);
-    const Picture picture = viewer::renderView(*entry->renderer, entry->view, pictureSamplesPerAxis);
-    row.rmse = pictureRmse(picture, result.truth.picture);
-    row.displayed = displayed(picture);
-    row.flip = flip(row.displayed, result.truth.displayed, result.width, result.height);
-  }
+  SceneComparison result{scene_.scene.name,
+                         scene_.light(),
+                         compiled.vertexCount(),
+                         compiled.triangleCount(),
+                         options_.techniqueWidth,
+                         options_.techniqueHeight,
+                         {}};
+  for (const auto& entry : entries_) result.techniques.push_back(draw(*entry));
+  compareWithTruths(result);
   measureFrames(result.techniques);
   return result;
+}
+
+void TechniqueTrial::compareWithTruths(SceneComparison& result) const {
+  const viewer::View& view = entries_.front()->view;
+  const TracedScene traced(scene_, view.lights);
+  const reference::ReferenceInputs inputs = traced.inputs(view.camera);
+  reference::ReferenceRequest request;
+  request.width = result.width;
+  request.height = result.height;
+  request.samples = std::max<std::uint64_t>(options_.techniqueSamples / 2, 1);
+  TracedLight direct(inputs, traced.ofDirectLight(request), device_, progress_);
+  // The truth of all light comes first: what direct light others claim has been traced with it.
+  const auto trace = [&](int claim, double seconds, MeasuredError TechniqueResult::*error) {
+    request.depth = claim;
+    request.leastDepth = claims::directLight + 1;
+    TracedLight rest(inputs, request, device_, progress_);
+    std::vector<TracedLight*> parts = {&direct};
+    if (claim > claims::directLight) parts.push_back(&rest);
+    Truth found = traceTruth(parts, {options_.techniqueSamples, seconds}, [&](const Truth& truth) {
+      double best = std::numeric_limits<double>::infinity();
+      for (TechniqueResult& row : result.techniques) {
+        if (claim != claims::allLight && row.claim != claim) continue;
+        row.*error = errorBetween(row.picture, truth.first, truth.second);
+        best = std::min(best, (row.*error).rmse);
+      }
+      return truth.rmse <= wantedShare * best;
+    });
+    found.depth = claim;
+    return found;
+  };
+  result.truth = trace(claims::allLight, options_.techniqueTruthSeconds, &TechniqueResult::error);
+  std::set<int> claimed;
+  for (TechniqueResult& row : result.techniques) {
+    row.ofClaim = row.error;
+    row.flip = flip(row.displayed, result.truth.displayed, result.width, result.height);
+    if (row.claim != claims::allLight) claimed.insert(row.claim);
+  }
+  for (const int claim : claimed)
+    result.claimed.push_back(trace(claim, direct.seconds() + claimedShare * options_.techniqueTruthSeconds,
+                                   &TechniqueResult::ofClaim));
+  rank(result.techniques);
 }
 
 void TechniqueTrial::measureFrames(std::vector<TechniqueResult>& results) {
@@ -181,39 +283,6 @@ void TechniqueTrial::measureFrames(std::vector<TechniqueResult>& results) {
     results[i].frameSeconds = medianSeconds(contenders[i].seconds, 1);
     results[i].frameProcessorSeconds = medianSeconds(contenders[i].cpuSeconds, 1);
   }
-}
-
-Picture TechniqueTrial::traceHalf(std::uint64_t seed, Truth& truth) {
-  const viewer::View& view = entries_.front()->view;
-  const reference::ReferenceInputs inputs{
-      scene_.scene.compiled, scene_.scene.scene.images,           view.lights,
-      view.camera,           scene_.sky ? &*scene_.sky : nullptr, 0.0};
-  reference::ReferenceRequest request;
-  request.samples = std::max<std::uint64_t>(options_.techniqueSamples / 2, 1);
-  request.seed = seed;
-  request.width = options_.techniqueWidth;
-  request.height = options_.techniqueHeight;
-  reference::Film film(request.width, request.height);
-  reference::ReferenceReport report;
-  StopOnly quiet(progress_);
-  reference::renderReference(
-      inputs, request, device_, quiet, [] {}, film, report);
-  truth.samples += film.passes * reference::samplesPerPass(request);
-  truth.seconds += report.seconds;
-  return film.picture();
-}
-
-Truth TechniqueTrial::trace() {
-  Truth truth;
-  truth.picture = traceHalf(0, truth);
-  const Picture other = traceHalf(1, truth);
-  // The halves differ by sqrt(2) of a half's error, which is sqrt(2) of their mean's.
-  truth.rmse = 0.5 * pictureRmse(truth.picture, other);
-  truth.flip = flip(displayed(truth.picture), displayed(other), other.width, other.height);
-  for (std::size_t i = 0; i < other.pixels.size(); ++i)
-    truth.picture.pixels[i] = 0.5f * (truth.picture.pixels[i] + other.pixels[i]);
-  truth.displayed = displayed(truth.picture);
-  return truth;
 }
 
 std::vector<Curve> TechniqueTrial::framesByLights(const std::vector<std::size_t>& counts) {

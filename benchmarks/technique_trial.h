@@ -10,6 +10,7 @@
 #include "benchmarks/compared_scenes.h"
 #include "benchmarks/suite.h"
 #include "benchmarks/techniques.h"
+#include "benchmarks/truth.h"
 #include "prelight/picture.h"
 
 namespace prelight::viewer {
@@ -27,19 +28,13 @@ struct TechniqueResult {
   std::size_t bytes = 0;               ///< in the baked file
   double frameSeconds = 0.0;           ///< by the clock, light changing
   double frameProcessorSeconds = 0.0;  ///< of all cores
-  double rmse = 0.0;                   ///< of radiance up to 1 W/(m2 sr), against the truth
-  double flip = 0.0;                   ///< of what is displayed
-  std::vector<glm::vec3> displayed;    ///< [row][column], tone-mapped and sRGB-encoded
-};
-
-/// A path-traced picture: the mean of two of independent samples, which tell how good it is.
-struct Truth {
-  std::uint64_t samples = 0;  ///< a pixel
-  double seconds = 0.0;
-  double rmse = 0.0;  ///< standard error of the picture, in the measure of TechniqueResult
-  double flip = 0.0;  ///< of one half against the other
+  int claim = 0;                       ///< segments of the paths of light that it claims to show
+  MeasuredError error;                 ///< against all light
+  MeasuredError ofClaim;               ///< against the light that it claims to show
+  double flip = 0.0;                   ///< of what is displayed, against all light
+  int rank = 0;                        ///< 1 is the best; none is told from the truth's noise of a better one
   Picture picture;
-  std::vector<glm::vec3> displayed;
+  std::vector<glm::vec3> displayed;  ///< [row][column], tone-mapped and sRGB-encoded
 };
 
 struct SceneComparison {
@@ -49,9 +44,24 @@ struct SceneComparison {
   std::size_t triangles = 0;
   int width = 0;
   int height = 0;
-  Truth truth;
-  std::vector<TechniqueResult> techniques;
+  Truth truth;                      ///< of all light
+  std::vector<Truth> claimed = {};  ///< of less, that some claim to show
+  std::vector<TechniqueResult> techniques = {};
 };
+
+/// Ranks by the error against all light. Those whose errors the truth's noise does not tell apart share a
+/// rank.
+void rank(std::vector<TechniqueResult>& techniques);
+
+/// The truth's error is at most this share of the best technique's, where it has samples enough.
+constexpr double wantedShare = 0.1;
+
+/// What the truth's noise is beside the error of the best technique.
+struct TruthShare {
+  double picture = 0.0;  ///< the truth's own error
+  double left = 0.0;     ///< what of it is left in the technique's measured error
+};
+TruthShare truthShare(const SceneComparison& scene);
 
 /// A scene with a bake and a renderer for each technique that shows something of its own in it. Needs a
 /// current OpenGL context; the arguments outlive it.
@@ -74,9 +84,10 @@ class TechniqueTrial {
   struct Entry;
 
   void add(const Technique& technique);
+  void lightFully(Entry& entry);
+  TechniqueResult draw(Entry& entry) const;
+  void compareWithTruths(SceneComparison& result) const;
   void measureFrames(std::vector<TechniqueResult>& results);
-  Truth trace();
-  Picture traceHalf(std::uint64_t seed, Truth& truth);
 
   const ComparedScene& scene_;
   const Device& device_;
@@ -88,9 +99,5 @@ class TechniqueTrial {
 
 /// Bakes a little of each technique, so that its kernels are compiled when it is measured.
 void warmUp(const std::vector<Technique>& techniques, const Device& device, const Progress& progress);
-
-/// Root of the mean square over pixels and channels of radiance, all above 1 taken for 1, which is about a
-/// display's white. Pictures are of one size.
-double pictureRmse(const Picture& first, const Picture& second);
 
 }  // namespace prelight::benchmarks

@@ -4,103 +4,156 @@
 
 #include <algorithm>
 
+#include "occluders/occluder_vectors.h"
+
 namespace prelight::benchmarks {
 
 namespace {
 
+using viewer::OcclusionMethod;
+using viewer::RenderOptions;
 using viewer::Shading;
+using List = std::vector<Technique>;
 
-BakeRequest occludersOf(OccluderKind kind) {
-  BakeRequest request;
-  request.ao = true;  // the thesis counts it, too
-  request.occluders.wanted = true;
-  request.occluders.kind = kind;
-  request.occluders.records = 12.0;
-  return request;
+constexpr int nearLampShells = 8;
+constexpr int volumeSize = 32, volumeOrder = 4;
+
+RenderOptions drawn(Shading shading) {
+  RenderOptions render;
+  render.shading = shading;
+  return render;
 }
 
-BakeRequest glossyOf(int glossyOrder) {
+RenderOptions occlusionBy(OcclusionMethod method) {
+  RenderOptions render = drawn(Shading::Screen);
+  render.screenOcclusion.method = method;
+  return render;
+}
+
+BakeRequest shOf(int order, int shells) {
   BakeRequest request;
-  request.glossy.order = glossyOrder;
+  request.sh.order = order;
+  request.nearLamps.shells = shells;
   request.bounces = 1;
   return request;
 }
 
-Technique vectorOccluders(const std::string& name, OccluderKind kind, bool specular,
-                          std::optional<ThesisRow> thesis) {
-  Technique result{name, occludersOf(kind), Shading::Vo, {}, specular, thesis};
-  if (!specular) {
-    OccluderShading& shading = result.occluders.shading;
-    shading.diffuseFromSpecular = shading.specularFromSpecular = 0.0;
-  }
-  return result;
+/// What a shading needs, by default, with a bounce.
+BakeRequest bakeOf(Shading shading) {
+  BakeRequest request;
+  viewer::infoOf(shading).addTo(request, {});
+  request.bounces = 1;
+  return request;
 }
 
-void addHarmonics(int order, bool specular, const ThesisRow& sh, const ThesisRow& ch,
-                  std::vector<Technique>& list) {
-  BakeRequest ofSh = glossyOf(specular ? order : 0), ofCh = ofSh;
+/// Direct light, and ambient light that is occluded.
+void addOcclusion(List& list) {
+  using namespace compared;
+  BakeRequest ao, cones;
+  ao.ao = cones.ao = cones.cones = true;
+  RenderOptions reflecting = drawn(Shading::Ao);
+  reflecting.aoCorrection = viewer::AoCorrection::Interreflection;
+  list.push_back({"Phong",
+                  drawn(Shading::Phong),
+                  {},
+                  open | mirrors | room | areaLamps | curve,
+                  claims::directLight,
+                  ThesisRow{0, 0, 5500, 0}});
+  list.push_back({"AO", drawn(Shading::Ao), ao, open, claims::directLight, ThesisRow{58, 0, 5500, 0.019}});
+  list.push_back({"AO, interreflection", reflecting, ao, sky, claims::allLight});
+  list.push_back({"Cones", drawn(Shading::Cones), cones, open | areaLamps, claims::directLight});
+  list.push_back({"SSAO", occlusionBy(OcclusionMethod::Ssao), {}, sky, claims::directLight});
+  list.push_back({"HBAO", occlusionBy(OcclusionMethod::Hbao), {}, sky, claims::directLight});
+  list.push_back({"GTAO", occlusionBy(OcclusionMethod::Gtao), {}, sky, claims::directLight});
+  list.push_back({"Disks", occlusionBy(OcclusionMethod::Disks), {}, sky, claims::directLight});
+}
+
+Technique vectorOccluders(const std::string& name, OccluderKind kind, unsigned scenes, bool specular) {
+  Technique technique{name, drawn(Shading::Vo), {}, scenes, claims::oneBounce};
+  technique.request.ao = true;  // the thesis counts it, too
+  technique.request.occluders.wanted = true;
+  technique.request.occluders.kind = kind;
+  technique.request.occluders.records = 12.0;
+  OccluderShading& shading = technique.render.occluders.shading;
+  if (!specular) shading.diffuseFromSpecular = shading.specularFromSpecular = 0.0;
+  return technique;
+}
+
+void addHarmonics(int order, bool specular, const ThesisRow& sh, const ThesisRow& ch, List& list) {
+  BakeRequest ofSh;
+  ofSh.glossy.order = specular ? order : 0;
+  ofSh.bounces = 1;
+  BakeRequest ofCh = ofSh;
   ofSh.sh.order = ofCh.ch.order = order;
   const char* terms = specular ? "DD+SS" : "DD";
-  list.push_back({fmt::format("SH{}/{}", order, terms),
-                  ofSh,
-                  specular ? Shading::Glossy : Shading::Sh,
-                  {},
-                  specular,
-                  sh});
-  list.push_back({fmt::format("CH{}/{}", order, terms),
-                  ofCh,
-                  specular ? Shading::Glossy : Shading::Ch,
-                  {},
-                  specular,
-                  ch});
+  const unsigned scenes = specular ? compared::mirrors : compared::open;
+  list.push_back({fmt::format("SH{}/{}", order, terms), drawn(specular ? Shading::Glossy : Shading::Sh), ofSh,
+                  scenes, claims::oneBounce, sh});
+  list.push_back({fmt::format("CH{}/{}", order, terms), drawn(specular ? Shading::Glossy : Shading::Ch), ofCh,
+                  scenes, claims::oneBounce, ch});
 }
 
-/// What holds the light of the scene's own lights as it was baked.
-void addStaticLight(const char* name, Shading shading, std::vector<Technique>& list) {
-  Technique technique{name, {}, shading, {}, false, std::nullopt};
-  viewer::infoOf(shading).addTo(technique.request, {});
-  technique.request.bounces = 1;
-  list.push_back(technique);
-}
-
-/// What needs no bake, as it finds occlusion while drawing.
-void addScreenOcclusion(const char* name, viewer::OcclusionMethod method, std::vector<Technique>& list) {
-  Technique technique{name, {}, Shading::Screen, {}, false, std::nullopt};
-  technique.screenOcclusion.method = method;
-  list.push_back(technique);
+/// Transfer, and light of the scene's own lights as it was baked or computed.
+void addBakedLight(int order, int haarSize, List& list) {
+  using namespace compared;
+  BakeRequest haar;
+  haar.haar.size = haarSize;
+  haar.bounces = 1;
+  list.push_back({"Haar/DD", drawn(Shading::Haar), haar, open, claims::oneBounce});
+  list.push_back({fmt::format("SH{}, lamps unshadowed", order), drawn(Shading::Sh), shOf(order, 0),
+                  room | areaLamps, claims::directLight});
+  list.push_back({fmt::format("SH{}, {} shells", order, nearLampShells), drawn(Shading::Sh),
+                  shOf(order, nearLampShells), room | areaLamps, claims::directLight});
+  BakeRequest together = shOf(std::min(order, volumeOrder), 0), around = together;
+  around.volume.size = volumeSize;
+  list.push_back({fmt::format("SH{}, baked with the object", together.sh.order), drawn(Shading::Sh), together,
+                  volume, claims::oneBounce});
+  list.push_back({fmt::format("SH{}, object lit by a volume", together.sh.order), drawn(Shading::Sh), around,
+                  volume, claims::oneBounce});
+  list.push_back(
+      {"Light groups", drawn(Shading::Lights), bakeOf(Shading::Lights), lamps | room, claims::oneBounce});
+  list.push_back({"Radiosity", drawn(Shading::Radiosity), bakeOf(Shading::Radiosity), open | room});
+  list.push_back({"Light map", drawn(Shading::LightMap), bakeOf(Shading::LightMap), open | room});
+  list.push_back({"Full", drawn(Shading::GlobalIllumination), {}, open | mirrors | room});
 }
 
 }  // namespace
 
 std::vector<Technique> comparedTechniques(int order, int haarSize) {
-  BakeRequest ao;
-  ao.ao = true;
-  BakeRequest haar;
-  haar.haar.size = haarSize;
-  haar.bounces = 1;
-  std::vector<Technique> list = {
-      {"Phong", {}, Shading::Phong, {}, false, ThesisRow{0, 0, 5500, 0}},
-      {"AO", ao, Shading::Ao, {}, false, ThesisRow{58, 0, 5500, 0.019}},
-      vectorOccluders("VO/DD", OccluderKind::Node, false, ThesisRow{58, 60, 4700, 1.03}),
-      vectorOccluders("VO/DD auto:12", OccluderKind::Auto, false, std::nullopt)};
-  addScreenOcclusion("SSAO", viewer::OcclusionMethod::Ssao, list);
-  addScreenOcclusion("HBAO", viewer::OcclusionMethod::Hbao, list);
-  addScreenOcclusion("GTAO", viewer::OcclusionMethod::Gtao, list);
-  addScreenOcclusion("Disks", viewer::OcclusionMethod::Disks, list);
+  using namespace compared;
+  List list;
+  addOcclusion(list);
+  list.push_back(
+      vectorOccluders("VO/DD", OccluderKind::Node, open | mirrors | room | areaLamps | curve, false));
+  list.back().thesis = ThesisRow{58, 60, 4700, 1.03};
+  list.push_back(vectorOccluders("VO/DD auto:12", OccluderKind::Auto, open, false));
   if (order >= 3) addHarmonics(3, false, {60, 63, 5100, 2.07}, {56, 61, 5100, 2.07}, list);
   if (order >= 6) addHarmonics(6, false, {62, 68, 2500, 8.26}, {60, 66, 2500, 8.26}, list);
-  list.push_back({"Haar/DD", haar, Shading::Haar, {}, false, std::nullopt});
-  addStaticLight("Radiosity", Shading::Radiosity, list);
-  addStaticLight("Light map", Shading::LightMap, list);
-  list.push_back(vectorOccluders("VO/DD+DS+SS", OccluderKind::Node, true, ThesisRow{58, 85, 3500, 2.05}));
+  addBakedLight(order, haarSize, list);
+  list.push_back(vectorOccluders("VO/DD+DS+SS", OccluderKind::Node, open | mirrors | curve, true));
+  list.back().thesis = ThesisRow{58, 85, 3500, 2.05};
   if (order >= 3) addHarmonics(3, true, {105, 70, 114, 20.7}, {103, 70, 97, 20.7}, list);
   if (order >= 6) addHarmonics(6, true, {142, 175, 25, 306}, {142, 173, 22, 306}, list);
   return list;
 }
 
+std::vector<Technique> techniquesOn(unsigned kind, const std::vector<Technique>& all) {
+  std::vector<Technique> chosen;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen),
+               [&](const Technique& technique) { return (technique.scenes & kind) != 0; });
+  return chosen;
+}
+
+bool showsMirrors(const Technique& technique) {
+  const OccluderShading& shading = technique.render.occluders.shading;
+  return technique.render.shading == Shading::Vo &&
+         (shading.diffuseFromSpecular != 0.0 || shading.specularFromSpecular != 0.0);
+}
+
 bool canShow(const Technique& technique, const Bake& bake) {
-  if (technique.shading != Shading::Phong && !viewer::infoOf(technique.shading).carriedBy(bake)) return false;
-  if (technique.shading != Shading::Vo || !technique.specular) return true;
+  if (!technique.request.anything()) return true;
+  if (!viewer::infoOf(technique.render.shading).carriedBy(bake)) return false;
+  if (!showsMirrors(technique)) return true;
   const auto& stored = bake.occluders->stored;
   return std::find(stored.begin(), stored.end(), OccluderVector::SpecularNormal) != stored.end();
 }

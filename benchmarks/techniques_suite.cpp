@@ -14,33 +14,6 @@ namespace {
 
 using Techniques = std::vector<Technique>;
 
-/// What scenes of few mirrors are compared with; bakes tell whether there are any.
-Techniques diffuse(const Techniques& all) {
-  Techniques chosen;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Technique& technique) {
-    return !technique.specular || technique.shading == viewer::Shading::Vo;
-  });
-  return chosen;
-}
-
-/// What mirrors are compared with, and two that know none.
-Techniques specular(const Techniques& all) {
-  Techniques chosen;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Technique& technique) {
-    return technique.specular || technique.name == "Phong" || technique.name == "VO/DD";
-  });
-  return chosen;
-}
-
-/// Those of the thesis' Figure 7.21.
-Techniques curveOf(const Techniques& all) {
-  Techniques chosen;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [](const Technique& technique) {
-    return technique.name == "Phong" || technique.name == "VO/DD" || technique.name == "VO/DD+DS+SS";
-  });
-  return chosen;
-}
-
 void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& results) {
   for (const TechniqueResult& row : scene.techniques) {
     const auto add = [&](const char* metric, double value, const char* unit, double thesis,
@@ -59,57 +32,70 @@ void addResults(const SceneComparison& scene, std::vector<BenchmarkResult>& resu
     add("storage", static_cast<double>(row.bytes), "B", then.megabytes * 1e6, true);
     add("frames", 1.0 / row.frameSeconds, "1/s", then.frames, false);
     add("processor time of a frame", row.frameProcessorSeconds, "s", 0.0, true);
-    add("RMSE", row.rmse, "W/(m2 sr)", 0.0, true);
+    add("RMSE", row.error.rmse, "W/(m2 sr)", 0.0, true);
+    add("standard error of RMSE", row.error.standardError, "W/(m2 sr)", 0.0, true);
+    add("RMSE of its claim", row.ofClaim.rmse, "W/(m2 sr)", 0.0, true);
+    add("rank", row.rank, "", 0.0, true);
     add("FLIP", row.flip, "1", 0.0, true);
   }
   const std::string truth = scene.name + "/path traced";
   results.push_back({"techniques", truth, "time", scene.truth.seconds, "s", {}, {}});
   results.push_back({"techniques", truth, "standard error", scene.truth.rmse, "W/(m2 sr)", {}, {}});
+  const TruthShare share = truthShare(scene);
+  results.push_back({"techniques", truth, "over the best technique's", share.picture, "1", {}, {}});
+  results.push_back({"techniques", truth, "left in the best technique's", share.left, "1", {}, {}});
 }
 
 std::vector<std::string> notesOn(const TechniqueReport& report) {
   std::vector<std::string> notes = {
-      "AO, SSAO, HBAO and GTAO occlude light of the sky alone: under point lights they are Phong.",
+      "AO, SSAO, HBAO, GTAO and disks occlude light of the sky alone: under point lights they are Phong.",
       "Wavelets and glossy matrices (SS of SH and CH) take a point light outside the scene for one at "
       "infinity, as seen from "
       "the scene's middle; SH and CH of diffuse surfaces see it from every vertex."};
-  const auto shown = [&](const std::string& name) {
-    for (const SceneComparison& scene : report.scenes)
-      for (const TechniqueResult& row : scene.techniques)
-        if (row.name == name) return true;
-    return false;
-  };
-  if (!shown("Radiosity")) notes.emplace_back("Radiosity: this version has none.");
-  if (!shown("VO/DD+DS+SS")) notes.emplace_back("VO/DD+DS+SS: this version stores no specular vectors.");
+  for (const SceneComparison& scene : report.scenes)
+    if (const double left = truthShare(scene).left; left > wantedShare)
+      notes.push_back(
+          fmt::format("{}: the truth's noise leaves {:.2f} of the best technique's error in doubt, more than "
+                      "{:g}: give --spp more.",
+                      scene.name, left, wantedShare));
   return notes;
 }
 
-ComparedScene underSky(const BenchmarkOptions& options) {
-  const int objects = (options.techniqueObjects + 1) / 2;
-  if (options.skies.empty()) return makeCrowdUnder(makeEveningSky(options.techniqueSkyRows), objects);
-  return makeCrowdUnder(readEnvironment(options.skies.front()), objects);
+Environment skyOf(const BenchmarkOptions& options) {
+  return options.skies.empty() ? makeEveningSky(options.techniqueSkyRows)
+                               : readEnvironment(options.skies.front());
 }
+
+/// Of the crowd, of scenes of half as many objects.
+int halfOf(const BenchmarkOptions& options) { return (options.techniqueObjects + 1) / 2; }
 
 struct Comparison {
   const char* name;
   ComparedScene (*make)(const BenchmarkOptions&);
-  Techniques (*choose)(const Techniques&);
+  unsigned kind;  ///< of compared
   bool asThesis;  ///< in its number of rays
 };
 
-constexpr std::array<Comparison, 4> comparisons = {
-    {{"shapes", [](const BenchmarkOptions&) { return makeShapes(); }, diffuse, true},
-     {"shiny shapes", [](const BenchmarkOptions&) { return makeShinyShapes(); }, specular, true},
+constexpr std::array<Comparison, 7> comparisons = {
+    {{"shapes", [](const BenchmarkOptions&) { return makeShapes(); }, compared::lamps, true},
+     {"shiny shapes", [](const BenchmarkOptions&) { return makeShinyShapes(); }, compared::mirrors, true},
      {"crowd", [](const BenchmarkOptions& o) { return makeCrowd(o.techniqueObjects, o.techniqueLights); },
-      diffuse, false},
-     {"crowd under a sky", underSky, diffuse, false}}};
+      compared::lamps, false},
+     {"crowd under a sky", [](const BenchmarkOptions& o) { return makeCrowdUnder(skyOf(o), halfOf(o)); },
+      compared::sky, false},
+     {"crowd with an object put in",
+      [](const BenchmarkOptions& o) { return makeCrowdWithObject(skyOf(o), halfOf(o)); }, compared::volume,
+      false},
+     {"cornell", [](const BenchmarkOptions&) { return makeRoom(); }, compared::room, false},
+     {"rooms by area lights", [](const BenchmarkOptions&) { return makeRoomsByAreaLights(); },
+      compared::areaLamps, false}}};
 
 }  // namespace
 
 std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const BenchmarkOptions& options,
                                                 Progress& progress) {
   const Techniques all = comparedTechniques(options.techniqueOrder, options.techniqueHaarSize);
-  const Techniques few = curveOf(all);
+  const Techniques few = techniquesOn(compared::curve, all);
   const viewer::gl::EglContext context;
   std::size_t count = few.size() + 1;
   std::vector<Comparison> chosen;
@@ -117,7 +103,7 @@ std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const Benc
     const auto& names = options.techniqueScenes;
     if (std::find(names.begin(), names.end(), comparison.name) == names.end()) continue;
     chosen.push_back(comparison);
-    count += comparison.choose(all).size() + 1;
+    count += techniquesOn(comparison.kind, all).size() + 1;
   }
   StepCounter steps(progress, "bench techniques", count);
   TechniqueReport report;
@@ -127,7 +113,7 @@ std::vector<BenchmarkResult> runTechniquesSuite(const Device& device, const Benc
   const std::uint64_t fewerRays = std::min(options.techniqueRays, options.techniqueCrowdRays);
   for (const Comparison& comparison : chosen) {
     const ComparedScene scene = comparison.make(options);
-    const Techniques techniques = comparison.choose(all);
+    const Techniques techniques = techniquesOn(comparison.kind, all);
     TechniqueTrial trial(scene, techniques, comparison.asThesis ? options.techniqueRays : fewerRays, device,
                          options, progress, steps);
     report.scenes.push_back(trial.compare());

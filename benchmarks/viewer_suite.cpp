@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <set>
+#include <span>
 
 #include "benchmarks/compared_scenes.h"
 #include "benchmarks/headless_window.h"
@@ -26,7 +29,14 @@ using viewer::Shading;
 
 constexpr double dragged = 0.01;       // window heights a frame
 constexpr int framesBeforeTiming = 2;  // what is compiled and made with the first is no frame's cost
+constexpr int leastFrames = 3;         // of a movement, however slow
+constexpr double longestStart = 20.0;  // s, until light that follows is there: form factors are found once
 constexpr int skyRows = 64;
+
+/// Of a case's time, the shares of frames that are timed, of those whose parts are, of latencies; movements
+/// share them.
+constexpr double framesShare = 0.35, partsShare = 0.15, latencyShare = 0.4;
+constexpr int mostMovements = 5;  // the pictures of a view that stands still take the rest
 
 /// What a scene is lit by when it is shown.
 struct ShownScene {
@@ -129,8 +139,29 @@ void report(const Frames& frames, Rows& rows) {
   }
 }
 
+/// Time that something may take; what is slow is done less often.
+class Budget {
+ public:
+  explicit Budget(double seconds)
+      : end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
+  bool isSpent() const { return Clock::now() >= end_; }
+  double left() const { return std::max(0.0, std::chrono::duration<double>(end_ - Clock::now()).count()); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point end_;
+};
+
+/// How much of a case is measured.
+struct Amount {
+  int frames = 0;        ///< of each movement at most
+  int inputs = 0;        ///< whose latency is measured, at most
+  double seconds = 0.0;  ///< of a movement, about
+};
+
 /// Frames while something changes, then some whose parts are timed and whose uploads are counted.
-Frames measureFrames(HeadlessWindow& window, int count, const Progress& progress,
+Frames measureFrames(HeadlessWindow& window, const Amount& amount, const Progress& progress,
                      const std::function<void(int)>& change) {
   Frames frames;
   const auto step = [&](int i) {
@@ -141,13 +172,16 @@ Frames measureFrames(HeadlessWindow& window, int count, const Progress& progress
     step(i);
     window.frame(false);
   }
-  for (int i = 0; i < count; ++i) {
-    step(framesBeforeTiming + i);
+  int done = framesBeforeTiming;
+  const Budget timed(framesShare * amount.seconds);
+  for (int i = 0; i < amount.frames && (i < leastFrames || !timed.isSpent()); ++i) {
+    step(done++);
     frames.measure([&] { window.frame(false); });
   }
   const viewer::gl::UploadCounter uploads;
-  for (int i = 0; i < std::max(1, count / 4); ++i) {
-    step(framesBeforeTiming + count + i);
+  const Budget apart(partsShare * amount.seconds);
+  for (int i = 0; i < std::max(1, amount.frames / 4) && (i < 1 || !apart.isSpent()); ++i) {
+    step(done++);
     const std::size_t before = uploads.bytes();
     frames.parts.push_back(window.timedFrame(false));
     if (viewer::gl::UploadCounter::works())
@@ -156,60 +190,88 @@ Frames measureFrames(HeadlessWindow& window, int count, const Progress& progress
   return frames;
 }
 
-Frames move(HeadlessWindow& window, Drag what, int count, const Progress& progress) {
-  return measureFrames(window, count, progress, [&](int i) {
-    const double turn = 2.0 * std::numbers::pi * i / std::max(count, 1);
+Frames move(HeadlessWindow& window, Drag what, const Amount& amount, const Progress& progress) {
+  return measureFrames(window, amount, progress, [&](int i) {
+    const double turn = 2.0 * std::numbers::pi * i / std::max(amount.frames, 1);
     window.controls().drag(what, {dragged, 0.3 * dragged * std::sin(turn)});
   });
 }
 
 /// From one input, when all has come to rest, to the next picture and to the one that nothing changes any
 /// more. Windows begin the latter when nothing has moved for a while, which is not counted.
-void measureLatency(HeadlessWindow& window, Drag what, int count, const Progress& progress, Rows& rows) {
+void measureLatency(HeadlessWindow& window, Drag what, const Amount& amount, const Progress& progress,
+                    Rows& rows) {
+  const Budget budget(latencyShare * amount.seconds);
   std::vector<double> first, finished;
-  bool allFinished = window.settle();
-  for (int i = 0; i < count; ++i) {
+  bool allFinished = window.settle(budget.left());
+  for (int i = 0; i < amount.inputs && (i < 1 || !budget.isSpent()); ++i) {
     progress.check();
     const double next = secondsOf([&] {
       window.controls().drag(what, {3.0 * dragged, 0.0});
       window.frame(false);
     });
     first.push_back(next);
-    finished.push_back(next + secondsOf([&] { allFinished = window.settle() && allFinished; }));
+    const double most = std::max(budget.left(), latencyShare * amount.seconds / std::max(amount.inputs, 1));
+    finished.push_back(next + secondsOf([&] { allFinished = window.settle(most) && allFinished; }));
   }
   rows.addTime("latency to the next picture", median(first));
   if (allFinished) rows.addTime("latency to the finished picture", median(finished));
 }
 
-void measureCase(const Case& chosen, const Device& device, const BenchmarkOptions& options,
-                 const Progress& progress, std::vector<BenchmarkResult>& results) {
-  const WindowSettings settings{chosen.width, chosen.height, options.viewerOrder, options.viewerRays};
-  const Environment sky = makeEveningSky(skyRows);
-  const Environment* shownSky = chosen.scene.hasSky ? &sky : nullptr;
-  WindowStage stage({chosen.scene.name, shownSky}, chosen.shading, settings, device, progress);
+void measureStill(HeadlessWindow& window, int runs, double seconds, const std::string& name,
+                  std::vector<BenchmarkResult>& results) {
+  const Budget budget(seconds);
+  window.settle(seconds);
+  Frames still;
+  for (int run = 0; run < runs && (run < 1 || !budget.isSpent()); ++run)
+    still.measure([&] { window.still(); });
+  Rows rows(name + "/still");
+  report(still, rows);
+  rows.moveTo(results);
+}
+
+void measureCase(const Case& chosen, WindowStage& stage, const WindowSettings& settings,
+                 const BenchmarkOptions& options, const Progress& progress,
+                 std::vector<BenchmarkResult>& results) {
+  const Amount amount{options.viewerFrames, options.viewerInputs, options.viewerSeconds / mostMovements};
   HeadlessWindow window(stage, chosen.shading, settings);
-  window.settle();
+  window.settle(amount.seconds);
   for (const Input& input : inputs) {
     if (!input.fits(window.controls(), chosen.scene.hasSky)) continue;
     input.prepare(window.controls());
+    if (input.drag == Drag::Light && stage.radiosity) {
+      window.controls().drag(input.drag, {dragged, 0.0});
+      window.settle(longestStart);
+    }
     Rows rows(chosen.name() + "/" + input.name);
-    report(move(window, input.drag, options.viewerFrames, progress), rows);
-    measureLatency(window, input.drag, options.viewerInputs, progress, rows);
+    report(move(window, input.drag, amount, progress), rows);
+    measureLatency(window, input.drag, amount, progress, rows);
     rows.moveTo(results);
   }
   if (window.play()) {
     Rows rows(chosen.name() + "/playing");
-    report(measureFrames(window, options.viewerFrames, progress,
+    report(measureFrames(window, amount, progress,
                          [&](int) { window.controls().playOn(viewer::Playback::frame); }),
            rows);
     rows.moveTo(results);
   }
-  window.settle();
-  Frames still;
-  for (int run = 0; run < options.runs; ++run) still.measure([&] { window.still(); });
-  Rows rows(chosen.name() + "/still");
-  report(still, rows);
-  rows.moveTo(results);
+  measureStill(window, options.runs, amount.seconds, chosen.name(), results);
+}
+
+/// The cases of a scene and a shading, by size.
+void measureSizes(std::span<const Case> cases, const Device& device, const BenchmarkOptions& options,
+                  const Progress& progress, StepCounter& steps, std::vector<BenchmarkResult>& results) {
+  const ShownScene& scene = cases.front().scene;
+  const Environment sky = makeEveningSky(skyRows);
+  std::optional<WindowStage> stage;
+  for (const Case& chosen : cases) {
+    const WindowSettings settings{chosen.width, chosen.height, options.viewerOrder, options.viewerRays};
+    if (!stage || stage->live)
+      stage.emplace(StageLook{scene.name, scene.hasSky ? &sky : nullptr}, chosen.shading, settings, device,
+                    progress);
+    measureCase(chosen, *stage, settings, options, progress, results);
+    steps.advance();
+  }
 }
 
 /// Every shading on every scene that is asked for, or of all scenes what `--case` names.
@@ -247,9 +309,12 @@ std::vector<BenchmarkResult> runViewerSuite(const Device& device, const Benchmar
   std::vector<BenchmarkResult> results;
   results.push_back(
       {"viewer", "OpenGL: " + context.rendererName(), "version", context.version(), "", {}, {}});
-  for (const Case& chosen : wanted) {
-    measureCase(chosen, device, options, progress, results);
-    steps.advance();
+  for (auto begin = wanted.begin(); begin != wanted.end();) {
+    const auto end = std::find_if(begin, wanted.end(), [&](const Case& some) {
+      return std::string_view(some.scene.name) != begin->scene.name || some.shading != begin->shading;
+    });
+    measureSizes({begin, end}, device, options, progress, steps, results);
+    begin = end;
   }
   return results;
 }

@@ -202,13 +202,15 @@ void addBenchCommand(CLI::App& program, Context& context) {
       "rays a vertex of `techniques`, on its scenes of few vertices (default 10000); on others at most 1024");
   addWholeNumber(
       *app, "--spp", {1, maxTruthSamples}, [command](std::uint64_t n) { command->samples = n; },
-      "samples a pixel of the path-traced pictures of `techniques` (default 128)");
+      "samples a pixel of each part of the path-traced pictures of `techniques`, at most (default 65536; "
+      "they end when "
+      "they are exact enough, or after 60 s a scene)");
   addWholeNumber(
       *app, "--photons", {1, maxPhotons}, [command](std::uint64_t n) { command->photons = n; },
       "photons that `stability` flies through each of its rooms (default 65536)");
   addPictureSize(
       *app, "--size", [command](PictureSize size) { command->size = size; },
-      "pixels of the pictures of `techniques` (default 480x270) and `viewer` (640x360 and 1280x720); one "
+      "pixels of the pictures of `techniques` (default 240x135) and `viewer` (640x360 and 1280x720); one "
       "number is the height");
   app->add_flag("--quick", command->quick, "a run of seconds that shows that it works; keep no such number");
   app->footer(suitesText() +

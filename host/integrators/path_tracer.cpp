@@ -142,12 +142,16 @@ void PathTracer::tracePaths(std::uint32_t depth, std::uint32_t& count) {
     count = 0;
     return;
   }
+  if (depth + 2 >= static_cast<std::uint32_t>(request_.leastDepth)) addLights(count, depth);
+  count = scatter(count, depth);
+}
+
+void PathTracer::addLights(std::uint32_t count, std::uint32_t depth) {
   if (request_.integrator == Integrator::Whitted)
     for (std::uint32_t light = 0; light < scene_.lights().punctual.size(); ++light)
       addDirectLight(count, depth, light);
   if (scene_.lights().groupCount > 0) addDirectLight(count, depth, PRELIGHT_NO_TRIANGLE);
   if (virtual_) addVirtualLights(count);
-  count = scatter(count, depth);
 }
 
 /// Makes those that go on the rays that are followed.

@@ -38,6 +38,7 @@ class PathTracer {
   void tracePaths(std::uint32_t depth, std::uint32_t& count);
   std::uint32_t followToCachedLight(std::uint32_t count, std::uint32_t depth);
   void collect(std::uint32_t count, std::uint32_t depth);
+  void addLights(std::uint32_t count, std::uint32_t depth);
   void addDirectLight(std::uint32_t count, std::uint32_t depth, std::uint32_t light);
   void addVirtualLights(std::uint32_t count);
   void castShadows(std::uint32_t shadows);

@@ -34,6 +34,7 @@ struct ReferenceRequest {
   Integrator integrator = Integrator::Path;
   Estimator estimator = Estimator::Both;
   int depth = 16;  ///< most segments of a path, camera to light: 1 shows lights alone, 2 adds direct light
+  int leastDepth = 1;           ///< least segments of paths that count: light of 1 or 2 is direct
   int rouletteDepth = 8;        ///< from this vertex on, paths that carry little end by chance, without bias
   std::uint64_t samples = 256;  ///< a pixel; ignored with error or seconds
   std::optional<double> error;  ///< stop when Film::relativeError() is below this

@@ -38,6 +38,7 @@ BuildOptions buildOptions(const ReferenceRequest& request, std::optional<bool> c
     options.define("PRELIGHT_DIFFUSE_BOUNCES", *cachedLight ? 1 : 0);
   else if (request.integrator != Integrator::Path)
     options.define("PRELIGHT_DIFFUSE_BOUNCES", request.integrator == Integrator::Distributed ? 1 : 0);
+  if (request.leastDepth > 1) options.define("PRELIGHT_LEAST_DEPTH", request.leastDepth);
   return options.defineIf(whitted, "PRELIGHT_NO_GLOSSY_BOUNCES")
       .defineIf(whitted || request.estimator == Estimator::LightsOnly, "PRELIGHT_LIGHTS_ONLY")
       .defineIf(!whitted && request.estimator == Estimator::ScatterOnly, "PRELIGHT_SCATTER_ONLY");

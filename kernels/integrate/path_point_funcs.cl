@@ -63,6 +63,9 @@ PRELIGHT_INLINE void collectAt(__constant const ReferenceParameters* p, uint dep
     }
 #endif
   }
+#ifdef PRELIGHT_LEAST_DEPTH
+  if (depth + 1u < PRELIGHT_LEAST_DEPTH) return;
+#endif
   // Nothing may read the surface where there is none: compilers take such a read as proof that there is one.
   const bool front = hit.triangle != PRELIGHT_NO_TRIANGLE && surface.front;
   float3 radiance = evalLight(lights, &p->scene.lights, s, ray, hit, front);

@@ -84,12 +84,5 @@ TEST(ContactSheet, ShrunkPicture_KeepsItsMean) {
   EXPECT_LT(glm::distance(mean(small), mean(pixels)), 1e-5f);
 }
 
-TEST(PictureRmse, Differences_CountUpToWhite) {
-  const Picture dark{2, 1, {glm::vec3(0.0f), glm::vec3(3.0f)}};
-  const Picture other{2, 1, {glm::vec3(0.6f, 0.0f, 0.0f), glm::vec3(50.0f)}};
-  EXPECT_NEAR(pictureRmse(dark, other), 0.6 / std::sqrt(6.0), 1e-6);
-  EXPECT_EQ(pictureRmse(other, other), 0.0);
-}
-
 }  // namespace
 }  // namespace prelight::benchmarks

@@ -48,12 +48,20 @@ TEST(Techniques, SpecularOccluders_NeedSpecularVectors) {
                             OccluderVector::DiffuseNormal, OccluderVector::DiffuseColor};
   int diffuse = 0, specular = 0;
   for (const Technique& technique : comparedTechniques(6, 32)) {
-    if (technique.shading != viewer::Shading::Vo) continue;
-    EXPECT_EQ(canShow(technique, bake), !technique.specular) << technique.name;
-    ++(technique.specular ? specular : diffuse);
+    if (technique.render.shading != viewer::Shading::Vo) continue;
+    EXPECT_EQ(canShow(technique, bake), !showsMirrors(technique)) << technique.name;
+    ++(showsMirrors(technique) ? specular : diffuse);
   }
   EXPECT_EQ(diffuse, 2);
   EXPECT_EQ(specular, 1);
+}
+
+TEST(Techniques, EveryShading_IsComparedSomewhere) {
+  const std::vector<Technique> all = comparedTechniques(6, 32);
+  for (const viewer::ShadingInfo& info : viewer::shadings())
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Technique& technique) {
+      return technique.render.shading == info.shading && technique.scenes != 0;
+    })) << info.name;
 }
 
 TEST(Techniques, Orders_AreBounded) {

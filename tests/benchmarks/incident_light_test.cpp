@@ -15,8 +15,8 @@ namespace prelight::benchmarks {
 namespace {
 
 using std::numbers::pi;
-constexpr double lightHeight = 0.5;  // metres above the ground
-constexpr double intensity = 2.0;    // W/sr
+constexpr double lampHeight = 0.5;  // metres above the ground
+constexpr double intensity = 2.0;   // W/sr
 
 /// A small diffuse ground within a box whose walls shine inwards, all alike, and a point light above it.
 BenchmarkScene shiningBox() {
@@ -36,7 +36,7 @@ BenchmarkScene shiningBox() {
   for (std::size_t i = 0; i < sides.size(); ++i)
     builder.addObject("Wall " + std::to_string(i), makeGrid(sides[i].corner, sides[i].u, sides[i].v, 1, 1),
                       wall);
-  builder.addPointLight("Light", {0.0f, static_cast<float>(lightHeight), 0.0f}, glm::vec3(1.0f), intensity);
+  builder.addPointLight("Light", {0.0f, static_cast<float>(lampHeight), 0.0f}, glm::vec3(1.0f), intensity);
   BenchmarkScene scene;
   Warnings warnings;
   scene.name = "box";
@@ -55,7 +55,7 @@ TEST(IncidentLight, InAShiningBox_IsAnEvenSkyAndALamp) {
   for (const IncidentLight& light : lights) {
     const glm::dvec3 up(0.0, 1.0, 0.0), aside(std::sqrt(0.5), std::sqrt(0.5), 0.0);
     EXPECT_LT(glm::distance(light.frame()[2], up), 1e-6);
-    const double lamp = intensity / (lightHeight * lightHeight);
+    const double lamp = intensity / (lampHeight * lampHeight);
     for (const glm::dvec3& normal : {up, aside})
       for (int channel = 0; channel < 3; ++channel) {
         const double wanted = 0.5 * pi * (channel + 1) * (1.0 + normal.y) + lamp * normal.y;

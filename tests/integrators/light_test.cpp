@@ -348,5 +348,26 @@ TEST(LightTables, BlackLights_AreLeftOut) {
   EXPECT_TRUE(tables.sky.empty());
 }
 
+/// The light of paths of different lengths is found apart.
+TEST(LeastDepth, DirectLightAndTheRest_AreTogetherAllLight) {
+  CompiledScene scene = ground(1, 10.0f);
+  scene.materials[0] = lambert(0.7f);
+  append(scene, sphere(24, 0.5f, {0, 0.5f, 0}));
+  scene.materials[1] = lambert(0.9f);
+  Shot shot = shotOf(std::move(scene), orthographicCamera({0, 3, 0.9}, {0, 0, 0.8}, 0.6), 8, 1024);
+  shot.lights = {pointLight({2, 2, 1}, 6.0f), pointLight({-1, 3, 2}, 8.0f)};
+  shot.sky = constantEnvironment(glm::vec3(0.2f));
+  shot.request.depth = 8;
+  const MeanAndError all = meanOf(shot.render());
+  shot.request.leastDepth = 3;
+  const MeanAndError rest = meanOf(shot.render());
+  shot.request.leastDepth = 1;
+  shot.request.depth = 2;
+  const MeanAndError direct = meanOf(shot.render());
+  ASSERT_LT(all.error, 0.005 * all.mean);
+  EXPECT_GT(rest.mean, 0.02 * all.mean);
+  EXPECT_NEAR(direct.mean + rest.mean, all.mean, 4.0 * std::hypot(all.error, direct.error, rest.error));
+}
+
 }  // namespace
 }  // namespace prelight::test
