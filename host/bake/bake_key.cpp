@@ -2,6 +2,7 @@
 #include "prelight/picture.h"
 #include "projectors/registry/plannings.h"
 #include "scene/light_profile.h"
+#include "scene/material_hash.h"
 
 namespace prelight {
 
@@ -57,9 +58,16 @@ void addVisibility(const BakeRequest& request, StateHash& hash) {
   hash.value(request.limits.nearest).value(request.limits.farthest).value(request.limits.obscurance);
 }
 
+/// Ways by mirrors and glass depend on all that a material says of scattering.
+void addSpecular(const CompiledScene& scene, const BakeRequest& request, StateHash& hash) {
+  if (!request.specular) return;
+  hash.text("specular");
+  for (const CompiledMaterial& m : scene.materials) addMaterial(m, hash);
+}
+
 constexpr std::size_t techniquesBeforeBounces = 2;
 
-std::uint64_t hashOf(const BakeRequest& request) {
+std::uint64_t hashOf(const CompiledScene& scene, const BakeRequest& request) {
   StateHash hash;
   const std::vector<Planning> techniques = plannings(PlanningOrder::Key);
   std::size_t keyed = 0;
@@ -72,6 +80,7 @@ std::uint64_t hashOf(const BakeRequest& request) {
   for (const Planning& technique : techniques)
     if (technique.addListsToKey != nullptr) technique.addListsToKey(request, hash);
   addVisibility(request, hash);
+  addSpecular(scene, request, hash);
   for (const Planning& technique : techniques)
     if (technique.staticLight && technique.addToKey != nullptr) technique.addToKey(request, hash);
   addStaticLight(request, hash);
@@ -90,7 +99,7 @@ std::uint64_t hashOf(const DeviceInfo& device) {
 StateKey bakeKey(const CompiledScene& scene, const BakeRequest& request, const DeviceInfo& device) {
   return {{"version of Prelight", StateHash().text(PRELIGHT_VERSION).result()},
           {"scene", hashOf(scene)},
-          {"options", hashOf(request)},
+          {"options", hashOf(scene, request)},
           {"seed", StateHash().value(request.seed).result()},
           {"device", hashOf(device)}};
 }

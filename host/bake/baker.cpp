@@ -143,7 +143,8 @@ Bake bakeScene(const CompiledScene& scene, const BakeRequest& request, const Pla
   report.bytesBvh = tracer.bvhBytes();
   std::vector<Tracer> setTracers;
   if (request.castsReceivers()) setTracers = tracersOf(scene, sets, tracer);
-  const BakeRequest carried = carriedOut(request, plan.runs(Pass::Bounces));
+  const BakeRequest carried =
+      carriedOut(request, plan.runs(Pass::Bounces), plan.runs(Pass::SpecularTransport));
   const BakeContext context{scene, source, charts,     carried, plan,  device, mesh,
                             sets,  tracer, setTracers, start,   clock, report};
   ProjectorsRun run(context);

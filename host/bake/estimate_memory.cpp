@@ -17,6 +17,7 @@ constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
 constexpr std::uint64_t programBytes = 82 * megabyte;  // the program, the device's compiler and libraries
 constexpr std::uint64_t imageReaderBytes = 110 * megabyte;  // what is loaded where there are images
 constexpr std::uint64_t blockBytes = 16 * megabyte;         // rays, hits and values on their way
+constexpr std::uint64_t specularBytes = 24 * megabyte;      // those that go on from mirrors and glass
 constexpr std::uint64_t leastInMemory = 16 * megabyte;      // of what may lie in a file
 constexpr std::uint64_t slack = 20;   // of what is taken, a 20th: freed blocks that the allocator keeps
 constexpr double shareOfBacks = 0.5;  // of the receivers: how many backs are seen is not known yet
@@ -29,9 +30,9 @@ constexpr std::uint64_t usualBytesPerTriangle = 400;
 /// What bytes are counted by.
 struct Sizes {
   std::uint64_t vertices, triangles, coefficients, receivers;
-  bool bounces, ao;
+  bool bounces, ao, specular;
 
-  std::uint64_t columns() const { return 1 + coefficients; }
+  std::uint64_t columns() const { return 1 + (specular ? 4 : 1) * coefficients; }
   std::uint64_t sides() const { return bounces ? 2 : 1; }
 };
 
@@ -44,7 +45,8 @@ Sizes sizesOf(const PlanInput& input) {
           order * order,
           std::min<std::uint64_t>(receivers, SideSums::mostRecords),
           input.bounces,
-          input.request.ao};
+          input.request.ao,
+          input.request.specular};
 }
 
 /// The compiled scene, and its file where that does not wait elsewhere.
@@ -133,7 +135,7 @@ std::uint64_t deviceSceneBytes(const PlanInput& input, const Instancing& instanc
 /// What is allowed, or usual.
 std::uint64_t boundOf(const PlanInput& input, const Sizes& n) {
   const std::uint64_t written =
-      (24 + 12 + 4 * n.coefficients * (n.bounces ? 3 : 1)) * n.vertices + 12 * n.triangles;
+      (24 + 12 + 4 * n.coefficients * (input.colored() ? 3 : 1)) * n.vertices + 12 * n.triangles;
   return input.request.maxMemory.value_or(usualBytes + usualBytesPerTriangle * n.triangles + written);
 }
 
@@ -165,7 +167,7 @@ void estimateMemory(const PlanInput& input, const Instancing& instancing, Plan& 
     return;
   }
   plan.hostBytes += surfaceBytes(n) + keptSumBytes(n) + accessibilityBytes(n);
-  plan.deviceBytes += blockBytes;
+  plan.deviceBytes += blockBytes + (n.specular ? specularBytes : 0);
   const std::uint64_t bound =
       (boundOf(input, n) - std::min(boundOf(input, n), programBytes)) * slack / (slack + 1) + programBytes;
   const std::uint64_t inMemory = plan.hostBytes + plan.deviceBytes + recordBytes(n) +

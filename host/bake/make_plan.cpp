@@ -5,11 +5,14 @@
 #include <algorithm>
 
 #include "bake/estimate_memory.h"
+#include "gpu/surface_arrays.h"
+#include "plan/cast_orders.h"
 #include "plan/shadow_sets.h"
 #include "plan/tree_use.h"
 #include "projectors/registry/plannings.h"
 #include "scene/instancing.h"
 #include "scene/light_sources.h"
+#include "scene/lobes.h"
 
 namespace prelight {
 
@@ -57,6 +60,7 @@ PlannedPass planCast(const BakeRequest& request, bool bounces, const std::vector
   if (!request.castsReceivers())
     return {Pass::Cast, false, "no technique that is asked for looks from receivers"};
   if (bounces) return {Pass::Cast, true, "closest hits, because bounces need to know what was hit"};
+  if (request.specular) return {Pass::Cast, true, "closest hits, because rays go on from mirrors and glass"};
   for (const Planning& technique : techniques)
     if (const char* reason = technique.closestHits ? technique.closestHits(request) : nullptr)
       return {Pass::Cast, true, reason};
@@ -76,26 +80,44 @@ PlannedPass planAlbedo(const CompiledScene& scene, bool bounces) {
                     : "albedo matters to bounces alone"};
 }
 
+/// Why rays do not go on from what sends light on in about one direction; empty: they do.
+std::string reasonAgainstSpecular(const BakeRequest& request, bool bounces) {
+  if (!request.specular) return "not asked for (BakeRequest::specular)";
+  if (transferOrder(request) == 0 && !(bounces && request.carriesLight()))
+    return "no technique that is asked for carries light of the sky or bounces";
+  const OcclusionLimits& limits = request.limits;
+  if (limits.nearest > 0.0 || limits.farthest > 0.0 || limits.obscurance > 0.0)
+    return "ways of light have no limits of distance, which are asked for";
+  return "";
+}
+
 PlannedPass planSpecular(const PlanInput& input, const std::vector<Planning>& techniques) {
-  const std::size_t transmissive =
-      countMaterials(input.source, [](const Material& m) { return m.transmission > 0.0f; });
-  const std::size_t mirrors =
-      countMaterials(input.source, [](const Material& m) { return m.metallic > 0.0f && m.roughness < 0.1f; });
-  if (transmissive + mirrors == 0)
+  const std::vector<bool> used = usedMaterials(input.scene);
+  std::size_t glass = 0, mirrors = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CompiledMaterial& m = input.scene.materials[i];
+    if (!used[i] || !carriesSpecularly(m)) continue;
+    isGlass(m) ? ++glass : ++mirrors;
+  }
+  if (glass + mirrors == 0)
     return {Pass::SpecularTransport, false, "no material is transmissive or mirror-like"};
-  const char* carried = "no technique asked for carries";
+  const std::string against = reasonAgainstSpecular(input.request, input.bounces);
+  const std::string counted = fmt::format("{} transmissive and {} mirror-like materials", glass, mirrors);
+  if (against.empty())
+    return {Pass::SpecularTransport, true,
+            "rays go on from " + counted + " until they meet the sky or a diffuse surface"};
   for (const Planning& technique : techniques)
     if (const char* by = technique.specularLight ? technique.specularLight(input.request) : nullptr)
-      carried = by;
-  return {Pass::SpecularTransport, false,
-          fmt::format("{} transmissive and {} mirror-like materials count as occluders: {} specular light",
-                      transmissive, mirrors, carried)};
+      return {Pass::SpecularTransport, false,
+              fmt::format("{} count as occluders: {} specular light", counted, by)};
+  return {Pass::SpecularTransport, false, fmt::format("{} count as occluders: {}", counted, against)};
 }
 
 }  // namespace
 
-BakeRequest carriedOut(BakeRequest request, bool bounces) {
+BakeRequest carriedOut(BakeRequest request, bool bounces, bool specular) {
   if (!bounces) request.bounces = 0;
+  if (!specular) request.specular = false;
   return request;
 }
 
@@ -106,9 +128,10 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
       compiled.triangleCount() == 0 ? "the scene has no triangles" : "no technique is asked for";
   const PlannedPass bounces =
       anything ? planBounces(compiled, request) : PlannedPass{Pass::Bounces, false, nothing};
-  const BakeRequest planned = carriedOut(request, bounces.runs);
-  const PlanInput input{scene, compiled, planned, bounces.runs};
   const std::vector<Planning> techniques = plannings(PlanningOrder::Plan);
+  const PlannedPass specular = planSpecular({scene, compiled, request, bounces.runs}, techniques);
+  const BakeRequest planned = carriedOut(request, bounces.runs, anything && specular.runs);
+  const PlanInput input{scene, compiled, planned, bounces.runs};
   const auto add = [&](const PlannedPass& pass) {
     plan.passes.push_back(anything || !pass.runs ? pass : PlannedPass{pass.pass, false, nothing});
   };
@@ -118,7 +141,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
         for (const PlannedPass& pass : technique.passes(input)) add(pass);
   };
   const Instancing instancing = chooseInstancing(compiled);
-  add(planCast(request, bounces.runs, techniques));
+  add(planCast(planned, bounces.runs, techniques));
   add(planInstances(instancing));
   const ShadowSets sets = anything ? makeShadowSets(compiled, request.shadowSets) : ShadowSets{};
   add(planShadowSets(sets, request));
@@ -132,7 +155,7 @@ Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeReque
        compiled.hasAlphaMask() ? "a material is alpha-masked or blended"
                                : "no material is alpha-masked or blended"});
   add(planAlbedo(compiled, bounces.runs));
-  add(planSpecular(input, techniques));
+  add(specular);
   if (anything) {
     for (const Planning& technique : techniques)
       if (technique.addMemory != nullptr) technique.addMemory(input, plan);

@@ -10,8 +10,8 @@ namespace prelight {
 /// a shadow set that names no node of the scene, and nothing else.
 Plan makePlan(const Scene& scene, const CompiledScene& compiled, const BakeRequest& request);
 
-/// A request as it is carried out: without bounces where the plan leaves them out, for what only bounces need
-/// is left out with them.
-BakeRequest carriedOut(BakeRequest request, bool bounces);
+/// A request as it is carried out: without bounces or specular transport where the plan leaves them out, for
+/// what only these need is left out with them.
+BakeRequest carriedOut(BakeRequest request, bool bounces, bool specular);
 
 }  // namespace prelight

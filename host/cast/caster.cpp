@@ -62,8 +62,9 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
       valueCount_(4 + static_cast<std::uint32_t>(options.shOrder * options.shOrder)),
       blockSize_(receiversPerBlock(device_.info(), options.raysPerReceiver)),
       shTable_(device_, std::span<const float>(makeShTable(std::max(1, options.shOrder)))) {
-  // Lights and occluders have rays of their own, in buffers of one block.
-  const bool alone = options_.lights != nullptr || options_.occluders != nullptr;
+  // Lights, occluders and what goes on from mirrors have rays of their own, in buffers of one block.
+  const bool alone =
+      options_.lights != nullptr || options_.occluders != nullptr || options_.specular.followed;
   const std::size_t places = options_.overlaps && !alone ? DeviceLane::count : 1;
   for (std::size_t i = 0; i < places; ++i) blocks_.push_back(makeBlock({i}));
   const auto shOrder = BuildOptions().define("PRELIGHT_SH_ORDER", options_.shOrder);
@@ -71,6 +72,9 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   project_ = {device_, "project/project_kernels.cl", shOrder, "projectHits"};
   if (options_.lights != nullptr)
     lights_.emplace(scene, *options_.lights, options_.sets, tracer_, blockSize_, options_.incidentOrder);
+  if (options_.specular.followed)
+    specular_.emplace(scene, options_.specular, tracer_, std::size_t{blockSize_} * options_.raysPerReceiver,
+                      options_.raysPerReceiver);
   if (options_.shells.count() > 0) shells_.emplace(device_, options_.shells, blockSize_, blocks_.size());
   if (options_.texelFaceSize > 0) texelCodes_ = {device_, "project/texel_kernels.cl", {}, "codeTexels"};
   if (options_.storedReceivers > 0 || options_.marksInside || options_.occluders != nullptr)
@@ -87,6 +91,7 @@ Caster::Caster(const CompiledScene& scene, Tracer& tracer, const CastOptions& op
   const BuildOptions transport = transportOptions(options_.bounceColumns);
   store_ = {device_, "cast/transport_kernels.cl", transport, "storeSenders"};
   gather_ = {device_, "cast/transport_kernels.cl", transport, "gatherBounce"};
+  if (specular_) storeFollowed_ = {device_, "cast/transport_kernels.cl", transport, "storeFollowed"};
   senders_.emplace(device_, options_.raysPerReceiver, options_.rowsInMemory, blockSize_, blocks_.size());
   marks_ = Buffer<std::uint8_t>(device_, scene.triangleCount());
   marks_.fill(0);
@@ -111,7 +116,8 @@ BuildOptions Caster::transportOptions(std::size_t columns) const {
   return tracer_.surfaceOptions()
       .define("PRELIGHT_COLUMNS", static_cast<int>(std::max<std::size_t>(columns, 1)))
       .define("PRELIGHT_PART_VALUES", options_.partValues)
-      .defineIf(translucent_, "PRELIGHT_TRANSLUCENT");
+      .defineIf(translucent_, "PRELIGHT_TRANSLUCENT")
+      .defineIf(specular_.has_value(), "PRELIGHT_FOLLOWED");
 }
 
 void Caster::setParameters(Block& block, std::uint32_t receivers, std::uint32_t firstStored) {
@@ -148,7 +154,7 @@ void Caster::start(std::size_t place, std::span<const Receiver> receivers, const
   const std::size_t rayCount = std::size_t{block.count} * options_.raysPerReceiver;
   const bool marks = options_.marksInside && purpose.inside;
   block.closest = (marks && !findsSolids_) || block.storedRow || purpose.occluders || block.shells ||
-                  options_.limits.obscurance > 0.0 || (lights_ && lights_->hasEmitters());
+                  options_.limits.obscurance > 0.0 || specular_ || (lights_ && lights_->hasEmitters());
   block.closest ? tracer.traceClosest(block.rays, block.hits, rayCount, 0, block.lane)
                 : tracer.traceAny(block.rays, block.hits, rayCount, 0, block.lane);
   if (block.storedRow) store(block);
@@ -168,6 +174,7 @@ void Caster::finish(std::size_t place, CastValues& values) {
   Block& block = blocks_[place];
   values.values.resize(std::size_t{block.count} * valueCount_);
   block.values.read(std::span(values.values));
+  if (specular_) follow(block, values);
   if (block.storedRow) senders_.value().keep(*block.storedRow, block.count, block.lane);
   if (options_.texelFaceSize > 0) {
     values.texels.resize(std::size_t{block.count} * options_.raysPerReceiver);
@@ -224,6 +231,18 @@ void Caster::store(const Block& block) {
   store_.launch({std::size_t{block.count} * options_.raysPerReceiver, block.lane}, block.parameters,
                 tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_, block.receivers,
                 block.rays, block.hits, room.buffer, marks_);
+}
+
+/// Rays that meet mirrors and glass bring what is seen by way of those, in place of what was stored of them.
+void Caster::follow(const Block& block, CastValues& values) {
+  const CastBlockBuffers buffers{block.parameters, block.receivers, block.rays, block.hits};
+  specular_->cast(buffers, block.count, tracerOf(block.set));
+  if (options_.specular.shOrder > 0) specular_->project(buffers, block.count, values.specular);
+  if (!block.storedRow) return;
+  const SenderRows::Place room = senders_.value().roomFor(*block.storedRow, block.count, block.lane);
+  storeFollowed_.launch({std::size_t{block.count} * options_.raysPerReceiver, block.lane}, block.parameters,
+                        tracer_.scene().layoutBuffer(), tracer_.scene().surface(), geometricNormals_,
+                        block.receivers, specular_->ends(), room.buffer, marks_);
 }
 
 void Caster::save(StateWriter& state, std::uint32_t rows) const {

@@ -10,6 +10,7 @@
 #include "cast/occluder_caster.h"
 #include "cast/sender_rows.h"
 #include "cast/shell_caster.h"
+#include "cast/specular_caster.h"
 #include "gpu/tracer.h"
 #include "prelight/request.h"
 #include "shared/cast_types.h"
@@ -45,6 +46,7 @@ struct CastOptions {
   const GroupedLights* lights = nullptr;  ///< read by the constructor alone; nullptr: none
   int incidentOrder = 0;                  ///< of the lights: incident radiance in SH of this order as well
   ShellShape shells;                      ///< of distance that blocks' hits are told apart by
+  SpecularWays specular;                  ///< of rays that meet mirrors and glass
   OcclusionLimits limits;
   const OccluderGroups* occluders =
       nullptr;               ///< read by the constructor alone; nullptr: they are not told apart
@@ -67,6 +69,7 @@ struct CastValues {
                               ///< incidentOrder [..][value], see LightCaster; or empty
   std::vector<std::uint8_t> inside;  ///< [receiver], 1: inside an object; or empty
   std::vector<float> shells;         ///< [receiver][shell][1 + order^2], see ShellCaster; or empty
+  std::vector<float> specular;       ///< [receiver][3][i], see SpecularCaster; or empty
   OccluderValues occluders;          ///< where they were asked for
 };
 
@@ -122,7 +125,9 @@ class Caster {
   }
 
   /// Rays cast so far besides those of the hemispheres and to lights.
-  std::uint64_t furtherRays() const { return occluders_ ? occluders_->rays() : 0; }
+  std::uint64_t furtherRays() const {
+    return (occluders_ ? occluders_->rays() : 0) + (specular_ ? specular_->rays() : 0);
+  }
 
   std::uint32_t raysPerReceiver() const { return options_.raysPerReceiver; }
   std::uint32_t partValues() const { return options_.partValues; }
@@ -186,6 +191,7 @@ class Caster {
   void readInside(Block& block, std::vector<std::uint8_t>& inside);
   void codeTexels(Block& block);
   void store(const Block& block);
+  void follow(const Block& block, CastValues& values);
 
   Tracer& tracer_;
   DeviceContext& device_;
@@ -205,6 +211,7 @@ class Caster {
   std::optional<LightCaster> lights_;
   std::optional<OccluderCaster> occluders_;
   std::optional<ShellCaster> shells_;
+  std::optional<SpecularCaster> specular_;
   using Parameters = Buffer<device::CastParameters>;
   using Receivers = Buffer<device::Receiver>;
   using Rays = Buffer<device::Ray>;
@@ -215,6 +222,9 @@ class Caster {
   Kernel<Parameters, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Floats, Receivers, Rays, Hits,
          Buffer<device::Sender>, Buffer<std::uint8_t>>
       store_;
+  Kernel<Parameters, Buffer<device::SceneLayout>, Buffer<device::SurfaceLine>, Floats, Receivers,
+         Buffer<device::SpecularEnd>, Buffer<device::Sender>, Buffer<std::uint8_t>>
+      storeFollowed_;
   Kernel<Parameters, std::uint32_t, std::uint32_t, Buffer<device::Sender>, Floats, Floats> gather_;
   Kernel<Parameters, std::uint32_t, Rays, Hits, Buffer<std::uint32_t>> texelCodes_;
   Kernel<Parameters, std::uint32_t, std::uint32_t, Receivers, Rays, Hits, Floats, Buffer<std::uint8_t>,

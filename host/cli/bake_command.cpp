@@ -247,11 +247,11 @@ void dropUnusedMeshes(const BakeRequest& request, bool animated, Scene& scene) {
   if (!animated && !request.lightMap && request.chartTransfer.size == 0) scene.meshes = std::vector<Mesh>();
 }
 
-/// Light maps follow rays, ambient occlusion knows no materials, and vector occluders have glass of their
-/// own.
+/// Light maps and specular transport follow rays, ambient occlusion knows no materials, and vector occluders
+/// have glass of their own.
 void warnOfDroppedFeatures(Session& session, const LoadedScene& loaded, const BakeRequest& request) {
   Warnings dropped;
-  if (request.carriesLight() || request.radiosity)
+  if ((request.carriesLight() && !request.specular) || request.radiosity)
     noteDroppedFeatures(loaded.scene, loaded.compiled, MaterialPath::Transfer, "baked transfer", dropped);
   for (const std::string& warning : dropped) session.warn(warning);
 }
@@ -357,6 +357,7 @@ void addBakeCommand(CLI::App& program, Context& context) {
       "  prelight bake level.glb -o baked.glb --ao --error 0.01 --report report.json\n"
       "  prelight bake level.glb -o baked.glb --sh 6 --haar 32 --bounces 2 --compress cpca:64:8\n"
       "  prelight bake house.glb -o baked.glb --sh 4 --texels 512 --bounces 2\n"
+      "  prelight bake aquarium.glb -o baked.glb --sh 5 --bounces 2 --specular-transport\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-size 0.05\n"
       "  prelight bake house.glb -o baked.glb --lightmap --texel-error 0.02\n"
       "  prelight bake glass.glb -o baked.glb --lightmap --caustics --photons 1000000\n"

@@ -60,6 +60,7 @@ std::string techniqueText(const BakeRequest& request) {
   add(request.lightMap.wanted, "--lightmap");
   add(request.lightMap.caustics, "--caustics");
   add(bool(request.encodedLight), fmt::format("--encode {}", fmt::join(request.encodedLight.encodings, ",")));
+  add(request.specular, "--specular-transport");
   add(request.bounces > 0, fmt::format("--bounces {}", request.bounces));
   return text;
 }
@@ -313,6 +314,10 @@ void addTechniqueOptions(CLI::App& app, BakeOptions& options) {
       app, "--bounces", {0, BakeRequest::maxBounces},
       [&](std::uint64_t n) { request.bounces = static_cast<int>(n); },
       fmt::format("diffuse bounces in all transfer, 0 to {}", BakeRequest::maxBounces));
+  app.add_flag("--specular-transport", request.specular,
+               "light through glass and off mirrors and metal in all transfer: caustics that turn with the "
+               "sky, and what "
+               "mirrors show; without it they count as opaque and black");
   addOcclusionOptions(app, request);
   addShadowSetOptions(app, request);
   app.add_option_function<std::string>(

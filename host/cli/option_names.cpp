@@ -14,6 +14,7 @@ constexpr auto options = std::to_array<std::pair<std::string_view, std::string_v
     {"BakeRequest::maxMemory", "--max-memory"},
     {"BakeRequest::radiosity", "--radiosity"},
     {"BakeRequest::shadowSets", "--shadow-set"},
+    {"BakeRequest::specular", "--specular-transport"},
     {"ChartTransferRequest::size", "--texels"},
     {"CompressionRequest", "--compress"},
     {"CompressionRequest::clusters", "--compress"},

@@ -22,6 +22,7 @@
 #include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
+#include "shared/specular_types.h"
 
 namespace prelight {
 
@@ -113,7 +114,10 @@ std::vector<StructLayout> layoutsOfLight() {
       layoutOf<LightGroupLayout, 24>("LightGroupLayout", offsetof(LightGroupLayout, emitters)),
       layoutOf<QueueMove, 32>("QueueMove", offsetof(QueueMove, to)),
       layoutOf<DeviceTexture, 48>("DeviceTexture", offsetof(DeviceTexture, wrapT)),
-      layoutOf<GatherArrival, 16>("GatherArrival", offsetof(GatherArrival, ray))};
+      layoutOf<GatherArrival, 16>("GatherArrival", offsetof(GatherArrival, ray)),
+      layoutOf<SpecularStep, 16>("SpecularStep", offsetof(SpecularStep, longWay)),
+      layoutOf<SpecularPath, 28>("SpecularPath", offsetof(SpecularPath, dispersed)),
+      layoutOf<SpecularEnd, 40>("SpecularEnd", offsetof(SpecularEnd, v))};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "integrators/film_state.h"
 
 #include "scene/light_profile.h"
+#include "scene/material_hash.h"
 
 namespace prelight::reference {
 
@@ -10,42 +11,6 @@ constexpr const char* kind = "reference";
 
 void addVector(StateHash& hash, const glm::dvec3& v) { hash.value(v.x).value(v.y).value(v.z); }
 
-void addTexture(StateHash& hash, const TextureRef& texture) {
-  for (const int v : {texture.image, texture.texCoord, static_cast<int>(texture.wrapS),
-                      static_cast<int>(texture.wrapT), static_cast<int>(texture.filter)})
-    hash.value(v);
-  for (int c = 0; c < 3; ++c) addVector(hash, glm::dvec3(texture.transform[c]));
-}
-
-void addMaterial(StateHash& hash, const CompiledMaterial& m) {
-  for (const glm::vec3& v : {m.albedo, m.diffuseTransmission, m.baseColor, m.emissionFactor, m.absorption,
-                             m.specularColor, m.translucentColor, m.sheen.color})
-    addVector(hash, glm::dvec3(v));
-  for (const float v : {m.alphaCutoff,
-                        m.alphaFactor,
-                        m.metallic,
-                        m.roughness,
-                        m.transmission,
-                        m.ior,
-                        m.specular,
-                        m.translucency,
-                        m.normalScale,
-                        m.clearcoat.factor,
-                        m.clearcoat.roughness,
-                        m.clearcoat.normalScale,
-                        m.sheen.roughness,
-                        m.anisotropy.strength,
-                        m.anisotropy.rotation,
-                        m.iridescence.factor,
-                        m.iridescence.ior,
-                        m.iridescence.thicknessMinimum,
-                        m.iridescence.thicknessMaximum,
-                        m.dispersion})
-    hash.value(v);
-  for (const bool v : {m.doubleSided, m.blended, m.solid, m.unlit}) hash.value(v ? 1 : 0);
-  for (const TextureRef& texture : m.textures()) addTexture(hash, texture);
-}
-
 std::uint64_t sceneHash(const ReferenceInputs& inputs) {
   const CompiledScene& s = inputs.scene;
   StateHash hash;
@@ -53,7 +18,7 @@ std::uint64_t sceneHash(const ReferenceInputs& inputs) {
   hash.values(s.positions).values(s.normals).values(s.colors).values(s.triangles);
   hash.values(s.texCoords).values(s.texCoords1).values(s.tangents);
   hash.values(s.triangleMaterials).values(s.triangleFlat);
-  for (const CompiledMaterial& m : s.materials) addMaterial(hash, m);
+  for (const CompiledMaterial& m : s.materials) addMaterial(m, hash);
   for (const Image& image : inputs.images) hash.value(image.width).value(image.height).values(image.rgba);
   return hash.result();
 }

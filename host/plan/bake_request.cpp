@@ -9,7 +9,7 @@ namespace prelight {
 
 namespace {
 
-constexpr int haarBounceOrder = 6;  // bands that carry what bounces add to wavelets
+constexpr int haarBounceOrder = 6;  // bands that carry what bounces, mirrors and glass add to wavelets
 
 }  // namespace
 
@@ -28,7 +28,7 @@ BakeRequest BakeRequest::withoutTechniques() const {
 
 int transferOrder(const BakeRequest& request) {
   return std::max({request.sh.order, request.ch.order, request.glossy.order,
-                   request.haar.size > 0 && request.bounces > 0 ? haarBounceOrder : 0});
+                   request.haar.size > 0 && (request.bounces > 0 || request.specular) ? haarBounceOrder : 0});
 }
 
 int nearLampOrder(const BakeRequest& request) { return std::max(request.sh.order, request.ch.order); }

@@ -16,15 +16,15 @@ std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&)) {
   return static_cast<std::size_t>(std::count_if(scene.materials.begin(), scene.materials.end(), test));
 }
 
-std::string plannedChannels(bool bounces) {
-  return bounces ? "3 channels" : "1 channel because nothing colours the light";
+std::string plannedChannels(bool colored) {
+  return colored ? "3 channels" : "1 channel because nothing colours the light";
 }
 
-PlannedPass planHarmonics(Pass name, int order, bool bounces, const std::string& how) {
+PlannedPass planHarmonics(Pass name, int order, bool colored, const std::string& how) {
   if (order == 0) return {name, false, "not asked for"};
   return {
       name, true,
-      fmt::format("order {}, {} coefficients, {}{}", order, order * order, plannedChannels(bounces), how)};
+      fmt::format("order {}, {} coefficients, {}{}", order, order * order, plannedChannels(colored), how)};
 }
 
 }  // namespace prelight

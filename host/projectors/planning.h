@@ -18,6 +18,9 @@ struct PlanInput {
   const CompiledScene& scene;
   const BakeRequest& request;
   bool bounces;  ///< of the transfer that is asked for, run
+
+  /// Something colours the light of transfer.
+  bool colored() const { return bounces || request.specular; }
 };
 
 /// What a technique asks of a bake before it begins. A function that is nullptr has nothing to say.
@@ -54,10 +57,10 @@ std::uint64_t plannedRays(const CompiledScene& scene, const BakeRequest& request
 std::size_t countMaterials(const Scene& scene, bool (*test)(const Material&));
 
 /// "3 channels".
-std::string plannedChannels(bool bounces);
+std::string plannedChannels(bool colored);
 
 /// Transfer in harmonics of an order, 0: not asked for. `how` follows the text.
-PlannedPass planHarmonics(Pass name, int order, bool bounces, const std::string& how);
+PlannedPass planHarmonics(Pass name, int order, bool colored, const std::string& how);
 
 constexpr std::uint64_t senderBytes = 8;  ///< that bounces keep of a ray
 

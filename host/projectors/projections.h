@@ -17,6 +17,7 @@ struct Projections {
   std::size_t shells = 0;            ///< of distance that hits are told apart by, fronts only
   int shellOrder = 0;                ///< bands of SH of each
   bool backs = true;                 ///< cast from backs that rays meet, where rows are stored
+  int specularOrder = 0;             ///< bands of SH of what comes by mirrors and glass; 0: none does
   bool receivers = false;            ///< keep the receivers of stored rows, fronts only
   bool occluders = false;            ///< means of what is seen of each, fronts only
   std::uint32_t occluderCount = 0;   ///< where they are told apart

@@ -9,6 +9,7 @@
 #include "base/state_file.h"
 #include "cast/light_groups.h"
 #include "cast/shell_caster.h"
+#include "cast/specular_caster.h"
 #include "gpu/tracer.h"
 #include "occluders/occluder_groups.h"
 #include "plan/shadow_sets.h"
@@ -52,6 +53,12 @@ struct CastNeeds {
   bool receivers = false;                     ///< where bounces are: keep those of stored rows
   bool reflected = false;  ///< where bounces are: keep what surfaces reflect (SlotTransfer)
 };
+
+/// Where a bake's rays go on from mirrors and glass, with light of the sky in bands of SH of that order.
+inline SpecularWays specularWaysOf(const BakeContext& context, int order) {
+  if (!context.plan.runs(Pass::SpecularTransport)) return {};
+  return {true, order, context.source != nullptr ? &context.source->images : nullptr};
+}
 
 /// What a technique does in a bake. Projectors are made before the first ray and run one after the other.
 class Projector {

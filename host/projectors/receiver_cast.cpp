@@ -42,6 +42,7 @@ CastOptions castOptions(const BakeContext& context, const CastNeeds& needs, cons
   options.texelFaceSize = needs.texelFaceSize;
   options.lights = needs.lights;
   options.shells = needs.shells;
+  options.specular = specularWaysOf(context, order);
   options.sets = &context.sets;
   options.setTracers = context.setTracers;
   options.limits = context.request.limits;
@@ -64,6 +65,7 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
   }
   projections.shells = needs.shells.count();
   projections.shellOrder = needs.shells.order;
+  projections.specularOrder = specularWaysOf(context, transferOrder(context.request)).shOrder;
   projections.recordBytes = context.plan.recordBytes;
   projections.parks = context.plan.parks;
   projections.backs = context.plan.runs(Pass::Bounces);
@@ -72,6 +74,12 @@ Projections projectionsOf(const BakeContext& context, const CastNeeds& needs, co
   if (needs.occluders != nullptr)
     projections.occluderCount = static_cast<std::uint32_t>(needs.occluders->names.size());
   return projections;
+}
+
+void addSpecularNote(const BakeContext& context, const Caster& caster) {
+  if (context.plan.runs(Pass::SpecularTransport))
+    context.report.notes.push_back(fmt::format(
+        "specular transport: {} further rays from glass, mirrors and metal", caster.furtherRays()));
 }
 
 std::string backNote(const SceneCast& cast) {
@@ -122,6 +130,7 @@ ReceiverCast::ReceiverCast(const BakeContext& context, const CastNeeds& needs)
 void ReceiverCast::run(Progress& progress) {
   cast_.run(progress);
   if (bounces_ > 0) addNotes(context_, cast_, caster_);
+  addSpecularNote(context_, caster_);
   context_.clock.mark("cast");
   caster_.keepOnePlace();
   if (!keepsTrees(context_.request)) dropTrees(context_);
@@ -136,7 +145,8 @@ void ReceiverCast::run(Progress& progress) {
 
 const SlotTransfer& ReceiverCast::transfer(Progress& progress) {
   if (!transfer_) {
-    const TransferRequest request{transferOrder(context_.request), bounces_, keepsReflected_};
+    const TransferRequest request{transferOrder(context_.request), bounces_, keepsReflected_,
+                                  context_.plan.runs(Pass::SpecularTransport)};
     transfer_ =
         makeTransfer(context_.mesh, caster_, cast_, fitted_, request, progress, context_.report.notes);
     context_.clock.mark("bounce");

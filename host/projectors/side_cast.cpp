@@ -202,11 +202,12 @@ void SideCast::finishStarted() const {
 
 // Where every ray around escaped, the closed form is most likely the answer, and where every one was blocked,
 // 0. A few more rays are cast there all the same, each for many: were there none, what the first rays missed
-// would be missed on average, too. Blocked rays carry light in bounces and tell distances in shells, so that
-// those are thinned only without.
+// would be missed on average, too. Blocked rays carry light in bounces and from mirrors and glass, and tell
+// distances in shells, so that those are thinned only without.
 void SideCast::thinPlainTriangles() {
   parallelRanges(mesh_.triangles.size(), 16384, [&](std::size_t begin, std::size_t end) {
-    const bool closedToo = storedCapacity_ == 0 && projections_.shells == 0;
+    const bool closedToo =
+        storedCapacity_ == 0 && projections_.shells == 0 && projections_.specularOrder == 0;
     for (std::size_t t = begin; t < end; ++t) sampler_.thinned()[t] = sums_.isPlain(t, closedToo) ? 1 : 0;
   });
 }

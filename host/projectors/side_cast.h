@@ -63,6 +63,9 @@ class SideCast {
   /// Fitted direct light of groups of lights, [slot][3][group]. Only where the projections ask for it.
   std::vector<float> solveLights() const { return sums_.lightFit().solve(defaultSmoothing); }
 
+  /// Fitted transfer of what comes by mirrors and glass, [slot][3][i]. Only where the projections ask for it.
+  std::vector<float> solveSpecular() const { return sums_.specularFit().solve(defaultSmoothing); }
+
   /// Fitted shells of distance, [slot][shell][i]. Only where the projections ask for them.
   std::vector<float> solveShells() const { return sums_.shellFit().solve(defaultSmoothing); }
 

@@ -12,13 +12,18 @@ namespace prelight {
 
 namespace {
 
-constexpr std::uint32_t plainRays = 512;  // around a slot, all alike, before fewer are cast there
-constexpr float unseenShare = 0.01f;  // of its weight that a receiver inside a solid keeps
+constexpr std::uint32_t plainRays = 512;       // around a slot, all alike, before fewer are cast there
+constexpr float unseenShare = 0.01f;           // of its weight that a receiver inside a solid keeps
 constexpr double bentNormalHalfWeight = 0.05;  // mean open vector of 64 rays is known to about 0.02
 
 /// Of a shell.
 std::size_t shellColumns(const Projections& projections) {
   return static_cast<std::size_t>(projections.shellOrder * projections.shellOrder);
+}
+
+/// Of what comes by mirrors and glass, in three channels.
+std::size_t specularColumns(const Projections& projections) {
+  return 3 * static_cast<std::size_t>(projections.specularOrder * projections.specularOrder);
 }
 
 }  // namespace
@@ -41,21 +46,18 @@ SideSums::SideSums(const CompiledScene& scene, const FitMesh& mesh, const Schedu
   if (projections_.bentNormal) bentFit_.emplace(plainFit(3));
   if (projections_.groups > 0) lightFit_.emplace(plainFit(3 * projections_.groups));
   if (projections_.shells > 0) shellFit_.emplace(plainFit(projections_.shells * shellColumns(projections_)));
+  if (projections_.specularOrder > 0) specularFit_.emplace(plainFit(specularColumns(projections_)));
   if (projections_.occluders) occluders_.emplace(mesh);
 }
 
 void SideSums::park() {
   fit_.park();
-  if (bentFit_) bentFit_->park();
-  if (lightFit_) lightFit_->park();
-  if (shellFit_) shellFit_->park();
+  forFurtherFits([](VertexFit& fit) { fit.park(); });
 }
 
 void SideSums::unpark() {
   fit_.fetch();
-  if (bentFit_) bentFit_->fetch();
-  if (lightFit_) lightFit_->fetch();
-  if (shellFit_) shellFit_->fetch();
+  forFurtherFits([](VertexFit& fit) { fit.fetch(); });
 }
 
 void SideSums::add(CastBlock& block) {
@@ -69,12 +71,17 @@ void SideSums::add(CastBlock& block) {
   }
   fit_.add(block.samples, rows_);
   if (bentFit_) bentFit_->add(bentSamples_, bentRows_);
-  if (lightFit_) {
-    lightRows_.assign(block.values.lights.begin(), block.values.lights.end());
-    lightFit_->add(block.samples, lightRows_);
-  }
+  addFurther(lightFit_, block, block.values.lights);
+  addFurther(specularFit_, block, block.values.specular);
   if (shellFit_) addShells(block);
   receivers_ += block.samples.size();
+}
+
+void SideSums::addFurther(std::optional<VertexFit>& fit, const CastBlock& block,
+                          const std::vector<float>& values) {
+  if (!fit) return;
+  furtherRows_.assign(values.begin(), values.end());
+  fit->add(block.samples, furtherRows_);
 }
 
 // Nobody sees them, and what they see, which is nothing, would darken what is around. Their surface goes on
@@ -94,9 +101,7 @@ void SideSums::weighUnseen(CastBlock& block) {
 
 void SideSums::shareUnseen() {
   fit_.leaveOut(unseen_);
-  if (bentFit_) bentFit_->leaveOut(unseen_);
-  if (lightFit_) lightFit_->leaveOut(unseen_);
-  if (shellFit_) shellFit_->leaveOut(unseen_);
+  forFurtherFits([&](VertexFit& fit) { fit.leaveOut(unseen_); });
 }
 
 void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
@@ -105,6 +110,7 @@ void SideSums::limitTo(std::span<const std::uint8_t> triangles) {
     for (const std::uint32_t slot : mesh_.triangles[t]) slots[slot] |= triangles[t];
   if (lightFit_) lightFit_->extendTo(slots);
   if (shellFit_) shellFit_->extendTo(slots);
+  if (specularFit_) specularFit_->extendTo(slots);
   fit_.extendTo(std::move(slots));
 }
 
@@ -273,6 +279,7 @@ void SideSums::save(StateWriter& state) const {
   if (bentFit_) bentFit_->save(state);
   if (lightFit_) lightFit_->save(state);
   if (shellFit_) shellFit_->save(state);
+  if (specularFit_) specularFit_->save(state);
   if (occluders_) occluders_->save(state);
   texelRows_.save(state);
   records_.save(state);
@@ -284,9 +291,7 @@ void SideSums::save(StateWriter& state) const {
 
 void SideSums::load(StateReader& state) {
   fit_.load(state);
-  if (bentFit_) bentFit_->load(state);
-  if (lightFit_) lightFit_->load(state);
-  if (shellFit_) shellFit_->load(state);
+  forFurtherFits([&](VertexFit& fit) { fit.load(state); });
   if (occluders_) occluders_->load(state, projections_.occluderCount);
   texelRows_.load(state);
   records_.load(state);

@@ -60,6 +60,7 @@ class SideSums {
   const VertexFit& bentFit() const { return bentFit_.value(); }
   const VertexFit& lightFit() const { return lightFit_.value(); }
   const VertexFit& shellFit() const { return shellFit_.value(); }
+  const VertexFit& specularFit() const { return specularFit_.value(); }
   const OccluderMeans& occluders() const { return occluders_.value(); }
   const TexelRows& texelRows() const { return texelRows_; }
   const Baseline& baseline() const { return baseline_; }
@@ -91,6 +92,13 @@ class SideSums {
   VertexFit plainFit(std::size_t columns) const;
   ErrorEstimate errorOf(const NormalEquations& equations, std::span<const float> values, std::size_t columns,
                         int steps) const;
+  void addFurther(std::optional<VertexFit>& fit, const CastBlock& block, const std::vector<float>& values);
+  /// Calls use(fit) for the fits besides the first that there are.
+  template <typename Use>
+  void forFurtherFits(const Use& use) {
+    for (std::optional<VertexFit>* fit : {&bentFit_, &lightFit_, &shellFit_, &specularFit_})
+      if (*fit) use(**fit);
+  }
   void askFor(std::span<const SurfaceSample> samples, std::size_t i) const;
   void addReceiver(const CastBlock& block, std::size_t i);
   void addBentNormal(const SurfaceSample& sample, const glm::dvec3& meanOpen);
@@ -110,6 +118,7 @@ class SideSums {
   std::optional<VertexFit> bentFit_;
   std::optional<VertexFit> lightFit_;
   std::optional<VertexFit> shellFit_;
+  std::optional<VertexFit> specularFit_;
   std::optional<OccluderMeans> occluders_;
   SampleRecords records_;
   TexelRows texelRows_;
@@ -117,10 +126,10 @@ class SideSums {
   std::vector<std::uint8_t> seen_;       ///< [slot], what rays around it met: bit 0 the open, bit 1 surface
   std::vector<std::uint32_t> slotRays_;  ///< [slot], rays of the triangles around it
   std::uint64_t receivers_ = 0;
-  std::vector<double> residual_;                      ///< of the receiver at hand
-  std::vector<double> rows_, lightRows_, shellRows_;  ///< of the block at hand, [receiver][column]
-  std::vector<SurfaceSample> bentSamples_;            ///< of the block at hand, those with a direction
-  std::vector<double> bentRows_;                      ///< [bent sample][3]
+  std::vector<double> residual_;                        ///< of the receiver at hand
+  std::vector<double> rows_, furtherRows_, shellRows_;  ///< of the block at hand, [receiver][column]
+  std::vector<SurfaceSample> bentSamples_;              ///< of the block at hand, those with a direction
+  std::vector<double> bentRows_;                        ///< [bent sample][3]
 };
 
 }  // namespace prelight

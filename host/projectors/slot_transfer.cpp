@@ -15,7 +15,7 @@ namespace {
 constexpr double nothingLeft = 1e-6;  // of transfer, whose open value is about 1
 constexpr std::size_t slotRange = 4096;
 
-/// What one side of the surface receives directly.
+/// What one side of the surface receives without diffuse bounces.
 class DirectTransfer {
  public:
   DirectTransfer(const SideCast& cast, const std::vector<float>& fitted, const SlotTransfer& shape)
@@ -23,20 +23,24 @@ class DirectTransfer {
         fitted_(fitted),
         bands_(shape.shColumns()),
         groups_(shape.groups),
-        lights_(shape.groups > 0 ? cast.solveLights() : std::vector<float>{}) {}
+        lights_(shape.groups > 0 ? cast.solveLights() : std::vector<float>{}),
+        specular_(shape.specular && bands_ > 0 ? cast.solveSpecular() : std::vector<float>{}) {}
 
-  /// Value `value` of a slot's [3][column]: SH, the same in every channel, then the groups of lights.
+  /// Value `value` of a slot's [3][column]: SH, then the groups of lights. What comes straight is the same in
+  /// every channel of SH.
   float value(std::size_t slot, std::size_t value) const {
     const std::size_t channel = value / (bands_ + groups_), column = value % (bands_ + groups_);
-    return column < bands_ ? directTransfer(cast_, fitted_, slot, column)
-                           : lights_[(slot * 3 + channel) * groups_ + column - bands_];
+    if (column >= bands_) return lights_[(slot * 3 + channel) * groups_ + column - bands_];
+    const float straight = directTransfer(cast_, fitted_, slot, column);
+    return specular_.empty() ? straight : straight + specular_[(slot * 3 + channel) * bands_ + column];
   }
 
  private:
   const SideCast& cast_;
   const std::vector<float>& fitted_;
   std::size_t bands_, groups_;
-  std::vector<float> lights_;  ///< [slot][3][group]
+  std::vector<float> lights_;    ///< [slot][3][group]
+  std::vector<float> specular_;  ///< [slot][3][i], from the sky by mirrors and glass; empty: none
 };
 
 /// [slot], 1 where a back is seen.
@@ -157,7 +161,7 @@ class TransferBounces {
 SlotTransfer makeTransfer(const FitMesh& mesh, Caster& caster, const SceneCast& cast,
                           const std::vector<float>& fitted, const TransferRequest& request,
                           Progress& progress, std::vector<std::string>& notes) {
-  SlotTransfer transfer{request.order, caster.groupCount(), {}, {}, {}, request.bounces};
+  SlotTransfer transfer{request.order, caster.groupCount(), {}, {}, {}, request.bounces, request.specular};
   const std::size_t values = 3 * transfer.columns();
   transfer.total.resize(mesh.slotCount() * values);
   {

@@ -21,12 +21,13 @@ struct SlotTransfer {
   std::vector<float> reflected;  ///< of it, what surfaces reflect: all but the last bounce; empty: not kept
   std::vector<float> backReflected;  ///< the same of the vertices' backs; empty: none is seen, or not kept
   int bounces = 0;                   ///< as asked for
+  bool specular = false;             ///< light comes by mirrors and glass, too
 
   std::size_t shColumns() const { return static_cast<std::size_t>(order * order); }
   std::size_t columns() const { return shColumns() + groups; }
-  int channels() const {
-    return bounces > 0 ? 3 : 1;
-  }  ///< that differ: without bounces nothing colours the light
+
+  /// Those that differ: where light comes straight from the sky alone, nothing colours it.
+  int channels() const { return bounces > 0 || specular ? 3 : 1; }
 };
 
 /// Transfer without bounces of a slot's front in coefficient i of SH, the same in every channel. `fitted` is
@@ -41,6 +42,7 @@ struct TransferRequest {
   int order = 0;           ///< at most that of the cast
   int bounces = 0;         ///< from the caster's stored rows
   bool reflected = false;  ///< keep what surfaces reflect, where there are bounces
+  bool specular = false;   ///< the cast has followed rays from mirrors and glass
 };
 
 /// Direct transfer from a cast that has run, and bounces of it. `fitted` is the front's solution.

@@ -56,6 +56,30 @@ inline bool isSpecularGlass(const CompiledMaterial& m) {
   return isGlass(m) && (!plain || m.specularTexture.image >= 0 || m.specularColorTexture.image >= 0);
 }
 
+/// Roughness up to which a lobe counts as narrow: the root of PRELIGHT_NARROW_ALPHA in
+/// kernels/transport/lobe_funcs.cl.
+constexpr float narrowRoughness = 0.25f;
+
+/// Whether a material sends light on in about one direction: glass, a mirror, or a lobe, unless it is
+/// wide. A texture of roughness may make it so. Solid glass does whatever its roughness, as narrowLobes() has
+/// it in kernels/transport/lobe_funcs.cl.
+inline bool makesCaustics(const CompiledMaterial& m) {
+  // The wider way counts, and a texture may make it narrow.
+  const float alpha = m.roughness * m.roughness, stretch = m.anisotropy.strength * m.anisotropy.strength;
+  const bool even = alpha + (1.0f - alpha) * stretch <= narrowRoughness * narrowRoughness;
+  const bool narrow = (m.anisotropy.strength > 0.0f ? even || m.anisotropy.texture.image >= 0
+                                                    : m.roughness <= narrowRoughness) ||
+                      m.surfaceTexture.image >= 0;
+  const bool narrowCoat = m.clearcoat.factor > 0.0f && m.clearcoat.roughness <= narrowRoughness;
+  return narrowCoat || (m.solid && isGlass(m)) || (narrow && (isGlass(m) || reflectsSpecularly(m)));
+}
+
+/// Whether transfer goes on from a material otherwise than diffusely: what makes caustics, and glass and
+/// metal whatever their roughness, as they send nothing diffusely.
+inline bool carriesSpecularly(const CompiledMaterial& m) {
+  return makesCaustics(m) || isGlass(m) || (!m.unlit && m.metallic > 0.0f);
+}
+
 /// Whether light passes through a material diffusely.
 inline bool isTranslucent(const CompiledMaterial& m) { return m.diffuseTransmission != glm::vec3(0.0f); }
 

@@ -5,9 +5,10 @@
 #include "project/visibility_funcs.cl"
 #include "shared/cast_types.h"
 #include "shared/ray_types.h"
+#include "shared/specular_types.h"
 
 // Options: PRELIGHT_COLUMNS, values a channel of the transfer; PRELIGHT_GLOSSY_ORDER, of transfer matrices;
-// PRELIGHT_TRANSLUCENT, when a material lets light through diffusely.
+// PRELIGHT_TRANSLUCENT, when a material lets light through diffusely; PRELIGHT_FOLLOWED, when rays go on from mirrors and glass.
 #ifndef PRELIGHT_COLUMNS
 #define PRELIGHT_COLUMNS 1
 #endif
@@ -36,8 +37,18 @@ typedef uint8 PartIndex;
 #include "project/sh_funcs.cl"
 #endif
 
+// One step of a sender's albedo. What is seen from within glass may be brighter by the square of its index of refraction:
+// two bits of the albedo say how often it is doubled.
+float albedoStep(Sender s) {
+#ifdef PRELIGHT_FOLLOWED
+  return (float)(1u << (s.albedo >> 30)) * (1.0f / 1023.0f);
+#else
+  return 1.0f / 1023.0f;
+#endif
+}
+
 // The sender's albedo in channel c: 0 red, 1 green, 2 blue.
-float senderAlbedo(Sender s, uint c) { return (float)((s.albedo >> (10 * c)) & 1023u) * (1.0f / 1023.0f); }
+float senderAlbedo(Sender s, uint c) { return (float)((s.albedo >> (10 * c)) & 1023u) * albedoStep(s); }
 
 // A number in [0,1) for a decision about a ray, the same whenever it is asked for.
 float pickOf(__global const Receiver* r, uint sample, uint decision) {
@@ -71,43 +82,88 @@ PRELIGHT_INLINE void askForTriangle(Surface surface, __global const float* geome
 #endif
 }
 
+// What a receiver's ray brings from where it ends: `albedo` of the transfer there, on the other side than the seen one if it
+// `passes` through. The hit's value will be interpolated from three vertices: taking one of them with its barycentric weight as
+// probability has the same mean and a third of the reads.
+Sender senderAt(__constant const CastParameters* parameters, Surface surface, __global const float* geometricNormals,
+                float3 direction, Hit hit, float3 albedo, bool passes, float pick, __global uchar* marks) {
+  Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
+  uint doubled = 0u;
+#ifdef PRELIGHT_FOLLOWED
+  for (; doubled < 3u && fmax(albedo.x, fmax(albedo.y, albedo.z)) > 1.0f; ++doubled) albedo *= 0.5f;
+#endif
+  const uint3 packed = min(convert_uint3_rte(albedo * 1023.0f), 1023u);
+  const uint bits = packed.x | (packed.y << 10) | (packed.z << 20);
+  if (bits == 0u) return sender;
+  const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
+  const bool back = (dot(direction, vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
+  if (back) marks[hit.triangle] = 1;
+  sender.vertex = triangleAt(surface, hit.triangle).vertex[corner] + (back ? parameters->vertexCount : 0u);
+  sender.albedo = bits | doubled << 30;
+  return sender;
+}
+
+// The same of a surface that is diffuse, where `share` of what it sends arrives.
+Sender diffuseSender(__constant const CastParameters* parameters, Surface surface, __global const float* geometricNormals,
+                     __global const Receiver* receivers, size_t ray, float3 direction, Hit hit, float3 share,
+                     __global uchar* marks) {
+  const float blocked = 1.0f - visibilityOf(parameters, hit);
+  float3 albedo = blocked * clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
+  __global const Receiver* r = receivers + ray / parameters->raysPerReceiver;
+  const uint sample = r->firstSample + (uint)(ray % parameters->raysPerReceiver);
+  bool passes = false;
+#ifdef PRELIGHT_TRANSLUCENT
+  passes = pickTransmission(surface, hit.triangle, blocked, pickOf(r, sample, 0x27d4eb2fu), &albedo);
+#endif
+  const float pick = pickOf(r, sample, 0x5bd1e995u);
+  return senderAt(parameters, surface, geometricNormals, direction, hit, share * albedo, passes, pick, marks);
+}
+
 // A ray a work-item. rays, hits [receiver][raysPerReceiver] -> senders, same shape, rows from firstStored on; marks
 // [triangle] is set to 1 where the transfer of a back is needed: it reflects to the receiver, or lets light through to the
-// front. The hit's value will be interpolated from three vertices: taking one of them with its barycentric weight as
-// probability has the same mean and a third of the reads.
-// Next: gatherBounce.
+// front. Next: gatherBounce.
 __kernel void storeSenders(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
                            __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
                            __global const Receiver* receivers, __global const Ray* rays, __global const Hit* hits,
                            __global Sender* senders, __global uchar* marks) {
   const size_t i = get_global_id(0), count = (size_t)parameters->receiverCount * parameters->raysPerReceiver;
   if (i >= count) return;
-  askForTriangle(surfaceOf(layout, surfaceLines), geometricNormals, hits[min(i + PRELIGHT_RAYS_AHEAD, count - 1)].triangle);
+  const Surface surface = surfaceOf(layout, surfaceLines);
+  askForTriangle(surface, geometricNormals, hits[min(i + PRELIGHT_RAYS_AHEAD, count - 1)].triangle);
   const Hit hit = hits[i];
   Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
-  if (hit.triangle != PRELIGHT_NO_TRIANGLE) {
-    const Surface surface = surfaceOf(layout, surfaceLines);
-    const float blocked = 1.0f - visibilityOf(parameters, hit);
-    float3 albedo = blocked * clamp(surfaceColor(surface, hit.triangle, hit.u, hit.v).xyz, 0.0f, 1.0f);
+  if (hit.triangle != PRELIGHT_NO_TRIANGLE)
+    sender = diffuseSender(parameters, surface, geometricNormals, receivers, i, vload3(0, rays[i].direction), hit,
+                           (float3)(1.0f), marks);
+  senders[(size_t)parameters->firstStored * parameters->raysPerReceiver + i] = sender;
+}
+
+#ifdef PRELIGHT_FOLLOWED
+// A ray a work-item, after storeSenders. ends [receiver][raysPerReceiver], of cast/specular_kernels.cl -> the senders of
+// those that went on. Next: gatherBounce.
+__kernel void storeFollowed(__constant const CastParameters* parameters, __constant const SceneLayout* layout,
+                            __global const SurfaceLine* surfaceLines, __global const float* geometricNormals,
+                            __global const Receiver* receivers, __global const SpecularEnd* ends,
+                            __global Sender* senders, __global uchar* marks) {
+  const size_t i = get_global_id(0);
+  if (i >= (size_t)parameters->receiverCount * parameters->raysPerReceiver) return;
+  if (ends[i].kind == PRELIGHT_SPECULAR_MET_NONE) return;
+  const SpecularEnd end = ends[i];
+  const Surface surface = surfaceOf(layout, surfaceLines);
+  const Hit hit = {0.0f, end.triangle, end.u, end.v};
+  const float3 share = vload3(0, end.throughput), direction = vload3(0, end.direction);
+  Sender sender = {PRELIGHT_NO_TRIANGLE, 0u};
+  if (end.kind == PRELIGHT_SPECULAR_SURFACE) {
+    sender = diffuseSender(parameters, surface, geometricNormals, receivers, i, direction, hit, share, marks);
+  } else if (end.kind == PRELIGHT_SPECULAR_BODY || end.kind == PRELIGHT_SPECULAR_THROUGH) {
     __global const Receiver* r = receivers + i / parameters->raysPerReceiver;
-    const uint sample = r->firstSample + (uint)(i % parameters->raysPerReceiver);
-    bool passes = false;
-#ifdef PRELIGHT_TRANSLUCENT
-    passes = pickTransmission(surface, hit.triangle, blocked, pickOf(r, sample, 0x27d4eb2fu), &albedo);
-#endif
-    const uint3 packed = min(convert_uint3_rte(albedo * 1023.0f), 1023u);
-    const uint bits = packed.x | (packed.y << 10) | (packed.z << 20);
-    if (bits != 0u) {
-      const float pick = pickOf(r, sample, 0x5bd1e995u);
-      const uint corner = pick < hit.u ? 1u : (pick < hit.u + hit.v ? 2u : 0u);
-      const bool back = (dot(vload3(0, rays[i].direction), vload3(hit.triangle, geometricNormals)) > 0.0f) != passes;
-      if (back) marks[hit.triangle] = 1;
-      sender.vertex = triangleAt(surface, hit.triangle).vertex[corner] + (back ? parameters->vertexCount : 0u);
-      sender.albedo = bits;
-    }
+    const float pick = pickOf(r, r->firstSample + (uint)(i % parameters->raysPerReceiver), 0x5bd1e995u);
+    sender = senderAt(parameters, surface, geometricNormals, direction, hit, share,
+                      end.kind == PRELIGHT_SPECULAR_THROUGH, pick, marks);
   }
   senders[(size_t)parameters->firstStored * parameters->raysPerReceiver + i] = sender;
 }
+#endif
 
 // A receiver a work-item. Of the values [3][PRELIGHT_COLUMNS] that light's transfer has a vertex, the part from firstValue
 // on: senders [firstStored + receiver][raysPerReceiver], transfer [firstPlace + vertex][PRELIGHT_PART_VALUES] of the
@@ -123,7 +179,7 @@ __kernel void gatherBounce(__constant const CastParameters* parameters, uint fir
   for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
     const Sender s = senders[j];
     if (s.vertex == PRELIGHT_NO_TRIANGLE) continue;
-    const Part albedo = PRELIGHT_PART_OF(convert_float)(((PartIndex)s.albedo >> shift) & 1023u) * (1.0f / 1023.0f);
+    const Part albedo = PRELIGHT_PART_OF(convert_float)(((PartIndex)s.albedo >> shift) & 1023u) * albedoStep(s);
     sum += albedo * PRELIGHT_PART_OF(vload)((size_t)firstPlace + s.vertex, transfer);
   }
   PRELIGHT_PART_OF(vstore)(sum * (1.0f / (float)parameters->raysPerReceiver), receiver, values);

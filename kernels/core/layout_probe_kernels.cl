@@ -19,6 +19,7 @@
 #include "shared/scene_layout_types.h"
 #include "shared/scene_types.h"
 #include "shared/shade_types.h"
+#include "shared/specular_types.h"
 
 #define PROBE(index, Type, field)                         \
   out[2 * (index)] = (uint)sizeof(Type);                  \
@@ -95,6 +96,9 @@ void probeSecondHalf(__global uint* out) {
   PROBE(63, QueueMove, to);
   PROBE(64, DeviceTexture, wrapT);
   PROBE(65, GatherArrival, ray);
+  PROBE(66, SpecularStep, longWay);
+  PROBE(67, SpecularPath, dispersed);
+  PROBE(68, SpecularEnd, v);
 }
 
 // One work-item.

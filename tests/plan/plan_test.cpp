@@ -235,13 +235,35 @@ TEST(Plan, VectorsOfOccluders_AreThoseThatTheSceneNeeds) {
   EXPECT_FALSE(makePlan(Scene(), scene, request).runs(Pass::SpecularVectors));
 }
 
+/// A ground and a ball above it, of glass.
+CompiledScene glassBall() {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::sphere(4, 0.3f, {0.0f, 0.5f, 0.0f}));
+  scene.materials[1].transmission = 1.0f;
+  scene.materials[1].albedo = glm::vec3(0.0f);
+  return scene;
+}
+
 TEST(Plan, MirrorsAndGlass_AreNamedAsOccluders) {
-  Scene scene;
-  scene.materials.resize(2);
-  scene.materials[0].transmission = 1.0f;
-  scene.materials[1].roughness = 0.0f;
-  const Plan plan = makePlan(scene, test::ground(4, 1.0f), requestOfMany());
+  const Plan plan = makePlan(Scene(), glassBall(), requestOfMany());
+  EXPECT_FALSE(plan.runs(Pass::SpecularTransport));
   EXPECT_NE(reasonOf(plan, Pass::SpecularTransport).find("1 transmissive"), std::string::npos);
+}
+
+TEST(Plan, SpecularTransport_RunsWhereItIsAskedForAndNeeded) {
+  BakeRequest request = requestOfMany();
+  request.specular = true;
+  const auto reason = [&](const CompiledScene& scene) {
+    return reasonOf(makePlan(Scene(), scene, request), Pass::SpecularTransport);
+  };
+  const Plan plan = makePlan(Scene(), glassBall(), request);
+  EXPECT_TRUE(plan.runs(Pass::SpecularTransport));
+  EXPECT_NE(reasonOf(plan, Pass::ShTransfer).find("3 channels"), std::string::npos);
+  EXPECT_NE(reason(test::ground(4, 1.0f)).find("no material is transmissive"), std::string::npos);
+  request.limits.farthest = 1.0;
+  EXPECT_NE(reason(glassBall()).find("limits of distance"), std::string::npos);
+  request = BakeRequest{.ao = true, .specular = true};
+  EXPECT_NE(reason(glassBall()).find("no technique that is asked for"), std::string::npos);
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ struct ChRequest {
   bool naive = false;  ///< store inner products instead of dual coefficients, to show what that costs
 };
 
-/// Shadows of lamps within the scene, from how far the rays of SH or CH transfer went; of the greater of their
-/// orders, one of which it needs.
+/// Shadows of lamps within the scene, from how far the rays of SH or CH transfer went; of the greater of
+/// their orders, one of which it needs.
 struct NearLampsRequest {
   int shells = 0;  ///< of distance; 0: none; 2..BakeRequest::maxShells
 };
@@ -153,6 +153,8 @@ struct BakeRequest {
   EncodedLightRequest encodedLight = {};
 
   int bounces = 0;  ///< diffuse interreflections, 0..16
+  bool specular =
+      false;  ///< rays that meet glass, mirrors and metal go on from there in all that carries light
   OcclusionLimits limits = {};
   std::vector<ShadowSetRequest> shadowSets = {};  ///< nodes that none of these name see everything
   Effort effort = {};

@@ -6,7 +6,7 @@ namespace {
 
 std::vector<PlannedPass> chPasses(const PlanInput& input) {
   const BakeRequest& request = input.request;
-  return {planHarmonics(Pass::ChTransfer, request.ch.order, input.bounces,
+  return {planHarmonics(Pass::ChTransfer, request.ch.order, input.colored(),
                         request.ch.naive ? ", naive inner products" : ", an exact map of the SH transfer")};
 }
 

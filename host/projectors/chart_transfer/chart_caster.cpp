@@ -23,6 +23,7 @@ CastOptions castOptions(const ChartTransferOptions& options, const DeviceInfo& d
   cast.raysPerReceiver = raysPerReceiver(options);
   cast.marksInside = true;
   cast.limits = options.limits;
+  cast.specular = options.specular;
   cast.sets = options.sets;
   cast.setTracers = options.setTracers;
   if (options.bounces == 0) return cast;
@@ -63,7 +64,7 @@ class ChartCaster {
   }
 
   ChartTransfer run() {
-    ChartTransfer transfer{options_.order, options_.bounces > 0 ? 3 : 1, options_.bounces, {}};
+    ChartTransfer transfer{options_.order, static_cast<int>(channels()), options_.bounces, {}};
     for (std::size_t c = 0; c < charts_.charts.size(); ++c) transfer.maps.push_back(castChart(c));
     return transfer;
   }
@@ -93,9 +94,10 @@ class ChartCaster {
         receivers_.push_back(sampler.receiver(place, k, receiversPerTexel_, caster_.raysPerReceiver()));
     const std::uint32_t row = 0, firstTriangle = scene_.primitives[chart.primitive].firstTriangle;
     const std::uint32_t set = options_.sets != nullptr ? options_.sets->setOf(firstTriangle) : 0;
+    const std::uint64_t furtherRays = caster_.furtherRays();
     caster_.cast(receivers_, values_, {options_.bounces > 0 ? &row : nullptr, set});
     if (options_.bounces > 0) gather();
-    report_.rays += receivers_.size() * caster_.raysPerReceiver();
+    report_.rays += receivers_.size() * caster_.raysPerReceiver() + caster_.furtherRays() - furtherRays;
     for (std::size_t r = 0; r < receivers_.size(); ++r)
       addReceiver(r, sampler.texels()[first + r / receiversPerTexel_]);
   }
@@ -122,8 +124,9 @@ class ChartCaster {
         // As in projectHits: the kernel's values are relative to the open part of the open hemisphere.
         const double direct = double(values[4 + i]) + double(values[0]) * open_[i];
         const std::size_t value = c * columns_ + i;
-        const float more =
+        float more =
             options_.bounces > 0 ? reflected_[value / partValues][r * partValues + value % partValues] : 0.0f;
+        if (options_.specular.followed) more += values_.specular[r * 3 * columns_ + value];
         sum[value] += static_cast<float>(direct) + more;
       }
   }
@@ -139,7 +142,8 @@ class ChartCaster {
   }
 
   std::size_t parts() const { return (3 * columns_ + partValues - 1) / partValues; }
-  std::size_t rowLength() const { return columns_ * (options_.bounces > 0 ? 3 : 1); }
+  std::size_t channels() const { return options_.bounces > 0 || options_.specular.followed ? 3 : 1; }
+  std::size_t rowLength() const { return columns_ * channels(); }
 
   const CompiledScene& scene_;
   const Charts& charts_;

@@ -21,6 +21,7 @@ struct ChartTransferOptions {
   std::uint32_t rays = 1024;  ///< a texel, a power of two, 16 to 4096
   std::uint64_t seed = 0;
   OcclusionLimits limits;
+  SpecularWays specular = {};         ///< with as many bands, where they are followed
   const ShadowSets* sets = nullptr;   ///< nullptr: all see everything
   std::span<Tracer> setTracers = {};  ///< [set - 1]
 };

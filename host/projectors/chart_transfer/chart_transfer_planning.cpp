@@ -15,7 +15,7 @@ std::vector<PlannedPass> chartTransferPasses(const PlanInput& input) {
       countMaterials(input.source, [](const Material& m) { return m.normalTexture.image >= 0; });
   return {{Pass::ChartTransfer, true,
            fmt::format("light maps of at most {0} x {0}, order {1}, {2}, with {3}",
-                       request.chartTransfer.size, request.sh.order, plannedChannels(input.bounces),
+                       request.chartTransfer.size, request.sh.order, plannedChannels(input.colored()),
                        mapped > 0 ? fmt::format("the normals of {} normal-mapped materials", mapped)
                                   : "shading normals, as no material has a normal map")}};
 }

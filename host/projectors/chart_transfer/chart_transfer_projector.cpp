@@ -18,7 +18,8 @@ void checkMemory(const BakeRequest& request, const Charts& charts) {
   std::uint64_t bytes = 0;
   for (const Chart& chart : charts.charts)
     bytes += static_cast<std::uint64_t>(chart.width) * static_cast<std::uint64_t>(chart.height) * 4u *
-             static_cast<std::uint64_t>(request.sh.order * request.sh.order * (request.bounces > 0 ? 3 : 1));
+             static_cast<std::uint64_t>(request.sh.order * request.sh.order *
+                                        (request.bounces > 0 || request.specular ? 3 : 1));
   if (bytes > request.memory())
     throw UsageError("ChartTransferRequest::size",
                      fmt::format("{} light maps take {} MB, more than the {} MB of BakeRequest::maxMemory",
@@ -39,8 +40,11 @@ class ChartTransferProjector final : public Projector {
 
   void run(ReceiverCast* cast, Bake& bake, Progress& progress) override {
     const BakeRequest& request = context_.request;
-    const ChartTransferOptions options{request.sh.order, cast->bounces(), raysEach(request),  request.seed,
-                                       request.limits,   &context_.sets,  context_.setTracers};
+    ChartTransferOptions options{request.sh.order, cast->bounces(), raysEach(request), request.seed,
+                                 request.limits};
+    options.specular = specularWaysOf(context_, request.sh.order);
+    options.sets = &context_.sets;
+    options.setTracers = context_.setTracers;
     const SlotTransfer& transfer = cast->transfer(progress);
     ChartTransferReport made;
     bake.chartTransfer = makeChartTransfer(context_.scene, *context_.charts, context_.mesh, context_.tracer,

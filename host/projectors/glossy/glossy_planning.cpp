@@ -17,7 +17,7 @@ std::vector<PlannedPass> glossyPasses(const PlanInput& input) {
   if (order == 0) return {{Pass::GlossyTransfer, false, "not asked for"}};
   return {{Pass::GlossyTransfer, true,
            fmt::format("order {}, {} entries a matrix, {}; from SH transfer of order {}", order,
-                       entriesOf(order), plannedChannels(input.bounces), 2 * order - 1)}};
+                       entriesOf(order), plannedChannels(input.colored()), 2 * order - 1)}};
 }
 
 void addGlossyMemory(const PlanInput& input, Plan& plan) {

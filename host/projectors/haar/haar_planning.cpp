@@ -17,9 +17,11 @@ std::vector<PlannedPass> haarPasses(const PlanInput& input) {
   if (request.haar.size == 0) return {{Pass::HaarTransfer, false, "not asked for"}};
   return {{Pass::HaarTransfer, true,
            fmt::format("cube map of 6 x {0} x {0}, {1}, from the rays of the same cast{2}", request.haar.size,
-                       plannedChannels(input.bounces),
-                       input.bounces ? fmt::format("; bounces through SH of order {}", transferOrder(request))
-                                     : "")}};
+                       plannedChannels(input.colored()),
+                       input.colored() ? fmt::format("; {} through SH of order {}",
+                                                     input.bounces ? "bounces" : "specular transport",
+                                                     transferOrder(request))
+                                       : "")}};
 }
 
 void addHaarMemory(const PlanInput& input, Plan& plan) {

@@ -21,8 +21,8 @@ constexpr std::uint32_t partSize = 1024;
 /// texel's centre to its edge.
 constexpr int bounceFaceSize = 16;
 
-/// What bounces add, in wavelets: those of the texel integrals of SH functions on the coarse levels of a cube
-/// map.
+/// What bounces, mirrors and glass add, in wavelets: those of the texel integrals of SH functions on the
+/// coarse levels of a cube map.
 class ShToHaar {
  public:
   ShToHaar(int order, int faceSize) : count_(static_cast<std::size_t>(order * order)) {
@@ -81,7 +81,7 @@ class RowMaker {
   RowMaker(const TexelTransfer& direct, const SlotTransfer& transfer, std::span<const float> fitted,
            int faceSize, double error)
       : direct_(direct), transfer_(transfer), fitted_(fitted), faceSize_(faceSize), error_(error) {
-    if (transfer.bounces > 0) shToHaar_.emplace(transfer.order, faceSize);
+    if (transfer.channels() > 1) shToHaar_.emplace(transfer.order, faceSize);
   }
 
   void make(std::size_t begin, std::size_t end, SlotRows& rows) const {
@@ -106,7 +106,7 @@ class RowMaker {
   }
 
  private:
-  /// SH coefficients of what bounces add in a slot: [i][channel].
+  /// SH coefficients of what bounces, mirrors and glass add in a slot: [i][channel].
   std::vector<std::array<float, 3>> bounced(std::size_t slot) const {
     std::vector<std::array<float, 3>> sh(transfer_.shColumns());
     for (std::size_t c = 0; c < 3; ++c)

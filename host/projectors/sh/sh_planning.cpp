@@ -5,7 +5,7 @@ namespace prelight {
 namespace {
 
 std::vector<PlannedPass> shPasses(const PlanInput& input) {
-  return {planHarmonics(Pass::ShTransfer, input.request.sh.order, input.bounces, "")};
+  return {planHarmonics(Pass::ShTransfer, input.request.sh.order, input.colored(), "")};
 }
 
 void addShToKey(const BakeRequest& request, StateHash& hash) { hash.value(request.sh.order); }

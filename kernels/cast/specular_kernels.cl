@@ -1,0 +1,149 @@
+// Rays of receivers that meet mirrors, glass or metal go on from there, each one way, until they leave the scene or end on a
+// diffuse surface:
+//   listSpecular -> startSpecular -> [followSpecular -> trace] ... -> projectSpecular, and storeFollowed of
+//   cast/transport_kernels.cl
+// Options: those of transport/material_funcs.cl, PRELIGHT_ABSORPTION (some glass absorbs), PRELIGHT_SH_ORDER (0: no SH).
+#include "core/sampling_funcs.cl"
+#include "shared/cast_types.h"
+#include "shared/specular_types.h"
+#include "transport/dispersion_funcs.cl"
+#include "transport/medium_funcs.cl"
+#include "transport/roulette_funcs.cl"
+#include "transport/scene_funcs.cl"
+
+#if PRELIGHT_SH_ORDER > 0
+#include "project/sh_funcs.cl"
+#endif
+
+#define PRELIGHT_SPECULAR_PAIRS 2u  // of random numbers at a surface: lobe and roulette, direction
+// What carries less than this share of light goes on by chance.
+#define PRELIGHT_SURE_THROUGHPUT 0.1f
+
+// A ray a work-item. hits [ray], specular [material] 1 where rays go on -> ends [ray], which are none, and marks. Next:
+// startSpecular.
+__kernel void listSpecular(const uint count, __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                           __global const uchar* specular, __global const Hit* hits, __global SpecularEnd* ends,
+                           __global uchar* marks) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const uint triangle = hits[i].triangle;
+  const bool goesOn =
+      triangle != PRELIGHT_NO_TRIANGLE && specular[materialAt(surfaceOf(layout, surfaceLines), triangle)] != 0;
+  ends[i].kind = goesOn ? PRELIGHT_SPECULAR_ABSORBED : PRELIGHT_SPECULAR_MET_NONE;
+  marks[i] = goesOn ? 1 : 0;
+}
+
+// A listed ray a work-item. rays, hits [ray] -> its path. Next: followSpecular.
+__kernel void startSpecular(const uint count, const uint firstListed, __global const uint* lists, __global const Ray* rays,
+                            __global const Hit* hits, __global SpecularPath* paths, __global Ray* pathRays,
+                            __global Hit* pathHits) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const uint from = lists[firstListed + i];
+  paths[i] = (SpecularPath){{1.0f, 1.0f, 1.0f}, 1.0f, from, PRELIGHT_NO_MEDIUM, 0u};
+  pathRays[i] = rays[from];
+  pathHits[i] = hits[from];
+}
+
+// A point of the ray's own sequence, whatever it is cast together with.
+float2 specularPoint(__constant const CastParameters* parameters, __global const Receiver* receivers, uint ray, uint pair) {
+  __global const Receiver* r = receivers + ray / parameters->raysPerReceiver;
+  const uint sample = r->firstSample + ray % parameters->raysPerReceiver;
+  const uint2 bits = samplePaddedBits(sample, hashInteger(r->seed ^ hashInteger((pair + 1u) * 0x9e3779b9u)));
+  return (float2)(unitFloat(bits.x), unitFloat(bits.y));
+}
+
+void endPath(SpecularPath path, uint kind, float3 throughput, Ray ray, Hit hit, __global SpecularEnd* ends) {
+  SpecularEnd end = {{throughput.x, throughput.y, throughput.z}, kind, {ray.direction[0], ray.direction[1], ray.direction[2]},
+                     hit.triangle, hit.u, hit.v};
+  ends[path.ray] = end;
+}
+
+// Where a path goes on from a surface. `sample` has been drawn. False: nowhere.
+bool goOn(PathScene s, Interaction surface, Bsdf b, BsdfSample sample, SpecularStep step, float wave, float chance,
+          SpecularPath* path, __global Ray* next) {
+  float3 throughput = carriedBy(sample, vload3(0, path->throughput));
+#ifdef PRELIGHT_DISPERSION
+  if (path->dispersed == 0u && takesColor(s, surface, b, sample.lobe)) {
+    throughput *= colorOfWave(wave);
+    path->dispersed = 1u;
+  }
+#endif
+  path->relativeIor2 *= sample.eta2;
+  float survival = fmin(largest(throughput) * path->relativeIor2 / PRELIGHT_SURE_THROUGHPUT, 1.0f);
+  if (step.depth >= step.longWay) survival *= 0.5f;
+  if (!survives(survival, chance, &throughput)) return false;
+  vstore3(throughput, 0, path->throughput);
+  path->medium = mediumAfter(surface, sample.lobe, path->medium);
+  *next = rayFrom(surface, normalize(sample.direction), MAXFLOAT);
+  return true;
+}
+
+// A path a work-item, at the end of its ray: rays, hits, paths [count]. It ends, ends [ray of the block], or goes on from
+// step.next on, in the same place, and is marked.
+__kernel void followSpecular(__constant const CastParameters* parameters, const SpecularStep step,
+                             __constant const SceneLayout* layout, __global const SurfaceLine* surfaceLines,
+                             __global const ShadingLine* shadingLines, __global const uchar* specular,
+                             __global const Receiver* receivers, __global SpecularPath* paths, __global Ray* rays,
+                             __global const Hit* hits, __global SpecularEnd* ends, __global uchar* marks) {
+  const size_t i = get_global_id(0);
+  if (i >= step.count) return;
+  marks[i] = 0;
+  SpecularPath path = paths[i];
+  const Ray ray = rays[i];
+  const Hit hit = hits[i];
+  if (hit.triangle == PRELIGHT_NO_TRIANGLE) {
+    endPath(path, PRELIGHT_SPECULAR_SKY, vload3(0, path.throughput), ray, hit, ends);
+    return;
+  }
+  const PathScene s = shadedSurfaceOf(layout, surfaceLines, shadingLines);
+  const Interaction surface = loadInteraction(s, ray, hit);
+#ifdef PRELIGHT_ABSORPTION
+  const uint medium = mediumBefore(surface, path.medium);
+  if (medium != PRELIGHT_NO_MEDIUM) vstore3(vload3(0, path.throughput) * transmittance(s, medium, hit.t), 0, path.throughput);
+#endif
+  if (specular[surface.material] == 0) {
+    endPath(path, PRELIGHT_SPECULAR_SURFACE, vload3(0, path.throughput), ray, hit, ends);
+    return;
+  }
+  Bsdf b = loadBsdf(s, surface);
+  const uint pair = 1u + step.depth * PRELIGHT_SPECULAR_PAIRS;
+  const float2 chance = specularPoint(parameters, receivers, path.ray, pair);
+  const float2 u = specularPoint(parameters, receivers, path.ray, pair + 1u);
+  const float wave = specularPoint(parameters, receivers, path.ray, 0u).x;
+#ifdef PRELIGHT_DISPERSION
+  disperse(s, surface, wave, path.dispersed != 0u, &b);
+#endif
+  BsdfSample sample;
+  if (!sampleBsdf(surface, b, PRELIGHT_LOBES_ALL | PRELIGHT_LOBES_APART, PRELIGHT_RADIANCE, chance.x, u, &sample)) return;
+  if ((sample.lobe & PRELIGHT_LOBES_DIFFUSE) != 0u) {
+    const uint kind = sample.lobe == PRELIGHT_LOBE_THROUGH ? PRELIGHT_SPECULAR_THROUGH : PRELIGHT_SPECULAR_BODY;
+    endPath(path, kind, carriedBy(sample, vload3(0, path.throughput)), ray, hit, ends);
+    return;
+  }
+  if (!goOn(s, surface, b, sample, step, wave, chance.y, &path, rays + step.next + i)) return;
+  paths[step.next + i] = path;
+  marks[i] = 1;
+}
+
+#if PRELIGHT_SH_ORDER > 0
+// A receiver a work-item. ends [receiver][raysPerReceiver] -> values [receiver][3][i], the mean over its rays of
+// throughput x Y_i of those that end in the sky. shTable as in sh_funcs.cl.
+__kernel void projectSpecular(__constant const CastParameters* parameters, __constant const float* shTable,
+                              __global const SpecularEnd* ends, __global float* values) {
+  const size_t receiver = get_global_id(0);
+  if (receiver >= parameters->receiverCount) return;
+  const uint columns = PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER;
+  const float scale = 1.0f / (float)parameters->raysPerReceiver;
+  values += receiver * 3 * columns;
+  ends += receiver * parameters->raysPerReceiver;
+  for (uint i = 0; i < 3 * columns; ++i) values[i] = 0.0f;
+  for (uint j = 0; j < parameters->raysPerReceiver; ++j) {
+    if (ends[j].kind != PRELIGHT_SPECULAR_SKY) continue;
+    float basis[PRELIGHT_SH_ORDER * PRELIGHT_SH_ORDER];
+    evaluateSh(shTable, vload3(0, ends[j].direction), basis);
+    for (uint c = 0; c < 3; ++c)
+      for (uint i = 0; i < columns; ++i) values[c * columns + i] += scale * ends[j].throughput[c] * basis[i];
+  }
+}
+#endif

@@ -1,0 +1,270 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "basis/sh.h"
+#include "support/run_bake.h"
+#include "support/scenes.h"
+
+namespace prelight {
+namespace {
+
+constexpr int shOrder = 3;
+constexpr std::size_t bands = shOrder * shOrder;
+constexpr std::size_t patchVertices = 9;  // of patch()
+
+using Means = std::array<double, 3 * bands>;  // [channel][i]
+
+test::BakeResult bakeSpecular(const CompiledScene& scene, std::uint64_t rays, int bounces = 0,
+                              bool specular = true) {
+  BakeRequest request;
+  request.ao = true;
+  request.sh.order = shOrder;
+  request.bounces = bounces;
+  request.specular = specular;
+  request.effort.rays = rays;
+  return test::runBake(scene, request);
+}
+
+/// Too small to shadow anything; its transfer is that of one point.
+CompiledScene patch() { return test::ground(2, 0.01f); }
+
+CompiledMaterial glass(float ior, bool solid) {
+  CompiledMaterial material;
+  material.transmission = 1.0f;
+  material.specular = 1.0f;
+  material.roughness = 0.0f;
+  material.ior = ior;
+  material.solid = solid;
+  material.albedo = glm::vec3(0.0f);
+  material.baseColor = glm::vec3(1.0f);
+  return material;
+}
+
+CompiledMaterial mirror(const glm::vec3& color) {
+  CompiledMaterial material;
+  material.metallic = 1.0f;
+  material.roughness = 0.0f;
+  material.albedo = glm::vec3(0.0f);
+  material.baseColor = color;
+  return material;
+}
+
+/// A sheet that hides the patch's whole hemisphere but for 1e-4 of it.
+CompiledScene underSheet(const CompiledMaterial& material) {
+  CompiledScene scene = patch(), sheet = test::ground(1, 100.0f, 1.0f);
+  sheet.materials[0] = material;
+  test::append(scene, sheet);
+  return scene;
+}
+
+/// A wall close to the patch, which hides the half x < 0 of its hemisphere.
+CompiledScene besideWall(const CompiledMaterial& material) {
+  CompiledScene scene = patch();
+  CompiledScene wall =
+      test::sceneOf({{-0.02f, -0.5f, 100}, {-0.02f, -0.5f, -100}, {-0.02f, 200, -100}, {-0.02f, 200, 100}},
+                    {{0, 1, 2}, {0, 2, 3}});
+  wall.materials[0] = material;
+  test::append(scene, wall);
+  return scene;
+}
+
+Means patchMean(const Bake& baked) {
+  Means mean{};
+  for (std::size_t v = 0; v < patchVertices; ++v)
+    for (std::size_t i = 0; i < mean.size(); ++i)
+      mean[i] += double(baked.sh->coefficients[v * mean.size() + i]) / patchVertices;
+  return mean;
+}
+
+std::array<double, bands> openTransfer(const glm::dvec3& normal) {
+  std::array<double, bands> open{};
+  sh::openTransfer(normal, shOrder, open);
+  return open;
+}
+
+/// Light of a sky of radiance 1 that arrives, over pi.
+double openness(const Means& mean, std::size_t channel) {
+  return mean[channel * bands] * std::sqrt(4.0 * std::numbers::pi);
+}
+
+void expectScaled(const Means& mean, std::span<const double> open, const glm::dvec3& factor,
+                  double tolerance) {
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < bands; ++i)
+      EXPECT_NEAR(mean[static_cast<std::size_t>(c) * bands + i], factor[c] * open[i], tolerance)
+          << "channel " << c << ", coefficient " << i;
+}
+
+/// Share of light that is not polarised which a face of that index of refraction reflects.
+double fresnel(double cosine, double ior) {
+  const double inside = std::sqrt(1.0 - (1.0 - cosine * cosine) / (ior * ior));
+  const double s = (cosine - ior * inside) / (cosine + ior * inside);
+  const double p = (inside - ior * cosine) / (inside + ior * cosine);
+  return 0.5 * (s * s + p * p);
+}
+
+TEST(SpecularTransport, PaneOfIndexOne_IsAsIfItWereNotThere) {
+  const test::BakeResult result = bakeSpecular(underSheet(glass(1.0f, false)), 4096);
+  ASSERT_EQ(result.bake.sh->channels, 3);
+  expectScaled(patchMean(result.bake), openTransfer({0, 1, 0}), glm::dvec3(1.0), 0.004);
+  double open = 0.0;
+  for (std::size_t v = 0; v < patchVertices; ++v) open += double(result.bake.ao[v]) / patchVertices;
+  EXPECT_NEAR(open, 0.0, 2e-3) << "AO knows no glass";
+}
+
+TEST(SpecularTransport, TintedPaneOfIndexOne_ColoursTheLight) {
+  CompiledMaterial tinted = glass(1.0f, false);
+  tinted.baseColor = {0.9f, 0.5f, 0.2f};
+  expectScaled(patchMean(bakeSpecular(underSheet(tinted), 4096).bake), openTransfer({0, 1, 0}),
+               {0.9, 0.5, 0.2}, 0.004);
+}
+
+// Slabs of an index of 1 bend nothing; rays run d / cos through them: with the cosine's weight
+// 2 cos exp(-a d / cos) integrated over cosines from 0 to 1.
+TEST(SpecularTransport, AbsorbingSlabOfIndexOne_FollowsBeersLaw) {
+  CompiledMaterial material = glass(1.0f, true);
+  material.absorption = {0.5f, 1.0f, 2.0f};
+  CompiledScene scene = patch();
+  CompiledScene slab = test::box(1, {-100.0f, 1.0f, -100.0f}, {100.0f, 1.4f, 100.0f}, false);
+  slab.materials[0] = material;
+  test::append(scene, slab);
+  const Means mean = patchMean(bakeSpecular(scene, 8192).bake);
+  for (int c = 0; c < 3; ++c) {
+    double expected = 0.0;
+    constexpr int steps = 100000;
+    for (int k = 0; k < steps; ++k) {
+      const double cosine = (k + 0.5) / steps;
+      expected += 2.0 * cosine * std::exp(-double(material.absorption[c]) * 0.4 / cosine) / steps;
+    }
+    EXPECT_NEAR(openness(mean, static_cast<std::size_t>(c)), expected, 0.004) << "channel " << c;
+  }
+}
+
+// Under a sky that is the same everywhere, a thin pane lets (1 - R) / (1 + R) through, R of one face, and
+// shows the dark ground beside the patch in the rest.
+TEST(SpecularTransport, ThinPane_LetsThroughWhatFresnelLeaves) {
+  const double ior = 1.5;
+  double expected = 0.0;
+  constexpr int steps = 100000;
+  for (int k = 0; k < steps; ++k) {
+    const double cosine = (k + 0.5) / steps, r = fresnel(cosine, ior);
+    expected += 2.0 * cosine * (1.0 - r) / (1.0 + r) / steps;
+  }
+  CompiledScene scene = underSheet(glass(static_cast<float>(ior), false));
+  CompiledScene dark = test::ground(1, 100.0f, -0.001f);
+  dark.materials[0].albedo = glm::vec3(0.0f);
+  test::append(scene, dark);
+  EXPECT_NEAR(openness(patchMean(bakeSpecular(scene, 8192).bake), 1), expected, 0.005);
+}
+
+// An endless mirror wall beside a receiver that looks up shows the other half of the sky, turned round: of an
+// even sky nothing is missing, and a lobe along the wall's normal is seen mirrored.
+TEST(SpecularTransport, MirrorWall_ShowsTheSkyBeforeIt) {
+  const Means mean = patchMean(bakeSpecular(besideWall(mirror(glm::vec3(1.0f))), 8192).bake);
+  EXPECT_NEAR(openness(mean, 0), 1.0, 0.004);
+  // The half x < 0 of the hemisphere appears in the half x > 0: Y_1,1 is 0.4886 x, and the mean of |x| under
+  // the density cos / pi is 2/3 x 2/pi.
+  EXPECT_NEAR(mean[3], 0.488603 * 4.0 / (3.0 * std::numbers::pi), 0.004);
+  EXPECT_NEAR(mean[1], openTransfer({0, 1, 0})[1], 0.004)
+      << "Y_1,-1 is 0.4886 y, which the wall does not change";
+}
+
+// The same wall of gold: Schlick's rise from its colour to 1 by the fifth power of one minus the cosine with
+// the wall's normal, whose density among rays of the receiver is 4 / pi sqrt(1 - x^2).
+TEST(SpecularTransport, GoldWall_ColoursWhatItShows) {
+  const glm::vec3 color(0.9f, 0.6f, 0.3f);
+  double rise = 0.0;
+  constexpr int steps = 100000;
+  for (int k = 0; k < steps; ++k) {
+    const double x = (k + 0.5) / steps;
+    rise += 4.0 / std::numbers::pi * std::sqrt(1.0 - x * x) * std::pow(1.0 - x, 5.0) / steps;
+  }
+  const Means mean = patchMean(bakeSpecular(besideWall(mirror(color)), 8192).bake);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(openness(mean, static_cast<std::size_t>(c)), 0.5 + 0.5 * (color[c] + (1.0 - color[c]) * rise),
+                0.004);
+}
+
+// A ball of glass in an even sky: whatever is not absorbed comes out, and what a receiver sees by way of the
+// ball is sky.
+TEST(SpecularTransport, GlassBallInAnEvenSky_HidesNothing) {
+  CompiledScene scene = patch();
+  CompiledScene ball = test::sphere(24, 0.4f, {0.0f, 0.6f, 0.0f});
+  ball.materials[0] = glass(1.5f, true);
+  test::append(scene, ball);
+  const test::BakeResult with = bakeSpecular(scene, 8192), without = bakeSpecular(scene, 8192, 0, false);
+  const double closed = std::sqrt(4.0 * std::numbers::pi) * without.bake.sh->coefficients[4 * bands];
+  EXPECT_LT(closed, 0.6);
+  // Rays that would run back to the patch's height meet the open below it: all of the sky is 1.
+  EXPECT_NEAR(openness(patchMean(with.bake), 0), 1.0, 0.01);
+}
+
+// A pane of an index of 1 before a white wall, which lights the patch.
+TEST(SpecularTransport, BouncesThroughAPane_AreThoseWithoutIt) {
+  CompiledScene scene = patch();
+  CompiledScene wall = test::sceneOf({{-2, -100, 100}, {-2, -100, -100}, {-2, 100, -100}, {-2, 100, 100}},
+                                     {{0, 1, 2}, {0, 2, 3}}, 0.8f);
+  test::append(scene, wall);
+  const Means bare = patchMean(bakeSpecular(scene, 8192, 1).bake);
+  CompiledScene pane =
+      test::sceneOf({{-1, -90, 90}, {-1, -90, -90}, {-1, 90, -90}, {-1, 90, 90}}, {{0, 1, 2}, {0, 2, 3}});
+  pane.materials[0] = glass(1.0f, false);
+  test::append(scene, pane);
+  const Means behind = patchMean(bakeSpecular(scene, 8192, 1).bake);
+  for (std::size_t i = 0; i < bare.size(); ++i) EXPECT_NEAR(behind[i], bare[i], 0.01) << i;
+  EXPECT_LT(openness(patchMean(bakeSpecular(scene, 8192, 1, false).bake), 0), openness(bare, 0) - 0.2);
+}
+
+// Haar wavelets carry it by way of SH: the integral over the cube is that of an open hemisphere.
+TEST(SpecularTransport, HaarAndCh_CarryItToo) {
+  BakeRequest request;
+  request.sh.order = request.ch.order = shOrder;
+  request.haar.size = 8;
+  request.haar.error = 0.0;
+  request.specular = true;
+  request.effort.rays = 4096;
+  const Bake baked = test::runBake(underSheet(glass(1.0f, false)), request).bake;
+  ASSERT_TRUE(baked.ch && baked.haar);
+  EXPECT_EQ(baked.ch->channels, 3);
+  ASSERT_EQ(baked.haar->channels, 3);
+  // Its first coefficients are averages of faces, scaled such that a face's integral is this times the face
+  // size.
+  double integral = 0.0;
+  for (std::uint32_t e = baked.haar->offsets[0]; e < baked.haar->offsets[1]; ++e)
+    if (baked.haar->indices[e] % 64 == 0) integral += 8.0 * baked.haar->values[e];
+  EXPECT_NEAR(integral, 1.0, 0.02);
+}
+
+TEST(SpecularTransport, WithoutMirrorsAndGlass_ChangesNoBit) {
+  CompiledScene scene = test::ground(4, 1.0f);
+  test::append(scene, test::sphere(6, 0.3f, {0.0f, 0.5f, 0.0f}));
+  const test::BakeResult asked = bakeSpecular(scene, 256, 1), plain = bakeSpecular(scene, 256, 1, false);
+  EXPECT_EQ(asked.bake.sh->coefficients, plain.bake.sh->coefficients);
+  EXPECT_EQ(asked.report.rays, plain.report.rays);
+  BakeRequest request;
+  request.sh.order = shOrder;
+  request.specular = true;
+  const Plan plan = makePlan(Scene(), scene, request);
+  EXPECT_FALSE(plan.runs(Pass::SpecularTransport));
+  const auto planned = std::find_if(plan.passes.begin(), plan.passes.end(), [](const PlannedPass& pass) {
+    return pass.pass == Pass::SpecularTransport;
+  });
+  ASSERT_NE(planned, plan.passes.end());
+  EXPECT_NE(planned->reason.find("no material is transmissive"), std::string::npos) << planned->reason;
+}
+
+TEST(SpecularTransport, SameSeed_IsTheSameBits) {
+  CompiledScene scene = patch();
+  CompiledScene ball = test::sphere(8, 0.4f, {0.0f, 0.6f, 0.0f});
+  ball.materials[0] = glass(1.5f, true);
+  test::append(scene, ball);
+  EXPECT_EQ(bakeSpecular(scene, 512, 1).bake.sh->coefficients,
+            bakeSpecular(scene, 512, 1).bake.sh->coefficients);
+}
+
+}  // namespace
+}  // namespace prelight
