@@ -99,6 +99,7 @@ ShaderVariant Renderer::variantOf(const View& view, std::span<const ShadedLight>
   ShaderVariant variant;
   variant.rules = rulesFor(view);
   variant.interreflection = view.aoCorrection == AoCorrection::Interreflection;
+  variant.phongLobe = view.shading == Shading::Phong && lobe_ == Lobe::Phong;
   if (!specialised_) {
     variant.features = Features::all();
     return variant;

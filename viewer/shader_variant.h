@@ -99,6 +99,7 @@ LightCounts fewLights(std::span<const ShadedLight> lights);
 struct ShaderVariant {
   DrawingRules rules;
   bool interreflection = false;  ///< of AO
+  bool phongLobe = false;        ///< lights are reflected by a power of the cosine
   LightCounts lights;
   Features features;
 

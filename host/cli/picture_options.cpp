@@ -213,7 +213,8 @@ void checkShadingOptions(Session& session, const PictureOptions& options, const 
          viewer::Shading::Screen);
   unused(options.occluders != viewer::OccluderOptions{}, "an option of vector occluders",
          viewer::Shading::Vo);
-  unused(options.lobe != viewer::Lobe::Ggx, "--lobe", viewer::Shading::Glossy);
+  unused(options.lobe != viewer::Lobe::Ggx && shading != viewer::Shading::Phong, "--lobe",
+         viewer::Shading::Glossy);
   if ((shading == viewer::Shading::Radiosity || shading == viewer::Shading::LightMap) && !shaded.run &&
       (options.lights || !options.environment.empty()))
     session.warn(
@@ -262,7 +263,7 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
            options.lobe = chooseNamed<viewer::Lobe, 2>(
                "--lobe", name, {{{"ggx", viewer::Lobe::Ggx}, {"phong", viewer::Lobe::Phong}}});
          },
-         "glossy shading: ggx (default) or phong")
+         "glossy and phong shading: ggx (default) or phong, a power of the cosine")
       ->type_name("NAME");
   addEncodingOption(app, options.encoding);
 }

@@ -53,6 +53,34 @@ TEST(PhongShading, PointLight_OnAFacingQuad_IsAlbedoIntensityCosOverPiR2) {
   expectColor(pixelAt(quad.render(square())), {8 * e, 8 * e, 6 * e}, 1e-3);
 }
 
+// F0 (n + 2) / (2 pi) cos^n of the angle to the mirrored view, n = 2 / roughness^4 - 2, seen along the
+// normal.
+TEST(PhongShading, PhongLobe_OfADirectionalLight_IsThePowerOfItsCosine) {
+  for (const double roughness : {0.4, 0.7, 1.0}) {
+    for (const double angle : {0.0, 0.2, 0.5}) {
+      Material metal;
+      metal.baseColor = {0.8f, 0.6f, 0.2f, 1.0f};
+      metal.metallic = 1.0f;
+      metal.roughness = static_cast<float>(roughness);
+      QuadScene quad;
+      quad.add(metal);
+      quad.lookFrom({0, 0, 100}, {0, 0, 0});
+      quad.scene.cameras[0].yFov = 1e-3f;
+      quad.scene.lights = {
+          makeLight(LightType::Directional, glm::vec3(3), {}, {std::sin(angle), 0, -std::cos(angle)})};
+      quad.compile();
+      viewer::RenderOptions options = square();
+      options.lobe = viewer::Lobe::Phong;
+      const double exponent = 2.0 / std::pow(roughness, 4.0) - 2.0;
+      const double brdf = (exponent + 2.0) / (2.0 * pi) * std::pow(std::cos(angle), exponent);
+      const glm::vec3 expected =
+          glm::vec3(metal.baseColor) * static_cast<float>(3.0 * brdf * std::cos(angle));
+      const glm::vec3 got = pixelAt(quad.render(options));
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], 2e-3f * expected[c] + 1e-6f);
+    }
+  }
+}
+
 TEST(PhongShading, PointLight_FarFromTheWorldsOrigin_IsAsBright) {
   const glm::dvec3 far(1e6, -2e6, 3e6);
   QuadScene quad;
