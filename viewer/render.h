@@ -71,6 +71,7 @@ struct RenderInputs {
 enum class AoCorrection {
   None,
   Interreflection,  ///< accessibility k becomes k / (1 - albedo (1 - k)), a channel (Eq. 11.13)
+  Cubic,            ///< a cubic of k and the albedo, fitted to traced scenes (Jimenez et al. 2016)
 };
 
 struct RenderOptions {

@@ -250,12 +250,14 @@ void addShadingOptions(CLI::App& app, PictureOptions& options) {
   app.add_option_function<std::string>(
          "--ao-correction",
          [&](const std::string& name) {
-           options.aoCorrection = chooseNamed<viewer::AoCorrection, 2>(
+           options.aoCorrection = chooseNamed<viewer::AoCorrection, 3>(
                "--ao-correction", name,
                {{{"none", viewer::AoCorrection::None},
-                 {"interreflection", viewer::AoCorrection::Interreflection}}});
+                 {"interreflection", viewer::AoCorrection::Interreflection},
+                 {"cubic", viewer::AoCorrection::Cubic}}});
          },
-         "ao and screen shading: none, or interreflection, the light that creases reflect into themselves")
+         "ao and screen shading: none, interreflection, the light that creases reflect into themselves, or "
+         "cubic, a fit of it to traced scenes")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--lobe",
